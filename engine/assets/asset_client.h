@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/error.h"
+#include "core/image.h"
+#include "core/mesh.h"
+
+namespace patina {
+
+/// What to do to a mesh while it is read.
+struct MeshRequest {
+    std::filesystem::path file;
+    bool fitUnitBox = false;  ///< uniform scale and centring into [-0.5, 0.5]^3 * 2 (radius one)
+    bool flipNormals = false;
+    double scale = 1.0;
+
+    friend bool operator==(const MeshRequest&, const MeshRequest&) = default;
+};
+
+/// A mesh that lies in memory shared with (or handed over by) the files process. Unmapped with
+/// the last copy of the pointer.
+class SharedMesh {
+  public:
+    virtual ~SharedMesh() = default;
+    virtual MeshView view() const = 0;
+};
+
+/// How far a request is, from any thread.
+struct Progress {
+    std::atomic<float> done{0.0f};       ///< 0 .. 1
+    std::atomic<bool> cancelled{false};  ///< set it to stop; the files process is killed
+};
+
+/// The client side of the `patina-files` process, which reads and writes every foreign format.
+/// Started on first use, kept warm, limited in memory and time, killed on cancel, restarted after
+/// a crash. Calls block; make them from a worker thread. Thread-safe: calls queue up.
+class AssetClient {
+  public:
+    struct Options {
+        std::filesystem::path program;   ///< empty: `patina-files` beside this program
+        double timeLimitSeconds = 20.0;  ///< for one request
+        std::size_t memoryLimitBytes = std::size_t(2) << 30;
+    };
+
+    explicit AssetClient(Options options);
+    AssetClient();
+    ~AssetClient();
+    AssetClient(const AssetClient&) = delete;
+    AssetClient& operator=(const AssetClient&) = delete;
+
+    /// A triangle list of the whole file: node transforms applied, normals and tangents there,
+    /// vertices joined and ordered. Errors name the file and what was wrong, also when the process
+    /// crashed ("stopped unexpectedly while reading"), ran out of time or memory, or was cancelled.
+    Result<std::shared_ptr<const SharedMesh>> loadMesh(const MeshRequest&, Progress* = nullptr);
+
+    /// PNG, JPEG, EXR, HDR, ...; 8-bit formats are decoded from sRGB to linear.
+    Result<Image> loadImage(const std::filesystem::path& file, Progress* = nullptr);
+
+    /// Format by extension: .png and .jpg are encoded to sRGB, .exr and .hdr keep linear floats.
+    /// Written atomically.
+    Result<void> saveImage(const std::filesystem::path& file, const Image&, Progress* = nullptr);
+
+    /// The bytes of such a file, for standard output. `extension` such as ".png".
+    Result<std::string> encodeImage(const std::string& extension, const Image&);
+
+    /// Starts the process now, in the background, so that the first request finds it warm.
+    void warmUp();
+
+  private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace patina

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "catalog/parameter.h"
+
+namespace patina {
+
+/// A named way to compute the same thing more cheaply; its first level is exact.
+struct AccuracyChoice {
+    std::string id;
+    std::string label;
+    std::string doc;
+    std::vector<EnumValue> values;
+
+    friend bool operator==(const AccuracyChoice&, const AccuracyChoice&) = default;
+};
+
+/// A kind of block that this block calls (a microfacet model calls a Fresnel block).
+struct Slot {
+    std::string kind;         ///< folder name of the kind, e.g. "fresnel"
+    std::string defaultBlock; ///< id of the block that fills the slot when nothing is chosen
+
+    friend bool operator==(const Slot&, const Slot&) = default;
+};
+
+/// A lighting model, Fresnel term, light, fog, ...: a descriptor and a GLSL file with one stem.
+struct Block {
+    std::string kind; ///< the folder: "models", "fresnel", "lights", "fog"
+    std::string id;   ///< the stem of both files
+    int version = 1;
+    std::string label;
+    std::string summary;
+    std::string applications;
+    std::string source; ///< paper and equation
+    std::string doc;
+    std::vector<Parameter> parameters;
+    std::vector<AccuracyChoice> accuracy;
+    std::vector<Slot> slots;
+    std::vector<std::string> claims;
+    std::map<std::string, std::string> exemptions; ///< claim -> why it is not made
+    std::vector<std::string> gates; ///< "light", "view": below which horizons the value is 0
+    std::filesystem::path descriptorFile;
+    std::filesystem::path shaderFile;
+    bool shipped = true; ///< false: from the user's folder
+
+    const Parameter* parameter(std::string_view parameterId) const;
+    const AccuracyChoice* accuracyChoice(std::string_view choiceId) const;
+    const Slot* slot(std::string_view slotKind) const;
+
+    friend bool operator==(const Block&, const Block&) = default;
+};
+
+/// The defaults of all parameters.
+Values defaultValues(const Block& block);
+
+/// Name of the block's parameter struct in GLSL and C++: "CookTorrance", "SchlickFresnel",
+/// "PointLight", "LinearFog": the id in Pascal case, and the kind's word except for models.
+std::string structName(const Block& block);
+
+/// Name of the block's function: the struct's name with a small first letter.
+std::string functionName(const Block& block);
+
+} // namespace patina

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace patina {
+
+/// A JSON document that remembers where each of its values stood.
+struct LocatedJson {
+    struct Place {
+        int line = 0;
+        int column = 0;
+    };
+
+    std::string file; ///< as the user knows it
+    nlohmann::json value;
+    std::unordered_map<std::string, Place> places; ///< JSON pointer -> start of the value
+
+    /// An error at the value a JSON pointer names ("" is the whole document).
+    Error error(const std::string& pointer, std::string problem, std::string expected = {}) const;
+};
+
+/// Limits on what is read: a file is never trusted.
+struct JsonLimits {
+    std::size_t bytes = 8u << 20;
+    int depth = 64;
+};
+
+/// Parses strict JSON: finite numbers only, no repeated keys, UTF-8, within the limits.
+Result<LocatedJson> parseJson(std::string_view text, std::string file, const JsonLimits& = {});
+
+/// Reads and parses a file.
+Result<LocatedJson> readJson(const std::filesystem::path& path, const JsonLimits& = {});
+
+/// The project's one way to write JSON: sorted keys, two spaces, floats as the shortest text that
+/// reads back as the same float, short arrays of numbers on one line, a final newline.
+std::string writeJson(const nlohmann::json& value);
+
+/// Every violation of a JSON Schema (draft 7) that ships in schemas/<name>.schema.json.
+Errors checkSchema(const LocatedJson& document, const std::string& schemaName);
+
+/// Writes through a temporary file in the same folder and renames it over the target, so that
+/// the old file is whole whatever happens; the temporary is removed on failure.
+Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+} // namespace patina

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/value.h"
+
+namespace patina {
+
+enum class ParameterType { Float, Int, Bool, Color, Vec2, Vec3, Angle, Enum, Texture };
+
+/// How a slider maps its length to the value.
+enum class Scale { Linear, Log };
+
+/// Where a vec3's numbers are counted from; the packer turns camera space into world space, so
+/// that a block only ever sees world space.
+enum class Space { None, WorldPoint, WorldDirection, CameraPoint, CameraDirection };
+
+/// What the shader generator does with a parameter.
+enum class Compiled {
+    No,      ///< a uniform: changing it never compiles
+    Yes,     ///< its value is part of the program (enums and bools only)
+    WhenZero ///< a float: only whether it is zero is part of the program
+};
+
+/// One choice of an enum parameter, or one level of an accuracy choice.
+struct EnumValue {
+    std::string id;
+    std::string label;
+    std::string doc;
+    bool exact = false; ///< accuracy choices only: the level the others are measured against
+
+    friend bool operator==(const EnumValue&, const EnumValue&) = default;
+};
+
+/// A range outside which the editor warns that nothing real looks like that.
+struct PhysicalRange {
+    double min = 0.0;
+    double max = 0.0;
+    std::string message;
+
+    friend bool operator==(const PhysicalRange&, const PhysicalRange&) = default;
+};
+
+/// One parameter as its descriptor declares it. The only declaration there is: the GLSL struct,
+/// the C++ struct, the widget, the command line and the preset check all come from it.
+struct Parameter {
+    std::string id;    ///< dotted, shared across blocks where the meaning is the same
+    std::string label;
+    std::string doc;   ///< the tooltip, in plain words
+    ParameterType type = ParameterType::Float;
+    Value defaultValue = 0.0;
+    double min = 0.0;  ///< hard range: what typing and files may reach (per component)
+    double max = 1.0;
+    double softMin = 0.0; ///< the slider's range
+    double softMax = 1.0;
+    double step = 0.01;
+    Scale scale = Scale::Linear;
+    std::string unit;
+    int decimals = 3;
+    std::string group;
+    bool advanced = false;
+    std::string enabledWhen;       ///< expression over sibling parameters; empty: always enabled
+    std::vector<EnumValue> values; ///< enum only
+    Compiled compiled = Compiled::No;
+    Space space = Space::None;
+    std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not
+    std::optional<PhysicalRange> physical;
+
+    friend bool operator==(const Parameter&, const Parameter&) = default;
+};
+
+/// Number of float components a value of this type has in the shader (an enum, int or bool has 1).
+int componentCount(ParameterType type);
+
+/// `value` forced into the parameter's type and hard range; the default where the alternative is
+/// wrong or a number is not finite.
+Value conformed(const Parameter& parameter, const Value& value);
+
+/// "diffuse.color" -> "diffuseColor": the field's name in GLSL and C++.
+std::string fieldName(std::string_view parameterId);
+
+} // namespace patina

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace patina {
+
+/// The sRGB transfer curve (IEC 61966-2-1): linear -> encoded, both clamped to [0, 1].
+double srgbEncoded(double linear);
+
+/// The inverse: encoded -> linear, both clamped to [0, 1].
+double srgbDecoded(double encoded);
+
+glm::dvec3 srgbEncoded(const glm::dvec3& linear);
+glm::dvec3 srgbDecoded(const glm::dvec3& encoded);
+
+} // namespace patina

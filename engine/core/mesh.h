@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace patina {
+
+/// One vertex as the GPU reads it: 48 bytes, object space, metres.
+struct Vertex {
+    glm::vec3 position{0.0f};
+    glm::vec3 normal{0.0f, 0.0f, 1.0f};          ///< unit
+    glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f};   ///< xyz unit or zero (unknown); w = +1 or -1
+    glm::vec2 uv{0.0f};
+
+    friend bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+/// Axis-aligned box. Empty (lower > upper) until the first point is added.
+struct Bounds {
+    glm::vec3 lower{1e30f};
+    glm::vec3 upper{-1e30f};
+
+    bool empty() const { return lower.x > upper.x; }
+    glm::vec3 center() const { return 0.5f * (lower + upper); }
+    glm::vec3 size() const { return upper - lower; }
+    void add(const glm::vec3& point);
+
+    friend bool operator==(const Bounds&, const Bounds&) = default;
+};
+
+/// A triangle list that somebody else owns (a Mesh, or memory shared with another process).
+struct MeshView {
+    std::span<const Vertex> vertices;
+    std::span<const std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
+    Bounds bounds;
+};
+
+/// A triangle list.
+struct Mesh {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    Bounds bounds;
+
+    MeshView view() const { return {vertices, indices, bounds}; }
+};
+
+/// The box around all vertices.
+Bounds boundsOf(std::span<const Vertex> vertices);
+
+} // namespace patina

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace patina {
+
+/// The value of one parameter. Which alternative is held follows from the parameter's type:
+/// bool; int; double for float and angle (an angle is in degrees everywhere but in the shader);
+/// dvec2; dvec3 for vec3 and color (linear Rec. 709); string for enum (the chosen value's id).
+/// Documents round numbers to float when they are set; only `patina eval` keeps all 53 bits.
+using Value = std::variant<bool, int, double, glm::dvec2, glm::dvec3, std::string>;
+
+/// Parameter id -> value.
+using Values = std::map<std::string, Value, std::less<>>;
+
+/// The same value with every number rounded to the nearest float.
+Value roundedToFloat(const Value& value);
+
+/// True when every number in the value is finite.
+bool isFinite(const Value& value);
+
+} // namespace patina

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "catalog/catalog.h"
+#include "catalog/parameter_layout.h"
+
+namespace patina {
+
+/// A block chosen by id, with its values. The id may be one that the catalogue does not know: the
+/// values are then kept as they came.
+struct BlockValues {
+    std::string id;
+    int version = 1;
+    Values parameters;
+    nlohmann::json unknown = nlohmann::json::object(); ///< keys the reader did not know
+
+    friend bool operator==(const BlockValues&, const BlockValues&) = default;
+};
+
+/// A lighting model with parameter values: the thing an artist makes, and what a preset holds.
+struct Material {
+    std::string name;
+    std::string description;
+    std::string author;
+    std::string license;
+    std::vector<std::string> tags;
+    BlockValues model;
+    std::optional<BlockValues> fresnel; ///< absent: off
+    double opacity = 1.0;               ///< 0 .. 1
+    AccuracyLevels accuracy;
+    nlohmann::json textures = nlohmann::json::object(); ///< as read; kept whole
+    nlohmann::json parked = nlohmann::json::object();   ///< values the current blocks do not use
+    nlohmann::json extras = nlohmann::json::object();
+    nlohmann::json unknown = nlohmann::json::object();  ///< unknown top-level keys, written back
+
+    friend bool operator==(const Material&, const Material&) = default;
+};
+
+/// A material of `model` with every parameter at its default.
+Material defaultMaterial(const Block& model);
+
+/// The material with another model: values whose parameter id and type both models have carry
+/// over, the others are parked; parked values that the new model knows come back.
+Material withModel(const Material& material, const Block* oldModel, const Block& newModel);
+
+/// The same for the Fresnel block; nullptr turns it off and parks its values.
+Material withFresnel(const Material& material, const Block* oldBlock, const Block* newBlock);
+
+} // namespace patina

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "catalog/json_text.h"
+#include "material/material.h"
+
+namespace patina {
+
+/// What reading a preset gave. Notes are things the user should know that lost nothing (an unknown
+/// model whose values are parked, a value outside its range that was brought in, ...).
+struct PresetReading {
+    Material material;
+    Errors notes;
+    bool readOnly = false; ///< written by a newer version: may be looked at, not saved over
+};
+
+/// Reads a material from the value at `pointer` of a document (a preset inside a scene).
+Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::string& pointer,
+                                        const Catalog& catalog);
+
+/// The preset's JSON, every parameter written.
+nlohmann::json toJson(const Material& material);
+
+Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog);
+Result<void> writePreset(const std::filesystem::path& path, const Material& material);
+
+} // namespace patina

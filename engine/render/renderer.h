@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "core/image.h"
+#include "core/mesh.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// Which frame is wanted, apart from the scene.
+struct View {
+    glm::ivec2 size{512, 512};      ///< pixels, each at least 1
+    Camera camera;
+    int samples = 4;                ///< MSAA; lowered to what the driver offers
+    std::string onlyMaterialOverride; ///< reserved
+};
+
+/// Gives the triangles of a mesh name, or an empty view while it is not there yet.
+using MeshSource = std::function<MeshView(const Object&)>;
+
+/// What drawing a frame took and what it was made of.
+struct FrameReport {
+    int programs = 0;         ///< different programs used
+    int compiled = 0;         ///< programs compiled (not found in memory or on disk) for this frame
+    int uploadedBuffers = 0;  ///< uniform buffers written
+    int drawnObjects = 0;
+    std::vector<std::string> effects; ///< the blocks in the shaders, one entry each, canonical order
+    Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
+};
+
+/// Draws scenes with OpenGL 4.1 core. Made, used and destroyed with one context current.
+class Renderer {
+  public:
+    struct Options {
+        std::filesystem::path programCache; ///< folder for program binaries; empty: none on disk
+    };
+
+    static Result<std::unique_ptr<Renderer>> create(Options options);
+    ~Renderer();
+
+    /// Blocks may have changed on disk: sources are assembled anew; programs that still assemble to
+    /// the same text are kept, and the last good program is used where the new one does not compile.
+    void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    /// Draws into a framebuffer object of the current context, tone mapped and sRGB encoded.
+    FrameReport draw(const Scene& scene, const View& view, const MeshSource& meshes,
+                     unsigned framebuffer);
+
+    /// The same frame as linear floats before tone mapping (RGBA, straight alpha), or as the
+    /// 8-bit display values / 255 when `display` is true.
+    Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
+                          bool display);
+
+  private:
+    Renderer();
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace patina

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/mesh.h"
+
+namespace patina {
+
+/// Names of the meshes made by code: "sphere", "torus", "cube", "plane", "cylinder", "cone",
+/// "shaderball".
+std::vector<std::string> primitiveNames();
+
+/// The mesh of one of those names, about one metre in radius, centred at the origin, with exact
+/// normals, texture coordinates and tangents; nothing for another name.
+std::optional<Mesh> primitive(std::string_view name);
+
+} // namespace patina

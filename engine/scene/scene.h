@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "material/material.h"
+
+namespace patina {
+
+/// A mesh in the scene with its own material.
+struct Object {
+    std::string name;
+    std::string mesh = "builtin:sphere"; ///< "builtin:<name>", or a path with forward slashes
+    bool fitUnitBox = false;   ///< scale and centre the mesh into a unit box before the transform
+    bool flipNormals = false;
+    bool visible = true;
+    glm::dvec3 translation{0.0}; ///< metres
+    glm::dvec3 rotation{0.0};    ///< degrees about x, then y, then z
+    glm::dvec3 scale{1.0};
+    Material material;
+    nlohmann::json unknown = nlohmann::json::object();
+
+    friend bool operator==(const Object&, const Object&) = default;
+};
+
+/// A light of some kind in the catalogue.
+struct Light {
+    std::string name;
+    bool enabled = true;
+    BlockValues block; ///< of kind "lights"
+
+    friend bool operator==(const Light&, const Light&) = default;
+};
+
+/// A perspective camera that orbits a pivot. World space is right-handed with +y up.
+struct Camera {
+    glm::dvec3 pivot{0.0};
+    double yaw = 30.0;         ///< degrees about +y; 0 looks along -z
+    double pitch = 20.0;       ///< degrees above the horizon, -90 .. 90
+    double distance = 4.0;     ///< metres from the pivot, > 0
+    double fieldOfView = 35.0; ///< vertical, degrees, 1 .. 170
+
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+enum class ToneMapping { None, KhronosNeutral };
+
+/// Everything that is drawn. A value: copying it is how undo works.
+struct Scene {
+    std::string name;
+    std::vector<Object> objects;
+    std::vector<Light> lights;
+    std::optional<BlockValues> fog;  ///< of kind "fog"; absent: off
+    glm::dvec3 ambient{0.0};         ///< linear colour of the light from everywhere
+    glm::dvec3 background{0.18};     ///< linear
+    Camera camera;
+    double exposure = 0.0;           ///< EV, powers of two
+    ToneMapping toneMapping = ToneMapping::KhronosNeutral;
+    nlohmann::json environment = nlohmann::json::object(); ///< as read; kept whole
+    nlohmann::json extras = nlohmann::json::object();
+    nlohmann::json unknown = nlohmann::json::object();
+
+    friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// Object space -> world space: translation * rotation * scale.
+glm::dmat4 worldMatrix(const Object& object);
+
+glm::dvec3 eye(const Camera& camera);
+glm::dmat4 viewMatrix(const Camera& camera);
+
+} // namespace patina

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Language level, warnings and sanitizers, carried by the interface target patina::compiler.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+option(PATINA_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(PATINA_TIDY "Run clang-tidy on every file" OFF)
+
+add_library(patina_compiler INTERFACE)
+add_library(patina::compiler ALIAS patina_compiler)
+target_compile_options(patina_compiler INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+
+if(PATINA_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
+                        -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+if(PATINA_TIDY)
+    find_program(PATINA_CLANG_TIDY clang-tidy REQUIRED)
+    set(CMAKE_CXX_CLANG_TIDY ${PATINA_CLANG_TIDY} --quiet)
+endif()
+
+# A compiler cache and a fast linker only where they are installed; neither changes the result.
+find_program(PATINA_CCACHE ccache)
+if(PATINA_CCACHE AND NOT PATINA_TIDY)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${PATINA_CCACHE})
+endif()
+find_program(PATINA_MOLD mold)
+if(PATINA_MOLD)
+    add_link_options(-fuse-ld=mold)
+endif()

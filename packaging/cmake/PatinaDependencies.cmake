@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every library Patina uses, found once. Header-only ones become interface targets here.
+
+find_package(PkgConfig REQUIRED)
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Boost 1.74 REQUIRED COMPONENTS filesystem)
+find_package(CLI11 REQUIRED)
+find_package(Qt6 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets)
+find_package(QCustomPlotQt6 QUIET)
+find_package(assimp REQUIRED)
+find_package(OpenImageIO REQUIRED)
+find_package(meshoptimizer REQUIRED)
+find_package(draco REQUIRED)
+pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
+
+find_path(PATINA_EXPECTED_INCLUDE tl/expected.hpp REQUIRED)
+find_path(PATINA_VALIJSON_INCLUDE valijson/validator.hpp REQUIRED)
+find_path(PATINA_TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)
+
+function(patina_header_only name include)
+    add_library(patina_${name} INTERFACE)
+    add_library(patina::${name} ALIAS patina_${name})
+    target_include_directories(patina_${name} SYSTEM INTERFACE ${include})
+endfunction()
+patina_header_only(expected ${PATINA_EXPECTED_INCLUDE})
+patina_header_only(valijson ${PATINA_VALIJSON_INCLUDE})
+patina_header_only(tinygltf ${PATINA_TINYGLTF_INCLUDE})
