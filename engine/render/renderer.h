@@ -32,7 +32,7 @@ struct FrameReport {
     int compiled = 0;         ///< programs compiled (not found in memory or on disk) for this frame
     int uploadedBuffers = 0;  ///< uniform buffers written
     int drawnObjects = 0;
-    std::vector<std::string> effects; ///< the blocks in the shaders, one entry each, canonical order
+    std::vector<std::string> effects; ///< the blocks in the shaders, canonical order
     Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
 };
 
@@ -47,7 +47,7 @@ class Renderer {
     ~Renderer();
 
     /// Blocks may have changed on disk: sources are assembled anew; programs that still assemble to
-    /// the same text are kept, and the last good program is used where the new one does not compile.
+    /// the same text are kept, and the last good one is used where the new one does not compile.
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
     /// Draws into a framebuffer object of the current context, tone mapped and sRGB encoded.

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The arrows that ARCHITECTURE.md draws are the ones that the includes and the linker follow.
+#include <map>
+#include <regex>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "source_tree.h"
+
+namespace patina::tests {
+namespace {
+
+using Arrows = std::map<std::string, std::set<std::string>>; // folder -> what it may use
+
+/// The first fenced block after the heading: chains such as "core <- catalog <- material".
+Arrows arrowsDrawn() {
+    const std::string text = readText(projectRoot() / "ARCHITECTURE.md");
+    const auto heading = text.find("## The arrows");
+    const auto begin = text.find("```", heading) + 3;
+    const std::string block = text.substr(begin, text.find("```", begin) - begin);
+
+    Arrows arrows;
+    std::string previous;
+    bool linked = false;
+    static const std::regex token(R"(<-|[a-z]+(/[a-z]+)?)");
+    for (std::sregex_iterator it(block.begin(), block.end(), token), end; it != end; ++it) {
+        if (it->str() == "<-") {
+            linked = true;
+            continue;
+        }
+        arrows[it->str()];
+        if (linked) {
+            arrows[it->str()].insert(previous);
+        }
+        previous = it->str();
+        linked = false;
+    }
+    return arrows;
+}
+
+Arrows transitive(Arrows arrows) {
+    for (std::size_t round = 0; round < arrows.size(); ++round) {
+        for (auto& [folder, uses] : arrows) {
+            const std::set<std::string> direct = uses;
+            for (const auto& used : direct) {
+                uses.insert(arrows[used].begin(), arrows[used].end());
+            }
+        }
+    }
+    return arrows;
+}
+
+/// "engine/core/value.h" is in the room "core", "app/files/main.cpp" in "app/files".
+std::string roomOf(const SourceFile& file, const Arrows& arrows) {
+    const std::filesystem::path path(file.path);
+    auto part = path.begin();
+    const std::string top = (part++)->string();
+    const std::string folder = part->string();
+    if (top == "engine") {
+        return folder;
+    }
+    return arrows.contains(top + "/" + folder) ? top + "/" + folder : top;
+}
+
+std::vector<SourceFile> programSources() {
+    return filesUnder({"engine", "app"}, {".h", ".cpp", ".in"});
+}
+
+TEST(Arrows, EveryEngineFolder_IsDrawn) {
+    const Arrows arrows = arrowsDrawn();
+    for (const auto& entry : std::filesystem::directory_iterator(projectRoot() / "engine")) {
+        if (entry.is_directory()) {
+            EXPECT_TRUE(arrows.contains(entry.path().filename().string())) << entry.path();
+        }
+    }
+}
+
+TEST(Arrows, Includes_FollowThem) {
+    const Arrows arrows = transitive(arrowsDrawn());
+    static const std::regex include("#include \"([a-z]+)/");
+    for (const SourceFile& file : programSources()) {
+        const std::string room = roomOf(file, arrows);
+        ASSERT_TRUE(arrows.contains(room)) << file.path;
+        std::sregex_iterator it(file.text.begin(), file.text.end(), include);
+        for (const std::sregex_iterator end; it != end; ++it) {
+            const std::string used = (*it)[1];
+            if (arrows.contains(used) && used != room) {
+                EXPECT_TRUE(arrows.at(room).contains(used))
+                    << file.place(std::size_t(it->position())) << ": " << room << " may not use "
+                    << used;
+            }
+        }
+    }
+}
+
+TEST(Arrows, Libraries_LinkOnlyAlongThem) {
+    const Arrows arrows = transitive(arrowsDrawn());
+    static const std::regex library(R"(patina_engine_library\(([a-z]+)\s+USES([a-z\s]+))");
+    for (const SourceFile& file : filesUnder({"engine"}, {"CMakeLists.txt"})) {
+        std::smatch match;
+        if (!std::regex_search(file.text, match, library)) {
+            continue;
+        }
+        std::istringstream used(match[2]);
+        for (std::string name; used >> name;) {
+            EXPECT_TRUE(arrows.at(match[1]).contains(name)) << file.path << " uses " << name;
+        }
+    }
+}
+
+TEST(Arrows, ForeignFormats_AreLinkedByTheFilesProgramOnly) {
+    for (const SourceFile& file : filesUnder({"engine", "app"}, {"CMakeLists.txt"})) {
+        const bool mayLink = file.path == "app/files/CMakeLists.txt";
+        EXPECT_TRUE(mayLink || file.text.find("patina::io") == std::string::npos) << file.path;
+    }
+}
+
+TEST(Arrows, Engine_HasNoQt) {
+    static const std::regex qt("#include <Q|Qt[0-9]?::");
+    for (const SourceFile& file : filesUnder({"engine"})) {
+        EXPECT_FALSE(std::regex_search(file.text, qt)) << file.path;
+    }
+}
+
+TEST(Arrows, CommandLineAndFilesProgram_HaveNoQt) {
+    static const std::regex qt("#include <Q|Qt[0-9]?::");
+    for (const SourceFile& file : filesUnder({"app/cli", "app/files"})) {
+        EXPECT_FALSE(std::regex_search(file.text, qt)) << file.path;
+    }
+}
+
+} // namespace
+} // namespace patina::tests

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for every file: a licence, a size that reads well, no test that is switched off.
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "source_tree.h"
+
+namespace patina::tests {
+namespace {
+
+std::vector<SourceFile> everyFile() {
+    return filesUnder(
+        {".ci", "app", "docs", "engine", "packaging", "presets", "schemas", "shaders", "tests"});
+}
+
+/// A path pattern of REUSE.toml as a regular expression: ** crosses folders, * does not.
+std::regex globExpression(const std::string& glob) {
+    std::string expression;
+    for (std::size_t at = 0; at < glob.size(); ++at) {
+        if (glob.compare(at, 2, "**") == 0) {
+            expression += ".*";
+            ++at;
+        } else if (glob[at] == '*') {
+            expression += "[^/]*";
+        } else if (std::string_view(".+()[]").find(glob[at]) != std::string_view::npos) {
+            expression += std::string("\\") + glob[at];
+        } else {
+            expression += glob[at];
+        }
+    }
+    return std::regex(expression);
+}
+
+struct LicenceRule {
+    std::regex path;
+    std::string licence;
+};
+
+/// The rules of REUSE.toml for files that cannot hold a comment.
+std::vector<LicenceRule> licenceRules() {
+    const std::string text = readText(projectRoot() / "REUSE.toml");
+    static const std::regex annotation(
+        R"-(path = \[([^\]]*)\][^\[]*?License-Identifier = "([^"]*)")-");
+    static const std::regex quoted("\"([^\"]*)\"");
+    std::vector<LicenceRule> rules;
+    for (std::sregex_iterator it(text.begin(), text.end(), annotation), end; it != end; ++it) {
+        const std::string paths = (*it)[1];
+        std::sregex_iterator path(paths.begin(), paths.end(), quoted);
+        for (; path != end; ++path) {
+            rules.push_back({globExpression((*path)[1]), (*it)[2]});
+        }
+    }
+    return rules;
+}
+
+/// The licence of a file: its own SPDX line near the top, else the last rule that matches it.
+std::string licenceOf(const SourceFile& file) {
+    static const std::regex line("SPDX-License-Identifier: ([A-Za-z0-9.-]+)");
+    const std::string top = file.text.substr(0, 400);
+    std::smatch match;
+    if (std::regex_search(top, match, line)) {
+        return match[1];
+    }
+    std::string licence;
+    for (const LicenceRule& rule : licenceRules()) {
+        if (std::regex_match(file.path, rule.path)) {
+            licence = rule.licence;
+        }
+    }
+    return licence;
+}
+
+bool isGivenAway(const SourceFile& file) {
+    return file.path.starts_with("shaders/") || file.path.starts_with("presets/");
+}
+
+TEST(Licences, EveryFile_StatesTheOneOfItsFolder) {
+    for (const SourceFile& file : everyFile()) {
+        const std::string expected = isGivenAway(file) ? "MIT-0" : "GPL-3.0-or-later";
+        EXPECT_EQ(licenceOf(file), expected) << file.path;
+    }
+}
+
+TEST(Licences, Code_StatesItInTheFileItself) {
+    static const std::string mark = "SPDX-License-Identifier: ";
+    for (const SourceFile& file : everyFile()) {
+        if (file.endsWith(".cpp") || file.endsWith(".h") || file.endsWith(".glsl") ||
+            file.endsWith(".cmake") || file.endsWith("CMakeLists.txt")) {
+            EXPECT_LT(file.text.find(mark), 80u) << file.path;
+        }
+    }
+}
+
+TEST(Files, Sources_HaveAtMost400Lines) {
+    for (const SourceFile& file :
+         filesUnder({"app", "engine", "shaders", "tests"}, {".cpp", ".h", ".glsl"})) {
+        EXPECT_LE(std::ranges::count(file.text, '\n'), 400) << file.path;
+    }
+}
+
+TEST(Files, Lines_HaveAtMost100Columns) {
+    for (const SourceFile& file :
+         filesUnder({"app", "engine", "tests"}, {".cpp", ".h", ".cmake", "CMakeLists.txt"})) {
+        std::istringstream lines(file.text);
+        int number = 0;
+        for (std::string line; std::getline(lines, line);) {
+            ++number;
+            // Count characters, not the bytes after the first of a UTF-8 sequence.
+            const auto columns =
+                std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; });
+            EXPECT_LE(columns, 100) << file.path << ":" << number;
+        }
+    }
+}
+
+TEST(Files, Tests_AreNeverSwitchedOff) {
+    static const std::regex off("DISABLED"
+                                "_|GTEST"
+                                "_SKIP|Q"
+                                "SKIP|#if"
+                                " 0");
+    for (const SourceFile& file : filesUnder({"app", "engine", "tests"})) {
+        std::smatch match;
+        if (std::regex_search(file.text, match, off)) {
+            ADD_FAILURE() << file.place(std::size_t(match.position())) << ": " << match.str();
+        }
+    }
+}
+
+TEST(Files, Sources_HaveNoLeftOverMarks) {
+    static const std::regex marks("\\b(TO"
+                                  "DO|FIX"
+                                  "ME|XX"
+                                  "X|HA"
+                                  "CK)\\b");
+    for (const SourceFile& file : filesUnder({"app", "engine", "shaders", "tests", "packaging"},
+                                             {".cpp", ".h", ".glsl", ".cmake", ".txt", ".sh"})) {
+        std::smatch match;
+        if (std::regex_search(file.text, match, marks)) {
+            ADD_FAILURE() << file.place(std::size_t(match.position())) << ": " << match.str();
+        }
+    }
+}
+
+} // namespace
+} // namespace patina::tests
