@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "core/mesh.h"
+
+namespace patina {
+
+/// A point of a profile: distance from the axis and height, with the unit normal of the solid.
+struct ProfilePoint {
+    glm::dvec2 position;
+    glm::dvec2 normal;
+};
+
+/// A smooth piece of a profile; where one span ends and the next begins the surface has an edge.
+using Span = std::vector<ProfilePoint>;
+
+/// The outline of a solid of revolution about +y, from the bottom to the top.
+using Profile = std::vector<Span>;
+
+/// `steps` straight pieces from `from` to `to`, the solid to the left when looking along them.
+Span segment(const glm::dvec2& from, const glm::dvec2& to, int steps);
+
+/// An arc about `centre`; angles in radians from +y towards the outside, normals away from the
+/// centre.
+Span arc(const glm::dvec2& centre, double radius, double from, double to, int steps);
+
+/// Adds the surface of revolution of `profile` with `columns` steps around the axis. Normals are
+/// the profile's, u runs once around, v along the outline by arc length, the tangent along u.
+void addLathe(Mesh& mesh, const Profile& profile, int columns);
+
+} // namespace patina
