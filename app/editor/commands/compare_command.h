@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <variant>
+
+#include "commands/change_command.h"
+
+namespace patina {
+
+/// Starts comparing with a second material, replaces it, or stops.
+class CompareCommand : public ChangeCommand<std::monostate, std::optional<Material>> {
+  public:
+    CompareCommand(Document& document, std::optional<Material> after);
+
+  private:
+    void apply(const std::optional<Material>& second) override;
+};
+
+} // namespace patina

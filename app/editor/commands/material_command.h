@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "commands/change_command.h"
+
+namespace patina {
+
+/// Which material of a document is meant.
+struct MaterialTarget {
+    int object = 0;
+    Side side = Side::A;
+
+    friend bool operator==(const MaterialTarget&, const MaterialTarget&) = default;
+};
+
+/// Replaces a whole material (a preset dropped on it, its name or tags changed).
+class MaterialCommand : public ChangeCommand<MaterialTarget, Material> {
+  public:
+    /// The material at the target must exist.
+    MaterialCommand(Document& document, const MaterialTarget& target, const Material& after,
+                    const QString& label);
+
+  private:
+    void apply(const Material& material) override;
+};
+
+} // namespace patina

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/model_command.h"
+
+namespace patina {
+
+namespace {
+
+Material swapped(const Document& document, const MaterialTarget& target, const Block& model) {
+    const BlockPath path{BlockPath::Part::Model, target.object, target.side};
+    const Material* material = materialAt(document.state(), target.object, target.side);
+    return withModel(*material, document.block(path), model);
+}
+
+} // namespace
+
+ModelCommand::ModelCommand(Document& document, const MaterialTarget& target, const Block& model)
+    : MaterialCommand(document, target, swapped(document, target, model),
+                      Document::tr("Model %1").arg(QString::fromStdString(model.label))) {}
+
+} // namespace patina

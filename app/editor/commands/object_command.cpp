@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/object_command.h"
+
+namespace patina {
+
+ObjectCommand::ObjectCommand(Document& document, int index, std::optional<Object> before,
+                             std::optional<Object> after, const QString& label)
+    : ListCommand(document, Kind::Object, label, index, std::move(before), std::move(after)) {}
+
+std::vector<Object>& ObjectCommand::list() const {
+    return state().scene.objects;
+}
+
+void ObjectCommand::announce() const {
+    Q_EMIT document().objectsChanged();
+}
+
+} // namespace patina

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document.h"
+
+#include <algorithm>
+
+#include "commands/parameter_command.h"
+#include "fixed_blocks.h"
+
+namespace patina {
+
+Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
+    : QObject(parent), catalog_(std::move(catalog)) {
+    fixedBlocks_ = {{BlockPath::Part::Scene, sceneBlock()},
+                    {BlockPath::Part::Object, objectBlock()},
+                    {BlockPath::Part::Material, materialBlock()}};
+    connectSignals();
+}
+
+Document::~Document() {
+    // Clearing the stack below must not call back into a half-destroyed document.
+    undoStack_.disconnect(this);
+}
+
+void Document::connectSignals() {
+    connect(this, &Document::valueChanged, this, &Document::updateSecondScene);
+    const auto forgetSecondScene = [this] { secondScene_.reset(); };
+    connect(this, &Document::materialChanged, this, forgetSecondScene);
+    connect(this, &Document::fogReplaced, this, forgetSecondScene);
+    connect(this, &Document::lightsChanged, this, forgetSecondScene);
+    connect(this, &Document::objectsChanged, this, forgetSecondScene);
+    connect(this, &Document::sceneReplaced, this, forgetSecondScene);
+    connect(this, &Document::catalogChanged, this, forgetSecondScene);
+    connect(this, &Document::cameraChanged, this, forgetSecondScene);
+    connect(this, &Document::lightsChanged, this, &Document::keepCurrentInside);
+    connect(this, &Document::objectsChanged, this, &Document::keepCurrentInside);
+    connect(this, &Document::comparingChanged, this, &Document::keepCurrentInside);
+
+    connect(this, &Document::valueChanged, this, &Document::changed);
+    connect(this, &Document::materialChanged, this, &Document::changed);
+    connect(this, &Document::fogReplaced, this, &Document::changed);
+    connect(this, &Document::lightsChanged, this, &Document::changed);
+    connect(this, &Document::objectsChanged, this, &Document::changed);
+    connect(this, &Document::comparingChanged, this, &Document::changed);
+    connect(this, &Document::cameraChanged, this, &Document::changed);
+    connect(this, &Document::sceneReplaced, this, &Document::changed);
+    connect(this, &Document::catalogChanged, this, &Document::changed);
+    connect(&undoStack_, &QUndoStack::cleanChanged, this,
+            [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
+}
+
+const Scene& Document::scene(Side side) const {
+    if (side == Side::A || !state_.second || currentObject_ < 0) {
+        return state_.scene;
+    }
+    if (!secondScene_) {
+        secondScene_ = state_.scene;
+        secondScene_->objects[static_cast<std::size_t>(currentObject_)].material = *state_.second;
+    }
+    return *secondScene_;
+}
+
+/// A slider's tick changes the second scene in place: copying it would cost more than drawing it.
+void Document::updateSecondScene(const BlockPath& path, const QString& parameterId) {
+    if (!secondScene_) {
+        return;
+    }
+    const std::string id = parameterId.toStdString();
+    const std::optional<Value> stored = storedValue(state_, path, id);
+    const bool isOfMaterial =
+        materialAt(state_, path.index, path.side) &&
+        (path.part == BlockPath::Part::Model || path.part == BlockPath::Part::Fresnel ||
+         path.part == BlockPath::Part::Accuracy || path.part == BlockPath::Part::Material);
+    if (!stored || (isOfMaterial && path.side == Side::A && path.index == currentObject_)) {
+        return; // side B does not show it
+    }
+    BlockPath shown = path;
+    if (isOfMaterial && path.side == Side::B) {
+        shown.side = Side::A;
+        shown.index = currentObject_;
+    }
+    DocumentState second{std::move(*secondScene_), std::nullopt};
+    storeValue(second, shown, id, *stored);
+    secondScene_ = std::move(second.scene);
+}
+
+const Material* Document::material(Side side) const {
+    return currentObject_ < 0 ? nullptr : materialAt(state_, currentObject_, side);
+}
+
+void Document::setCurrentObject(int index) {
+    const int inside = std::min(index, static_cast<int>(state_.scene.objects.size()) - 1);
+    if (inside != currentObject_) {
+        currentObject_ = inside;
+        secondScene_.reset();
+        Q_EMIT currentChanged();
+        if (state_.second) {
+            Q_EMIT changed(); // side B moved to another object
+        }
+    }
+}
+
+void Document::setCurrentLight(int index) {
+    const int inside = std::min(index, static_cast<int>(state_.scene.lights.size()) - 1);
+    if (inside != currentLight_) {
+        currentLight_ = inside;
+        Q_EMIT currentChanged();
+    }
+}
+
+void Document::setActiveSide(Side side) {
+    const Side possible = state_.second ? side : Side::A;
+    if (possible != activeSide_) {
+        activeSide_ = possible;
+        Q_EMIT currentChanged();
+    }
+}
+
+void Document::keepCurrentInside() {
+    const bool hasObjects = !state_.scene.objects.empty();
+    const bool hasLights = !state_.scene.lights.empty();
+    setCurrentObject(hasObjects ? std::max(currentObject_, 0) : -1);
+    setCurrentLight(hasLights ? std::max(currentLight_, 0) : -1);
+    setActiveSide(activeSide_);
+}
+
+BlockPath Document::currentPath(BlockPath::Part part) const {
+    switch (part) {
+    case BlockPath::Part::Light:
+        return {part, currentLight_, Side::A};
+    case BlockPath::Part::Fog:
+    case BlockPath::Part::Scene:
+        return {part, 0, Side::A};
+    case BlockPath::Part::Object:
+        return {part, currentObject_, Side::A};
+    default:
+        return {part, currentObject_, activeSide_};
+    }
+}
+
+namespace {
+
+const char* kindOf(BlockPath::Part part) {
+    switch (part) {
+    case BlockPath::Part::Model:
+        return "models";
+    case BlockPath::Part::Fresnel:
+        return "fresnel";
+    case BlockPath::Part::Light:
+        return "lights";
+    default:
+        return "fog";
+    }
+}
+
+} // namespace
+
+const Block* Document::block(const BlockPath& path) const {
+    if (const auto fixed = fixedBlocks_.find(path.part); fixed != fixedBlocks_.end()) {
+        return &fixed->second;
+    }
+    if (path.part != BlockPath::Part::Accuracy) {
+        const BlockValues* values = blockValuesAt(state_, path);
+        return values ? catalog_->find(kindOf(path.part), values->id) : nullptr;
+    }
+    const Block* model = block({BlockPath::Part::Model, path.index, path.side});
+    if (!model) {
+        return nullptr;
+    }
+    return &accuracyBlocks_.try_emplace(model->id, accuracyBlock(*model)).first->second;
+}
+
+Value Document::value(const BlockPath& path, const Parameter& parameter) const {
+    const std::optional<Value> stored = storedValue(state_, path, parameter.id);
+    return stored ? conformed(parameter, *stored) : parameter.defaultValue;
+}
+
+void Document::setValue(const BlockPath& path, std::string_view parameterId, const Value& wanted) {
+    const Block* described = block(path);
+    const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
+    if (!parameter || !isFinite(wanted)) {
+        return;
+    }
+    const Value after = roundedToFloat(conformed(*parameter, wanted));
+    if (after != value(path, *parameter)) {
+        undoStack_.push(new ParameterCommand(*this, path, *parameter, after));
+    }
+}
+
+void Document::resetValue(const BlockPath& path, std::string_view parameterId) {
+    const Block* described = block(path);
+    if (const Parameter* parameter = described ? described->parameter(parameterId) : nullptr) {
+        setValue(path, parameterId, parameter->defaultValue);
+    }
+}
+
+void Document::beginInteraction() {
+    if (interaction_ == 0) {
+        interaction_ = ++lastInteraction_;
+    }
+}
+
+void Document::endInteraction() {
+    interaction_ = 0;
+}
+
+void Document::setCamera(const Camera& camera) {
+    if (camera != state_.scene.camera) {
+        state_.scene.camera = camera;
+        Q_EMIT cameraChanged();
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <QObject>
+#include <QUndoStack>
+
+#include "catalog/catalog.h"
+#include "document_state.h"
+
+namespace patina {
+
+/// What the document was opened from or saved to last.
+struct DocumentFile {
+    enum class Kind { None, Preset, Scene };
+    Kind kind = Kind::None;
+    std::filesystem::path path;
+    bool readOnly = false; ///< written by a newer version: never saved over
+
+    friend bool operator==(const DocumentFile&, const DocumentFile&) = default;
+};
+
+/// Holds the truth of an editing session as values. Widgets show it and ask it to change; every
+/// change is a command on the undo stack. Which object, light and side are current, and where the
+/// camera stands, is view state: it is kept here and saved, but not undone.
+class Document : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit Document(std::shared_ptr<const Catalog> catalog, QObject* parent = nullptr);
+    ~Document() override;
+
+    // What there is.
+    const DocumentState& state() const { return state_; }
+    const Scene& scene() const { return state_.scene; }
+    /// The scene as one side shows it: B has the second material on the current object.
+    const Scene& scene(Side side) const;
+    /// The current object's material of that side; null when there is none.
+    const Material* material(Side side) const;
+    bool isComparing() const { return state_.second.has_value(); }
+    const Catalog& catalog() const { return *catalog_; }
+    std::shared_ptr<const Catalog> sharedCatalog() const { return catalog_; }
+
+    // What is current (-1: nothing).
+    int currentObject() const { return currentObject_; }
+    int currentLight() const { return currentLight_; }
+    Side activeSide() const { return activeSide_; }
+    void setCurrentObject(int index);
+    void setCurrentLight(int index);
+    void setActiveSide(Side side);
+    /// The path of a part of what is current: the active material, the current light or object.
+    BlockPath currentPath(BlockPath::Part part) const;
+
+    // Parameter values, whatever they belong to.
+    /// Describes the values at a path; null when nothing is there or its block is not known.
+    const Block* block(const BlockPath& path) const;
+    /// The value a parameter has, conformed to its descriptor; the default where none is stored.
+    Value value(const BlockPath& path, const Parameter& parameter) const;
+    void setValue(const BlockPath& path, std::string_view parameterId, const Value& value);
+    void resetValue(const BlockPath& path, std::string_view parameterId);
+
+    // One interaction (a drag, a held key) is one undo step: every edit between begin and end
+    // merges, and one that ends where it began leaves no step.
+    void beginInteraction();
+    void endInteraction();
+    bool isInteracting() const { return interaction_ != 0; }
+
+    // Materials. Empty ids turn the Fresnel block or the fog off.
+    void setModel(Side side, std::string_view modelId);
+    void setFresnel(Side side, std::string_view blockId);
+    void replaceMaterial(Side side, const Material& material, const QString& label);
+    /// Starts comparing with a material, changes it, or stops (nullopt).
+    void setSecondMaterial(std::optional<Material> material);
+    /// Starts comparing with a copy of side A, or stops.
+    void setComparing(bool on);
+    void swapSides();
+
+    // Lights, fog, objects.
+    void addLight(std::string_view blockId);
+    void setLight(int index, const Light& light);
+    /// Another kind of light; values with the same id carry over.
+    void setLightKind(int index, std::string_view blockId);
+    void removeLight(int index);
+    void setFog(std::string_view blockId);
+    void addObject(const Object& object);
+    void setObject(int index, const Object& object);
+    void removeObject(int index);
+
+    void setCamera(const Camera& camera);
+
+    // Undo.
+    QUndoStack& undoStack() { return undoStack_; }
+    bool isModified() const { return !undoStack_.isClean(); }
+
+    /// Blocks changed: values are kept by id and brought into their new ranges.
+    void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    // Files. What goes wrong, and what the reader has to tell, comes through message().
+    const DocumentFile& file() const { return file_; }
+    /// A new, untitled document that starts as this scene.
+    void startFrom(const Scene& scene);
+    bool openScene(const std::filesystem::path& path);
+    /// Opens a scene as a new, untitled document (the default scene).
+    bool openTemplate(const std::filesystem::path& path);
+    /// Opens a preset as the document: the material of side A of the current object.
+    bool openPreset(const std::filesystem::path& path);
+    /// Puts a preset on a side, as one undoable edit.
+    bool applyPreset(const std::filesystem::path& path, Side side);
+    bool saveScene(const std::filesystem::path& path);
+    bool savePreset(const std::filesystem::path& path, Side side);
+    /// Saves to file(), by its kind; false when there is none or it is read-only.
+    bool save();
+
+  Q_SIGNALS:
+    /// Anything that is drawn changed. Comes with every signal below but the last four.
+    void changed();
+    void valueChanged(const patina::BlockPath& path, const QString& parameterId);
+    /// Another model, Fresnel block or whole material: the form's rows may differ.
+    void materialChanged(int object, patina::Side side);
+    void fogReplaced();
+    /// The list of lights: added, removed, renamed, switched, another kind.
+    void lightsChanged();
+    /// The list of objects: added, removed, renamed, another mesh.
+    void objectsChanged();
+    /// Comparing began or ended.
+    void comparingChanged(bool on);
+    void cameraChanged();
+    void sceneReplaced();
+    void catalogChanged();
+    /// The current object, light or side.
+    void currentChanged();
+    void fileChanged();
+    void modifiedChanged(bool modified);
+    void message(const patina::Error& message);
+
+  private:
+    friend class DocumentCommand;
+
+    void connectSignals();
+    void updateSecondScene(const BlockPath& path, const QString& parameterId);
+    void keepCurrentInside();
+    void reconcile(Material& material, const Catalog& before) const;
+    void reconcile(BlockValues& values, std::string_view kind, const Catalog& before) const;
+    void replaceState(DocumentState state, DocumentFile file);
+    void tell(const Errors& messages);
+    bool mayOverwrite(const std::filesystem::path& path);
+    void setFile(DocumentFile file);
+    void markPresetSaved(Side side);
+
+    std::shared_ptr<const Catalog> catalog_;
+    DocumentState state_;
+    mutable std::optional<Scene> secondScene_; ///< what side B shows, made on demand
+    int currentObject_ = -1;
+    int currentLight_ = -1;
+    Side activeSide_ = Side::A;
+    int interaction_ = 0;
+    int lastInteraction_ = 0;
+    DocumentFile file_;
+    DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
+    std::optional<BlockValues> lastFog_; ///< comes back when fog is turned on again
+    std::map<BlockPath::Part, Block> fixedBlocks_;
+    mutable std::map<std::string, Block, std::less<>> accuracyBlocks_; ///< by model id
+    QUndoStack undoStack_;
+};
+
+} // namespace patina

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edits of a document that are more than one value.
+#include "commands/compare_command.h"
+#include "commands/fog_command.h"
+#include "commands/fresnel_command.h"
+#include "commands/light_command.h"
+#include "commands/model_command.h"
+#include "commands/object_command.h"
+#include "document.h"
+
+namespace patina {
+
+namespace {
+
+QString labelOf(const Block& block) {
+    return QString::fromStdString(block.label);
+}
+
+BlockValues defaultsOf(const Block& block) {
+    BlockValues values;
+    values.id = block.id;
+    values.version = block.version;
+    values.parameters = defaultValues(block);
+    return values;
+}
+
+const char* const parkedKey = "parked";
+
+/// Another block in place of `values`, by the same rules as a model swap: values with the same id
+/// carry over, the others are parked beside them.
+BlockValues swapped(const BlockValues& values, const Block* before, const Block& after) {
+    Material carrier;
+    carrier.model = values;
+    if (const auto parked = values.unknown.find(parkedKey); parked != values.unknown.end()) {
+        carrier.parked = *parked;
+    }
+    carrier = withModel(carrier, before, after);
+    if (!carrier.parked.empty()) {
+        carrier.model.unknown[parkedKey] = carrier.parked;
+    }
+    return carrier.model;
+}
+
+template <class Element>
+bool hasIndex(const std::vector<Element>& list, int index) {
+    return index >= 0 && index < static_cast<int>(list.size());
+}
+
+} // namespace
+
+void Document::setModel(Side side, std::string_view modelId) {
+    const Material* held = material(side);
+    const Block* model = catalog_->find("models", modelId);
+    if (held && model && held->model.id != modelId) {
+        undoStack_.push(new ModelCommand(*this, {currentObject_, side}, *model));
+    }
+}
+
+void Document::setFresnel(Side side, std::string_view blockId) {
+    const Material* held = material(side);
+    const Block* wanted = blockId.empty() ? nullptr : catalog_->find("fresnel", blockId);
+    if (!held || (!wanted && !blockId.empty())) {
+        return;
+    }
+    if ((held->fresnel ? held->fresnel->id : std::string()) != blockId) {
+        undoStack_.push(new FresnelCommand(*this, {currentObject_, side}, wanted));
+    }
+}
+
+void Document::replaceMaterial(Side side, const Material& wanted, const QString& label) {
+    const Material* held = material(side);
+    if (held && !(*held == wanted)) {
+        undoStack_.push(new MaterialCommand(*this, {currentObject_, side}, wanted, label));
+    }
+}
+
+void Document::setSecondMaterial(std::optional<Material> wanted) {
+    if (wanted != state_.second) {
+        undoStack_.push(new CompareCommand(*this, std::move(wanted)));
+    }
+}
+
+void Document::setComparing(bool on) {
+    const Material* first = material(Side::A);
+    if (!on) {
+        setSecondMaterial(std::nullopt);
+    } else if (first && !state_.second) {
+        setSecondMaterial(*first);
+    }
+}
+
+void Document::swapSides() {
+    const Material* first = material(Side::A);
+    if (!first || !state_.second || *first == *state_.second) {
+        return;
+    }
+    const Material formerFirst = *first;
+    undoStack_.beginMacro(tr("Swap A and B"));
+    replaceMaterial(Side::A, *state_.second, tr("Swap A and B"));
+    setSecondMaterial(formerFirst);
+    undoStack_.endMacro();
+}
+
+void Document::addLight(std::string_view blockId) {
+    const Block* block = catalog_->find("lights", blockId);
+    if (!block) {
+        return;
+    }
+    const int index = static_cast<int>(state_.scene.lights.size());
+    const Light light{block->label, true, defaultsOf(*block)};
+    undoStack_.push(
+        new LightCommand(*this, index, std::nullopt, light, tr("Add %1").arg(labelOf(*block))));
+    setCurrentLight(index);
+}
+
+void Document::setLight(int index, const Light& light) {
+    if (!hasIndex(state_.scene.lights, index)) {
+        return;
+    }
+    const Light& held = state_.scene.lights[static_cast<std::size_t>(index)];
+    if (!(held == light)) {
+        undoStack_.push(new LightCommand(*this, index, held, light, tr("Change light")));
+    }
+}
+
+void Document::setLightKind(int index, std::string_view blockId) {
+    const Block* wanted = catalog_->find("lights", blockId);
+    if (!wanted || !hasIndex(state_.scene.lights, index)) {
+        return;
+    }
+    const Light& held = state_.scene.lights[static_cast<std::size_t>(index)];
+    if (held.block.id == blockId) {
+        return;
+    }
+    const Block* before = catalog_->find("lights", held.block.id);
+    Light light = held;
+    light.block = swapped(held.block, before, *wanted);
+    if (before && light.name == before->label) {
+        light.name = wanted->label; // a name nobody chose follows the kind
+    }
+    undoStack_.push(
+        new LightCommand(*this, index, held, light, tr("Light %1").arg(labelOf(*wanted))));
+}
+
+void Document::removeLight(int index) {
+    if (hasIndex(state_.scene.lights, index)) {
+        const Light& held = state_.scene.lights[static_cast<std::size_t>(index)];
+        undoStack_.push(new LightCommand(*this, index, held, std::nullopt, tr("Remove light")));
+    }
+}
+
+void Document::setFog(std::string_view blockId) {
+    const std::optional<BlockValues>& held = state_.scene.fog;
+    if ((held ? held->id : std::string()) == blockId) {
+        return;
+    }
+    if (held) {
+        lastFog_ = held;
+    }
+    if (blockId.empty()) {
+        undoStack_.push(new FogCommand(*this, std::nullopt, tr("Fog off")));
+        return;
+    }
+    const Block* wanted = catalog_->find("fog", blockId);
+    if (!wanted) {
+        return;
+    }
+    const Block* before = lastFog_ ? catalog_->find("fog", lastFog_->id) : nullptr;
+    const BlockValues fog = lastFog_ ? swapped(*lastFog_, before, *wanted) : defaultsOf(*wanted);
+    undoStack_.push(new FogCommand(*this, fog, tr("Fog %1").arg(labelOf(*wanted))));
+}
+
+void Document::addObject(const Object& object) {
+    const int index = static_cast<int>(state_.scene.objects.size());
+    undoStack_.push(new ObjectCommand(*this, index, std::nullopt, object,
+                                      tr("Add %1").arg(QString::fromStdString(object.name))));
+    setCurrentObject(index);
+}
+
+void Document::setObject(int index, const Object& object) {
+    if (!hasIndex(state_.scene.objects, index)) {
+        return;
+    }
+    const Object& held = state_.scene.objects[static_cast<std::size_t>(index)];
+    if (!(held == object)) {
+        undoStack_.push(new ObjectCommand(*this, index, held, object, tr("Change object")));
+    }
+}
+
+void Document::removeObject(int index) {
+    if (hasIndex(state_.scene.objects, index)) {
+        const Object& held = state_.scene.objects[static_cast<std::size_t>(index)];
+        undoStack_.push(new ObjectCommand(*this, index, held, std::nullopt, tr("Remove object")));
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opening and saving.
+#include <algorithm>
+
+#include "document.h"
+#include "scene/scene_file.h"
+
+namespace patina {
+
+namespace {
+
+/// Where a scene file keeps side B.
+const char* const compareKey = "compare";
+
+Scene withSecond(Scene scene, const std::optional<Material>& second) {
+    if (second) {
+        scene.extras[compareKey] = toJson(*second);
+    }
+    return scene;
+}
+
+/// Takes side B out of a scene that was read.
+Checked<std::optional<Material>> takeSecond(Scene& scene, const std::filesystem::path& path,
+                                            const Catalog& catalog) {
+    const auto found = scene.extras.find(compareKey);
+    if (found == scene.extras.end() || !found->is_object()) {
+        return std::nullopt;
+    }
+    const LocatedJson document{path.string(), *found, {}};
+    const Checked<PresetReading> reading = materialFromJson(document, "", catalog);
+    if (!reading) {
+        return tl::unexpected(reading.error());
+    }
+    scene.extras.erase(compareKey);
+    return reading->material;
+}
+
+/// What saving the preset of the current object does not save.
+DocumentState withoutMaterial(DocumentState state, int object) {
+    if (Material* material = materialAt(state, object, Side::A)) {
+        *material = Material();
+    }
+    state.scene.camera = Camera();
+    return state;
+}
+
+QString titleOf(const std::filesystem::path& path) {
+    return QString::fromStdString(path.filename().string());
+}
+
+} // namespace
+
+void Document::tell(const Errors& messages) {
+    for (const Error& error : messages) {
+        Q_EMIT message(error);
+    }
+}
+
+void Document::setFile(DocumentFile file) {
+    file_ = std::move(file);
+    Q_EMIT fileChanged();
+}
+
+void Document::replaceState(DocumentState state, DocumentFile file) {
+    undoStack_.clear();
+    interaction_ = 0;
+    lastFog_.reset();
+    state_ = std::move(state);
+    savedState_ = state_;
+    currentObject_ = state_.scene.objects.empty() ? -1 : 0;
+    currentLight_ = state_.scene.lights.empty() ? -1 : 0;
+    activeSide_ = Side::A;
+    setFile(std::move(file));
+    Q_EMIT sceneReplaced();
+    Q_EMIT comparingChanged(isComparing());
+}
+
+void Document::startFrom(const Scene& scene) {
+    replaceState({scene, std::nullopt}, {});
+}
+
+bool Document::openScene(const std::filesystem::path& path) {
+    Checked<SceneReading> reading = readScene(path, *catalog_);
+    if (!reading) {
+        tell(reading.error());
+        return false;
+    }
+    const Checked<std::optional<Material>> second = takeSecond(reading->scene, path, *catalog_);
+    replaceState({reading->scene, second.value_or(std::nullopt)},
+                 {DocumentFile::Kind::Scene, path, reading->readOnly});
+    tell(reading->notes);
+    tell(second ? Errors() : second.error());
+    return true;
+}
+
+bool Document::openTemplate(const std::filesystem::path& path) {
+    const bool opened = openScene(path);
+    if (opened) {
+        setFile({});
+    }
+    return opened;
+}
+
+bool Document::openPreset(const std::filesystem::path& path) {
+    const Checked<PresetReading> reading = readPreset(path, *catalog_);
+    if (!reading) {
+        tell(reading.error());
+        return false;
+    }
+    DocumentState state = state_;
+    if (state.scene.objects.empty()) {
+        state.scene.objects.emplace_back();
+    }
+    materialAt(state, std::max(currentObject_, 0), Side::A)->operator=(reading->material);
+    replaceState(std::move(state), {DocumentFile::Kind::Preset, path, reading->readOnly});
+    tell(reading->notes);
+    return true;
+}
+
+bool Document::applyPreset(const std::filesystem::path& path, Side side) {
+    const Checked<PresetReading> reading = readPreset(path, *catalog_);
+    if (!reading) {
+        tell(reading.error());
+        return false;
+    }
+    if (side == Side::B && !state_.second) {
+        setSecondMaterial(reading->material);
+    } else {
+        replaceMaterial(side, reading->material, tr("Preset %1").arg(titleOf(path)));
+    }
+    tell(reading->notes);
+    return true;
+}
+
+bool Document::mayOverwrite(const std::filesystem::path& path) {
+    if (file_.readOnly && path == file_.path) {
+        Q_EMIT message({path.string(), 0, 0, "the file was written by a newer version of Patina",
+                        "another file name, so that nothing in it is lost"});
+        return false;
+    }
+    return true;
+}
+
+bool Document::saveScene(const std::filesystem::path& path) {
+    if (!mayOverwrite(path)) {
+        return false;
+    }
+    const Result<void> written = writeScene(path, withSecond(state_.scene, state_.second));
+    if (!written) {
+        Q_EMIT message(written.error());
+        return false;
+    }
+    savedState_ = state_;
+    undoStack_.setClean();
+    setFile({DocumentFile::Kind::Scene, path, false});
+    return true;
+}
+
+bool Document::savePreset(const std::filesystem::path& path, Side side) {
+    const Material* held = material(side);
+    if (!held || !mayOverwrite(path)) {
+        return false;
+    }
+    const Result<void> written = writePreset(path, *held);
+    if (!written) {
+        Q_EMIT message(written.error());
+        return false;
+    }
+    if (side == Side::A && file_.kind != DocumentFile::Kind::Scene) {
+        setFile({DocumentFile::Kind::Preset, path, false});
+    }
+    markPresetSaved(side);
+    return true;
+}
+
+/// The document is clean only when the preset held everything that changed: lights, fog and
+/// objects belong to a scene file, and closing must still ask about them.
+void Document::markPresetSaved(Side side) {
+    if (file_.kind == DocumentFile::Kind::Scene) {
+        return; // an export
+    }
+    if (side == Side::B) {
+        savedState_.second = state_.second;
+    }
+    const bool everything =
+        withoutMaterial(state_, currentObject_) == withoutMaterial(savedState_, currentObject_);
+    if (everything && (side == Side::A ||
+                       *material(Side::A) == *materialAt(savedState_, currentObject_, Side::A))) {
+        undoStack_.setClean();
+    }
+    if (Material* savedMaterial = materialAt(savedState_, currentObject_, Side::A);
+        savedMaterial && side == Side::A) {
+        *savedMaterial = *material(Side::A);
+    }
+}
+
+bool Document::save() {
+    switch (file_.kind) {
+    case DocumentFile::Kind::Preset:
+        return savePreset(file_.path, Side::A);
+    case DocumentFile::Kind::Scene:
+        return saveScene(file_.path);
+    default:
+        return false;
+    }
+}
+
+} // namespace patina

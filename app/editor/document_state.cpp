@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document_state.h"
+
+#include "fixed_blocks.h"
+
+namespace patina {
+
+namespace {
+
+/// `container[index]`, or null when there is none.
+template <class Container>
+auto elementAt(Container& container, int index) -> decltype(&container[0]) {
+    const bool inside = index >= 0 && index < static_cast<int>(container.size());
+    return inside ? &container[static_cast<std::size_t>(index)] : nullptr;
+}
+
+template <class State>
+auto findMaterial(State& state, int object, Side side) -> decltype(&*state.second) {
+    if (side == Side::B) {
+        return state.second ? &*state.second : nullptr;
+    }
+    auto* found = elementAt(state.scene.objects, object);
+    return found ? &found->material : nullptr;
+}
+
+template <class Optional>
+auto pointer(Optional& optional) -> decltype(&*optional) {
+    return optional ? &*optional : nullptr;
+}
+
+template <class State>
+auto findBlockValues(State& state, const BlockPath& path) -> decltype(pointer(state.scene.fog)) {
+    if (path.part == BlockPath::Part::Fog) {
+        return pointer(state.scene.fog);
+    }
+    if (path.part == BlockPath::Part::Light) {
+        auto* light = elementAt(state.scene.lights, path.index);
+        return light ? &light->block : nullptr;
+    }
+    auto* material = findMaterial(state, path.index, path.side);
+    if (material && path.part == BlockPath::Part::Model) {
+        return &material->model;
+    }
+    if (material && path.part == BlockPath::Part::Fresnel) {
+        return pointer(material->fresnel);
+    }
+    return nullptr;
+}
+
+std::optional<Value> storedLevel(const Material& material, std::string_view choice) {
+    const auto found = material.accuracy.find(choice);
+    return found == material.accuracy.end() ? std::nullopt : std::optional<Value>(found->second);
+}
+
+std::optional<Value> storedInBlock(const BlockValues& block, std::string_view parameterId) {
+    const auto found = block.parameters.find(parameterId);
+    return found == block.parameters.end() ? std::nullopt : std::optional<Value>(found->second);
+}
+
+} // namespace
+
+const Material* materialAt(const DocumentState& state, int object, Side side) {
+    return findMaterial(state, object, side);
+}
+
+Material* materialAt(DocumentState& state, int object, Side side) {
+    return findMaterial(state, object, side);
+}
+
+const BlockValues* blockValuesAt(const DocumentState& state, const BlockPath& path) {
+    return findBlockValues(state, path);
+}
+
+BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path) {
+    return findBlockValues(state, path);
+}
+
+std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,
+                                 std::string_view parameterId) {
+    if (path.part == BlockPath::Part::Scene) {
+        return sceneValue(state.scene, parameterId);
+    }
+    if (path.part == BlockPath::Part::Object) {
+        const Object* object = elementAt(state.scene.objects, path.index);
+        return object ? objectValue(*object, parameterId) : std::nullopt;
+    }
+    if (const BlockValues* block = blockValuesAt(state, path)) {
+        return storedInBlock(*block, parameterId);
+    }
+    const Material* material = materialAt(state, path.index, path.side);
+    if (material && path.part == BlockPath::Part::Accuracy) {
+        return storedLevel(*material, parameterId);
+    }
+    if (material && path.part == BlockPath::Part::Material) {
+        return materialValue(*material, parameterId);
+    }
+    return std::nullopt;
+}
+
+void storeValue(DocumentState& state, const BlockPath& path, std::string_view parameterId,
+                const Value& value) {
+    if (path.part == BlockPath::Part::Scene) {
+        storeSceneValue(state.scene, parameterId, value);
+    } else if (path.part == BlockPath::Part::Object) {
+        if (Object* object = elementAt(state.scene.objects, path.index)) {
+            storeObjectValue(*object, parameterId, value);
+        }
+    } else if (BlockValues* block = blockValuesAt(state, path)) {
+        block->parameters.insert_or_assign(std::string(parameterId), value);
+    } else if (Material* material = materialAt(state, path.index, path.side)) {
+        if (path.part == BlockPath::Part::Accuracy && std::holds_alternative<std::string>(value)) {
+            material->accuracy.insert_or_assign(std::string(parameterId),
+                                                std::get<std::string>(value));
+        } else if (path.part == BlockPath::Part::Material) {
+            storeMaterialValue(*material, parameterId, value);
+        }
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace patina {
+
+/// The two materials that are compared. A is the object's own, B the second one.
+enum class Side { A, B };
+
+/// Everything an edit can change.
+struct DocumentState {
+    Scene scene;
+    std::optional<Material> second; ///< side B, shown on the current object; absent: no comparing
+
+    friend bool operator==(const DocumentState&, const DocumentState&) = default;
+};
+
+/// Names one set of parameter values in a document: what a form shows and a command changes.
+struct BlockPath {
+    enum class Part {
+        Model,    ///< the material's lighting model
+        Fresnel,  ///< the material's Fresnel block
+        Accuracy, ///< the accuracy levels of the model
+        Material, ///< what every material has: its opacity
+        Light,    ///< the values of a light
+        Fog,      ///< the values of the fog
+        Object,   ///< an object's transform and switches
+        Scene     ///< ambient, background, exposure, tone mapping
+    };
+    Part part = Part::Model;
+    int index = 0;       ///< of the object (material parts, Object) or of the light
+    Side side = Side::A; ///< material parts only
+
+    friend bool operator==(const BlockPath&, const BlockPath&) = default;
+};
+
+/// The material a path lies in; null when the object or side B is not there.
+const Material* materialAt(const DocumentState& state, int object, Side side);
+Material* materialAt(DocumentState& state, int object, Side side);
+
+/// The block values a path names; null for the parts that no catalogue block describes and for
+/// what is not there.
+const BlockValues* blockValuesAt(const DocumentState& state, const BlockPath& path);
+BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path);
+
+/// A value as it is stored; nothing when it is not stored (its default counts then).
+std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,
+                                 std::string_view parameterId);
+
+/// Stores a value; nothing happens when the path is not there or the value has the wrong type.
+void storeValue(DocumentState& state, const BlockPath& path, std::string_view parameterId,
+                const Value& value);
+
+} // namespace patina

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixed_blocks.h"
+
+#include <functional>
+#include <map>
+
+namespace patina {
+
+namespace {
+
+/// How one member of `Owner` is read and written as a parameter value.
+template <class Owner>
+struct Access {
+    std::function<Value(const Owner&)> read;
+    std::function<void(Owner&, const Value&)> write;
+};
+
+template <class Owner>
+using AccessTable = std::map<std::string, Access<Owner>, std::less<>>;
+
+/// A member whose type is one of the alternatives of Value.
+template <class Owner, class Member>
+Access<Owner> member(Member Owner::*field) {
+    return {[field](const Owner& owner) { return Value(owner.*field); },
+            [field](Owner& owner, const Value& value) {
+                if (const Member* held = std::get_if<Member>(&value)) {
+                    owner.*field = *held;
+                }
+            }};
+}
+
+const char* const noToneMapping = "none";
+const char* const neutralToneMapping = "khronos-neutral";
+
+Access<Scene> toneMappingAccess() {
+    return {[](const Scene& scene) {
+                const bool none = scene.toneMapping == ToneMapping::None;
+                return Value(std::string(none ? noToneMapping : neutralToneMapping));
+            },
+            [](Scene& scene, const Value& value) {
+                if (const auto* id = std::get_if<std::string>(&value)) {
+                    scene.toneMapping =
+                        *id == noToneMapping ? ToneMapping::None : ToneMapping::KhronosNeutral;
+                }
+            }};
+}
+
+const AccessTable<Scene>& sceneTable() {
+    static const AccessTable<Scene> table{{"ambient", member(&Scene::ambient)},
+                                          {"background", member(&Scene::background)},
+                                          {"exposure", member(&Scene::exposure)},
+                                          {"toneMapping", toneMappingAccess()}};
+    return table;
+}
+
+const AccessTable<Object>& objectTable() {
+    static const AccessTable<Object> table{
+        {"visible", member(&Object::visible)},       {"translation", member(&Object::translation)},
+        {"rotation", member(&Object::rotation)},     {"scale", member(&Object::scale)},
+        {"fitUnitBox", member(&Object::fitUnitBox)}, {"flipNormals", member(&Object::flipNormals)}};
+    return table;
+}
+
+const AccessTable<Material>& materialTable() {
+    static const AccessTable<Material> table{{"opacity", member(&Material::opacity)}};
+    return table;
+}
+
+template <class Owner>
+std::optional<Value> read(const AccessTable<Owner>& table, const Owner& owner,
+                          std::string_view id) {
+    const auto found = table.find(id);
+    return found == table.end() ? std::nullopt : std::optional<Value>(found->second.read(owner));
+}
+
+template <class Owner>
+void write(const AccessTable<Owner>& table, Owner& owner, std::string_view id, const Value& value) {
+    if (const auto found = table.find(id); found != table.end()) {
+        found->second.write(owner, value);
+    }
+}
+
+Parameter described(ParameterType type, std::string id, std::string label, std::string doc,
+                    Value defaultValue) {
+    Parameter parameter;
+    parameter.type = type;
+    parameter.id = std::move(id);
+    parameter.label = std::move(label);
+    parameter.doc = std::move(doc);
+    parameter.defaultValue = std::move(defaultValue);
+    return parameter;
+}
+
+Parameter ranged(Parameter parameter, glm::dvec2 hard, glm::dvec2 soft, double step,
+                 std::string unit = {}) {
+    parameter.min = hard.x;
+    parameter.max = hard.y;
+    parameter.softMin = soft.x;
+    parameter.softMax = soft.y;
+    parameter.step = step;
+    parameter.unit = std::move(unit);
+    return parameter;
+}
+
+Parameter toneMappingParameter() {
+    Parameter parameter =
+        described(ParameterType::Enum, "toneMapping", "Tone mapping",
+                  "How brightness beyond what a screen can show is brought back into its range.",
+                  std::string(neutralToneMapping));
+    parameter.values = {{noToneMapping, "None", "Values above 1 are cut off. Best for measuring."},
+                        {neutralToneMapping, "Khronos neutral",
+                         "Keeps base colours as they are and rolls off highlights only."}};
+    return parameter;
+}
+
+} // namespace
+
+Block sceneBlock() {
+    Block block;
+    block.id = "scene";
+    block.label = "Scene";
+    block.parameters = {
+        described(ParameterType::Color, "ambient", "Ambient light",
+                  "Light that comes from everywhere and casts no shape.", Scene().ambient),
+        described(ParameterType::Color, "background", "Background",
+                  "The colour behind the objects. It lights nothing.", Scene().background),
+        ranged(described(ParameterType::Float, "exposure", "Exposure",
+                         "Brightness of the whole picture: each step up doubles it.", 0.0),
+               {-20.0, 20.0}, {-4.0, 4.0}, 0.1, "EV"),
+        toneMappingParameter()};
+    return block;
+}
+
+Block objectBlock() {
+    constexpr double farMetres = 1e5; // keeps positions well inside float precision
+    Block block;
+    block.id = "object";
+    block.label = "Object";
+    block.parameters = {
+        described(ParameterType::Bool, "visible", "Visible", "Draw this object.", true),
+        ranged(described(ParameterType::Vec3, "translation", "Position", "Where the object stands.",
+                         glm::dvec3(0.0)),
+               {-farMetres, farMetres}, {-5.0, 5.0}, 0.01, "m"),
+        ranged(described(ParameterType::Vec3, "rotation", "Rotation",
+                         "Turned about the x axis first, then y, then z.", glm::dvec3(0.0)),
+               {-360000.0, 360000.0}, {-180.0, 180.0}, 1.0, "deg"),
+        ranged(described(ParameterType::Vec3, "scale", "Scale",
+                         "Size along each axis. Negative numbers mirror.", glm::dvec3(1.0)),
+               {-farMetres, farMetres}, {0.0, 4.0}, 0.01),
+        described(ParameterType::Bool, "fitUnitBox", "Fit to unit box",
+                  "Centre the mesh and scale it to one metre before anything else.", false),
+        described(ParameterType::Bool, "flipNormals", "Flip normals",
+                  "For meshes whose surfaces point inwards and look black.", false)};
+    return block;
+}
+
+Block materialBlock() {
+    Block block;
+    block.id = "material";
+    block.label = "Material";
+    block.parameters = {described(ParameterType::Float, "opacity", "Opacity",
+                                  "1 is solid, 0 lets everything behind shine through.", 1.0)};
+    return block;
+}
+
+Block accuracyBlock(const Block& model) {
+    Block block;
+    block.id = "accuracy";
+    block.label = "Accuracy";
+    for (const AccuracyChoice& choice : model.accuracy) {
+        if (choice.values.empty()) {
+            continue;
+        }
+        Parameter parameter = described(ParameterType::Enum, choice.id, choice.label, choice.doc,
+                                        choice.values.front().id);
+        parameter.values = choice.values;
+        parameter.compiled = Compiled::Yes;
+        block.parameters.push_back(std::move(parameter));
+    }
+    return block;
+}
+
+std::optional<Value> sceneValue(const Scene& scene, std::string_view parameterId) {
+    return read(sceneTable(), scene, parameterId);
+}
+
+std::optional<Value> objectValue(const Object& object, std::string_view parameterId) {
+    return read(objectTable(), object, parameterId);
+}
+
+std::optional<Value> materialValue(const Material& material, std::string_view parameterId) {
+    return read(materialTable(), material, parameterId);
+}
+
+void storeSceneValue(Scene& scene, std::string_view parameterId, const Value& value) {
+    write(sceneTable(), scene, parameterId, value);
+}
+
+void storeObjectValue(Object& object, std::string_view parameterId, const Value& value) {
+    write(objectTable(), object, parameterId, value);
+}
+
+void storeMaterialValue(Material& material, std::string_view parameterId, const Value& value) {
+    write(materialTable(), material, parameterId, value);
+}
+
+} // namespace patina
