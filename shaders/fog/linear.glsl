@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT-0
+
+// (end - x) / (end - start) in 0 .. 1; a step at the end when there is no way from start to end.
+float linearFog(float x, LinearFog p) {
+    float span = p.end - p.start;
+    if (!(span > 0.0)) {
+        return x < p.end ? 1.0 : 0.0;
+    }
+    return clamp((p.end - x) / span, 0.0, 1.0);
+}
+
+vec3 linearFogColor(LinearFog p) {
+    return p.color;
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT-0
+// The geometry of one light and one viewer at one point, computed so that nothing cancels.
+#include "lib/incidence.glsl"
+#include "lib/math.glsl"
+
+// Projections of l (to the light), v (to the viewer) and h (their half vector) on each other, on
+// the normal n and on the tangents t and b. All unit, all away from the surface. r is l mirrored
+// at n. A model reads what it needs; the compiler drops the rest.
+struct Directions {
+    float nl; // cosines; negative below the horizon
+    float nv;
+    float nh;
+    float lh; // = h.v
+    float lv;
+    float rv;
+    float lt; // components in the tangent plane
+    float lb;
+    float vt;
+    float vb;
+    float ht;
+    float hb;
+    float sin2h; // sin^2 : cos^2 of the angle between n and h, on the common scale HH;
+    float cos2h; // use their ratio, never either alone
+    float HH;    // |l + v|^2 = 4 (l.h)^2
+    float nH;    // n.(l + v) = n.l + n.v
+    float versineLh; // 1 - l.h
+    float versineRv; // 1 - r.v
+    float sin2l; // sin^2 of the angles of l and v with n
+    float sin2v;
+};
+
+// Squared length of the part of u that is perpendicular to the unit vector n, given nu = n.u.
+float perpendicular2(vec3 u, vec3 n, float nu) {
+    vec3 p = u - nu * n;
+    return dot(p, p);
+}
+
+// The geometry for unit n, t, b (orthogonal), l and v. With H = l + v, which is never normalised:
+//   tan^2 theta_h = |H - (n.H) n|^2 : (n.H)^2      1 - l.h = |l - v|^2 / 4 / (1 + l.h)
+//   1 - r.v = |2 (n.l) n - H|^2 / 2                l.h = |H| / 2
+// so small angles keep all their digits: 1 - cos is never formed from a rounded cosine.
+// l = -v has no half vector; h then counts as lying in the surface (nh = ht = hb = 0,
+// sin2h : cos2h = 1 : 0), which is where every lobe ends. Directions below the horizon are not
+// special here: their cosines are negative, and the engine's gates leave them out.
+Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
+    Directions d;
+    d.nl = dot(n, l);
+    d.nv = dot(n, v);
+    d.lv = dot(l, v);
+    d.lt = dot(l, t);
+    d.lb = dot(l, b);
+    d.vt = dot(v, t);
+    d.vb = dot(v, b);
+    d.sin2l = perpendicular2(l, n, d.nl);
+    d.sin2v = perpendicular2(v, n, d.nv);
+
+    vec3 H = l + v;
+    d.HH = dot(H, H);
+    d.nH = d.nl + d.nv;
+    d.sin2h = perpendicular2(H, n, d.nH);
+    d.cos2h = d.nH * d.nH;
+    d.lh = 0.5 * sqrt(d.HH);
+
+    vec3 chord = l - v;
+    d.versineLh = 0.25 * dot(chord, chord) / (1.0 + d.lh);
+    vec3 q = 2.0 * d.nl * n - H;
+    d.versineRv = 0.5 * dot(q, q);
+    d.rv = 1.0 - d.versineRv;
+
+    // 1e-30 is what GPUs that flush subnormals can still divide by; |H| = 1e-15 is far below the
+    // rounding of two unit vectors.
+    bool opposite = !(d.HH > 1e-30);
+    float scale = opposite ? 0.0 : inversesqrt(max(d.HH, 1e-30));
+    d.nh = d.nH * scale;
+    d.ht = (d.lt + d.vt) * scale;
+    d.hb = (d.lb + d.vb) * scale;
+    if (opposite) {
+        d.HH = 0.0;
+        d.nH = 0.0;
+        d.lh = 0.0;
+        d.sin2h = 1.0;
+        d.cos2h = 0.0;
+    }
+    return d;
+}
+
+// The incidence of the light on a facet that mirrors it to the viewer (l.h).
+Incidence halfIncidence(Directions d) {
+    Incidence i;
+    i.c = min(d.lh, 1.0);
+    i.versine = min(d.versineLh, 1.0);
+    return i;
+}
+
+// A unit vector perpendicular to the unit vector n that changes smoothly with n but at n.z = 0:
+// the branch keeps the division away from 0. Duff et al., Building an Orthonormal Basis,
+// Revisited, JCGT 6(1), 2017, listing 3.
+vec3 anyTangent(vec3 n) {
+    float s = n.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (s + n.z);
+    return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
+}
+
+// The unit tangent along t, perpendicular to the unit normal n: t - (t.n) n. Where t is zero or
+// within 1e-6 rad of n it says nothing about a direction in the surface and any tangent serves.
+vec3 tangentAlong(vec3 n, vec3 t) {
+    vec3 u = safeNormalize(t, n);
+    vec3 p = u - dot(u, n) * n;
+    if (!(dot(p, p) > 1e-12)) {
+        return anyTangent(n);
+    }
+    // The second pass removes what the first rounding left along n.
+    vec3 w = p / sqrt(dot(p, p));
+    vec3 w2 = w - dot(w, n) * n;
+    return w2 / sqrt(dot(w2, w2));
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT-0
+// Elementary functions with a bounded error in float. GLSL's own pow, acos and asin may lose half
+// their digits or more near 1, which is where a highlight is. These are the only terms that are
+// written twice: in double precision each is its exact twin over the C++ library, and a test holds
+// both to the error stated here. The coefficients are minimax fits on the stated interval.
+
+// atanh(z) / z from w = z^2, 0 <= w <= 1/9; relative error 5e-9.
+float atanhOverZ(float w) {
+    return 1.000000004 + w * (0.3333316082 + w * (0.2001229762
+        + w * (0.1398257887 + w * 0.1407888918)));
+}
+
+// cos(theta)^e from s2 : c2 = sin^2 : cos^2 on any common scale, e >= 0; 0 where c2 is not positive
+// (also for e = 0: a lobe ends at the horizon). Uses ln cos = -atanh(s2 / (s2 + 2 c2)), which does
+// not lose the small angle; relative error 2e-6 + 2e-7 e L where L = -ln cos(theta).
+float powSC(float s2, float c2, float e) {
+    if (!(c2 > 0.0)) {
+        return 0.0;
+    }
+    float z = s2 / (s2 + 2.0 * c2);
+    float L = -0.34657359027997265 * log2(c2 / (s2 + c2));
+    if (z < 1.0 / 3.0) {
+        L = z * atanhOverZ(z * z);
+    }
+    return exp2(-1.4426950408889634 * e * L);
+}
+
+// c^e where the caller knows d = 1 - c without cancellation, c <= 1, e >= 0; 0 where c is not
+// positive. Uses ln c = -2 atanh(d / (1 + c)); relative error 2e-6 + 2e-7 e L where L = -ln c.
+float pow1m(float d, float c, float e) {
+    if (!(c > 0.0)) {
+        return 0.0;
+    }
+    float z = d / (1.0 + c);
+    float L = -0.69314718055994531 * log2(c);
+    if (z < 1.0 / 3.0) {
+        L = 2.0 * z * atanhOverZ(z * z);
+    }
+    return exp2(-1.4426950408889634 * e * L);
+}
+
+// acos(1 - x / 2)^2, 0 <= x <= 2: the square of an angle is analytic in its versine, the angle is
+// not; relative error 3e-7.
+float acos2(float x) {
+    return x * (0.9999999669 + x * (0.08333544658 + x * (0.0110893108 + x * (0.001869977294
+        + x * (0.0001610606938 + x * (0.0002123322145 + x * (-6.492908552e-5
+        + x * 1.950334767e-5)))))));
+}
+
+// asin(z), |z| <= sqrt(1/2); relative error 2e-6.
+float asinS(float z) {
+    float w = z * z;
+    return z * (0.9999994098 + w * (0.1667511541 + w * (0.07308794137 + w * (0.05996102211
+        + w * (-0.0220605251 + w * 0.09460451869)))));
+}
+
+// 1 - cos(a), 0 <= a <= pi, with every digit of a small angle; relative error 4e-7.
+float versineOf(float a) {
+    float w = a * a;
+    return w * (0.4999999954247251 + w * (-0.04166663326988191 + w * (0.0013888492914353897
+        + w * (-2.47843616236833e-5 + w * (2.7216673352592613e-7
+        + w * -1.7729953116727984e-9)))));
+}
+
+// The angle theta in right angles from its cosine c >= 0 and squared sine s2: x = theta / (pi/2)
+// and y = 1 - x, both with a relative error of 3e-6: neither is made from the other where it is
+// small.
+void angXY(float c, float s2, OUT(float) x, OUT(float) y) {
+    if (c * c < 0.5) {
+        y = 0.63661977236758134 * asinS(c);
+        x = 1.0 - y;
+    } else {
+        x = 0.63661977236758134 * asinS(sqrt(s2));
+        y = 1.0 - x;
+    }
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/math.glsl"
+
+// What one light sends to one point.
+struct Illumination {
+    vec3 l;        // unit, from the point towards the light
+    vec3 radiance; // colour times attenuation, E / pi: a white Lambert surface facing l shows this
+};
+
+// 1 / (constant + linear x + quadratic x^2) at the distance x, never above 10 000: with all three
+// at 0, or at the light itself, the formula has no finite value. In Horner's form x^2 alone cannot
+// overflow. OpenGL 1.0 specification (1992), lighting; x >= 0, coefficients >= 0.
+float polynomialAttenuation(float x, float constant, float linear, float quadratic) {
+    return 1.0 / max(constant + x * (linear + quadratic * x), 1e-4);
+}
+
+// 1 / x^2 for a light that is not a point but has the radius `minimum` > 0: nearer than that the
+// light is no brighter. x and minimum in metres; 1 at one metre.
+float inverseSquareAttenuation(float x, float minimum) {
+    return 1.0 / sqr(max(x, minimum));
+}

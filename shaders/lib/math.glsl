@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT-0
+// Small arithmetic that every other file leans on.
+
+const float PI = 3.14159265358979324;
+
+// x^2.
+float sqr(float x) {
+    return x * x;
+}
+
+// x^5 in three multiplications, for any x: pow(x, 5.0) has no value for x < 0 in GLSL.
+float pow5(float x) {
+    float x2 = x * x;
+    return x2 * x2 * x;
+}
+
+// sqrt(x) for x > 0, else 0: a difference that rounding made negative is a zero.
+float safeSqrt(float x) {
+    return sqrt(max(x, 0.0));
+}
+
+// v / |v|, or `fallback` where v has no direction. The largest component is divided out first, so
+// neither a long nor a short vector leaves the range of a float when it is squared.
+// Valid for any finite v; components below 1e-30 count as zero because GPUs flush what is smaller.
+vec3 safeNormalize(vec3 v, vec3 fallback) {
+    float size = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if (!(size > 1e-30)) {
+        return fallback;
+    }
+    vec3 u = v / size;
+    return u / sqrt(dot(u, u));
+}
+
+// The width of a microfacet distribution from the slider's roughness, which is the RMS slope m of
+// Cook and Torrance 1982: alpha = m. At 0 the lobe is a Dirac delta that has no finite value under
+// a point light, so widths below 1e-4 are drawn as 1e-4: 1 / (pi 1e-8) still fits a float.
+float slopeWidth(float roughness) {
+    return max(roughness, 1e-4);
+}

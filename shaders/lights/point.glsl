@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/illumination.glsl"
+
+// At the light itself, where no direction leads to it, it counts as straight above.
+Illumination pointLight(vec3 x, PointLight p) {
+    vec3 toLight = p.position - x;
+    float range = length(toLight);
+    float attenuation = polynomialAttenuation(range, p.attenuationConstant, p.attenuationLinear,
+        p.attenuationQuadratic);
+    if (p.falloff == POINT_LIGHT_FALLOFF_INVERSE_SQUARE) {
+        attenuation = inverseSquareAttenuation(range, p.distanceMinimum);
+    }
+    Illumination i;
+    i.l = safeNormalize(toLight, vec3(0.0, 1.0, 0.0));
+    i.radiance = p.color * (p.intensity * attenuation);
+    return i;
+}

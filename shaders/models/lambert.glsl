@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/directions.glsl"
+
+// f = rho / pi. Lambert 1760.
+vec3 lambert(Directions d, Lambert p) {
+    return p.diffuseColor * d.nl;
+}
