@@ -20,7 +20,6 @@ struct View {
     glm::ivec2 size{512, 512};      ///< pixels, each at least 1
     Camera camera;
     int samples = 4;                ///< MSAA; lowered to what the driver offers
-    std::string onlyMaterialOverride; ///< reserved
 };
 
 /// Gives the triangles of a mesh name, or an empty view while it is not there yet.
@@ -51,8 +50,9 @@ class Renderer {
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
     /// Draws into a framebuffer object of the current context, tone mapped and sRGB encoded.
-    FrameReport draw(const Scene& scene, const View& view, const MeshSource& meshes,
-                     unsigned framebuffer);
+    /// The report is valid until the next call; drawing allocates nothing when only values changed.
+    const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
+                            unsigned framebuffer);
 
     /// The same frame as linear floats before tone mapping (RGBA, straight alpha), or as the
     /// 8-bit display values / 255 when `display` is true.

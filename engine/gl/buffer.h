@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "gl/name.h"
+
+namespace patina::gl {
+
+void deleteBuffer(unsigned name);
+
+/// A buffer object.
+class Buffer {
+  public:
+    static Buffer create();
+
+    /// Gives the buffer this content, which rarely changes. `target` is a GL buffer target; the
+    /// buffer stays bound to it.
+    void fill(unsigned target, std::span<const std::byte> bytes);
+
+    /// Room for `size` bytes that are rewritten often; the content is undefined.
+    void reserve(unsigned target, std::size_t size);
+
+    /// Overwrites the first bytes of a buffer that has room for them.
+    void write(unsigned target, std::span<const std::byte> bytes);
+
+    unsigned name() const { return name_.get(); }
+    std::size_t size() const { return size_; }
+
+  private:
+    Name<deleteBuffer> name_;
+    std::size_t size_ = 0;
+};
+
+} // namespace patina::gl

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/error.h"
+
+namespace patina::gl {
+
+/// Version, renderer and vendor of the current context in one line: what a message shows and what
+/// tells one driver from another.
+std::string driverText();
+
+/// An error that says what was found when the current context is below OpenGL 4.1.
+Result<void> checkVersion();
+
+} // namespace patina::gl

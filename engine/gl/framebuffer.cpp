@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/framebuffer.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+namespace patina::gl {
+
+void deleteFramebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
+
+Framebuffer Framebuffer::create() {
+    Framebuffer framebuffer;
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    framebuffer.name_ = Name<deleteFramebuffer>(name);
+    return framebuffer;
+}
+
+void Framebuffer::attachColor(const Texture& texture) {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
+}
+
+void Framebuffer::attachColor(const Renderbuffer& buffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer.name());
+}
+
+void Framebuffer::attachDepth(const Renderbuffer& buffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffer.name());
+}
+
+Result<void> Framebuffer::check() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_COMPLETE) {
+        return {};
+    }
+    return failure(fmt::format("the graphics driver cannot draw to this image format (0x{:x})",
+                               status));
+}
+
+} // namespace patina::gl

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "gl/name.h"
+#include "gl/renderbuffer.h"
+#include "gl/texture.h"
+
+namespace patina::gl {
+
+void deleteFramebuffer(unsigned name);
+
+/// A framebuffer object. What is attached must outlive it.
+class Framebuffer {
+  public:
+    Framebuffer() = default;
+    static Framebuffer create();
+
+    /// These bind the framebuffer for drawing and reading.
+    void attachColor(const Texture& texture);
+    void attachColor(const Renderbuffer& buffer);
+    void attachDepth(const Renderbuffer& buffer);
+
+    /// Whether it can be drawn to; the error says what the driver does not like.
+    Result<void> check() const;
+
+    unsigned name() const { return name_.get(); }
+
+  private:
+    Name<deleteFramebuffer> name_;
+};
+
+} // namespace patina::gl

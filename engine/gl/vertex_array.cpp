@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/vertex_array.h"
+
+#include <epoxy/gl.h>
+
+namespace patina::gl {
+
+void deleteVertexArray(unsigned name) { glDeleteVertexArrays(1, &name); }
+
+VertexArray VertexArray::create() {
+    VertexArray array;
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    array.name_ = Name<deleteVertexArray>(name);
+    return array;
+}
+
+void VertexArray::bind() const { glBindVertexArray(name()); }
+
+void VertexArray::attribute(unsigned location, const Buffer& buffer, int components,
+                            std::size_t stride, std::size_t offset) {
+    bind();
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+}
+
+} // namespace patina::gl

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "gl/buffer.h"
+#include "gl/name.h"
+
+namespace patina::gl {
+
+void deleteVertexArray(unsigned name);
+
+/// How vertices lie in buffers.
+class VertexArray {
+  public:
+    static VertexArray create();
+
+    void bind() const;
+
+    /// A float attribute of `components` read from `buffer`; leaves the vertex array bound.
+    void attribute(unsigned location, const Buffer& buffer, int components, std::size_t stride,
+                   std::size_t offset);
+
+    unsigned name() const { return name_.get(); }
+
+  private:
+    Name<deleteVertexArray> name_;
+};
+
+} // namespace patina::gl

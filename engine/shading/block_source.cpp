@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/block_source.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "catalog/parameter_layout.h"
+
+namespace patina {
+namespace {
+
+std::string capitalised(std::string_view word) {
+    std::string out(word);
+    if (!out.empty()) {
+        out.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(out.front())));
+    }
+    return out;
+}
+
+const char* glslType(const ParameterField& field) {
+    if (field.parameter == nullptr) {
+        return "int";
+    }
+    switch (field.parameter->type) {
+    case ParameterType::Int:
+    case ParameterType::Enum:
+        return "int";
+    case ParameterType::Bool:
+        return "bool";
+    case ParameterType::Vec2:
+        return "vec2";
+    case ParameterType::Vec3:
+    case ParameterType::Color:
+        return "vec3";
+    default:
+        return "float";
+    }
+}
+
+const std::vector<EnumValue>& choicesOf(const ParameterField& field) {
+    return field.parameter == nullptr ? field.choice->values : field.parameter->values;
+}
+
+const std::string& idOf(const ParameterField& field) {
+    return field.parameter == nullptr ? field.choice->id : field.parameter->id;
+}
+
+std::string constantName(const Block& block, const ParameterField& field, std::string_view value) {
+    return fmt::format("{}_{}_{}", constantCase(structName(block)), constantCase(field.name),
+                       constantCase(value));
+}
+
+/// "d2.y", "d2.xyz": where the field lies in the vec4s that were read.
+std::string placeOf(const ParameterField& field) {
+    constexpr std::string_view names = "xyzw";
+    return fmt::format("d{}.{}", field.offset / 4,
+                       names.substr(field.offset % 4, std::size_t(field.components)));
+}
+
+std::string readSource(const ParameterField& field) {
+    const std::string type = glslType(field);
+    if (type == "int") {
+        return fmt::format("int(floor({} + 0.5))", placeOf(field));
+    }
+    return type == "bool" ? fmt::format("{} != 0.0", placeOf(field)) : placeOf(field);
+}
+
+const CompiledValue* compiledOf(const ParameterField& field, const UnpackRequest& request) {
+    const auto found =
+        std::find_if(request.compiled.begin(), request.compiled.end(),
+                     [&field](const CompiledValue& value) { return value.id == idOf(field); });
+    return found == request.compiled.end() || found->value == "nonzero" ? nullptr : &*found;
+}
+
+std::string compiledText(const Block& block, const ParameterField& field,
+                         const CompiledValue& compiled) {
+    if (compiled.value == "zero") {
+        return "0.0";
+    }
+    return choicesOf(field).empty() ? compiled.value : constantName(block, field, compiled.value);
+}
+
+/// "MODEL_DISTRIBUTION" for the field `distribution` of `unpackModel`.
+std::string defineName(const ParameterField& field, const UnpackRequest& request) {
+    std::string_view owner = request.function;
+    if (owner.starts_with("unpack")) {
+        owner.remove_prefix(6);
+    }
+    return fmt::format("COMPILED_{}_{}", constantCase(owner), constantCase(field.name));
+}
+
+} // namespace
+
+std::string constantCase(std::string_view name) {
+    std::string out;
+    for (const char c : name) {
+        const auto letter = static_cast<unsigned char>(c);
+        if (std::isupper(letter) && !out.empty() && out.back() != '_') {
+            out += '_';
+        }
+        out += std::isalnum(letter) ? static_cast<char>(std::toupper(letter)) : '_';
+    }
+    return out;
+}
+
+std::string slotStructName(std::string_view kind) { return capitalised(kind) + "Slot"; }
+
+std::string slotFunctionName(std::string_view kind) { return "slot" + capitalised(kind); }
+
+int vec4Count(const Block& block) { return static_cast<int>(layoutOf(block).floats / 4); }
+
+std::string constantsSource(const Block& block) {
+    std::string out;
+    for (const ParameterField& field : layoutOf(block).fields) {
+        int index = 0;
+        for (const EnumValue& value : choicesOf(field)) {
+            fmt::format_to(std::back_inserter(out), "const int {} = {};\n",
+                           constantName(block, field, value.id), index++);
+        }
+    }
+    return out;
+}
+
+std::string structSource(const Block& block) {
+    std::string out = fmt::format("struct {} {{\n", structName(block));
+    const ParameterLayout layout = layoutOf(block);
+    for (const ParameterField& field : layout.fields) {
+        fmt::format_to(std::back_inserter(out), "    {} {};\n", glslType(field), field.name);
+    }
+    for (const Slot& slot : block.slots) {
+        fmt::format_to(std::back_inserter(out), "    {} {};\n", slotStructName(slot.kind),
+                       slot.kind);
+    }
+    if (layout.fields.empty() && block.slots.empty()) {
+        out += "    float unused;\n"; // GLSL has no empty structs
+    }
+    return out + "};\n";
+}
+
+std::string unpackSource(const Block& block, const UnpackRequest& request) {
+    const ParameterLayout layout = layoutOf(block);
+    std::string defines;
+    std::string body;
+    for (const ParameterField& field : layout.fields) {
+        const CompiledValue* compiled = compiledOf(field, request);
+        const std::string value =
+            compiled == nullptr ? readSource(field) : defineName(field, request);
+        fmt::format_to(std::back_inserter(body), "    p.{} = {};\n", field.name, value);
+        if (compiled != nullptr) {
+            fmt::format_to(std::back_inserter(defines), "#define {} {}\n", value,
+                           compiledText(block, field, *compiled));
+        }
+    }
+    std::size_t place = layout.floats / 4;
+    for (const Slot& slot : block.slots) {
+        fmt::format_to(std::back_inserter(body), "    p.{} = unpack{}(base + {});\n", slot.kind,
+                       slotStructName(slot.kind), place);
+    }
+    std::string out = fmt::format("{}{} {}(int base) {{\n    {} p;\n", defines, structName(block),
+                                  request.function, structName(block));
+    for (std::size_t i = 0; i < layout.floats / 4; ++i) {
+        fmt::format_to(std::back_inserter(out), "    vec4 d{} = PARAMETER_DATA({});\n", i, i);
+    }
+    if (layout.fields.empty() && block.slots.empty()) {
+        out += "    p.unused = 0.0;\n";
+    }
+    return out + body + "    return p;\n}\n";
+}
+
+} // namespace patina

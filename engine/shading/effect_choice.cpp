@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effect_choice.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+namespace patina {
+namespace {
+
+std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id) {
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [id](const EnumValue& value) { return value.id == id; });
+    return found == values.end() ? 0 : static_cast<std::size_t>(found - values.begin());
+}
+
+bool notPositive(const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+        return !(*number > 0.0);
+    }
+    if (const auto* whole = std::get_if<int>(&value)) {
+        return *whole <= 0;
+    }
+    if (const auto* triple = std::get_if<glm::dvec3>(&value)) {
+        return !(triple->x > 0.0 || triple->y > 0.0 || triple->z > 0.0);
+    }
+    return false;
+}
+
+/// By what shared parameter ids mean: see `parameters` in the descriptors.
+bool isNothing(const Block& block, const Values& values, std::string_view parameterId) {
+    const Parameter* parameter = block.parameter(parameterId);
+    return parameter != nullptr && parameter->min >= 0.0 &&
+           notPositive(givenValue(*parameter, values));
+}
+
+} // namespace
+
+const Value& givenValue(const Parameter& parameter, const Values& values) {
+    const auto found = values.find(parameter.id);
+    const bool usable = found != values.end() &&
+                        found->second.index() == parameter.defaultValue.index();
+    return usable ? found->second : parameter.defaultValue;
+}
+
+std::size_t chosenIndex(const Parameter& parameter, const Values& values) {
+    const auto* given = std::get_if<std::string>(&givenValue(parameter, values));
+    const auto* usual = std::get_if<std::string>(&parameter.defaultValue);
+    const bool known = given != nullptr &&
+                       std::any_of(parameter.values.begin(), parameter.values.end(),
+                                   [given](const EnumValue& value) { return value.id == *given; });
+    const std::string* chosen = known ? given : usual;
+    return chosen == nullptr ? 0 : indexOf(parameter.values, *chosen);
+}
+
+std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& levels) {
+    const auto found = levels.find(choice.id);
+    return found == levels.end() ? 0 : indexOf(choice.values, found->second);
+}
+
+bool isZero(const Parameter& parameter, const Values& values) {
+    const Value& value = givenValue(parameter, values);
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr && *number == 0.0;
+}
+
+std::size_t compiledState(const Parameter& parameter, const Values& values) {
+    if (parameter.compiled == Compiled::WhenZero) {
+        return isZero(parameter, values) ? 0 : 1;
+    }
+    if (const auto* truth = std::get_if<bool>(&givenValue(parameter, values))) {
+        return *truth ? 1 : 0;
+    }
+    return chosenIndex(parameter, values);
+}
+
+bool canShine(const Light& light, const Block& block) {
+    return light.enabled && !isNothing(block, light.block.parameters, "color") &&
+           !isNothing(block, light.block.parameters, "intensity");
+}
+
+bool canHide(const BlockValues& fog, const Block& block) {
+    return !isNothing(block, fog.parameters, "density");
+}
+
+bool hasFresnelSlot(const Block& model) { return model.slot("fresnel") != nullptr; }
+
+} // namespace patina

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "material/material.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// A choice that is part of the program instead of its data.
+struct CompiledValue {
+    std::string id;    ///< of the parameter or the accuracy choice
+    std::string value; ///< id of the enum value or level; "true", "false"; "zero", "nonzero"
+
+    friend bool operator==(const CompiledValue&, const CompiledValue&) = default;
+};
+
+/// A block that a program is made of.
+struct BlockUse {
+    std::string kind;
+    std::string id;
+    std::vector<CompiledValue> compiled; ///< in the descriptor's order
+    std::string reason;                  ///< one sentence: why it is in
+
+    friend bool operator==(const BlockUse&, const BlockUse&) = default;
+};
+
+/// All lights of one kind with the same compiled values: one loop in the program.
+struct LightGroup {
+    BlockUse block;
+    int count = 0; ///< lights in it now; data, not text: another light compiles nothing
+
+    friend bool operator==(const LightGroup&, const LightGroup&) = default;
+};
+
+/// Something that is in the document and not in the program.
+struct LeftOut {
+    std::string what;
+    std::string reason;
+
+    friend bool operator==(const LeftOut&, const LeftOut&) = default;
+};
+
+/// What the scene brings into every program that is used in it.
+struct SceneEffects {
+    std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
+    std::optional<BlockUse> fog;
+    bool ambient = false;
+    std::vector<LeftOut> leftOut;
+
+    friend bool operator==(const SceneEffects&, const SceneEffects&) = default;
+};
+
+/// Where the material's Fresnel block works.
+enum class FresnelMode {
+    None,  ///< there is none
+    Slot,  ///< the model calls it
+    Blend, ///< the summed light is blended towards its tint
+};
+
+/// Exactly what one program computes. A value: equal sets give equal program text.
+struct EffectSet {
+    std::optional<BlockUse> model; ///< nothing: the catalogue lacks it; a plain stand-in is drawn
+    FresnelMode fresnelMode = FresnelMode::None;
+    std::vector<BlockUse> slots;   ///< what fills the model's slots, in the descriptor's order
+    std::optional<BlockUse> blend; ///< the Fresnel block of FresnelMode::Blend
+    bool opacity = false;
+    SceneEffects scene;
+    std::vector<LeftOut> leftOut;
+
+    friend bool operator==(const EffectSet&, const EffectSet&) = default;
+};
+
+/// What the scene's lights, fog and ambient colour call for. A light is left out when it is
+/// disabled or cannot send anything (its `color` is black or its `intensity` is 0), fog when its
+/// `density` is 0, and blocks that the catalogue does not know.
+SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog);
+
+/// What shading `material` in the scene calls for. A pure function of its arguments.
+EffectSet effectSet(const Material& material, const Scene& scene, const Catalog& catalog);
+
+/// One line of a listing of effects.
+struct EffectLine {
+    std::string effect; ///< "models/<id>", "lights/<id>", "ambient", "opacity"
+    std::string detail; ///< compiled values and counts; may be empty
+    std::string reason;
+
+    friend bool operator==(const EffectLine&, const EffectLine&) = default;
+};
+
+/// The set as a list, in the order in which the program's text is assembled.
+std::vector<EffectLine> effectLines(const EffectSet& set);
+
+} // namespace patina

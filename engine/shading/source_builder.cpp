@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/source_builder.h"
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+std::optional<std::string> contentOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        return std::nullopt;
+    }
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    return stream.bad() ? std::nullopt : std::optional(std::move(text));
+}
+
+/// The file that `#include "..."` names, when the line is one.
+std::optional<std::string> includeOf(std::string_view line) {
+    const std::size_t hash = line.find_first_not_of(" \t");
+    if (hash == std::string_view::npos || line[hash] != '#') {
+        return std::nullopt;
+    }
+    const std::size_t word = line.find_first_not_of(" \t", hash + 1);
+    if (word == std::string_view::npos || !line.substr(word).starts_with("include")) {
+        return std::nullopt;
+    }
+    const std::size_t open = line.find('"', word);
+    const std::size_t close = line.find('"', open == std::string_view::npos ? open : open + 1);
+    if (close == std::string_view::npos) {
+        return std::nullopt;
+    }
+    return std::string(line.substr(open + 1, close - open - 1));
+}
+
+std::string_view nextLine(std::string_view& rest) {
+    const std::size_t end = rest.find('\n');
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (line.ends_with('\r')) {
+        line.remove_suffix(1);
+    }
+    return line;
+}
+
+bool isBlank(std::string_view line) {
+    return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+bool leavesRoot(const std::string& name) {
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    return path.is_absolute() || path.empty() || *path.begin() == "..";
+}
+
+} // namespace
+
+std::string withoutComments(std::string_view glsl) {
+    enum class In { Code, Line, Block } in = In::Code;
+    std::string out;
+    out.reserve(glsl.size());
+    for (std::size_t i = 0; i < glsl.size(); ++i) {
+        const char c = glsl[i];
+        const char next = i + 1 < glsl.size() ? glsl[i + 1] : '\0';
+        const bool opens = in == In::Code && c == '/' && (next == '/' || next == '*');
+        const bool closes = in == In::Block && c == '*' && next == '/';
+        if (opens || closes) {
+            in = closes ? In::Code : next == '/' ? In::Line : In::Block;
+            out += "  ";
+            ++i;
+        } else if (c == '\n') {
+            in = in == In::Line ? In::Code : in;
+            out += c;
+        } else {
+            out += in == In::Code ? c : ' ';
+        }
+    }
+    return out;
+}
+
+SourceBuilder::SourceBuilder(std::filesystem::path root) : root_(std::move(root)) {}
+
+void SourceBuilder::append(std::string_view line) {
+    source_.text.append(line);
+    source_.text += '\n';
+    ++lines_;
+}
+
+void SourceBuilder::add(std::string_view generated) {
+    while (!generated.empty()) {
+        append(nextLine(generated));
+    }
+}
+
+void SourceBuilder::addFile(const std::filesystem::path& file) {
+    addIncluded(file.string(), {}, 0);
+}
+
+void SourceBuilder::addIncluded(const std::string& name, const std::string& includer, int line) {
+    if (!includer.empty() && leavesRoot(name)) {
+        errors_.push_back({includer, line, 1, fmt::format("cannot include \"{}\"", name),
+                           "a file of the shader folder, such as \"lib/math.glsl\""});
+        return;
+    }
+    const std::filesystem::path path = (root_ / name).lexically_normal();
+    if (!taken_.insert(path).second) {
+        return;
+    }
+    if (const std::optional<std::string> text = contentOf(path)) {
+        addText(path.string(), withoutComments(*text));
+    } else {
+        errors_.push_back({includer.empty() ? path.string() : includer, line, line > 0 ? 1 : 0,
+                           fmt::format("cannot read \"{}\"", name), {}});
+    }
+}
+
+void SourceBuilder::addText(const std::string& file, std::string_view text) {
+    int number = 0;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        ++number;
+        if (const auto include = includeOf(nextLine(rest))) {
+            addIncluded(*include, file, number);
+        }
+    }
+    const std::size_t index = source_.files.size();
+    source_.files.push_back(file);
+    number = 0;
+    bool gap = true; // the next line that is kept needs its number said
+    while (!text.empty()) {
+        const std::string_view line = nextLine(text);
+        ++number;
+        if (isBlank(line) || includeOf(line)) {
+            gap = true;
+            continue;
+        }
+        if (gap) {
+            append(fmt::format("#line {} {}", number, index));
+        }
+        gap = false;
+        append(line);
+    }
+    append(fmt::format("#line {} 0", lines_ + 2));
+}
+
+Checked<ShaderSource> SourceBuilder::finish() const {
+    if (!errors_.empty()) {
+        return tl::unexpected(errors_);
+    }
+    return source_;
+}
+
+} // namespace patina

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "shading/shader_source.h"
+
+namespace patina {
+
+/// Puts the text of one shader stage together. Files go in without their comments, with their
+/// includes before them, each file once.
+class SourceBuilder {
+  public:
+    /// `root` is the folder that `#include "lib/..."` counts from.
+    explicit SourceBuilder(std::filesystem::path root);
+
+    /// Text that no file holds. Ends it with a newline when it has none.
+    void add(std::string_view generated);
+
+    /// A file, absolute or below the root.
+    void addFile(const std::filesystem::path& file);
+
+    /// What was put together, or every file that could not be read (with the place of its include).
+    Checked<ShaderSource> finish() const;
+
+  private:
+    void addIncluded(const std::string& name, const std::string& includer, int line);
+    void addText(const std::string& file, std::string_view text);
+    void append(std::string_view line);
+
+    std::filesystem::path root_;
+    ShaderSource source_;
+    std::set<std::filesystem::path> taken_;
+    Errors errors_;
+    int lines_ = 0;
+};
+
+/// The text with every comment replaced by blanks; line numbers stay.
+std::string withoutComments(std::string_view glsl);
+
+} // namespace patina
