@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+namespace patina::tests {
+
+inline std::filesystem::path patinaProgram() {
+    return std::filesystem::path(PATINA_BINARY_DIR) / "bin" / "patina";
+}
+
+inline std::filesystem::path shipped(const std::string& path) {
+    return std::filesystem::path(PATINA_SOURCE_DIR) / path;
+}
+
+/// Runs `patina` without a display and with an empty user folder.
+inline Outcome patina(Start start) {
+    const TemporaryFolder home;
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "PATINA_DATA_DIR"}) {
+        start.environment.try_emplace(name, "");
+    }
+    for (const char* name : {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"}) {
+        start.environment.try_emplace(name, (home / name).string());
+    }
+    return run(patinaProgram(), start);
+}
+
+inline Outcome patina(std::vector<std::string> arguments) {
+    return patina(Start{.arguments = std::move(arguments), .environment = {}, .input = {}});
+}
+
+} // namespace patina::tests

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/program.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <sys/wait.h>
+
+#include <boost/process/args.hpp>
+#include <boost/process/child.hpp>
+#include <boost/process/env.hpp>
+#include <boost/process/exe.hpp>
+#include <boost/process/io.hpp>
+
+namespace patina::tests {
+namespace {
+
+namespace process = boost::process;
+
+process::environment environmentOf(const Start& start) {
+    process::environment environment = boost::this_process::environment();
+    for (const auto& [name, value] : start.environment) {
+        if (value.empty()) {
+            environment.erase(name);
+        } else {
+            environment[name] = value;
+        }
+    }
+    return environment;
+}
+
+int exitCodeOf(const process::child& child) {
+    const int status = child.native_exit_code();
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+} // namespace
+
+Outcome run(const std::filesystem::path& program, const Start& start) {
+    const TemporaryFolder folder;
+    writeFile(folder / "in", start.input);
+    const auto began = std::chrono::steady_clock::now();
+    process::child child(process::exe = program.string(), process::args = start.arguments,
+                         environmentOf(start), process::std_in < (folder / "in").string(),
+                         process::std_out > (folder / "out").string(),
+                         process::std_err > (folder / "err").string());
+    const auto limit = std::chrono::milliseconds(int(start.timeLimitSeconds * 1000.0));
+    const bool ended = child.wait_for(limit);
+    if (!ended) {
+        child.terminate();
+    }
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+    return {ended ? exitCodeOf(child) : -1, readFile(folder / "out"), readFile(folder / "err"),
+            taken.count()};
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "patina-test-XXXXXX").string();
+    if (!mkdtemp(pattern.data())) {
+        throw std::runtime_error("no temporary folder at " + pattern);
+    }
+    path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+std::string readFile(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+void writeFile(const std::filesystem::path& path, const std::string& text) {
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+} // namespace patina::tests

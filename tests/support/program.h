@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace patina::tests {
+
+/// What a program did.
+struct Outcome {
+    int exitCode = 0; ///< 128 + n when signal n ended it, -1 when it ran out of time
+    std::string out;
+    std::string err;
+    double seconds = 0.0;
+};
+
+/// How to start a program.
+struct Start {
+    std::vector<std::string> arguments;
+    std::map<std::string, std::string> environment; ///< set on top of our own; "" removes
+    std::string input;                              ///< standard input
+    double timeLimitSeconds = 60.0;
+};
+
+/// Runs a program to its end and collects what it wrote.
+Outcome run(const std::filesystem::path& program, const Start& start);
+
+/// A new, empty folder that is removed with the object.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+std::string readFile(const std::filesystem::path& path);
+void writeFile(const std::filesystem::path& path, const std::string& text);
+
+} // namespace patina::tests
