@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assets/asset_client.h"
+
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "assets/files_session.h"
+#include "assets/image_block.h"
+#include "assets/job_queue.h"
+#include "assets/mesh_block.h"
+#include "assets/shared_block.h"
+#include "assets/text_block.h"
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MappedMesh final : public SharedMesh {
+  public:
+    MappedMesh(SharedBlock block, MeshView view, std::string remarks)
+        : block_(std::move(block)), view_(view), remarks_(std::move(remarks)) {}
+
+    MeshView view() const override { return view_; }
+    const std::string& remarks() const override { return remarks_; }
+
+  private:
+    SharedBlock block_;
+    MeshView view_;
+    std::string remarks_;
+};
+
+/// Where the program lies in a build folder and where it is installed.
+fs::path programBesideThisOne() {
+    std::error_code ignored;
+    const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    const fs::path beside = here / "patina-files";
+    const fs::path installed = here.parent_path() / "libexec" / "patina" / "patina-files";
+    return !fs::exists(beside, ignored) && fs::exists(installed, ignored) ? installed : beside;
+}
+
+AssetClient::Options completed(AssetClient::Options options) {
+    if (options.program.empty()) {
+        options.program = programBesideThisOne();
+    }
+    return options;
+}
+
+/// The process has its own working folder in general, so it is always given full paths.
+std::string fullPath(const fs::path& file) {
+    std::error_code failed;
+    const fs::path full = fs::absolute(file, failed);
+    return (failed ? file : full).string();
+}
+
+std::optional<Error> reasonNotReadable(const fs::path& file) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(file, failed);
+    if (!fs::exists(status)) {
+        return Error{file.string(), 0, 0, "no such file", {}};
+    }
+    if (fs::is_directory(status)) {
+        return Error{file.string(), 0, 0, "is a folder", "a file"};
+    }
+    if (!fs::is_regular_file(status)) {
+        return Error{file.string(), 0, 0, "is not an ordinary file", {}};
+    }
+    if (::access(file.c_str(), R_OK) != 0) {
+        return Error{file.string(), 0, 0, "cannot be read: permission denied", {}};
+    }
+    return std::nullopt;
+}
+
+Result<FileHandle> sharedImage(const fs::path& file, const Image& image) {
+    const std::size_t size = ImageBlock::sizeFor(image.width, image.height, image.channels);
+    const std::size_t count = std::size_t(image.width) * std::size_t(image.height) *
+                              std::size_t(image.channels);
+    if (size == 0 || image.pixels.size() != count) {
+        return tl::unexpected(Error{file.string(), 0, 0,
+                                    "the image to write has no pixels, or too many",
+                                    "1, 3 or 4 channels and at most 1 GiB"});
+    }
+    auto block = SharedBlock::create(size);
+    if (!block) {
+        return tl::unexpected(block.error());
+    }
+    ImageBlock::write(block->bytes(), image);
+    return SharedBlock::seal(std::move(*block));
+}
+
+} // namespace
+
+class AssetClient::Implementation {
+  public:
+    explicit Implementation(Options options) : session_(completed(std::move(options))) {}
+
+    /// Asks on the queue's own thread, the one whose end also ends the process, and turns the
+    /// answer into what the caller wants there.
+    template <class Answer>
+    Result<Answer> ask(const FilesSession::Request& request, auto interpret) {
+        Result<Answer> result =
+            tl::unexpected(Error{request.file.string(), 0, 0, "cancelled before it began", {}});
+        const auto work = [&] {
+            auto answer = session_.ask(request);
+            if (!answer) {
+                result = tl::unexpected(answer.error());
+                return;
+            }
+            result = interpret(std::move(*answer)).map_error([&](const Error& error) {
+                return session_.refuse(request, error.problem);
+            });
+        };
+        queue_.run(work, request.progress != nullptr ? &request.progress->cancelled : nullptr);
+        return result;
+    }
+
+    void warmUp(bool images) {
+        queue_.post([this, images] { session_.warmUp(images); });
+    }
+
+  private:
+    FilesSession session_;
+    JobQueue queue_; // last, so that its thread ends before the session does
+};
+
+AssetClient::AssetClient(Options options)
+    : implementation_(std::make_unique<Implementation>(std::move(options))) {}
+AssetClient::AssetClient() : AssetClient(Options{}) {}
+AssetClient::~AssetClient() = default;
+
+Result<std::shared_ptr<const SharedMesh>> AssetClient::loadMesh(const MeshRequest& mesh,
+                                                                Progress* progress) {
+    if (auto reason = reasonNotReadable(mesh.file)) {
+        return tl::unexpected(std::move(*reason));
+    }
+    const std::vector<double> numbers{mesh.scale, mesh.fitUnitBox ? 1.0 : 0.0,
+                                      mesh.flipNormals ? 1.0 : 0.0};
+    const FilesSession::Request request{
+        {MessageKind::readMesh, numbers, {fullPath(mesh.file)}}, mesh.file, "reading", {}, progress};
+    using Shared = std::shared_ptr<const SharedMesh>;
+    return implementation_->ask<Shared>(request, [](FilesSession::Answer answer) -> Result<Shared> {
+        auto block = SharedBlock::open(std::move(answer.attachment));
+        if (!block) {
+            return tl::unexpected(block.error());
+        }
+        const auto view = MeshBlock::checked(std::as_const(*block).bytes());
+        if (!view) {
+            return tl::unexpected(view.error());
+        }
+        return std::make_shared<MappedMesh>(std::move(*block), *view, std::move(answer.remarks));
+    });
+}
+
+Result<Image> AssetClient::loadImage(const fs::path& file, Progress* progress) {
+    if (auto reason = reasonNotReadable(file)) {
+        return tl::unexpected(std::move(*reason));
+    }
+    const FilesSession::Request request{
+        {MessageKind::readImage, {}, {fullPath(file)}}, file, "reading", {}, progress};
+    return implementation_->ask<Image>(request, [](FilesSession::Answer answer) {
+        return SharedBlock::open(std::move(answer.attachment)).and_then([](const SharedBlock& block) {
+            return ImageBlock::checked(block.bytes());
+        });
+    });
+}
+
+Result<void> AssetClient::saveImage(const fs::path& file, const Image& image, Progress* progress) {
+    auto pixels = sharedImage(file, image);
+    if (!pixels) {
+        return tl::unexpected(pixels.error());
+    }
+    const FilesSession::Request request{{MessageKind::writeImage, {}, {fullPath(file)}},
+                                        file,
+                                        "writing",
+                                        std::move(*pixels),
+                                        progress};
+    return implementation_->ask<void>(
+        request, [](const FilesSession::Answer&) -> Result<void> { return {}; });
+}
+
+Result<std::string> AssetClient::encodeImage(const std::string& extension, const Image& image) {
+    auto pixels = sharedImage(extension, image);
+    if (!pixels) {
+        return tl::unexpected(pixels.error());
+    }
+    const FilesSession::Request request{{MessageKind::encodeImage, {}, {extension}},
+                                        extension,
+                                        "writing",
+                                        std::move(*pixels),
+                                        nullptr};
+    return implementation_->ask<std::string>(request, [](FilesSession::Answer answer) {
+        return SharedBlock::open(std::move(answer.attachment)).and_then([](const SharedBlock& block) {
+            return TextBlock::checked(block.bytes());
+        });
+    });
+}
+
+void AssetClient::warmUp(Formats formats) {
+    implementation_->warmUp(formats == Formats::images);
+}
+
+} // namespace patina

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+
+#include "assets/channel.h"
+#include "core/error.h"
+
+namespace patina {
+
+/// A running `patina-files`, its standard input being one end of a channel. It dies with the
+/// thread that started it, with this object, and with its memory limit.
+class FilesProcess {
+  public:
+    /// Errors: the program is missing or cannot be run.
+    static Result<FilesProcess> start(const std::filesystem::path& program,
+                                      std::size_t memoryLimitBytes);
+
+    FilesProcess(FilesProcess&&) noexcept;
+    FilesProcess& operator=(FilesProcess&&) noexcept;
+    ~FilesProcess();
+
+    const Channel& channel() const;
+
+    /// Ends the process at once; does nothing when it has ended.
+    void kill();
+
+  private:
+    struct State;
+    explicit FilesProcess(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace patina

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "core/error.h"
+#include "core/image.h"
+
+namespace patina {
+
+/// How an image lies in a shared block: a 32-byte header, then the floats.
+class ImageBlock {
+  public:
+    /// The block's size in bytes; 0 when there can be no such image (no pixels, a number of
+    /// channels other than 1, 3 or 4, more than a gigabyte).
+    static std::size_t sizeFor(int width, int height, int channels);
+
+    /// Writes the image into a block of sizeFor(...) bytes.
+    static void write(std::span<std::byte> block, const Image& image);
+
+    /// An image another process wrote, checked: its sizes against the block's length.
+    static Result<Image> checked(std::span<const std::byte> block);
+};
+
+} // namespace patina

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace patina {
+
+/// What a message between the client and the files process says.
+enum class MessageKind : std::uint32_t {
+    warmImages = 1, ///< client: load the image formats in the background
+    readMesh,       ///< client: texts {file}; numbers {scale, fitUnitBox, flipNormals}
+    readImage,      ///< client: texts {file}
+    writeImage,     ///< client: texts {file}; an image block is attached
+    encodeImage,    ///< client: texts {extension}; an image block is attached
+    progress,       ///< process: numbers {done}
+    done,           ///< process: texts {remarks}; the answer's block is attached where there is one
+    failed,         ///< process: texts {problem, expected}; numbers {line, column}
+};
+
+/// A small message: a kind, some numbers, some texts. Bulk data travels in a shared block.
+struct Message {
+    MessageKind kind = MessageKind::progress;
+    std::vector<double> numbers;
+    std::vector<std::string> texts;
+
+    friend bool operator==(const Message&, const Message&) = default;
+};
+
+/// No encoded message is longer, in bytes.
+inline constexpr std::size_t maxMessageBytes = 64 * 1024;
+
+/// The bytes that travel. Texts are cut so that the whole stays within maxMessageBytes.
+std::string encoded(const Message& message);
+
+/// The message in these bytes; nothing when they are not exactly one valid message.
+std::optional<Message> decodedMessage(std::span<const std::byte> bytes);
+
+} // namespace patina

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace patina {
+
+/// How plain bytes (an encoded picture) lie in a shared block: a 16-byte header, then the bytes.
+class TextBlock {
+  public:
+    static std::size_t sizeFor(std::size_t length);
+
+    /// Writes the text into a block of sizeFor(...) bytes.
+    static void write(std::span<std::byte> block, std::string_view text);
+
+    /// The bytes another process wrote; their number is checked against the block's length.
+    static Result<std::string> checked(std::span<const std::byte> block);
+};
+
+} // namespace patina
