@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/file_server.h"
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "assets/image_block.h"
+#include "assets/mesh_block.h"
+#include "assets/text_block.h"
+#include "io/atomic_write.h"
+#include "io/mesh_reader.h"
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::chrono::milliseconds forEver{-1};
+constexpr std::chrono::milliseconds betweenReports{30};
+
+Error named(Error error, const fs::path& file) {
+    error.file = file.string();
+    return error;
+}
+
+/// Tells the client how far the work is, but not more often than anyone could see.
+class Reporter {
+  public:
+    explicit Reporter(const Channel& channel) : channel_(channel) {}
+
+    void operator()(double done) {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last_ >= betweenReports) {
+            last_ = now;
+            channel_.send({MessageKind::progress, {done}, {}});
+        }
+    }
+
+  private:
+    const Channel& channel_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// A duplicate, because a delivery is const here and the block wants to own its descriptor.
+FileHandle duplicate(const FileHandle& handle) {
+    return FileHandle(handle ? ::fcntl(handle.get(), F_DUPFD_CLOEXEC, 0) : -1);
+}
+
+} // namespace
+
+FileServer::FileServer(Channel channel) : channel_(std::move(channel)) {}
+
+int FileServer::run() {
+    while (true) {
+        const auto request = channel_.receive(forEver);
+        if (!request) {
+            return request.error() == Channel::Fault::closed ? 0 : 1;
+        }
+        if (!request->has_value()) {
+            continue; // woken by a signal
+        }
+        if ((*request)->message.kind == MessageKind::warmImages) {
+            images_.prefetch();
+        } else if (!send(guarded(**request))) {
+            return 0;
+        }
+    }
+}
+
+Result<FileServer::Answer> FileServer::guarded(const Channel::Delivery& request) {
+    const std::string file =
+        request.message.texts.empty() ? std::string() : request.message.texts.front();
+    try {
+        return answer(request);
+    } catch (const std::bad_alloc&) {
+        return tl::unexpected(Error{file, 0, 0, "needs more memory than is allowed here", {}});
+    } catch (const std::exception& problem) {
+        return tl::unexpected(Error{file, 0, 0, std::string("is damaged: ") + problem.what(), {}});
+    } catch (...) {
+        return tl::unexpected(Error{file, 0, 0, "is damaged", {}});
+    }
+}
+
+Result<FileServer::Answer> FileServer::answer(const Channel::Delivery& request) {
+    if (request.message.texts.empty()) {
+        return failure("the request names no file");
+    }
+    switch (request.message.kind) {
+    case MessageKind::readMesh:
+        return readMesh(request.message);
+    case MessageKind::readImage:
+        return readImage(request.message);
+    case MessageKind::writeImage:
+        return writeImage(request);
+    case MessageKind::encodeImage:
+        return encodeImage(request);
+    default:
+        return failure("the request is not one");
+    }
+}
+
+Result<FileServer::Answer> FileServer::readMesh(const Message& request) {
+    MeshOptions options;
+    if (request.numbers.size() == 3) {
+        options = {request.numbers[0], request.numbers[1] != 0.0, request.numbers[2] != 0.0};
+    }
+    std::optional<SharedBlock> block;
+    const MeshStorage storage = [&](std::size_t vertices, std::size_t indices) -> Result<MeshSpans> {
+        const std::size_t size = MeshBlock::sizeFor(vertices, indices);
+        auto fresh = size != 0 ? SharedBlock::create(size) : failure("is too large");
+        if (!fresh) {
+            return tl::unexpected(fresh.error());
+        }
+        block.emplace(std::move(*fresh));
+        const MeshBlock mesh = MeshBlock::format(block->bytes(), vertices, indices);
+        return MeshSpans{mesh.vertices, mesh.indices};
+    };
+    auto remarks = patina::readMesh(request.texts[0], options, storage, Reporter(channel_));
+    if (!remarks) {
+        return tl::unexpected(remarks.error());
+    }
+    auto handle = SharedBlock::seal(std::move(*block));
+    if (!handle) {
+        return tl::unexpected(handle.error());
+    }
+    return Answer{std::move(*remarks), std::move(*handle)};
+}
+
+Result<FileServer::Answer> FileServer::readImage(const Message& request) {
+    const auto codec = images_.codec();
+    if (!codec) {
+        return tl::unexpected(codec.error());
+    }
+    const auto image = (*codec)->read(request.texts[0]);
+    if (!image) {
+        return tl::unexpected(image.error());
+    }
+    auto block = SharedBlock::create(ImageBlock::sizeFor(image->width, image->height, image->channels));
+    if (!block) {
+        return tl::unexpected(named(block.error(), request.texts[0]));
+    }
+    ImageBlock::write(block->bytes(), *image);
+    return SharedBlock::seal(std::move(*block)).map([](FileHandle handle) {
+        return Answer{{}, std::move(handle)};
+    });
+}
+
+Result<std::string> FileServer::encoded(const Channel::Delivery& request,
+                                        const std::string& extension) {
+    const auto codec = images_.codec();
+    if (!codec) {
+        return tl::unexpected(codec.error());
+    }
+    const auto block = SharedBlock::open(duplicate(request.attachment));
+    if (!block) {
+        return tl::unexpected(block.error());
+    }
+    return ImageBlock::checked(block->bytes()).and_then([&](const Image& image) {
+        return (*codec)->encode(extension, image);
+    });
+}
+
+Result<FileServer::Answer> FileServer::writeImage(const Channel::Delivery& request) {
+    const fs::path file = request.message.texts[0];
+    const auto bytes = encoded(request, file.extension().string());
+    if (!bytes) {
+        return tl::unexpected(named(bytes.error(), file));
+    }
+    return writeAtomically(file, *bytes).map([] { return Answer{}; });
+}
+
+Result<FileServer::Answer> FileServer::encodeImage(const Channel::Delivery& request) {
+    const auto bytes = encoded(request, request.message.texts[0]);
+    if (!bytes) {
+        return tl::unexpected(bytes.error());
+    }
+    auto block = SharedBlock::create(TextBlock::sizeFor(bytes->size()));
+    if (!block) {
+        return tl::unexpected(block.error());
+    }
+    TextBlock::write(block->bytes(), *bytes);
+    return SharedBlock::seal(std::move(*block)).map([](FileHandle handle) {
+        return Answer{{}, std::move(handle)};
+    });
+}
+
+bool FileServer::send(const Result<Answer>& answer) {
+    if (answer) {
+        return channel_.send({MessageKind::done, {}, {answer->remarks}}, answer->block.get());
+    }
+    const Error& error = answer.error();
+    return channel_.send({MessageKind::failed,
+                          {static_cast<double>(error.line), static_cast<double>(error.column)},
+                          {error.problem, error.expected}});
+}
+
+} // namespace patina

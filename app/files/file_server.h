@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "assets/channel.h"
+#include "assets/shared_block.h"
+#include "core/error.h"
+#include "files/image_module.h"
+
+namespace patina {
+
+/// Answers requests one at a time until the other side is gone. Whatever a library throws becomes
+/// an error answer.
+class FileServer {
+  public:
+    explicit FileServer(Channel channel);
+
+    /// The exit status of the program.
+    int run();
+
+  private:
+    struct Answer {
+        std::string remarks;
+        FileHandle block;
+    };
+
+    Result<Answer> answer(const Channel::Delivery& request);
+    Result<Answer> guarded(const Channel::Delivery& request);
+    Result<Answer> readMesh(const Message& request);
+    Result<Answer> readImage(const Message& request);
+    Result<Answer> writeImage(const Channel::Delivery& request);
+    Result<Answer> encodeImage(const Channel::Delivery& request);
+    Result<std::string> encoded(const Channel::Delivery& request, const std::string& extension);
+    bool send(const Result<Answer>& answer);
+
+    Channel channel_;
+    ImageModule images_;
+};
+
+} // namespace patina

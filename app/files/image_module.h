@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <future>
+
+#include "core/error.h"
+#include "io/image_codec.h"
+
+namespace patina {
+
+/// The module with the image formats, `patina-files-images.so` beside this program; loaded once,
+/// when first asked for.
+class ImageModule {
+  public:
+    /// Begins to load it on another thread.
+    void prefetch();
+
+    /// Waits for the module. Errors: it is missing or does not fit.
+    Result<const ImageCodec*> codec();
+
+  private:
+    std::shared_future<Result<const ImageCodec*>> codec_;
+};
+
+} // namespace patina

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/assimp_reader.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+namespace patina {
+namespace {
+
+/// A file with more nodes inside nodes than this is damaged or made to harm.
+constexpr int maxNodeDepth = 512;
+/// Instancing can make gigabytes of a few bytes; 2^27 vertices are 1.5 GB of positions.
+constexpr std::size_t maxVertices = std::size_t(1) << 27;
+
+class Reporter final : public Assimp::ProgressHandler {
+  public:
+    explicit Reporter(const ReportProgress& report) : report_(report) {}
+
+    bool Update(float percentage) override {
+        if (percentage >= 0.0f && percentage <= 1.0f) {
+            report_(percentage);
+        }
+        return true;
+    }
+
+  private:
+    const ReportProgress& report_;
+};
+
+glm::dmat4 matrixFrom(const aiMatrix4x4& m) {
+    return {{m.a1, m.b1, m.c1, m.d1},
+            {m.a2, m.b2, m.c2, m.d2},
+            {m.a3, m.b3, m.c3, m.d3},
+            {m.a4, m.b4, m.c4, m.d4}};
+}
+
+static_assert(sizeof(aiVector3D) == sizeof(glm::vec3));
+
+/// Appends to an attribute that earlier parts of the file may have lacked.
+void append(std::vector<glm::vec3>& all, std::size_t first, const aiVector3D* part,
+            std::size_t count) {
+    all.resize(first + count, glm::vec3(0.0f));
+    std::memcpy(static_cast<void*>(all.data() + first), part, count * sizeof(glm::vec3));
+}
+
+void appendUvs(RawMesh& mesh, std::size_t first, const aiMesh& part) {
+    mesh.uvs.resize(first, glm::vec2(0.0f));
+    std::transform(part.mTextureCoords[0], part.mTextureCoords[0] + part.mNumVertices,
+                   std::back_inserter(mesh.uvs),
+                   [](const aiVector3D& uv) { return glm::vec2(uv.x, uv.y); });
+}
+
+void appendTangents(RawMesh& mesh, std::size_t first, const aiMesh& part) {
+    mesh.tangents.resize(first, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    for (unsigned int i = 0; i < part.mNumVertices; ++i) {
+        const aiVector3D& t = part.mTangents[i];
+        const float side = (part.mNormals[i] ^ t) * part.mBitangents[i] < 0.0f ? -1.0f : 1.0f;
+        mesh.tangents.emplace_back(t.x, t.y, t.z, side);
+    }
+}
+
+void appendFaces(RawMesh& mesh, std::size_t first, const aiMesh& part) {
+    mesh.indices.reserve(mesh.indices.size() + 3 * std::size_t(part.mNumFaces));
+    for (unsigned int i = 0; i < part.mNumFaces; ++i) {
+        const aiFace& face = part.mFaces[i];
+        const auto inside = [&](unsigned int index) { return index < part.mNumVertices; };
+        if (face.mNumIndices != 3 || !std::all_of(face.mIndices, face.mIndices + 3, inside)) {
+            ++mesh.pointsAndLines;
+            continue;
+        }
+        for (int corner = 0; corner < 3; ++corner) {
+            mesh.indices.push_back(static_cast<std::uint32_t>(first + face.mIndices[corner]));
+        }
+    }
+}
+
+void appendMesh(RawMesh& mesh, const aiMesh& part, const glm::dmat4& matrix) {
+    const std::size_t first = mesh.positions.size();
+    const std::size_t firstIndex = mesh.indices.size();
+    if (!part.HasPositions() || !part.HasFaces()) {
+        mesh.pointsAndLines += part.mNumVertices;
+        return;
+    }
+    append(mesh.positions, first, part.mVertices, part.mNumVertices);
+    if (part.HasNormals()) {
+        append(mesh.normals, first, part.mNormals, part.mNumVertices);
+    }
+    if (part.HasTextureCoords(0)) {
+        appendUvs(mesh, first, part);
+    }
+    if (part.HasTangentsAndBitangents() && part.HasNormals()) {
+        appendTangents(mesh, first, part);
+    }
+    appendFaces(mesh, first, part);
+    mesh.transform(matrix, first, firstIndex);
+}
+
+/// False when the file is nested too deeply or grows too large.
+bool appendNode(RawMesh& mesh, const aiScene& scene, const aiNode& node, const glm::dmat4& parent,
+                int depth) {
+    const glm::dmat4 matrix = parent * matrixFrom(node.mTransformation);
+    for (unsigned int i = 0; i < node.mNumMeshes; ++i) {
+        if (node.mMeshes[i] >= scene.mNumMeshes) {
+            continue;
+        }
+        const aiMesh& part = *scene.mMeshes[node.mMeshes[i]];
+        if (mesh.positions.size() + part.mNumVertices > maxVertices) {
+            return false;
+        }
+        appendMesh(mesh, part, matrix);
+    }
+    const auto appendChild = [&](const aiNode* child) {
+        return appendNode(mesh, scene, *child, matrix, depth + 1);
+    };
+    return depth < maxNodeDepth &&
+           std::all_of(node.mChildren, node.mChildren + node.mNumChildren, appendChild);
+}
+
+Error unreadable(const std::filesystem::path& file, std::string why) {
+    std::erase(why, '\n');
+    while (why.ends_with('.') || why.ends_with(' ')) {
+        why.pop_back();
+    }
+    return Error{file.string(), 0, 0, why.empty() ? "cannot be read as a mesh" : why, {}};
+}
+
+} // namespace
+
+Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportProgress& report) {
+    Assimp::Importer importer;
+    if (!importer.IsExtensionSupported(file.extension().string())) {
+        return tl::unexpected(Error{file.string(), 0, 0, "is not in a mesh format known here",
+                                    ".obj, .gltf, .glb, .ply, .stl, .fbx, .dae, .3ds or the like"});
+    }
+    importer.SetProgressHandler(new Reporter(report)); // the importer deletes it
+    const aiScene* const scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+    if (scene == nullptr) {
+        return tl::unexpected(unreadable(file, importer.GetErrorString()));
+    }
+    RawMesh mesh;
+    if (scene->mRootNode != nullptr &&
+        !appendNode(mesh, *scene, *scene->mRootNode, glm::dmat4(1.0), 0)) {
+        return tl::unexpected(unreadable(file, "is too large or nested too deeply"));
+    }
+    mesh.padAttributes();
+    return mesh;
+}
+
+} // namespace patina

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/image_codec.h"
+#include "io/images/srgb_table.h"
+
+namespace patina {
+
+/// Pictures through OpenImageIO.
+class OiioCodec final : public ImageCodec {
+  public:
+    OiioCodec();
+    Result<Image> read(const std::filesystem::path& file) const override;
+    Result<std::string> encode(const std::string& extension, const Image& image) const override;
+
+  private:
+    SrgbTable srgb_;
+};
+
+} // namespace patina

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace patina {
+
+/// The sRGB curve for 8-bit pictures, as tables: exact rounding at a few nanoseconds per value.
+class SrgbTable {
+  public:
+    SrgbTable();
+
+    /// The linear value of a code.
+    float decoded(std::uint8_t code) const { return linear_[code]; }
+
+    /// The code whose encoded value is nearest; below 0 and NaN give 0, above 1 gives 255.
+    std::uint8_t encoded(float linear) const;
+
+  private:
+    static constexpr int slots = 4096;
+
+    std::array<float, 256> linear_{};
+    std::array<float, 256> upper_{};          ///< the first linear value above each code's range
+    std::array<std::uint8_t, slots> first_{}; ///< the code at the start of each 1/slots of [0, 1)
+};
+
+} // namespace patina

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/mesh_finisher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <meshoptimizer.h>
+
+#include "io/normals.h"
+#include "io/tangents.h"
+#include "io/triangle_filter.h"
+#include "io/vertex_joiner.h"
+
+namespace patina {
+namespace {
+
+/// What a mesh without a single triangle holds instead, for the message.
+Error nothingToDraw(const RawMesh& mesh, std::size_t dropped) {
+    Error error;
+    if (dropped > 0) {
+        error.problem = fmt::format(
+            "none of its {} triangles can be drawn: they have no area or no finite position",
+            dropped);
+    } else if (mesh.pointsAndLines > 0) {
+        error.problem = "has points or lines but no faces";
+    } else {
+        error.problem = "has no vertices and no faces";
+    }
+    error.expected = "a surface made of triangles or polygons";
+    return error;
+}
+
+std::string remarksOn(std::size_t dropped, std::size_t triangles) {
+    if (dropped == 0) {
+        return {};
+    }
+    return fmt::format("{} of {} triangles had no area or no finite position and were left out",
+                       dropped, dropped + triangles);
+}
+
+/// Uniform scale about the centre, so that normals and tangents stay as they are.
+Result<void> scale(RawMesh& mesh, const MeshOptions& options) {
+    if (!(options.scale > 0.0) || !std::isfinite(options.scale)) {
+        return failure("the scale is not usable", "a number above 0");
+    }
+    Bounds bounds;
+    std::ranges::for_each(mesh.positions, [&](const glm::vec3& p) { bounds.add(p); });
+    const glm::dvec3 lower(bounds.lower);
+    const glm::dvec3 upper(bounds.upper);
+    const glm::dvec3 size = upper - lower;
+    const double longest = std::max({size.x, size.y, size.z});
+    const glm::dvec3 center = options.fitUnitBox ? 0.5 * (lower + upper) : glm::dvec3(0.0);
+    const double factor = options.scale * (options.fitUnitBox ? 2.0 / longest : 1.0);
+    if (factor == 1.0 && center == glm::dvec3(0.0)) {
+        return {};
+    }
+    for (glm::vec3& p : mesh.positions) {
+        p = glm::vec3(factor * (glm::dvec3(p) - center));
+    }
+    const bool kept = std::ranges::all_of(mesh.positions, [](const glm::vec3& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
+    return kept ? Result<void>() : failure("the scale makes the mesh too large", "a smaller one");
+}
+
+void flip(RawMesh& mesh) {
+    for (glm::vec3& n : mesh.normals) {
+        n = -n;
+    }
+    for (glm::vec4& t : mesh.tangents) {
+        t.w = -t.w;
+    }
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
+}
+
+glm::vec2 finiteUv(const RawMesh& mesh, std::size_t i) {
+    if (mesh.uvs.empty() || !std::isfinite(mesh.uvs[i].x) || !std::isfinite(mesh.uvs[i].y)) {
+        return glm::vec2(0.0f);
+    }
+    return mesh.uvs[i];
+}
+
+/// Orders triangles for the vertex cache and vertices for fetching, straight into the target.
+void write(const RawMesh& mesh, const MeshSpans& target) {
+    const std::size_t vertices = mesh.positions.size();
+    meshopt_optimizeVertexCacheFifo(target.indices.data(), mesh.indices.data(),
+                                    mesh.indices.size(), vertices, 16);
+    std::vector<std::uint32_t> order(vertices);
+    meshopt_optimizeVertexFetchRemap(order.data(), target.indices.data(), target.indices.size(),
+                                     vertices);
+    meshopt_remapIndexBuffer(target.indices.data(), target.indices.data(), target.indices.size(),
+                             order.data());
+    for (std::size_t i = 0; i < vertices; ++i) {
+        target.vertices[order[i]] = {mesh.positions[i], mesh.normals[i], mesh.tangents[i],
+                                     finiteUv(mesh, i)};
+    }
+}
+
+} // namespace
+
+Result<std::string> finishMesh(RawMesh mesh, const MeshOptions& options,
+                               const MeshStorage& storage) {
+    const std::size_t dropped = dropUselessTriangles(mesh);
+    if (mesh.indices.empty()) {
+        return tl::unexpected(nothingToDraw(mesh, dropped));
+    }
+    joinVertices(mesh);
+    if (const auto scaled = scale(mesh, options); !scaled) {
+        return tl::unexpected(scaled.error());
+    }
+    completeNormals(mesh);
+    completeTangents(mesh);
+    if (options.flipNormals) {
+        flip(mesh);
+    }
+    const auto target = storage(mesh.positions.size(), mesh.indices.size());
+    if (!target) {
+        return tl::unexpected(target.error());
+    }
+    write(mesh, *target);
+    return remarksOn(dropped, mesh.indices.size() / 3);
+}
+
+} // namespace patina

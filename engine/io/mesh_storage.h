@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "core/error.h"
+#include "core/mesh.h"
+
+namespace patina {
+
+/// Where a finished mesh is to be written.
+struct MeshSpans {
+    std::span<Vertex> vertices;
+    std::span<std::uint32_t> indices;
+};
+
+/// Asked once, when the counts are known, for memory of exactly these sizes; so that a mesh is
+/// written where it is used and never copied.
+using MeshStorage = std::function<Result<MeshSpans>(std::size_t vertices, std::size_t indices)>;
+
+} // namespace patina

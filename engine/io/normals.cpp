@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "io/vertex_joiner.h"
+
+namespace patina {
+namespace {
+
+bool isZero(const glm::vec3& v) { return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f; }
+
+/// Unit length, or zero when the vector has no direction. Scaled first, so that neither tiny nor
+/// huge vectors leave the float range when squared.
+glm::vec3 unitOrZero(const glm::vec3& v) {
+    const float largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0.0f) || !std::isfinite(largest)) { // also for NaN
+        return glm::vec3(0.0f);
+    }
+    const glm::vec3 scaled = v / largest;
+    return scaled / std::sqrt(glm::dot(scaled, scaled));
+}
+
+/// The angle between two edges from one corner; their cross product has the length `twiceArea`.
+float angleBetween(const glm::vec3& a, const glm::vec3& b, float twiceArea) {
+    return std::atan2(twiceArea, glm::dot(a, b));
+}
+
+struct Face {
+    glm::vec3 normal; ///< unit; zero when even doubles find no direction
+    glm::vec3 angles; ///< at the three corners, radians
+};
+
+/// Unit edges first: triangles may be as small as 1e-15 or as large as 1e15.
+Face faceOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const glm::vec3 ab = unitOrZero(b - a);
+    const glm::vec3 bc = unitOrZero(c - b);
+    const glm::vec3 ca = unitOrZero(a - c);
+    const glm::vec3 normal = glm::cross(ab, -ca);
+    const float atA = angleBetween(ab, -ca, glm::length(normal));
+    const float atB = angleBetween(bc, -ab, glm::length(glm::cross(bc, ab)));
+    const float atC = std::max(0.0f, std::numbers::pi_v<float> - atA - atB);
+    glm::vec3 unit = unitOrZero(normal);
+    if (isZero(unit)) {
+        // A sliver whose area only doubles can see.
+        const glm::dvec3 precise =
+            glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+        const double length = glm::length(precise);
+        unit = length > 0.0 ? glm::vec3(precise / length) : unit;
+    }
+    return {unit, {atA, atB, atC}};
+}
+
+/// Sums the weighted face normals at every place.
+std::vector<glm::vec3> sumsAtPlaces(const RawMesh& mesh, const Places& places) {
+    std::vector<glm::vec3> sums(places.count, glm::vec3(0.0f));
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::uint32_t* const corners = &mesh.indices[i];
+        const Face face = faceOf(mesh.positions[corners[0]], mesh.positions[corners[1]],
+                                 mesh.positions[corners[2]]);
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = corners[k];
+            const std::uint32_t place = places.ofVertex.empty() ? vertex : places.ofVertex[vertex];
+            sums[place] += face.angles[k] * face.normal;
+        }
+    }
+    return sums;
+}
+
+/// For vertices that still have none: the normal of any face that uses them.
+void takeFromFaces(RawMesh& mesh) {
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::uint32_t* const corners = &mesh.indices[i];
+        const auto missing = [&](std::uint32_t vertex) { return isZero(mesh.normals[vertex]); };
+        if (std::none_of(corners, corners + 3, missing)) {
+            continue;
+        }
+        const Face face = faceOf(mesh.positions[corners[0]], mesh.positions[corners[1]],
+                                 mesh.positions[corners[2]]);
+        for (int k = 0; k < 3; ++k) {
+            if (missing(corners[k])) {
+                mesh.normals[corners[k]] =
+                    isZero(face.normal) ? glm::vec3(0.0f, 0.0f, 1.0f) : face.normal;
+            }
+        }
+    }
+}
+
+} // namespace
+
+void completeNormals(RawMesh& mesh) {
+    const Places places = placesOf(mesh);
+    mesh.normals.resize(mesh.positions.size(), glm::vec3(0.0f));
+    for (glm::vec3& n : mesh.normals) {
+        n = unitOrZero(n);
+    }
+    if (std::ranges::none_of(mesh.normals, isZero)) {
+        return;
+    }
+    std::vector<glm::vec3> sums = sumsAtPlaces(mesh, places);
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        if (isZero(mesh.normals[i])) {
+            // Below a millionth of a radian the faces cancel and the sum is rounding noise.
+            const glm::vec3& sum = sums[places.ofVertex.empty() ? i : places.ofVertex[i]];
+            mesh.normals[i] = glm::dot(sum, sum) > 1e-12f ? unitOrZero(sum) : glm::vec3(0.0f);
+        }
+    }
+    takeFromFaces(mesh);
+}
+
+} // namespace patina

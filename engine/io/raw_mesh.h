@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace patina {
+
+/// Triangles as a file has them: vertices perhaps many times over, attributes perhaps missing.
+/// An attribute is empty, or has one value per position; a zero normal or tangent is unknown.
+struct RawMesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> tangents;
+    std::vector<glm::vec2> uvs;
+    std::vector<std::uint32_t> indices; ///< three per triangle, each below positions.size()
+    std::size_t pointsAndLines = 0;     ///< what the file has besides triangles
+
+    /// Moves the vertices from `first` on, and the triangles from `firstIndex` on, by an affine
+    /// transform. A mirroring one reverses the winding.
+    void transform(const glm::dmat4& matrix, std::size_t first, std::size_t firstIndex);
+
+    /// Brings attributes that only some parts of the file have to the length of the positions.
+    void padAttributes();
+};
+
+} // namespace patina

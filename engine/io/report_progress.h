@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+namespace patina {
+
+/// Told now and then how far a task is, 0 .. 1.
+using ReportProgress = std::function<void(double done)>;
+
+} // namespace patina
