@@ -16,6 +16,11 @@ inline std::filesystem::path shipped(const std::string& path) {
     return std::filesystem::path(PATINA_SOURCE_DIR) / path;
 }
 
+/// Folder with a compiled de_DE.UTF-8 locale (decimal comma), made when the tests are built.
+inline std::string localeFolder() {
+    return (std::filesystem::path(PATINA_BINARY_DIR) / "locale").string();
+}
+
 /// Runs `patina` without a display and with an empty user folder.
 inline Outcome patina(Start start) {
     const TemporaryFolder home;

@@ -43,10 +43,10 @@ Outcome run(const std::filesystem::path& program, const Start& start) {
     const TemporaryFolder folder;
     writeFile(folder / "in", start.input);
     const auto began = std::chrono::steady_clock::now();
-    process::child child(process::exe = program.string(), process::args = start.arguments,
-                         environmentOf(start), process::std_in < (folder / "in").string(),
-                         process::std_out > (folder / "out").string(),
-                         process::std_err > (folder / "err").string());
+    process::child child(
+        process::exe = program.string(), process::args = start.arguments, environmentOf(start),
+        process::std_in<(folder / "in").string(), process::std_out>(folder / "out").string(),
+        process::std_err > (folder / "err").string());
     const auto limit = std::chrono::milliseconds(int(start.timeLimitSeconds * 1000.0));
     const bool ended = child.wait_for(limit);
     if (!ended) {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/patina_program.h"
+
+namespace patina::tests {
+namespace {
+
+const std::string gold = shipped("presets/cook-torrance/gold.patina.json").string();
+const std::string plastic = shipped("presets/strauss/red-plastic.patina.json").string();
+
+Outcome eval(const std::string& lines) {
+    return patina(Start{.arguments = {"eval"}, .environment = {}, .input = lines});
+}
+
+TEST(Program, UnknownOption_FailsOnStandardError) {
+    const Outcome outcome = patina({"render", "--no-such-option"});
+    EXPECT_NE(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("--no-such-option"), std::string::npos) << outcome.err;
+}
+
+TEST(Program, Help_NamesEveryCommand) {
+    const Outcome outcome = patina({"--help"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    for (const char* name : {"render", "compare", "effects", "eval", "validate", "models"}) {
+        EXPECT_NE(outcome.out.find(name), std::string::npos) << name;
+    }
+}
+
+TEST(Program, EditorWithoutADisplay_SaysSoAndExitsWithOne) {
+    const Outcome outcome = patina(std::vector<std::string>{});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("display"), std::string::npos) << outcome.err;
+}
+
+TEST(CompareCommand, TwoPresets_WriteAPicture) {
+    const TemporaryFolder folder;
+    const Outcome outcome = patina({"compare", gold, plastic, "--mode", "side", "--size", "96x64",
+                                    "-o", (folder / "a.png").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(readFile(folder / "a.png").starts_with("\x89PNG"));
+}
+
+TEST(CompareCommand, MissingPreset_ExitsWithOne) {
+    const Outcome outcome = patina({"compare", gold, "missing.patina.json", "-o", "-"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("missing.patina.json"), std::string::npos) << outcome.err;
+}
+
+TEST(EffectsCommand, Source_HasNoFogWithoutFog) {
+    const Outcome outcome = patina({"effects", gold, "--source"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("#version"), std::string::npos);
+    EXPECT_EQ(outcome.out.find("fog"), std::string::npos);
+}
+
+TEST(EffectsCommand, List_NamesTheModel) {
+    const Outcome outcome = patina({"effects", gold});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("cook-torrance"), std::string::npos) << outcome.out;
+}
+
+TEST(EvalCommand, WhiteLambertFacingTheLight_IsOne) {
+    const Outcome outcome = eval(R"({"id": "a", "model": "lambert", "parameters":)"
+                                 R"( {"diffuse.color": [1, 1, 1]}, "l": [0, 0, 1],)"
+                                 R"( "v": [0, 0, 1], "precision": "double"})"
+                                 "\n");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["value"], nlohmann::json({1.0, 1.0, 1.0}));
+}
+
+TEST(EvalCommand, BadLine_DoesNotStopTheNext) {
+    const std::string good = R"({"id": "b", "fresnel": {"id": "schlick"}, "cos": 1})";
+    const Outcome outcome = eval("this is no JSON\n" + good + "\n");
+    EXPECT_NE(outcome.out.find("\"error\""), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("\"value\""), std::string::npos) << outcome.out;
+}
+
+TEST(EvalCommand, OneCasePerLine_AnswersOneLineEach) {
+    const std::string line = R"({"id": "b", "fresnel": {"id": "schlick"}, "cos": 0.5})"
+                             "\n";
+    const std::string out = eval(line + line + line).out;
+    EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 3) << out;
+}
+
+TEST(EvalCommand, Gpu_AgreesWithDouble) {
+    const std::string common = R"({"id": "a", "model": "strauss", "l": [0.6, 0, 0.8],)"
+                               R"( "v": [-0.48, 0, 0.87], "precision": ")";
+    const auto value = [&](const std::string& precision) {
+        const Outcome outcome = eval(common + precision + "\"}\n");
+        return nlohmann::json::parse(outcome.out)["value"][0].get<double>();
+    };
+    EXPECT_NEAR(value("gpu") / value("double"), 1.0, 1e-4);
+}
+
+} // namespace
+} // namespace patina::tests

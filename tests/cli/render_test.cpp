@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "cli/patina_program.h"
+
+namespace patina::tests {
+namespace {
+
+const std::string gold = shipped("presets/cook-torrance/gold.patina.json").string();
+const std::string pngSignature = "\x89PNG\r\n\x1a\n";
+const std::string exrSignature = "\x76\x2f\x31\x01";
+
+/// Big-endian number in a PNG header: width at 16, height at 20.
+int pngNumber(const std::string& png, std::size_t at) {
+    int number = 0;
+    for (std::size_t i = at; i < at + 4 && i < png.size(); ++i) {
+        number = number * 256 + static_cast<unsigned char>(png[i]);
+    }
+    return number;
+}
+
+TEST(RenderCommand, Preset_WritesAPng) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        patina({"render", gold, "--size", "64x48", "-o", (folder / "a.png").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(readFile(folder / "a.png").starts_with(pngSignature));
+}
+
+TEST(RenderCommand, Preset_WritesNothingElse) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        patina({"render", gold, "--size", "64x48", "-o", (folder / "a.png").string()});
+    EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST(RenderCommand, Size_IsThePicturesSize) {
+    const std::string png = patina({"render", gold, "--size", "64x48", "-o", "-"}).out;
+    EXPECT_EQ(std::pair(pngNumber(png, 16), pngNumber(png, 20)), std::pair(64, 48));
+}
+
+TEST(RenderCommand, OutputDash_WritesThePngToStandardOutput) {
+    const Outcome outcome = patina({"render", gold, "--size", "32x32", "-o", "-"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with(pngSignature));
+}
+
+TEST(RenderCommand, ExrExtension_WritesAnExr) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        patina({"render", gold, "--size", "32x32", "-o", (folder / "a.exr").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(readFile(folder / "a.exr").starts_with(exrSignature));
+}
+
+TEST(RenderCommand, Set_ChangesThePicture) {
+    const std::vector<std::string> plain = {"render", gold, "--size", "32x32", "-o", "-"};
+    std::vector<std::string> rough = plain;
+    rough.insert(rough.end(), {"--set", "roughness=0.8"});
+    EXPECT_FALSE(patina(plain).out == patina(rough).out);
+}
+
+TEST(RenderCommand, SameTwice_GivesTheSameBytes) {
+    const std::vector<std::string> command = {"render", gold, "--size", "32x32", "-o", "-"};
+    EXPECT_TRUE(patina(command).out == patina(command).out);
+}
+
+TEST(RenderCommand, ImportedMesh_IsDrawn) {
+    const TemporaryFolder folder;
+    writeFile(folder / "triangle.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+    const Outcome outcome = patina({"render", gold, "--mesh", (folder / "triangle.obj").string(),
+                                    "--size", "32x32", "-o", "-"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with(pngSignature));
+}
+
+/// Renders that must fail: arguments after "render", and a word of the message.
+struct Failure {
+    std::vector<std::string> arguments;
+    std::string word;
+};
+
+class RenderFailure : public testing::TestWithParam<Failure> {};
+
+TEST_P(RenderFailure, Message_SaysWhatWasWrong) {
+    std::vector<std::string> arguments = {"render"};
+    arguments.insert(arguments.end(), GetParam().arguments.begin(), GetParam().arguments.end());
+    EXPECT_NE(patina(arguments).err.find(GetParam().word), std::string::npos)
+        << patina(arguments).err;
+}
+
+TEST_P(RenderFailure, Exit_IsOneAndStandardOutputStaysEmpty) {
+    std::vector<std::string> arguments = {"render"};
+    arguments.insert(arguments.end(), GetParam().arguments.begin(), GetParam().arguments.end());
+    const Outcome outcome = patina(arguments);
+    EXPECT_EQ(std::pair(outcome.exitCode, outcome.out), std::pair(1, std::string()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Arguments, RenderFailure,
+    testing::Values(Failure{{"missing.patina.json", "-o", "-"}, "missing.patina.json"},
+                    Failure{{gold, "-o", "/nowhere/at/all.png"}, "/nowhere/at"},
+                    Failure{{gold, "-o", "picture.unknown"}, "picture.unknown"},
+                    Failure{{"--model", "no-such-model", "-o", "-"}, "no-such-model"},
+                    Failure{{gold, "--set", "no.such=1", "-o", "-"}, "no.such"},
+                    Failure{{gold, "--set", "roughness=nan", "-o", "-"}, "roughness"},
+                    Failure{{gold, "--set", "roughness=1e999", "-o", "-"}, "roughness"},
+                    Failure{{gold, "--set", "distribution=wide", "-o", "-"}, "wide"},
+                    Failure{{gold, "--size", "0x10", "-o", "-"}, "size"},
+                    Failure{{gold, "--size", "banana", "-o", "-"}, "size"},
+                    Failure{{gold, "--mesh", "builtin:teapot", "-o", "-"}, "teapot"},
+                    Failure{{gold, "--mesh", "missing.obj", "-o", "-"}, "missing.obj"},
+                    Failure{{gold, "--scene", "missing.patina-scene.json", "-o", "-"},
+                            "missing.patina-scene"}));
+
+TEST(RenderCommand, OldOpenGl_SaysWhatWasFoundAndExitsWithOne) {
+    const Outcome outcome = patina(Start{.arguments = {"render", gold, "-o", "-"},
+                                         .environment = {{"MESA_GL_VERSION_OVERRIDE", "3.3"}},
+                                         .input = {}});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("4.1"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("3.3"), std::string::npos) << outcome.err;
+}
+
+} // namespace
+} // namespace patina::tests

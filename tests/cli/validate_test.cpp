@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "cli/patina_program.h"
+
+namespace patina::tests {
+namespace {
+
+std::vector<std::string> filesBelow(const std::string& folder, const std::string& ending) {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped(folder))) {
+        if (entry.path().string().ends_with(ending)) {
+            files.push_back(entry.path().string());
+        }
+    }
+    return files;
+}
+
+Outcome validate(std::vector<std::string> files) {
+    files.insert(files.begin(), "validate");
+    return patina(files);
+}
+
+TEST(ValidateCommand, ShippedPresetsAndScenes_AreValid) {
+    const Outcome outcome = validate(filesBelow("presets", ".json"));
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST(ValidateCommand, ShippedDescriptors_AreValid) {
+    const Outcome outcome = validate(filesBelow("shaders", ".json"));
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST(ValidateCommand, OneBadFileOfTwo_ExitsWithOne) {
+    const TemporaryFolder folder;
+    writeFile(folder / "bad.patina.json", "{}");
+    const std::string good = shipped("presets/strauss/brass.patina.json").string();
+    EXPECT_EQ(validate({good, (folder / "bad.patina.json").string()}).exitCode, 1);
+}
+
+TEST(ValidateCommand, FileThatLeavesItsFolder_IsRefused) {
+    const TemporaryFolder folder;
+    std::string text = readFile(shipped("presets/strauss/brass.patina.json"));
+    text.replace(text.find("\"textures\": {}"), 14,
+                 "\"textures\": {\"diffuse.color\": {\"file\": \"../../secret.png\"}}");
+    writeFile(folder / "a.patina.json", text);
+    const Outcome outcome = validate({(folder / "a.patina.json").string()});
+    EXPECT_NE(outcome.err.find("../../secret.png"), std::string::npos) << outcome.err;
+}
+
+/// A shipped preset with one piece of text replaced by another.
+struct Damage {
+    std::string name;
+    std::string from;
+    std::string to;
+};
+
+class DamagedPreset : public testing::TestWithParam<Damage> {
+  protected:
+    Outcome validated() {
+        const TemporaryFolder folder;
+        std::string text = readFile(shipped("presets/cook-torrance/gold.patina.json"));
+        const auto at = text.find(GetParam().from);
+        EXPECT_NE(at, std::string::npos) << GetParam().from;
+        text.replace(at, GetParam().from.size(), GetParam().to);
+        writeFile(folder / "a.patina.json", text);
+        return validate({(folder / "a.patina.json").string()});
+    }
+};
+
+TEST_P(DamagedPreset, Exit_IsOne) {
+    EXPECT_EQ(validated().exitCode, 1);
+}
+
+TEST_P(DamagedPreset, Message_HasFileLineAndColumn) {
+    static const std::regex place("a\\.patina\\.json:[0-9]+:[0-9]+: ");
+    const std::string err = validated().err;
+    EXPECT_TRUE(std::regex_search(err, place)) << err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    BadInput, DamagedPreset,
+    testing::Values(Damage{"truncated", "\"name\"", "\"na"},
+                    Damage{"nan", "\"roughness\": 0.22", "\"roughness\": NaN"},
+                    Damage{"huge", "\"roughness\": 0.22", "\"roughness\": 1e999"},
+                    Damage{"text", "\"roughness\": 0.22", "\"roughness\": \"rough\""},
+                    Damage{"number", "\"specular.color\": [1, 1, 1]", "\"specular.color\": -1"},
+                    Damage{"enum", "\"ggx\"", "\"wide\""},
+                    Damage{"newer", "\"version\": 1\n}", "\"version\": 99\n}"},
+                    Damage{"format", "\"patina.preset\"", "\"other\""},
+                    Damage{"repeated", "\"opacity\": 1", "\"opacity\": 1, \"opacity\": 1"},
+                    Damage{"binary", "\"name\"", std::string("\0\1\2", 3)}),
+    [](const testing::TestParamInfo<Damage>& damage) { return damage.param.name; });
+
+TEST(ValidateCommand, DeeplyNestedFile_IsRefusedQuickly) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.patina.json", std::string(1'000'000, '['));
+    const Outcome outcome = validate({(folder / "a.patina.json").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_LT(outcome.seconds, 5.0);
+}
+
+TEST(ValidateCommand, HugeFile_IsRefusedQuickly) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.patina.json", std::string(100'000'000, ' '));
+    const Outcome outcome = validate({(folder / "a.patina.json").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_LT(outcome.seconds, 5.0);
+}
+
+TEST(ValidateCommand, EmptyFile_IsRefused) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.patina.json", "");
+    EXPECT_EQ(validate({(folder / "a.patina.json").string()}).exitCode, 1);
+}
+
+} // namespace
+} // namespace patina::tests
