@@ -45,6 +45,14 @@ struct PhysicalRange {
     friend bool operator==(const PhysicalRange&, const PhysicalRange&) = default;
 };
 
+/// A former id of a parameter, so that old files keep their values.
+struct Migration {
+    std::string from; ///< the id it had
+    int until = 1;    ///< the last version of the block in which it had that id
+
+    friend bool operator==(const Migration&, const Migration&) = default;
+};
+
 /// One parameter as its descriptor declares it. The only declaration there is: the GLSL struct,
 /// the C++ struct, the widget, the command line and the preset check all come from it.
 struct Parameter {
@@ -69,6 +77,7 @@ struct Parameter {
     Space space = Space::None;
     std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not
     std::optional<PhysicalRange> physical;
+    std::vector<Migration> migrations;
 
     friend bool operator==(const Parameter&, const Parameter&) = default;
 };

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/block.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace patina {
+namespace {
+
+/// The kind whose blocks need no further word: a block is a lighting model unless it says more.
+constexpr std::string_view plainKind = "models";
+
+std::string capitalised(std::string text) {
+    if (!text.empty()) {
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    }
+    return text;
+}
+
+/// "lights" -> "Light", "fog" -> "Fog", "models" -> "".
+std::string kindWord(std::string_view kind) {
+    if (kind == plainKind) {
+        return {};
+    }
+    if (!kind.empty() && kind.back() == 's') {
+        kind.remove_suffix(1);
+    }
+    return capitalised(fieldName(kind));
+}
+
+template <class T>
+const T* withId(const std::vector<T>& items, std::string_view id) {
+    const auto found =
+        std::find_if(items.begin(), items.end(), [id](const T& item) { return item.id == id; });
+    return found == items.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const Parameter* Block::parameter(std::string_view parameterId) const {
+    return withId(parameters, parameterId);
+}
+
+const AccuracyChoice* Block::accuracyChoice(std::string_view choiceId) const {
+    return withId(accuracy, choiceId);
+}
+
+const Slot* Block::slot(std::string_view slotKind) const {
+    const auto found = std::find_if(slots.begin(), slots.end(),
+                                    [slotKind](const Slot& s) { return s.kind == slotKind; });
+    return found == slots.end() ? nullptr : &*found;
+}
+
+Values defaultValues(const Block& block) {
+    Values values;
+    for (const Parameter& parameter : block.parameters) {
+        values.emplace(parameter.id, parameter.defaultValue);
+    }
+    return values;
+}
+
+std::string structName(const Block& block) {
+    return capitalised(fieldName(block.id)) + kindWord(block.kind);
+}
+
+std::string functionName(const Block& block) {
+    std::string name = structName(block);
+    name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    return name;
+}
+
+} // namespace patina

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "catalog/descriptor.h"
+#include "catalog/suggestion.h"
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders beside the kinds: shared functions and entry points.
+bool isKindFolder(const fs::path& folder) {
+    const std::string name = folder.filename().string();
+    return name != "lib" && name != "passes" && !name.empty() && name.front() != '.';
+}
+
+/// What is in a folder, by name; nothing when it cannot be read.
+std::vector<fs::path> entriesOf(const fs::path& folder, std::error_code& status) {
+    std::vector<fs::path> entries;
+    for (fs::directory_iterator at(folder, status), end; !status && at != end;
+         at.increment(status)) {
+        entries.push_back(at->path());
+    }
+    std::sort(entries.begin(), entries.end());
+    return entries;
+}
+
+void append(Errors& errors, const Errors& more) {
+    errors.insert(errors.end(), more.begin(), more.end());
+}
+
+/// Reads root after root into one catalogue.
+class Loader {
+  public:
+    explicit Loader(const JsonSchema& schema) : schema_(schema) {}
+
+    Catalog run(std::span<const BlockRoot> roots) {
+        for (const BlockRoot& root : roots) {
+            readRoot(root);
+        }
+        checkSlots();
+        for (Descriptor& descriptor : descriptors_) {
+            catalog_.blocks.push_back(std::move(descriptor.block));
+        }
+        std::sort(catalog_.blocks.begin(), catalog_.blocks.end(),
+                  [](const Block& a, const Block& b) {
+                      return std::tie(a.kind, a.id) < std::tie(b.kind, b.id);
+                  });
+        return std::move(catalog_);
+    }
+
+  private:
+    void readRoot(const BlockRoot& root) {
+        std::error_code status;
+        for (const fs::path& folder : entriesOf(root.folder, status)) {
+            std::error_code ignored;
+            if (isKindFolder(folder) && fs::is_directory(folder, ignored)) {
+                readKind(folder, root.shipped);
+            }
+        }
+        if (status && root.shipped) {
+            catalog_.errors.push_back({root.folder.string(), 0, 0,
+                                       "the folder of the lighting models cannot be read: " +
+                                           status.message(),
+                                       "the shaders that come with Patina"});
+        }
+    }
+
+    void readKind(const fs::path& folder, bool shipped) {
+        std::error_code status;
+        for (const fs::path& file : entriesOf(folder, status)) {
+            if (file.extension() == ".json") {
+                readBlock(file, shipped);
+            } else if (file.extension() == ".glsl") {
+                checkDescriptorExists(file);
+            }
+        }
+        if (status) {
+            catalog_.errors.push_back(
+                {folder.string(), 0, 0, "the folder cannot be read: " + status.message(), {}});
+        }
+    }
+
+    void checkDescriptorExists(const fs::path& shader) {
+        const fs::path descriptor = fs::path(shader).replace_extension(".json");
+        std::error_code status;
+        if (!fs::exists(descriptor, status)) {
+            catalog_.errors.push_back({shader.string(), 0, 0, "the shader has no descriptor",
+                                       "a file " + descriptor.filename().string() +
+                                           " beside it"});
+        }
+    }
+
+    void readBlock(const fs::path& file, bool shipped) {
+        Checked<Descriptor> descriptor = readDescriptor(file, schema_);
+        if (!descriptor) {
+            append(catalog_.errors, descriptor.error());
+            return;
+        }
+        descriptor->block.shipped = shipped;
+        if (isUnique(*descriptor)) {
+            descriptors_.push_back(std::move(*descriptor));
+        }
+    }
+
+    bool isUnique(const Descriptor& descriptor) {
+        const std::string name = structName(descriptor.block);
+        for (const Descriptor& other : descriptors_) {
+            if (structName(other.block) == name) {
+                catalog_.errors.push_back(descriptor.document.error(
+                    "/id",
+                    fmt::format("the {} block \"{}\" is already there", other.block.kind,
+                                other.block.id),
+                    "an id that " + other.block.descriptorFile.string() + " leaves free"));
+                return false;
+            }
+        }
+        return true;
+    }
+
+    std::vector<std::string> idsOfKind(const std::string& kind) const {
+        std::vector<std::string> ids;
+        for (const Descriptor& descriptor : descriptors_) {
+            if (descriptor.block.kind == kind) {
+                ids.push_back(descriptor.block.id);
+            }
+        }
+        return ids;
+    }
+
+    bool hasItsSlots(const Descriptor& descriptor) {
+        bool complete = true;
+        for (std::size_t i = 0; i < descriptor.block.slots.size(); ++i) {
+            const Slot& slot = descriptor.block.slots[i];
+            const std::vector<std::string> ids = idsOfKind(slot.kind);
+            if (std::find(ids.begin(), ids.end(), slot.defaultBlock) == ids.end()) {
+                complete = false;
+                catalog_.errors.push_back(descriptor.document.error(
+                    fmt::format("/slots/{}/default", i),
+                    fmt::format("there is no {} block \"{}\"", slot.kind, slot.defaultBlock),
+                    oneOf(slot.defaultBlock, ids)));
+            }
+        }
+        return complete;
+    }
+
+    void checkSlots() {
+        std::vector<Descriptor> complete;
+        std::copy_if(descriptors_.begin(), descriptors_.end(), std::back_inserter(complete),
+                     [this](const Descriptor& descriptor) { return hasItsSlots(descriptor); });
+        descriptors_ = std::move(complete);
+    }
+
+    const JsonSchema& schema_;
+    std::vector<Descriptor> descriptors_;
+    Catalog catalog_;
+};
+
+} // namespace
+
+const Block* Catalog::find(std::string_view kind, std::string_view id) const {
+    const auto found = std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) {
+        return block.kind == kind && block.id == id;
+    });
+    return found == blocks.end() ? nullptr : &*found;
+}
+
+std::vector<const Block*> Catalog::ofKind(std::string_view kind) const {
+    std::vector<const Block*> found;
+    for (const Block& block : blocks) {
+        if (block.kind == kind) {
+            found.push_back(&block);
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Block* a, const Block* b) { return a->label < b->label; });
+    return found;
+}
+
+Catalog loadCatalog(std::span<const BlockRoot> roots) {
+    Catalog catalog;
+    const Result<JsonSchema> schema = JsonSchema::load("descriptor");
+    if (schema) {
+        catalog = Loader(*schema).run(roots);
+    } else {
+        catalog.errors.push_back(schema.error());
+    }
+    catalog.roots.assign(roots.begin(), roots.end());
+    return catalog;
+}
+
+} // namespace patina

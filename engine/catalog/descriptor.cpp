@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/descriptor.h"
+
+#include <limits>
+
+#include "catalog/descriptor_checks.h"
+#include "catalog/descriptor_words.h"
+#include "catalog/value_json.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Members of an object; one that is missing or of the wrong type (which the schema reports)
+/// leaves the default.
+class Fields {
+  public:
+    explicit Fields(const Json& object) : object_(object) {}
+
+    const Json* find(const char* key) const {
+        const auto found = object_.is_object() ? object_.find(key) : object_.end();
+        return found == object_.end() ? nullptr : &*found;
+    }
+    bool has(const char* key) const { return find(key) != nullptr; }
+
+    void read(const char* key, std::string& into) const {
+        if (const Json* json = find(key); json != nullptr && json->is_string()) {
+            into = json->get<std::string>();
+        }
+    }
+    void read(const char* key, bool& into) const {
+        if (const Json* json = find(key); json != nullptr && json->is_boolean()) {
+            into = json->get<bool>();
+        }
+    }
+    void read(const char* key, double& into) const {
+        if (const Json* json = find(key); json != nullptr && json->is_number()) {
+            into = json->get<double>();
+        }
+    }
+    void read(const char* key, int& into) const {
+        if (const Json* json = find(key); json != nullptr && json->is_number_integer()) {
+            into = json->get<int>();
+        }
+    }
+    void read(const char* key, std::vector<std::string>& into) const {
+        if (const Json* json = find(key); json != nullptr && json->is_array()) {
+            into = strings(*json);
+        }
+    }
+    template <class T, std::size_t N>
+    void read(const char* key, const Words<T, N>& words, T& into) const {
+        std::string word;
+        read(key, word);
+        into = meaningOf(words, word).value_or(into);
+    }
+    /// Applies `make` to each element of an array member.
+    template <class T, class Make>
+    void readEach(const char* key, std::vector<T>& into, Make make) const {
+        const Json* json = find(key);
+        if (json == nullptr || !json->is_array()) {
+            return;
+        }
+        for (const Json& element : *json) {
+            into.push_back(make(Fields(element)));
+        }
+    }
+
+  private:
+    static std::vector<std::string> strings(const Json& array) {
+        std::vector<std::string> out;
+        for (const Json& element : array) {
+            if (element.is_string()) {
+                out.push_back(element.get<std::string>());
+            }
+        }
+        return out;
+    }
+
+    const Json& object_;
+};
+
+EnumValue enumValueFrom(const Fields& fields) {
+    EnumValue value;
+    fields.read("id", value.id);
+    fields.read("label", value.label);
+    fields.read("doc", value.doc);
+    fields.read("exact", value.exact);
+    return value;
+}
+
+Slot slotFrom(const Fields& fields) {
+    Slot slot;
+    fields.read("kind", slot.kind);
+    fields.read("default", slot.defaultBlock);
+    return slot;
+}
+
+Migration migrationFrom(const Fields& fields) {
+    Migration migration;
+    fields.read("from", migration.from);
+    fields.read("until", migration.until);
+    return migration;
+}
+
+AccuracyChoice accuracyFrom(const Fields& fields) {
+    AccuracyChoice choice;
+    fields.read("id", choice.id);
+    fields.read("label", choice.label);
+    fields.read("doc", choice.doc);
+    fields.readEach("values", choice.values, enumValueFrom);
+    return choice;
+}
+
+Compiled compiledFrom(const Fields& fields) {
+    const Json* json = fields.find("compiled");
+    if (json == nullptr || *json == false) {
+        return Compiled::No;
+    }
+    return *json == true ? Compiled::Yes : Compiled::WhenZero;
+}
+
+std::vector<std::string> channelsFrom(const Fields& fields, ParameterType type) {
+    std::vector<std::string> channels;
+    fields.read("texture", channels);
+    bool any = false;
+    fields.read("texture", any);
+    if (any) {
+        const bool whole = componentCount(type) == 3;
+        channels = whole ? std::vector<std::string>{"rgb"}
+                         : std::vector<std::string>{"r", "g", "b", "a"};
+    }
+    return channels;
+}
+
+std::optional<PhysicalRange> physicalFrom(const Fields& fields) {
+    const Json* json = fields.find("physical");
+    if (json == nullptr) {
+        return std::nullopt;
+    }
+    PhysicalRange range;
+    Fields(*json).read("min", range.min);
+    Fields(*json).read("max", range.max);
+    Fields(*json).read("message", range.message);
+    return range;
+}
+
+/// What a type's numbers look like where the descriptor does not say.
+void setTypeDefaults(Parameter& parameter) {
+    if (parameter.type == ParameterType::Int) {
+        parameter.step = 1.0;
+        parameter.decimals = 0;
+    } else if (parameter.type == ParameterType::Angle) {
+        parameter.step = 1.0;
+        parameter.decimals = 1;
+        parameter.unit = "\u00b0";
+    }
+}
+
+void readRange(const Fields& fields, Parameter& parameter) {
+    fields.read("min", parameter.min);
+    fields.read("max", parameter.max);
+    parameter.softMin = parameter.min;
+    parameter.softMax = parameter.max;
+    fields.read("softMin", parameter.softMin);
+    fields.read("softMax", parameter.softMax);
+    fields.read("step", parameter.step);
+    fields.read("scale", scaleWords, parameter.scale);
+    fields.read("decimals", parameter.decimals);
+    fields.read("unit", parameter.unit);
+}
+
+Parameter parameterFrom(const Fields& fields) {
+    Parameter parameter;
+    fields.read("id", parameter.id);
+    fields.read("label", parameter.label);
+    fields.read("doc", parameter.doc);
+    fields.read("type", typeWords, parameter.type);
+    setTypeDefaults(parameter);
+    readRange(fields, parameter);
+    fields.read("group", parameter.group);
+    fields.read("advanced", parameter.advanced);
+    fields.read("enabledWhen", parameter.enabledWhen);
+    fields.readEach("values", parameter.values, enumValueFrom);
+    parameter.compiled = compiledFrom(fields);
+    fields.read("space", spaceWords, parameter.space);
+    parameter.textureChannels = channelsFrom(fields, parameter.type);
+    parameter.physical = physicalFrom(fields);
+    fields.readEach("migrations", parameter.migrations, migrationFrom);
+    if (const Json* json = fields.find("default")) {
+        parameter.defaultValue = valueFromJson(parameter, *json).value_or(Value(0.0));
+    }
+    return parameter;
+}
+
+std::map<std::string, std::string> exemptionsFrom(const Fields& fields) {
+    std::map<std::string, std::string> exemptions;
+    const Json* json = fields.find("exemptions");
+    if (json != nullptr && json->is_object()) {
+        for (const auto& [claim, reason] : json->items()) {
+            Fields(*json).read(claim.c_str(), exemptions[claim]);
+        }
+    }
+    return exemptions;
+}
+
+Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
+    Block block;
+    block.kind = path.parent_path().filename().string();
+    block.descriptorFile = path;
+    block.shaderFile = std::filesystem::path(path).replace_extension(".glsl");
+    fields.read("id", block.id);
+    fields.read("version", block.version);
+    fields.read("label", block.label);
+    fields.read("summary", block.summary);
+    fields.read("applications", block.applications);
+    fields.read("source", block.source);
+    fields.read("doc", block.doc);
+    fields.readEach("parameters", block.parameters, parameterFrom);
+    fields.readEach("accuracy", block.accuracy, accuracyFrom);
+    fields.readEach("slots", block.slots, slotFrom);
+    fields.read("claims", block.claims);
+    block.exemptions = exemptionsFrom(fields);
+    block.gates = {"light", "view"};
+    fields.read("gates", block.gates);
+    return block;
+}
+
+} // namespace
+
+Checked<Descriptor> readDescriptor(const std::filesystem::path& path, const JsonSchema& schema) {
+    Result<LocatedJson> document = readJson(path);
+    if (!document) {
+        return tl::unexpected(Errors{document.error()});
+    }
+    Errors errors = schema.check(*document);
+    Descriptor descriptor{blockFrom(path, Fields(document->value)), std::move(*document)};
+    const Errors more = descriptorMistakes(descriptor);
+    errors.insert(errors.end(), more.begin(), more.end());
+    if (!errors.empty()) {
+        return tl::unexpected(std::move(errors));
+    }
+    return descriptor;
+}
+
+} // namespace patina

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/descriptor_checks.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "catalog/expression.h"
+#include "catalog/reserved_words.h"
+#include "catalog/suggestion.h"
+#include "catalog/value_json.h"
+#include "core/number_text.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+std::vector<std::string> idsOf(const std::vector<EnumValue>& values) {
+    std::vector<std::string> ids;
+    for (const EnumValue& value : values) {
+        ids.push_back(value.id);
+    }
+    return ids;
+}
+
+std::string shown(double value) { return shortestText(static_cast<float>(value)); }
+
+bool hasRange(ParameterType type) {
+    return type != ParameterType::Bool && type != ParameterType::Enum &&
+           type != ParameterType::Texture;
+}
+
+/// Collects the mistakes of one descriptor, each at its place.
+class Checker {
+  public:
+    explicit Checker(const Descriptor& descriptor)
+        : block_(descriptor.block), document_(descriptor.document) {}
+
+    Errors run() {
+        checkFiles();
+        checkParameters();
+        for (std::size_t i = 0; i < block_.accuracy.size(); ++i) {
+            checkAccuracy(block_.accuracy[i], fmt::format("/accuracy/{}", i));
+        }
+        checkClaims();
+        return std::move(errors_);
+    }
+
+  private:
+    void add(const std::string& pointer, std::string problem, std::string expected = {}) {
+        errors_.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
+    }
+
+    bool has(const std::string& pointer) const { return document_.places.contains(pointer); }
+
+    void checkFiles() {
+        const std::string stem = block_.descriptorFile.stem().string();
+        if (!block_.id.empty() && block_.id != stem) {
+            add("/id", fmt::format("the id \"{}\" is not the file's name", block_.id),
+                fmt::format("\"{}\"", stem));
+        }
+        std::error_code status;
+        if (!std::filesystem::is_regular_file(block_.shaderFile, status)) {
+            add("", "the block has no shader",
+                "a file " + block_.shaderFile.filename().string() + " beside this one");
+        }
+    }
+
+    void checkParameters() {
+        std::set<std::string> ids;
+        std::set<std::string> fields;
+        for (std::size_t i = 0; i < block_.parameters.size(); ++i) {
+            const Parameter& parameter = block_.parameters[i];
+            const std::string pointer = fmt::format("/parameters/{}", i);
+            checkName(parameter.id, pointer, ids, fields);
+            checkParameter(parameter, pointer);
+        }
+        for (std::size_t i = 0; i < block_.accuracy.size(); ++i) {
+            checkName(block_.accuracy[i].id, fmt::format("/accuracy/{}", i), ids, fields);
+        }
+    }
+
+    void checkName(const std::string& id, const std::string& pointer, std::set<std::string>& ids,
+                   std::set<std::string>& fields) {
+        if (id.empty()) {
+            return;
+        }
+        if (!ids.insert(id).second) {
+            add(pointer + "/id", fmt::format("the id \"{}\" occurs twice", id), "each id once");
+        } else if (const std::string field = fieldName(id); !fields.insert(field).second) {
+            add(pointer + "/id", fmt::format("another id also makes the field \"{}\"", field),
+                "ids that differ in more than dots");
+        } else if (isReservedWord(field)) {
+            add(pointer + "/id", fmt::format("\"{}\" is a word of GLSL or C++", field),
+                "another id");
+        }
+    }
+
+    void checkParameter(const Parameter& parameter, const std::string& pointer) {
+        if (hasRange(parameter.type)) {
+            checkRange(parameter, pointer);
+        }
+        if (parameter.type == ParameterType::Enum) {
+            checkValues(parameter.values, pointer + "/values");
+        } else if (has(pointer + "/values")) {
+            add(pointer + "/values", "only an enum has values", "no such key");
+        }
+        checkDefault(parameter, pointer);
+        checkCompiled(parameter, pointer + "/compiled");
+        checkCondition(parameter, pointer + "/enabledWhen");
+        if (parameter.space != Space::None && parameter.type != ParameterType::Vec3) {
+            add(pointer + "/space", "only a vec3 lies in a space", "no such key");
+        }
+    }
+
+    void checkRange(const Parameter& parameter, const std::string& pointer) {
+        const bool needsRange =
+            parameter.type != ParameterType::Float && parameter.type != ParameterType::Color;
+        for (const char* key : {"/min", "/max"}) {
+            if (needsRange && has(pointer + "/type") && !has(pointer + key)) {
+                add(pointer, fmt::format("the key \"{}\" is missing", key + 1), "a number");
+            }
+        }
+        if (parameter.min > parameter.max) {
+            add(pointer + "/min", "min is above max",
+                fmt::format("a number up to {}", shown(parameter.max)));
+        } else if (parameter.softMin < parameter.min || parameter.softMax > parameter.max ||
+                   parameter.softMin > parameter.softMax) {
+            add(pointer + (parameter.softMin < parameter.min ? "/softMin" : "/softMax"),
+                "the soft range is not inside the hard range",
+                fmt::format("{} <= softMin <= softMax <= {}", shown(parameter.min),
+                            shown(parameter.max)));
+        }
+        if (parameter.scale == Scale::Log && parameter.softMin <= 0.0) {
+            add(pointer + "/scale", "a log slider cannot reach 0", "a softMin above 0");
+        }
+    }
+
+    void checkValues(const std::vector<EnumValue>& values, const std::string& pointer) {
+        if (values.empty()) {
+            add(pointer, "an enum has choices", "an array of values");
+        }
+        std::set<std::string> seen;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!values[i].id.empty() && !seen.insert(values[i].id).second) {
+                add(fmt::format("{}/{}/id", pointer, i),
+                    fmt::format("the id \"{}\" occurs twice", values[i].id), "each id once");
+            }
+        }
+    }
+
+    void checkDefault(const Parameter& parameter, const std::string& pointer) {
+        const Json* json = member(pointer, "default");
+        if (json == nullptr || !has(pointer + "/type")) {
+            return;
+        }
+        const Result<Value> value = valueFromJson(parameter, *json);
+        if (!value) {
+            add(pointer + "/default", value.error().problem, value.error().expected);
+        } else if (parameter.min <= parameter.max && conformed(parameter, *value) != *value) {
+            add(pointer + "/default", "the default is outside the hard range",
+                fmt::format("{} to {}", shown(parameter.min), shown(parameter.max)));
+        }
+    }
+
+    const Json* member(const std::string& pointer, const char* key) const {
+        const Json::json_pointer place(pointer + '/' + key);
+        return document_.value.contains(place) ? &document_.value.at(place) : nullptr;
+    }
+
+    void checkCompiled(const Parameter& parameter, const std::string& pointer) {
+        const bool isChoice =
+            parameter.type == ParameterType::Enum || parameter.type == ParameterType::Bool;
+        if (parameter.compiled == Compiled::Yes && !isChoice) {
+            add(pointer, "only an enum or a bool can be compiled in",
+                "false, or \"whenZero\" for a float");
+        } else if (parameter.compiled == Compiled::WhenZero &&
+                   parameter.type != ParameterType::Float) {
+            add(pointer, "only a float can be left out while it is zero", "true or false");
+        }
+    }
+
+    void checkCondition(const Parameter& parameter, const std::string& pointer) {
+        const Result<Expression> expression = Expression::parse(parameter.enabledWhen);
+        if (!expression) {
+            add(pointer,
+                fmt::format("{} (column {} of the text)", expression.error().problem,
+                            expression.error().column),
+                expression.error().expected);
+            return;
+        }
+        for (const Expression::Comparison& comparison : expression->comparisons()) {
+            checkComparison(parameter, comparison, pointer);
+        }
+    }
+
+    void checkComparison(const Parameter& owner, const Expression::Comparison& comparison,
+                         const std::string& pointer) {
+        const Parameter* left = block_.parameter(comparison.left);
+        if (left == nullptr || left == &owner) {
+            std::vector<std::string> siblings;
+            for (const Parameter& parameter : block_.parameters) {
+                if (&parameter != &owner) {
+                    siblings.push_back(parameter.id);
+                }
+            }
+            add(pointer, fmt::format("'{}' is no other parameter of this block", comparison.left),
+                oneOf(comparison.left, siblings));
+            return;
+        }
+        if (componentCount(left->type) != 1) {
+            add(pointer, fmt::format("'{}' is not a single value", left->id),
+                "a number, a bool or an enum");
+        } else if (!isComparable(*left, comparison.right)) {
+            add(pointer, fmt::format("'{}' is nothing '{}' can be", comparison.right, left->id),
+                left->type == ParameterType::Enum ? oneOf(comparison.right, idsOf(left->values))
+                                                  : "a number, true, false or a parameter");
+        }
+    }
+
+    bool isComparable(const Parameter& left, const std::string& right) const {
+        if (right.empty() || block_.parameter(right) != nullptr) {
+            return true;
+        }
+        if (left.type == ParameterType::Enum) {
+            const std::vector<std::string> ids = idsOf(left.values);
+            return std::find(ids.begin(), ids.end(), right) != ids.end();
+        }
+        return parseNumber(right) || right == "true" || right == "false";
+    }
+
+    void checkAccuracy(const AccuracyChoice& choice, const std::string& pointer) {
+        checkValues(choice.values, pointer + "/values");
+        for (std::size_t i = 0; i < choice.values.size(); ++i) {
+            if (choice.values[i].exact != (i == 0)) {
+                add(fmt::format("{}/values/{}", pointer, i),
+                    i == 0 ? "the first level is not marked as exact"
+                           : "a level after the first is marked as exact",
+                    "\"exact\": true on the first level only");
+            }
+        }
+    }
+
+    void checkClaims() {
+        for (const std::string& claim : block_.claims) {
+            if (block_.exemptions.contains(claim)) {
+                add("/exemptions/" + claim, fmt::format("\"{}\" is also claimed", claim),
+                    "either a claim or an exemption");
+            }
+        }
+    }
+
+    const Block& block_;
+    const LocatedJson& document_;
+    Errors errors_;
+};
+
+} // namespace
+
+Errors descriptorMistakes(const Descriptor& descriptor) { return Checker(descriptor).run(); }
+
+} // namespace patina

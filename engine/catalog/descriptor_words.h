@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "catalog/parameter.h"
+
+namespace patina {
+
+/// The words by which descriptors name the values of an enumeration.
+template <class T, std::size_t N>
+using Words = std::array<std::pair<std::string_view, T>, N>;
+
+inline constexpr Words<ParameterType, 9> typeWords{{{"float", ParameterType::Float},
+                                                    {"int", ParameterType::Int},
+                                                    {"bool", ParameterType::Bool},
+                                                    {"color", ParameterType::Color},
+                                                    {"vec2", ParameterType::Vec2},
+                                                    {"vec3", ParameterType::Vec3},
+                                                    {"angle", ParameterType::Angle},
+                                                    {"enum", ParameterType::Enum},
+                                                    {"texture", ParameterType::Texture}}};
+
+inline constexpr Words<Scale, 2> scaleWords{{{"linear", Scale::Linear}, {"log", Scale::Log}}};
+
+inline constexpr Words<Space, 5> spaceWords{{{"none", Space::None},
+                                             {"worldPoint", Space::WorldPoint},
+                                             {"worldDirection", Space::WorldDirection},
+                                             {"cameraPoint", Space::CameraPoint},
+                                             {"cameraDirection", Space::CameraDirection}}};
+
+template <class T, std::size_t N>
+std::optional<T> meaningOf(const Words<T, N>& words, std::string_view word) {
+    for (const auto& [text, meaning] : words) {
+        if (text == word) {
+            return meaning;
+        }
+    }
+    return std::nullopt;
+}
+
+template <class T, std::size_t N>
+std::string_view wordFor(const Words<T, N>& words, T meaning) {
+    for (const auto& [text, known] : words) {
+        if (known == meaning) {
+            return text;
+        }
+    }
+    return {};
+}
+
+} // namespace patina

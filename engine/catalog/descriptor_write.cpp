@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/descriptor.h"
+
+#include "catalog/descriptor_words.h"
+#include "catalog/value_json.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class T, class Make>
+Json arrayOf(const std::vector<T>& items, Make make) {
+    Json array = Json::array();
+    for (const T& item : items) {
+        array.push_back(make(item));
+    }
+    return array;
+}
+
+Json choiceJson(const EnumValue& value) {
+    return {{"id", value.id}, {"label", value.label}, {"doc", value.doc}};
+}
+
+Json levelJson(const EnumValue& value) {
+    Json json = choiceJson(value);
+    json["exact"] = value.exact;
+    return json;
+}
+
+Json accuracyJson(const AccuracyChoice& choice) {
+    return {{"id", choice.id},
+            {"label", choice.label},
+            {"doc", choice.doc},
+            {"values", arrayOf(choice.values, levelJson)}};
+}
+
+Json slotJson(const Slot& slot) { return {{"kind", slot.kind}, {"default", slot.defaultBlock}}; }
+
+Json migrationJson(const Migration& migration) {
+    return {{"from", migration.from}, {"until", migration.until}};
+}
+
+Json compiledJson(Compiled compiled) {
+    return compiled == Compiled::WhenZero ? Json("whenZero") : Json(compiled == Compiled::Yes);
+}
+
+void addRange(Json& json, const Parameter& parameter) {
+    json["min"] = parameter.min;
+    json["max"] = parameter.max;
+    json["softMin"] = parameter.softMin;
+    json["softMax"] = parameter.softMax;
+    json["step"] = parameter.step;
+    json["scale"] = wordFor(scaleWords, parameter.scale);
+    json["decimals"] = parameter.decimals;
+}
+
+bool hasRange(ParameterType type) {
+    return type != ParameterType::Bool && type != ParameterType::Enum &&
+           type != ParameterType::Texture;
+}
+
+Json parameterJson(const Parameter& parameter) {
+    Json json{{"id", parameter.id},
+              {"label", parameter.label},
+              {"doc", parameter.doc},
+              {"type", wordFor(typeWords, parameter.type)},
+              {"default", toJson(parameter.defaultValue)},
+              {"unit", parameter.unit},
+              {"group", parameter.group},
+              {"advanced", parameter.advanced},
+              {"enabledWhen", parameter.enabledWhen},
+              {"compiled", compiledJson(parameter.compiled)},
+              {"space", wordFor(spaceWords, parameter.space)},
+              {"texture", parameter.textureChannels},
+              {"migrations", arrayOf(parameter.migrations, migrationJson)}};
+    if (hasRange(parameter.type)) {
+        addRange(json, parameter);
+    }
+    if (parameter.type == ParameterType::Enum) {
+        json["values"] = arrayOf(parameter.values, choiceJson);
+    }
+    if (const auto& physical = parameter.physical) {
+        json["physical"] = {
+            {"min", physical->min}, {"max", physical->max}, {"message", physical->message}};
+    }
+    return json;
+}
+
+} // namespace
+
+nlohmann::json toJson(const Block& block) {
+    return {{"kind", block.kind},
+            {"id", block.id},
+            {"version", block.version},
+            {"label", block.label},
+            {"summary", block.summary},
+            {"applications", block.applications},
+            {"source", block.source},
+            {"doc", block.doc},
+            {"parameters", arrayOf(block.parameters, parameterJson)},
+            {"accuracy", arrayOf(block.accuracy, accuracyJson)},
+            {"slots", arrayOf(block.slots, slotJson)},
+            {"claims", block.claims},
+            {"exemptions", block.exemptions},
+            {"gates", block.gates}};
+}
+
+} // namespace patina

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/error.h"
+#include "core/value.h"
+
+namespace patina {
+
+/// A condition over parameters: `distribution == ggx and not (roughness.x <= 0.5)`.
+///
+/// Operands are parameter ids, numbers, true, false, and the ids of enum values, bare or quoted;
+/// operators are == != < <= > >=, `and`, `or`, `not` and parentheses. A lone operand is true when
+/// it is true or not zero. Comparing things of different kinds is false (and true for !=).
+class Expression {
+  public:
+    /// The empty text is always true. An error has line 1 and the column in the text.
+    static Result<Expression> parse(std::string_view text);
+
+    bool evaluate(const Values& values) const;
+
+    /// A word compared with another word; what each means depends on the parameters there are.
+    struct Comparison {
+        std::string left;
+        std::string right; ///< empty when the operand stands alone
+    };
+
+    /// All comparisons, for checking the words against a block's parameters.
+    std::vector<Comparison> comparisons() const;
+
+  private:
+    struct Node;
+    std::shared_ptr<const Node> root_; ///< immutable, so that copies may share it
+};
+
+} // namespace patina

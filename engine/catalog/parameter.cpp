@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/parameter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+namespace patina {
+namespace {
+
+int clampedInt(const Parameter& parameter, int value) {
+    return static_cast<int>(std::clamp<double>(value, std::ceil(parameter.min),
+                                               std::floor(parameter.max)));
+}
+
+Value clamped(const Parameter& parameter, const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+        return std::clamp(*number, parameter.min, parameter.max);
+    }
+    if (const auto* whole = std::get_if<int>(&value)) {
+        return clampedInt(parameter, *whole);
+    }
+    if (const auto* two = std::get_if<glm::dvec2>(&value)) {
+        return glm::clamp(*two, parameter.min, parameter.max);
+    }
+    if (const auto* three = std::get_if<glm::dvec3>(&value)) {
+        return glm::clamp(*three, parameter.min, parameter.max);
+    }
+    return value;
+}
+
+bool isChoice(const Parameter& parameter, const Value& value) {
+    const auto* id = std::get_if<std::string>(&value);
+    return id != nullptr && std::any_of(parameter.values.begin(), parameter.values.end(),
+                                        [id](const EnumValue& known) { return known.id == *id; });
+}
+
+} // namespace
+
+int componentCount(ParameterType type) {
+    switch (type) {
+    case ParameterType::Color:
+    case ParameterType::Vec3:
+        return 3;
+    case ParameterType::Vec2:
+        return 2;
+    case ParameterType::Texture:
+        return 0;
+    default:
+        return 1;
+    }
+}
+
+Value conformed(const Parameter& parameter, const Value& value) {
+    if (value.index() != parameter.defaultValue.index() || !isFinite(value)) {
+        return parameter.defaultValue;
+    }
+    if (parameter.type == ParameterType::Enum && !isChoice(parameter, value)) {
+        return parameter.defaultValue;
+    }
+    return clamped(parameter, value);
+}
+
+std::string fieldName(std::string_view parameterId) {
+    std::string out;
+    bool capital = false;
+    for (const char c : parameterId) {
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) {
+            capital = !out.empty();
+            continue;
+        }
+        out += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        capital = false;
+    }
+    return out;
+}
+
+} // namespace patina
