@@ -1,8 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What `cmake --install` puts where. The programs find share/patina relative to themselves, so an
-# installation may be moved.
+# What `cmake --install` puts where. The programs lie together in libexec/patina, with a link in
+# bin/, and find each other and share/patina relative to themselves: an installation may be moved.
 
-install(TARGETS patina patina-files RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+set(program_folder ${CMAKE_INSTALL_LIBEXECDIR}/patina)
+install(TARGETS patina patina-files RUNTIME DESTINATION ${program_folder})
+install(TARGETS patina_images LIBRARY DESTINATION ${program_folder})
+file(RELATIVE_PATH program_from_bin
+    ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/patina/patina)
+file(CREATE_LINK ${program_from_bin} ${PROJECT_BINARY_DIR}/link/patina SYMBOLIC)
+install(FILES ${PROJECT_BINARY_DIR}/link/patina DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY shaders presets schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/patina)
 install(FILES packaging/desktop/patina.desktop
         DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
