@@ -128,7 +128,10 @@ Error unreadable(const std::filesystem::path& file, std::string why) {
     while (why.ends_with('.') || why.ends_with(' ')) {
         why.pop_back();
     }
-    return Error{file.string(), 0, 0, why.empty() ? "cannot be read as a mesh" : why, {}};
+    if (why.empty() || why.starts_with("No suitable reader")) {
+        why = "it is damaged, or not in the format its name says";
+    }
+    return Error{file.string(), 0, 0, "cannot be read: " + why, {}};
 }
 
 } // namespace
@@ -147,7 +150,7 @@ Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportPr
     RawMesh mesh;
     if (scene->mRootNode != nullptr &&
         !appendNode(mesh, *scene, *scene->mRootNode, glm::dmat4(1.0), 0)) {
-        return tl::unexpected(unreadable(file, "is too large or nested too deeply"));
+        return tl::unexpected(unreadable(file, "it is too large or nested too deeply"));
     }
     mesh.padAttributes();
     return mesh;

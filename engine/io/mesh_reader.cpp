@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh_reader.h"
 
+#include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "io/assimp_reader.h"
+#include "io/gltf_reader.h"
 #include "io/mesh_finisher.h"
 
 namespace patina {
@@ -11,20 +14,40 @@ namespace {
 
 constexpr double shareOfReading = 0.7; // of the whole time, for the progress bar
 
+bool isGltf(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return std::tolower(c); });
+    return extension == ".gltf" || extension == ".glb";
+}
+
+Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportProgress& report) {
+    if (isGltf(file)) {
+        auto mesh = readGltf(file, report);
+        if (!mesh) {
+            return tl::unexpected(mesh.error());
+        }
+        if (*mesh) {
+            return std::move(**mesh);
+        }
+    }
+    return readWithAssimp(file, report);
+}
+
 } // namespace
 
 Result<std::string> readMesh(const std::filesystem::path& file, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report) {
     const ReportProgress reading = [&](double done) { report(shareOfReading * done); };
-    auto raw = readWithAssimp(file, reading);
-    if (!raw) {
-        return tl::unexpected(raw.error());
-    }
-    report(shareOfReading);
-    return finishMesh(std::move(*raw), options, storage).map_error([&](Error error) {
-        error.file = file.string();
-        return error;
-    });
+    return readTriangles(file, reading)
+        .and_then([&](RawMesh mesh) {
+            report(shareOfReading);
+            return finishMesh(std::move(mesh), options, storage);
+        })
+        .map_error([&](Error error) {
+            error.file = file.string();
+            return error;
+        });
 }
 
 } // namespace patina

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <tiny_gltf.h>
+
+#include "core/error.h"
+#include "io/gltf_views.h"
+
+namespace patina {
+
+/// The values of an accessor as floats, `components` per element: of any component type,
+/// normalised where the accessor says so, sparse replacements applied. Errors: no such accessor,
+/// another number of components, data beyond its buffer view.
+Result<std::vector<float>> readFloats(const tinygltf::Model& model, GltfViews& views, int accessor,
+                                      std::size_t components);
+
+/// The values of a scalar accessor of unsigned integers.
+Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, GltfViews& views,
+                                               int accessor);
+
+} // namespace patina

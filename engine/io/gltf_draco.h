@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include "core/error.h"
+#include "io/gltf_views.h"
+#include "io/raw_mesh.h"
+
+namespace patina {
+
+/// True when the primitive's data is in KHR_draco_mesh_compression.
+bool isDraco(const tinygltf::Primitive& primitive);
+
+/// The triangles of such a primitive.
+Result<RawMesh> readDraco(const tinygltf::Model& model, GltfViews& views,
+                          const tinygltf::Primitive& primitive);
+
+} // namespace patina

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include "io/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::uintmax_t maxFileBytes = std::uintmax_t(1) << 30;
+constexpr std::uint32_t glbMagic = 0x46546c67;  // "glTF"
+constexpr std::uint32_t jsonChunk = 0x4e4f534a; // "JSON"
+constexpr std::size_t glbHeaderBytes = 12;
+constexpr std::size_t chunkHeaderBytes = 8;
+
+std::uint32_t wordAt(std::string_view bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    if (offset + sizeof word <= bytes.size()) {
+        std::memcpy(&word, bytes.data() + offset, sizeof word);
+    }
+    return word;
+}
+
+void appendWord(std::string& bytes, std::size_t word) {
+    const auto narrow = static_cast<std::uint32_t>(word);
+    bytes.append(reinterpret_cast<const char*>(&narrow), sizeof narrow);
+}
+
+/// A file taken apart: the JSON text, and for GLB what follows it.
+struct Parts {
+    bool binary = false;
+    std::string_view json;
+    std::string_view chunks; ///< the chunks after the first, with their headers
+};
+
+Result<Parts> taken(std::string_view bytes) {
+    if (wordAt(bytes, 0) != glbMagic) {
+        return Parts{false, bytes, {}};
+    }
+    const std::size_t jsonBytes = wordAt(bytes, glbHeaderBytes);
+    const std::size_t start = glbHeaderBytes + chunkHeaderBytes;
+    if (wordAt(bytes, glbHeaderBytes + 4) != jsonChunk || start > bytes.size() ||
+        jsonBytes > bytes.size() - start) {
+        return failure("is cut short or damaged", "a GLB header and a whole JSON chunk");
+    }
+    return Parts{true, bytes.substr(start, jsonBytes), bytes.substr(start + jsonBytes)};
+}
+
+std::string glbOf(const std::string& text, std::string_view chunks) {
+    std::string padded = text;
+    padded.resize((padded.size() + 3) / 4 * 4, ' ');
+    std::string bytes;
+    appendWord(bytes, glbMagic);
+    appendWord(bytes, 2);
+    appendWord(bytes, glbHeaderBytes + chunkHeaderBytes + padded.size() + chunks.size());
+    appendWord(bytes, padded.size());
+    appendWord(bytes, jsonChunk);
+    bytes += padded;
+    bytes += chunks;
+    return bytes;
+}
+
+/// A buffer that exists only for readers that cannot decompress has no data. tinygltf insists on
+/// some, so it is given one byte. True when there was such a buffer.
+bool fillFallbackBuffers(json& document, bool binary) {
+    bool changed = false;
+    const auto buffers = document.find("buffers");
+    for (std::size_t i = 0; buffers != document.end() && i < buffers->size(); ++i) {
+        json& buffer = (*buffers)[i];
+        const bool isChunk = binary && i == 0;
+        if (buffer.is_object() && !buffer.contains("uri") && !isChunk &&
+            buffer.contains("extensions")) {
+            buffer["uri"] = "data:application/octet-stream;base64,AA==";
+            buffer["byteLength"] = 1;
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+/// Compressed primitives describe their indices without a buffer view, which tinygltf refuses; the
+/// compressed data has them anyway. True when there was such a primitive.
+bool dropCompressedIndices(json& document) {
+    const json::json_pointer compression("/extensions/KHR_draco_mesh_compression");
+    bool changed = false;
+    const auto meshes = document.find("meshes");
+    for (std::size_t i = 0; meshes != document.end() && i < meshes->size(); ++i) {
+        json& mesh = (*meshes)[i];
+        if (!mesh.is_object() || !mesh.contains("primitives")) {
+            continue;
+        }
+        for (json& primitive : mesh["primitives"]) {
+            if (primitive.is_object() && primitive.contains(compression)) {
+                changed |= primitive.erase("indices") > 0;
+            }
+        }
+    }
+    return changed;
+}
+
+/// Changes what is valid but tinygltf does not take. True when something was changed.
+bool adaptForLibrary(json& document, bool binary) {
+    const bool buffers = fillFallbackBuffers(document, binary);
+    const bool primitives = dropCompressedIndices(document);
+    return buffers || primitives;
+}
+
+/// Materials, textures, lights and animations do not matter here; these are about geometry.
+bool isKnown(const std::string& extension) {
+    constexpr std::array<std::string_view, 3> geometry{
+        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"};
+    constexpr std::array<std::string_view, 9> harmless{
+        "KHR_materials_", "KHR_texture_",  "EXT_texture_", "MSFT_texture_", "KHR_lights_",
+        "KHR_animation",  "KHR_technique", "KHR_xmp",      "EXT_lights_"};
+    const auto starts = [&](std::string_view prefix) { return extension.starts_with(prefix); };
+    return std::ranges::find(geometry, extension) != geometry.end() ||
+           std::ranges::any_of(harmless, starts);
+}
+
+Result<void> checkRequired(const tinygltf::Model& model) {
+    for (const std::string& extension : model.extensionsRequired) {
+        if (!isKnown(extension)) {
+            return failure("needs the glTF extension " + extension + ", which is not known here");
+        }
+    }
+    return {};
+}
+
+std::string firstLine(const std::string& text) {
+    const std::string line = text.substr(0, text.find('\n'));
+    return line.empty() ? "is not valid glTF" : "is not valid glTF: " + line;
+}
+
+bool skipImage(tinygltf::Image*, const int, std::string*, std::string*, int, int,
+               const unsigned char*, int, void*) {
+    return true;
+}
+
+Result<tinygltf::Model> parsed(const std::string& bytes, bool binary, const fs::path& folder) {
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(skipImage, nullptr);
+    tinygltf::Model model;
+    std::string errors;
+    std::string warnings;
+    const auto size = static_cast<unsigned int>(bytes.size());
+    const bool loaded =
+        binary ? loader.LoadBinaryFromMemory(&model, &errors, &warnings,
+                                             reinterpret_cast<const unsigned char*>(bytes.data()),
+                                             size, folder.string())
+               : loader.LoadASCIIFromString(&model, &errors, &warnings, bytes.data(), size,
+                                            folder.string());
+    if (!loaded) {
+        return failure(firstLine(errors));
+    }
+    return model;
+}
+
+Result<std::string> contentOf(const fs::path& file) {
+    std::error_code failed;
+    const std::uintmax_t size = fs::file_size(file, failed);
+    std::ifstream stream(file, std::ios::binary);
+    if (failed || !stream) {
+        return failure("cannot be read");
+    }
+    if (size > maxFileBytes) {
+        return failure("is larger than 1 GiB");
+    }
+    std::string bytes(size, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(size));
+    return bytes;
+}
+
+bool isVersionOne(const json& document) {
+    const json::json_pointer version("/asset/version");
+    if (!document.is_object() || !document.contains(version)) {
+        return false;
+    }
+    const json& value = document.at(version);
+    return (value.is_string() && value.get_ref<const std::string&>().starts_with("1")) ||
+           (value.is_number() && value.get<double>() < 2.0);
+}
+
+} // namespace
+
+Result<std::optional<tinygltf::Model>> loadGltf(const fs::path& file) {
+    auto bytes = contentOf(file);
+    if (!bytes) {
+        return tl::unexpected(bytes.error());
+    }
+    if (wordAt(*bytes, 0) == glbMagic && wordAt(*bytes, 4) == 1) {
+        return std::optional<tinygltf::Model>();
+    }
+    const auto parts = taken(*bytes);
+    if (!parts) {
+        return tl::unexpected(parts.error());
+    }
+    json document = json::parse(parts->json, nullptr, false);
+    if (!document.is_object()) {
+        return failure("is not valid glTF", "a JSON object");
+    }
+    if (isVersionOne(document)) {
+        return std::optional<tinygltf::Model>();
+    }
+    if (adaptForLibrary(document, parts->binary)) {
+        const std::string text = document.dump();
+        *bytes = parts->binary ? glbOf(text, parts->chunks) : text;
+    }
+    auto model = parsed(*bytes, wordAt(*bytes, 0) == glbMagic, file.parent_path());
+    if (!model) {
+        return tl::unexpected(model.error());
+    }
+    return checkRequired(*model).map([&] { return std::optional(std::move(*model)); });
+}
+
+} // namespace patina
