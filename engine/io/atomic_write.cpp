@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace patina {
@@ -41,7 +42,7 @@ fs::path behindLinks(const fs::path& file) {
 Result<void> writeAtomically(const fs::path& file, std::string_view bytes) {
     const fs::path target = behindLinks(file);
     const fs::path draft =
-        target.parent_path() / ("." + target.filename().string() + "." + std::to_string(::getpid()));
+        target.parent_path() / fmt::format(".{}.{}", target.filename().string(), ::getpid());
     const int descriptor =
         ::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0) {
