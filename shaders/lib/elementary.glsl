@@ -11,14 +11,14 @@ float atanhOverZ(float w) {
 }
 
 // cos(theta)^e from s2 : c2 = sin^2 : cos^2 on any common scale, e >= 0; 0 where c2 is not positive
-// (also for e = 0: a lobe ends at the horizon). Uses ln cos = -atanh(s2 / (s2 + 2 c2)), which does
+// (also for e = 0: a lobe ends at the horizon). 1e-37 keeps a flushed subnormal out of log2. Uses ln cos = -atanh(s2 / (s2 + 2 c2)), which does
 // not lose the small angle; relative error 2e-6 + 2e-7 e L where L = -ln cos(theta).
 float powSC(float s2, float c2, float e) {
     if (!(c2 > 0.0)) {
         return 0.0;
     }
     float z = s2 / (s2 + 2.0 * c2);
-    float L = -0.34657359027997265 * log2(c2 / (s2 + c2));
+    float L = -0.34657359027997265 * log2(max(c2 / (s2 + c2), 1e-37));
     if (z < 1.0 / 3.0) {
         L = z * atanhOverZ(z * z);
     }
@@ -32,7 +32,7 @@ float pow1m(float d, float c, float e) {
         return 0.0;
     }
     float z = d / (1.0 + c);
-    float L = -0.69314718055994531 * log2(c);
+    float L = -0.69314718055994531 * log2(max(c, 1e-37));
     if (z < 1.0 / 3.0) {
         L = 2.0 * z * atanhOverZ(z * z);
     }
