@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/elementary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace patina::reference {
+namespace {
+
+constexpr double rightAngles = 2.0 / std::numbers::pi; ///< right angles per radian
+
+} // namespace
+
+double atanhOverZ(double w) {
+    const double z = std::sqrt(w);
+    return z > 0.0 ? std::atanh(z) / z : 1.0;
+}
+
+// ln cos = -ln(1 + tan^2) / 2; the bound keeps e = 0 from meeting an infinite logarithm.
+double powSC(double s2, double c2, double e) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    return c2 > 0.0 ? std::exp(-0.5 * e * std::log1p(std::min(s2 / c2, largest))) : 0.0;
+}
+
+// Whichever of d and c is small is the one whose digits count.
+double pow1m(double d, double c, double e) {
+    if (!(c > 0.0)) {
+        return 0.0;
+    }
+    return std::exp(e * (c > 0.5 ? std::log1p(-d) : std::log(c)));
+}
+
+// 1 - cos(a) = x / 2, so sin(a / 2)^2 = x / 4.
+double acos2(double x) {
+    const double angle = 2.0 * std::asin(0.5 * std::sqrt(x));
+    return angle * angle;
+}
+
+double asinS(double z) {
+    return std::asin(z);
+}
+
+double versineOf(double a) {
+    const double half = std::sin(0.5 * a);
+    return 2.0 * half * half;
+}
+
+void angXY(double c, double s2, double& x, double& y) {
+    const double s = std::sqrt(s2);
+    x = rightAngles * std::atan2(s, c);
+    y = rightAngles * std::atan2(c, s);
+}
+
+} // namespace patina::reference

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block_unit.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "catalog/parameter_layout.h"
+
+namespace patina {
+namespace {
+
+/// "CookTorrance", "diffuseColor", "v-cavity" -> COOK_TORRANCE, DIFFUSE_COLOR, V_CAVITY.
+std::string constantCase(std::string_view name) {
+    std::string result;
+    for (const char c : name) {
+        const auto letter = static_cast<unsigned char>(c);
+        if (std::isupper(letter) != 0 && !result.empty()) {
+            result += '_';
+        }
+        result += std::isalnum(letter) != 0 ? static_cast<char>(std::toupper(letter)) : '_';
+    }
+    return result;
+}
+
+const std::vector<EnumValue>* choicesOf(const ParameterField& field) {
+    if (field.choice != nullptr) {
+        return &field.choice->values;
+    }
+    return field.parameter->type == ParameterType::Enum ? &field.parameter->values : nullptr;
+}
+
+std::string constants(const Block& block, const ParameterField& field) {
+    std::string text;
+    const std::vector<EnumValue>* choices = choicesOf(field);
+    for (std::size_t i = 0; choices != nullptr && i < choices->size(); ++i) {
+        text += fmt::format("[[maybe_unused]] constexpr int {}_{}_{} = {};\n",
+                            constantCase(structName(block)), constantCase(field.name),
+                            constantCase((*choices)[i].id), i);
+    }
+    return text;
+}
+
+std::string fieldType(const ParameterField& field) {
+    if (choicesOf(field) != nullptr) {
+        return "int";
+    }
+    switch (field.parameter->type) {
+    case ParameterType::Bool: return "bool";
+    case ParameterType::Int: return "int";
+    case ParameterType::Vec2: return "vec2";
+    case ParameterType::Vec3:
+    case ParameterType::Color: return "vec3";
+    default: return "double";
+    }
+}
+
+std::string unpackedField(const ParameterField& field) {
+    const std::string type = fieldType(field);
+    std::string value = fmt::format("data[{}]", field.offset);
+    for (int i = 1; i < field.components; ++i) {
+        value += fmt::format(", data[{}]", field.offset + static_cast<std::size_t>(i));
+    }
+    if (type == "bool") {
+        return fmt::format("    p.{} = {} != 0.0;\n", field.name, value);
+    }
+    return fmt::format("    p.{} = {}({});\n", field.name, type, value);
+}
+
+/// The struct, its constants and the function that fills it from packed values.
+std::string structCode(const Block& block, const ParameterLayout& layout) {
+    std::string constantLines;
+    std::string fields;
+    std::string unpacked;
+    for (const ParameterField& field : layout.fields) {
+        constantLines += constants(block, field);
+        fields += fmt::format("    {} {}{{}};\n", fieldType(field), field.name);
+        unpacked += unpackedField(field);
+    }
+    for (const Slot& slot : block.slots) {
+        fields += fmt::format("    {}Slot {};\n",
+                              static_cast<char>(std::toupper(
+                                  static_cast<unsigned char>(slot.kind.front()))) +
+                                  slot.kind.substr(1),
+                              slot.kind);
+    }
+    return fmt::format("{0}\nstruct {1} {{\n{2}}};\n\n"
+                       "{1} unpack([[maybe_unused]] Parameters data) {{\n    {1} p;\n{3}"
+                       "    return p;\n}}\n\n",
+                       constantLines, structName(block), fields, unpacked);
+}
+
+/// What a model calls to use its slot; stands after the library because it needs Incidence.
+constexpr std::string_view slotCode =
+    "vec3 slotFresnel(Incidence i, FresnelSlot slot) {\n"
+    "    return slot.function != nullptr && *slot.function ? (*slot.function)(i.c, i.versine)\n"
+    "                                                      : vec3(0.0);\n}\n";
+
+/// The functions that the table points at, by kind; {0} is the block's function.
+std::string entryFunctions(const Block& block) {
+    const std::string name = functionName(block);
+    if (block.kind == "models") {
+        const char* slot = block.slot("fresnel") != nullptr ? "    p.fresnel.function = &slot;\n" : "";
+        return fmt::format("vec3 callModel(const Geometry& g, Parameters data,\n"
+                           "               [[maybe_unused]] const FresnelFunction& slot) {{\n"
+                           "    {} p = unpack(data);\n{}"
+                           "    return {}(directions(g.n, g.t, g.b, g.l, g.v), p);\n}}\n",
+                           structName(block), slot, name);
+    }
+    if (block.kind == "fresnel") {
+        return fmt::format("vec3 callFresnel(double c, double versine, Parameters data) {{\n"
+                           "    Incidence i;\n    i.c = c;\n    i.versine = versine;\n"
+                           "    return {0}(i, unpack(data));\n}}\n"
+                           "vec3 callTint(Parameters data) {{ return {0}Tint(unpack(data)); }}\n",
+                           name);
+    }
+    if (block.kind == "lights") {
+        return fmt::format(
+            "reference::Illumination callLight(const vec3& x, Parameters data) {{\n"
+            "    const Illumination i = {}(x, unpack(data));\n    return {{i.l, i.radiance}};\n}}\n",
+            name);
+    }
+    return fmt::format("double callFog(double x, Parameters data) {{ return {0}(x, unpack(data)); }}\n"
+                       "vec3 callFogColor(Parameters data) {{ return {0}Color(unpack(data)); }}\n",
+                       name);
+}
+
+std::string entryAssignments(const std::string& kind) {
+    if (kind == "models") {
+        return "    block.model = &callModel;\n";
+    }
+    if (kind == "fresnel") {
+        return "    block.fresnel = &callFresnel;\n    block.tint = &callTint;\n";
+    }
+    if (kind == "lights") {
+        return "    block.light = &callLight;\n";
+    }
+    return "    block.fog = &callFog;\n    block.fogColor = &callFogColor;\n";
+}
+
+bool hasGate(const Block& block, std::string_view gate) {
+    return std::find(block.gates.begin(), block.gates.end(), gate) != block.gates.end();
+}
+
+std::string entry(const Block& block, const ParameterLayout& layout) {
+    std::string fields;
+    for (const ParameterField& field : layout.fields) {
+        fields += fmt::format("        Field{{\"{}\", {}, {}}},\n", field.name, field.offset,
+                              field.components);
+    }
+    const std::string table =
+        fields.empty() ? "    block.fields = {};\n"
+                       : fmt::format("    static constexpr Field fields[] = {{\n{}    }};\n"
+                                     "    block.fields = fields;\n",
+                                     fields);
+    return fmt::format("Block block() {{\n    Block block;\n    block.kind = \"{}\";\n"
+                       "    block.id = \"{}\";\n    block.size = {};\n"
+                       "    block.lightGate = {};\n    block.viewGate = {};\n{}{}"
+                       "    return block;\n}}\n",
+                       block.kind, block.id, layout.floats, hasGate(block, "light"),
+                       hasGate(block, "view"), table, entryAssignments(block.kind));
+}
+
+} // namespace
+
+std::string unitFile(const Block& block) {
+    return block.kind + '-' + block.id + ".cpp";
+}
+
+std::string unitScope(const Block& block) {
+    return block.kind + '_' + functionName(block);
+}
+
+std::string blockSource(const Block& block, const GlslLines& lines) {
+    const ParameterLayout layout = layoutOf(block);
+    const std::string own = block.shaderFile.generic_string();
+    const auto firstOwn = std::find_if(lines.begin(), lines.end(),
+                                       [&](const GlslLine& line) { return line.file == own; });
+    // The library's lines may interleave with the block's includes; only text counts.
+    GlslLines library(lines.begin(), firstOwn);
+    GlslLines code;
+    for (auto line = firstOwn; line != lines.end(); ++line) {
+        (line->file == own ? code : library).push_back(*line);
+    }
+    return fmt::format("#include \"reference/elementary.h\"\n#include \"reference/glsl.h\"\n\n"
+                       "namespace patina::reference::{0} {{\n\n{1}\n#line 1 \"generated\"\n"
+                       "{2}{3}\n{4}\n#line 1 \"generated\"\n{5}\n{6}\n"
+                       "}} // namespace patina::reference::{0}\n",
+                       unitScope(block), asCpp(library),
+                       block.slot("fresnel") != nullptr ? slotCode : "", structCode(block, layout),
+                       asCpp(code), entryFunctions(block), entry(block, layout));
+}
+
+std::string registrySource(const std::vector<Block>& blocks) {
+    std::string declarations;
+    std::string entries;
+    for (const Block& block : blocks) {
+        declarations += fmt::format("namespace {} {{\nBlock block();\n}}\n", unitScope(block));
+        entries += fmt::format("        {}::block(),\n", unitScope(block));
+    }
+    return fmt::format("#include \"reference/reference.h\"\n\nnamespace patina::reference {{\n\n{}\n"
+                       "std::span<const Block> blocks() {{\n    static const Block table[] = {{\n{}"
+                       "    }};\n    return table;\n}}\n\n}} // namespace patina::reference\n",
+                       declarations, entries);
+}
+
+} // namespace patina

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "catalog/block.h"
+#include "glsl_text.h"
+
+namespace patina {
+
+/// Name of the generated file, "models-cook-torrance.cpp", and of what is declared in it.
+std::string unitFile(const Block& block);
+std::string unitScope(const Block& block);
+
+/// The C++ file of one block: its struct, constants, shader code and entry for the table.
+/// `lines` are the block's file and what it includes.
+std::string blockSource(const Block& block, const GlslLines& lines);
+
+/// The C++ file with the table of all blocks.
+std::string registrySource(const std::vector<Block>& blocks);
+
+} // namespace patina

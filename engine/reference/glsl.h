@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "reference/reference.h"
+
+/// What GLSL gives a shader, for shader code that is compiled as C++ with `float` read as `double`.
+/// Names are listed one by one: a using-directive would let the C library's abs(int) in.
+namespace patina::reference {
+
+using vec2 = glm::dvec2;
+using vec3 = glm::dvec3;
+using vec4 = glm::dvec4;
+using mat2 = glm::dmat2;
+using mat3 = glm::dmat3;
+using mat4 = glm::dmat4;
+
+using glm::abs;
+using glm::acos;
+using glm::all;
+using glm::any;
+using glm::asin;
+using glm::atan;
+using glm::ceil;
+using glm::clamp;
+using glm::cos;
+using glm::cross;
+using glm::degrees;
+using glm::distance;
+using glm::dot;
+using glm::exp;
+using glm::exp2;
+using glm::faceforward;
+using glm::floor;
+using glm::fract;
+using glm::inversesqrt;
+using glm::length;
+using glm::log;
+using glm::log2;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::mod;
+using glm::normalize;
+using glm::pow;
+using glm::radians;
+using glm::reflect;
+using glm::refract;
+using glm::sign;
+using glm::sin;
+using glm::smoothstep;
+using glm::sqrt;
+using glm::step;
+using glm::tan;
+using glm::transpose;
+
+/// What fills a model's slot of kind "fresnel".
+struct FresnelSlot {
+    const FresnelFunction* function = nullptr;
+};
+
+} // namespace patina::reference
+
+#define OUT(T) T&

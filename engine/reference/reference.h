@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include <glm/vec3.hpp>
+
+/// The shading code of shaders/ compiled for the CPU in double precision: what the GPU's answers
+/// are held against. Nothing else in the program compiles a block.
+namespace patina::reference {
+
+/// Reflectance per channel as a function of a cosine and its versine 1 - c: what fills a slot.
+using FresnelFunction = std::function<glm::dvec3(double c, double versine)>;
+
+/// The values of a block, packed by the catalogue's ParameterLayout.
+using Parameters = std::span<const double>;
+
+/// Where a surface is lit and seen from. All unit, away from the surface; n, t, b orthogonal.
+struct Geometry {
+    glm::dvec3 n{0.0, 0.0, 1.0};
+    glm::dvec3 t{1.0, 0.0, 0.0};
+    glm::dvec3 b{0.0, 1.0, 0.0};
+    glm::dvec3 l{0.0, 0.0, 1.0};
+    glm::dvec3 v{0.0, 0.0, 1.0};
+};
+
+/// Directions of any length made into a Geometry by the shaders' own functions: n, l and v are
+/// normalised and t is made orthogonal to n. A zero n is +z, a zero l or v is n, and a zero t or
+/// one along n becomes any tangent.
+Geometry geometry(const glm::dvec3& n, const glm::dvec3& t, const glm::dvec3& l,
+                  const glm::dvec3& v);
+
+/// What a light sends to a point.
+struct Illumination {
+    glm::dvec3 l{0.0, 0.0, 1.0}; ///< unit, towards the light
+    glm::dvec3 radiance{0.0};    ///< E / pi
+};
+
+/// One packed field, as it was when the block was compiled.
+struct Field {
+    std::string_view name;
+    std::size_t offset = 0; ///< in numbers
+    int components = 1;
+
+    friend bool operator==(const Field&, const Field&) = default;
+};
+
+/// A compiled block. Of the functions, those of its kind are set.
+struct Block {
+    std::string_view kind;
+    std::string_view id;
+    std::span<const Field> fields;
+    std::size_t size = 0; ///< numbers its parameters take
+    bool lightGate = true;
+    bool viewGate = true;
+
+    glm::dvec3 (*model)(const Geometry&, Parameters, const FresnelFunction&) = nullptr;
+    glm::dvec3 (*fresnel)(double c, double versine, Parameters) = nullptr;
+    glm::dvec3 (*tint)(Parameters) = nullptr;
+    Illumination (*light)(const glm::dvec3& x, Parameters) = nullptr;
+    double (*fog)(double distance, Parameters) = nullptr;
+    glm::dvec3 (*fogColor)(Parameters) = nullptr;
+};
+
+/// Every block, sorted by kind and id.
+std::span<const Block> blocks();
+
+/// The block, or null.
+const Block* findBlock(std::string_view kind, std::string_view id);
+
+/// What the model's function returns, with the gates its descriptor names and not yet cut at 0:
+/// pi f cos(theta_l). Empty `fresnel`: nothing is reflected. `parameters` holds model.size numbers.
+glm::dvec3 modelValue(const Block& model, const Geometry& geometry, Parameters parameters,
+                      const FresnelFunction& fresnel);
+
+/// modelValue cut at 0 from below, as lights are summed. A NaN stays one.
+glm::dvec3 shade(const Block& model, const Geometry& geometry, Parameters parameters,
+                 const FresnelFunction& fresnel);
+
+/// A Fresnel block as a function; `parameters` must outlive it.
+FresnelFunction fresnelFunction(const Block& fresnel, Parameters parameters);
+
+/// A function of shaders/lib/ called with plain numbers: a vec3 argument is three of them, a
+/// struct its fields in order; out parameters are results after the returned value.
+struct Function {
+    std::string_view name;
+    std::string_view signature; ///< as it is declared
+    std::size_t arguments = 0;
+    std::size_t results = 0;
+    void (*call)(const double* arguments, double* results) = nullptr;
+};
+
+/// Every function of shaders/lib/, sorted by name. The elementary ones are the exact twins.
+std::span<const Function> functions();
+
+/// lib/elementary.glsl as it stands, its polynomials in double precision.
+std::span<const Function> elementaryPolynomials();
+
+/// By its name or the same in snake case ("ggx_d"); null where there is none.
+const Function* findFunction(std::string_view name);
+
+} // namespace patina::reference
