@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "physics_cases.h"
+
+namespace patina::physics {
+namespace {
+
+const reference::Function& polynomial(const std::string& name) {
+    for (const reference::Function& function : reference::elementaryPolynomials()) {
+        if (function.name == name) {
+            return function;
+        }
+    }
+    throw std::runtime_error("no polynomial " + name);
+}
+
+std::vector<double> approximation(const std::string& name, const std::vector<double>& arguments) {
+    const reference::Function& function = polynomial(name);
+    std::vector<double> results(function.results);
+    function.call(arguments.data(), results.data());
+    return results;
+}
+
+/// The largest relative error of every result over n arguments made from 0 .. 1.
+double worstError(const std::string& name,
+                  const std::function<std::vector<double>(double)>& arguments) {
+    constexpr int n = 20000;
+    double worst = 0.0;
+    for (int i = 0; i <= n; ++i) {
+        const std::vector<double> in = arguments(static_cast<double>(i) / n);
+        const std::vector<double> near = approximation(name, in);
+        const std::vector<double> exact = call(name, in);
+        for (std::size_t k = 0; k < exact.size(); ++k) {
+            const double size = std::max(std::abs(exact[k]), 1e-30);
+            worst = std::max(worst, std::abs(near[k] - exact[k]) / size);
+        }
+    }
+    return worst;
+}
+
+// The bounds are those stated beside each function in shaders/lib/elementary.glsl; in double
+// precision only the polynomial's own error is left.
+
+TEST(Elementary, AtanhOverZ_KeepsItsBound) {
+    EXPECT_LT(worstError("atanhOverZ", [](double u) { return std::vector{u / 9.0}; }), 5e-9);
+}
+
+TEST(Elementary, Acos2_KeepsItsBound) {
+    EXPECT_LT(worstError("acos2", [](double u) { return std::vector{2.0 * u}; }), 3e-7);
+}
+
+TEST(Elementary, AsinS_KeepsItsBound) {
+    const auto arguments = [](double u) { return std::vector{(2.0 * u - 1.0) * std::sqrt(0.5)}; };
+    EXPECT_LT(worstError("asinS", arguments), 2e-6);
+}
+
+TEST(Elementary, VersineOf_KeepsItsBound) {
+    const auto arguments = [](double u) { return std::vector{u * std::numbers::pi}; };
+    EXPECT_LT(worstError("versineOf", arguments), 4e-7);
+}
+
+TEST(Elementary, AngXY_KeepsItsBound) {
+    const auto arguments = [](double u) {
+        const double angle = 0.5 * std::numbers::pi * u;
+        return std::vector{std::cos(angle), std::pow(std::sin(angle), 2.0)};
+    };
+    EXPECT_LT(worstError("angXY", arguments), 3e-6);
+}
+
+TEST(Elementary, PowersOfCosines_KeepTheirBoundForEveryExponent) {
+    for (const double e : {0.0, 0.5, 1.0, 25.0, 1000.0}) {
+        const auto versine = [e](double u) { return std::vector{u, 1.0 - u, e}; };
+        const auto squares = [e](double u) { return std::vector{u, 1.0 - u, e}; };
+        // Where the result is no longer a float's, e L is at most 87.
+        const double bound = 2e-6 + 2e-7 * std::min(e * 20.0, 87.0);
+        EXPECT_LT(worstError("pow1m", versine), bound) << "exponent " << e;
+        EXPECT_LT(worstError("powSC", squares), bound) << "exponent " << e;
+    }
+}
+
+TEST(Elementary, PowersBelowTheHorizon_AreZeroEvenForExponentZero) {
+    EXPECT_EQ(call("pow1m", {1.5, -0.5, 0.0})[0], 0.0);
+    EXPECT_EQ(call("powSC", {1.0, 0.0, 0.0})[0], 0.0);
+}
+
+TEST(Elementary, EveryPolynomial_HasATwinOfTheSameShape) {
+    for (const reference::Function& function : reference::elementaryPolynomials()) {
+        const reference::Function* twin = reference::findFunction(function.name);
+        ASSERT_NE(twin, nullptr);
+        EXPECT_EQ(twin->signature, function.signature);
+    }
+}
+
+} // namespace
+} // namespace patina::physics
