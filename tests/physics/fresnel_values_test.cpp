@@ -26,10 +26,9 @@ void expectTable(const std::string& polarisation, const std::string& column) {
     for (const auto& boundary : table("fresnel.json")["boundaries"]) {
         const double outside = boundary["outside"];
         const double inside = boundary["inside"];
-        const Subject fresnel("fresnel", "dielectric",
-                              {{"index.outside", outside},
-                               {"index.inside", inside},
-                               {"polarisation", polarisation}});
+        const Subject fresnel(
+            "fresnel", "dielectric",
+            {{"index.outside", outside}, {"index.inside", inside}, {"polarisation", polarisation}});
         for (const auto& row : boundary["rows"]) {
             const double c = cosineOf(row);
             EXPECT_NEAR(fresnel.reflectance(c), row[column].get<double>(),
@@ -60,8 +59,7 @@ TEST(DielectricFresnel, NormalIncidence_IsTheSquareOfTheIndexContrast) {
 }
 
 TEST(DielectricFresnel, EqualIndices_ReflectNothingAtAnyAngle) {
-    const Subject fresnel("fresnel", "dielectric",
-                          {{"index.outside", 1.5}, {"index.inside", 1.5}});
+    const Subject fresnel("fresnel", "dielectric", {{"index.outside", 1.5}, {"index.inside", 1.5}});
     for (const double c : {0.0, 1e-8, 0.3, 1.0}) {
         EXPECT_EQ(fresnel.reflectance(c), 0.0);
     }
@@ -71,7 +69,8 @@ TEST(DielectricFresnel, NearlyEqualIndices_KeepTheirDigits) {
     // R(0) = ((n - 1) / (n + 1))^2 for n = 1 + 1e-6, a difference that a rounded g would lose.
     const double index = 1.0 + 1e-6;
     const double exact = std::pow((index - 1.0) / (index + 1.0), 2.0);
-    EXPECT_NEAR(Subject("fresnel", "dielectric", {{"index.inside", index}}).reflectance(1.0) / exact,
+    EXPECT_NEAR(Subject("fresnel", "dielectric", {{"index.inside", index}}).reflectance(1.0) /
+                    exact,
                 1.0, 1e-9);
 }
 

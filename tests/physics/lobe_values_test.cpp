@@ -42,9 +42,8 @@ TEST(Directions, SixPairs_MatchTheirDotProducts) {
     const std::map<std::string, Projection> names{{"nl", nl}, {"nv", nv}, {"nh", nh},
                                                   {"lh", lh}, {"rv", rv}, {"lv", lv}};
     for (const auto& [name, index] : names) {
-        expectRow(data[name], [place = index](const reference::Geometry& g) {
-            return projections(g)[place];
-        });
+        expectRow(data[name],
+                  [place = index](const reference::Geometry& g) { return projections(g)[place]; });
     }
 }
 
@@ -56,8 +55,7 @@ TEST(Phong, ItsLobe_MatchesThePower) {
                             {{"diffuse.color", black},
                              {"specular.color", white},
                              {"shininess", lobe["e"].get<double>()}});
-        expectRow(lobe["values"],
-                  [&](const reference::Geometry& g) { return model.shade(g).x; });
+        expectRow(lobe["values"], [&](const reference::Geometry& g) { return model.shade(g).x; });
     }
 }
 

@@ -19,7 +19,8 @@ namespace patina::physics {
 
 inline const Catalog& catalog() {
     static const Catalog loaded = [] {
-        const std::vector<BlockRoot> roots{{std::filesystem::path(PATINA_SOURCE_DIR) / "shaders", true}};
+        const std::vector<BlockRoot> roots{
+            {std::filesystem::path(PATINA_SOURCE_DIR) / "shaders", true}};
         return loadCatalog(roots);
     }();
     return loaded;
@@ -59,9 +60,7 @@ struct Subject {
                      const reference::FresnelFunction& fresnel = {}) const {
         return reference::shade(*code, geometry, parameters, fresnel);
     }
-    double reflectance(double c) const {
-        return code->fresnel(c, 1.0 - c, parameters).x;
-    }
+    double reflectance(double c) const { return code->fresnel(c, 1.0 - c, parameters).x; }
 };
 
 /// The results of a function of the shader library.

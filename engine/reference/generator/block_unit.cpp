@@ -47,12 +47,17 @@ std::string fieldType(const ParameterField& field) {
         return "int";
     }
     switch (field.parameter->type) {
-    case ParameterType::Bool: return "bool";
-    case ParameterType::Int: return "int";
-    case ParameterType::Vec2: return "vec2";
+    case ParameterType::Bool:
+        return "bool";
+    case ParameterType::Int:
+        return "int";
+    case ParameterType::Vec2:
+        return "vec2";
     case ParameterType::Vec3:
-    case ParameterType::Color: return "vec3";
-    default: return "double";
+    case ParameterType::Color:
+        return "vec3";
+    default:
+        return "double";
     }
 }
 
@@ -79,11 +84,11 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
         unpacked += unpackedField(field);
     }
     for (const Slot& slot : block.slots) {
-        fields += fmt::format("    {}Slot {};\n",
-                              static_cast<char>(std::toupper(
-                                  static_cast<unsigned char>(slot.kind.front()))) +
-                                  slot.kind.substr(1),
-                              slot.kind);
+        fields += fmt::format(
+            "    {}Slot {};\n",
+            static_cast<char>(std::toupper(static_cast<unsigned char>(slot.kind.front()))) +
+                slot.kind.substr(1),
+            slot.kind);
     }
     return fmt::format("{0}\nstruct {1} {{\n{2}}};\n\n"
                        "{1} unpack([[maybe_unused]] Parameters data) {{\n    {1} p;\n{3}"
@@ -101,7 +106,8 @@ constexpr std::string_view slotCode =
 std::string entryFunctions(const Block& block) {
     const std::string name = functionName(block);
     if (block.kind == "models") {
-        const char* slot = block.slot("fresnel") != nullptr ? "    p.fresnel.function = &slot;\n" : "";
+        const char* slot =
+            block.slot("fresnel") != nullptr ? "    p.fresnel.function = &slot;\n" : "";
         return fmt::format("vec3 callModel(const Geometry& g, Parameters data,\n"
                            "               [[maybe_unused]] const FresnelFunction& slot) {{\n"
                            "    {} p = unpack(data);\n{}"
@@ -116,14 +122,15 @@ std::string entryFunctions(const Block& block) {
                            name);
     }
     if (block.kind == "lights") {
-        return fmt::format(
-            "reference::Illumination callLight(const vec3& x, Parameters data) {{\n"
-            "    const Illumination i = {}(x, unpack(data));\n    return {{i.l, i.radiance}};\n}}\n",
-            name);
+        return fmt::format("reference::Illumination callLight(const vec3& x, Parameters data) {{\n"
+                           "    const Illumination i = {}(x, unpack(data));\n    return {{i.l, "
+                           "i.radiance}};\n}}\n",
+                           name);
     }
-    return fmt::format("double callFog(double x, Parameters data) {{ return {0}(x, unpack(data)); }}\n"
-                       "vec3 callFogColor(Parameters data) {{ return {0}Color(unpack(data)); }}\n",
-                       name);
+    return fmt::format(
+        "double callFog(double x, Parameters data) {{ return {0}(x, unpack(data)); }}\n"
+        "vec3 callFogColor(Parameters data) {{ return {0}Color(unpack(data)); }}\n",
+        name);
 }
 
 std::string entryAssignments(const std::string& kind) {
@@ -199,10 +206,11 @@ std::string registrySource(const std::vector<Block>& blocks) {
         declarations += fmt::format("namespace {} {{\nBlock block();\n}}\n", unitScope(block));
         entries += fmt::format("        {}::block(),\n", unitScope(block));
     }
-    return fmt::format("#include \"reference/reference.h\"\n\nnamespace patina::reference {{\n\n{}\n"
-                       "std::span<const Block> blocks() {{\n    static const Block table[] = {{\n{}"
-                       "    }};\n    return table;\n}}\n\n}} // namespace patina::reference\n",
-                       declarations, entries);
+    return fmt::format(
+        "#include \"reference/reference.h\"\n\nnamespace patina::reference {{\n\n{}\n"
+        "std::span<const Block> blocks() {{\n    static const Block table[] = {{\n{}"
+        "    }};\n    return table;\n}}\n\n}} // namespace patina::reference\n",
+        declarations, entries);
 }
 
 } // namespace patina

@@ -10,11 +10,11 @@ namespace patina {
 
 /// What a generated file of library functions holds.
 struct LibraryUnit {
-    std::string function;   ///< that gives the table: "functions"
-    std::string scope;      ///< inner namespace of the shader code
-    std::string code;       ///< C++ to compile, may be empty when headers have it
-    std::string more;       ///< C++ after the table, in the outer namespace
-    Declarations callable;  ///< the structs and the functions that the table lists
+    std::string function;  ///< that gives the table: "functions"
+    std::string scope;     ///< inner namespace of the shader code
+    std::string code;      ///< C++ to compile, may be empty when headers have it
+    std::string more;      ///< C++ after the table, in the outer namespace
+    Declarations callable; ///< the structs and the functions that the table lists
 };
 
 /// The C++ file: the code, a wrapper that turns numbers into arguments for each function, and the

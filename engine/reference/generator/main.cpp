@@ -80,8 +80,8 @@ Result<void> writeLibrary(const std::filesystem::path& root, const std::filesyst
     const auto done = write(target / "library.cpp",
                             librarySource({"functions", "library", asCpp(*lines), geometry, all}));
     return done ? write(target / "polynomials.cpp",
-                        librarySource({"elementaryPolynomials", "polynomials",
-                                       asCpp(*polynomials), "", elementaryOnes}))
+                        librarySource({"elementaryPolynomials", "polynomials", asCpp(*polynomials),
+                                       "", elementaryOnes}))
                 : done;
 }
 
