@@ -59,6 +59,9 @@ class Renderer {
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                           bool display);
 
+    /// Of the last draw or capture.
+    const FrameReport& report() const;
+
   private:
     Renderer();
     class Implementation;

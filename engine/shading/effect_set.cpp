@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "shading/effect_choice.h"
+#include "shading/effect_key.h"
 
 namespace patina {
 namespace {
@@ -50,16 +51,14 @@ std::string lightName(const Light& light) {
                               : fmt::format("the light \"{}\"", light.name);
 }
 
-void addLight(SceneEffects& effects, const Block& block, const Light& light) {
-    BlockUse use = useOf(block, light.block.parameters, {}, {});
-    const auto group = std::find_if(
-        effects.lights.begin(), effects.lights.end(), [&use](const LightGroup& known) {
-            return known.block.id == use.id && known.block.compiled == use.compiled;
-        });
+void addLight(SceneEffects& effects, const Block& block, const Light& light, std::uint64_t key) {
+    const auto group =
+        std::find_if(effects.lights.begin(), effects.lights.end(),
+                     [key](const LightGroup& known) { return known.key == key; });
     if (group != effects.lights.end()) {
         ++group->count;
     } else {
-        effects.lights.push_back({std::move(use), 1});
+        effects.lights.push_back({useOf(block, light.block.parameters, {}, {}), 1, key});
     }
 }
 
@@ -85,7 +84,7 @@ void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog
         } else if (!canShine(light, *block)) {
             effects.leftOut.push_back({lightName(light), "It is black."});
         } else {
-            addLight(effects, *block, light);
+            addLight(effects, *block, light, EffectKey::ofLight(light, catalog));
         }
     }
     std::sort(effects.lights.begin(), effects.lights.end(), before);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct BlockUse {
 struct LightGroup {
     BlockUse block;
     int count = 0; ///< lights in it now; data, not text: another light compiles nothing
+    std::uint64_t key = 0; ///< EffectKey::ofLight of each of its lights
 
     friend bool operator==(const LightGroup&, const LightGroup&) = default;
 };

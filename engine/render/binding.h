@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace patina::binding {
+
+/// Binding points of the uniform blocks.
+inline constexpr unsigned view = 0;
+inline constexpr unsigned scene = 1;
+inline constexpr unsigned object = 2;
+
+} // namespace patina::binding

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/data_packer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "shading/effect_key.h"
+#include "shading/parameter_packer.h"
+
+namespace patina {
+namespace {
+
+const AccuracyLevels exact;
+
+/// A colour as the shader may see it: finite and not negative.
+float radianceOf(double channel) {
+    return std::isfinite(channel) ? static_cast<float>(std::clamp(channel, 0.0, 65504.0)) : 0.0f;
+}
+
+void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
+                const Scene& scene, const glm::dmat4& cameraToWorld) {
+    for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
+        const BlockPlace& group = pipeline.scene.groups[g];
+        const auto size = static_cast<std::size_t>(group.vec4s());
+        const std::size_t start = packed.vec4s;
+        int count = 0;
+        for (const Light& light : scene.lights) {
+            if (EffectKey::ofLight(light, *pipeline.catalog) !=
+                pipeline.effects.scene.lights[g].key) {
+                continue;
+            }
+            if (packed.vec4s + size > out.size()) {
+                ++packed.lostLights;
+                continue;
+            }
+            packInto(out.subspan(packed.vec4s, size), group.layout, light.block.parameters, exact,
+                     cameraToWorld);
+            packed.vec4s += size;
+            ++count;
+        }
+        out[static_cast<std::size_t>(group.first)] = glm::vec4(count, start, 0.0f, 0.0f);
+    }
+}
+
+void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& values,
+               const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
+    packInto(out.subspan(static_cast<std::size_t>(place.first)), place.layout, values, levels,
+             cameraToWorld);
+}
+
+/// Values for a Fresnel place: the material's when it is the material's block.
+const Values& fresnelValues(const BlockPlace& place, const Material& material) {
+    static const Values none;
+    const bool own = material.fresnel && place.block->kind == "fresnel" &&
+                     place.block->id == material.fresnel->id;
+    return own ? material.fresnel->parameters : none;
+}
+
+void packRows(std::span<glm::vec4> out, int first, const glm::dmat4& matrix) {
+    for (int row = 0; row < 3; ++row) {
+        out[static_cast<std::size_t>(first + row)] =
+            glm::vec4(matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]);
+    }
+}
+
+/// The inverse transpose times the determinant (the cofactors), which is there for every scale,
+/// also 0; scaled so that the largest entry is 1.
+glm::dmat4 normalMatrix(const glm::dmat4& world) {
+    const glm::dmat3 m(world);
+    glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            largest = std::max(largest, std::abs(cofactors[column][row]));
+        }
+    }
+    return largest > 0.0 ? glm::dmat4(cofactors / largest) : glm::dmat4(1.0);
+}
+
+} // namespace
+
+PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline, const Scene& scene,
+                      const glm::dmat4& cameraToWorld) {
+    out[SceneLayout::ambient] =
+        glm::vec4(radianceOf(scene.ambient.x), radianceOf(scene.ambient.y),
+                  radianceOf(scene.ambient.z), 0.0f);
+    if (pipeline.scene.fog && scene.fog) {
+        packPlace(out, *pipeline.scene.fog, scene.fog->parameters, exact, cameraToWorld);
+    }
+    PackedScene packed{static_cast<std::size_t>(pipeline.scene.firstLight), 0};
+    packLights(packed, out, pipeline, scene, cameraToWorld);
+    return packed;
+}
+
+void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object& object,
+                const glm::dmat4& world, const glm::dmat4& cameraToWorld) {
+    const Material& material = object.material;
+    packRows(out, ObjectLayout::world, world);
+    packRows(out, ObjectLayout::normal, normalMatrix(world));
+    out[ObjectLayout::surface] =
+        glm::vec4(std::clamp(static_cast<float>(material.opacity), 0.0f, 1.0f), 0.0f, 0.0f, 0.0f);
+    if (pipeline.object.model) {
+        packPlace(out, *pipeline.object.model, material.model.parameters, material.accuracy,
+                  cameraToWorld);
+    }
+    for (const BlockPlace& slot : pipeline.object.slots) {
+        packPlace(out, slot, fresnelValues(slot, material), material.accuracy, cameraToWorld);
+    }
+    if (pipeline.object.blend) {
+        packPlace(out, *pipeline.object.blend, fresnelValues(*pipeline.object.blend, material),
+                  material.accuracy, cameraToWorld);
+    }
+}
+
+void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye) {
+    for (int column = 0; column < 4; ++column) {
+        out[static_cast<std::size_t>(ViewLayout::clip + column)] = glm::vec4(worldToClip[column]);
+    }
+    out[ViewLayout::eye] = glm::vec4(eye, 1.0);
+}
+
+} // namespace patina

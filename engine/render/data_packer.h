@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/pipeline.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// How many vec4s were written, and how many lights did not fit.
+struct PackedScene {
+    std::size_t vec4s = 0;
+    int lostLights = 0;
+};
+
+/// Fills `sceneData` for a pipeline; `out` holds SceneLayout::capacity vec4s. Allocates nothing.
+PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline, const Scene& scene,
+                      const glm::dmat4& cameraToWorld);
+
+/// Fills `objectData`; `out` holds pipeline.object.vec4s. Allocates nothing.
+void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object& object,
+                const glm::dmat4& world, const glm::dmat4& cameraToWorld);
+
+/// Fills `viewData`; `out` holds ViewLayout::vec4s.
+void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye);
+
+} // namespace patina

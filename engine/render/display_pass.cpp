@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/display_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <epoxy/gl.h>
+
+namespace patina {
+namespace {
+
+/// Beyond this a half float's whole range is black or white.
+constexpr double mostStops = 40.0;
+
+std::array<std::string, 2> fragmentFiles(ToneMapping toneMapping) {
+    return {toneMapping == ToneMapping::None ? "passes/tone_none.glsl"
+                                             : "passes/tone_neutral.glsl",
+            "passes/display.frag"};
+}
+
+} // namespace
+
+Result<void> DisplayPass::prepare(ToneMapping toneMapping, const Catalog& catalog,
+                                  ProgramCache& cache) {
+    std::optional<Stage>& stage = stages_[static_cast<std::size_t>(toneMapping)];
+    if (!stage) {
+        const auto source = passProgram(catalog, "passes/screen.vert", fragmentFiles(toneMapping));
+        if (!source) {
+            return tl::unexpected(source.error().front());
+        }
+        const ProgramCache::Found found = cache.get(*source);
+        if (!found.program) {
+            return tl::unexpected(found.errors.front());
+        }
+        stage = Stage{found.program, found.program->uniform("exposureFactor")};
+    }
+    current_ = &*stage;
+    return {};
+}
+
+void DisplayPass::draw(const gl::Texture& linear, double exposure) {
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_DITHER);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    current_->program->use();
+    const double stops = std::clamp(exposure, -mostStops, mostStops);
+    glUniform1f(current_->exposureUniform, static_cast<float>(std::exp2(stops)));
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, linear.name());
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void DisplayPass::forget() {
+    stages_ = {};
+    current_ = nullptr;
+}
+
+} // namespace patina

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "catalog/catalog.h"
+#include "core/error.h"
+#include "gl/texture.h"
+#include "gl/vertex_array.h"
+#include "scene/scene.h"
+#include "shading/program_cache.h"
+
+namespace patina {
+
+/// Exposure, tone mapping and the sRGB curve: from the linear image to a framebuffer.
+class DisplayPass {
+  public:
+    /// Compiles (or finds) the program of a tone mapping the first time it is asked for.
+    Result<void> prepare(ToneMapping toneMapping, const Catalog& catalog, ProgramCache& cache);
+
+    /// Draws with the program that was prepared last into the bound framebuffer.
+    void draw(const gl::Texture& linear, double exposure);
+
+    /// The shader files may have changed.
+    void forget();
+
+  private:
+    struct Stage {
+        std::shared_ptr<const gl::Program> program;
+        int exposureUniform = -1;
+    };
+
+    gl::VertexArray noVertices_ = gl::VertexArray::create();
+    std::array<std::optional<Stage>, 2> stages_;
+    const Stage* current_ = nullptr;
+};
+
+} // namespace patina

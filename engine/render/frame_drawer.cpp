@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/frame_drawer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <epoxy/gl.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "render/binding.h"
+#include "render/data_packer.h"
+
+namespace patina {
+namespace {
+
+float storable(double channel) {
+    return std::isfinite(channel) ? static_cast<float>(std::clamp(channel, 0.0, 65504.0)) : 0.0f;
+}
+
+bool isTransparent(const Object& object) { return object.material.opacity < 1.0; }
+
+bool isDrawn(const Object& object) { return object.visible && object.material.opacity > 0.0; }
+
+} // namespace
+
+FrameDrawer::FrameDrawer(std::filesystem::path programCache)
+    : pipelines_(std::move(programCache)) {
+    viewData_.reserve(ViewLayout::vec4s);
+    sceneData_.reserve(SceneLayout::capacity);
+}
+
+void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+    pipelines_.setCatalog(catalog_);
+    display_.forget();
+    described_.clear();
+    describedLost_ = -1;
+}
+
+bool FrameDrawer::drawLinear(const Scene& scene, const View& view, const MeshSource& meshes) {
+    report_.programs = 0;
+    report_.compiled = 0;
+    report_.uploadedBuffers = 0;
+    report_.drawnObjects = 0;
+    if (auto prepared = prepare(scene, view); !prepared) {
+        return fail(prepared.error());
+    }
+    collect(scene, view, meshes);
+    uploadView(view);
+    choosePipelines(scene);
+    target_.bind();
+    glClearColor(storable(scene.background.x), storable(scene.background.y),
+                 storable(scene.background.z), 1.0f);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    drawItems(scene);
+    target_.resolve();
+    meshes_.endFrame();
+    describe(scene);
+    return true;
+}
+
+bool FrameDrawer::fail(Error error) {
+    report_.messages.assign(1, std::move(error));
+    report_.effects.clear();
+    describedLost_ = -1;
+    return false;
+}
+
+Result<void> FrameDrawer::prepare(const Scene& scene, const View& view) {
+    if (catalog_ == nullptr) {
+        return failure("there are no shaders to draw with", "a call of setCatalog before draw");
+    }
+    if (auto fitting = target_.fit(view.size, view.samples); !fitting) {
+        return fitting;
+    }
+    const int before = pipelines_.programs().compiledCount();
+    auto prepared = display_.prepare(scene.toneMapping, *catalog_, pipelines_.programs());
+    report_.compiled += pipelines_.programs().compiledCount() - before;
+    return prepared;
+}
+
+void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource& meshes) {
+    cameras_.worldToCamera = viewMatrix(view.camera);
+    cameras_.cameraToWorld = glm::inverse(cameras_.worldToCamera);
+    depths_ = DepthRange();
+    items_.clear();
+    const glm::dvec3 origin = eye(view.camera);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const MeshView mesh = isDrawn(object) ? meshes(object) : MeshView{};
+        if (mesh.indices.empty()) {
+            continue;
+        }
+        const glm::dmat4 world = worldMatrix(object);
+        const glm::dvec3 middle(world * glm::dvec4(glm::dvec3(mesh.bounds.center()), 1.0));
+        depths_.add(mesh.bounds, cameras_.worldToCamera * world);
+        items_.push_back({i, &meshes_.get(mesh), world, glm::distance(middle, origin)});
+    }
+    while (slots_.size() < scene.objects.size()) {
+        slots_.emplace_back();
+    }
+    // Opaque objects first, near ones before far ones so that depth hides what is behind; then the
+    // others, far ones first so that each is blended over what shines through it.
+    std::sort(items_.begin(), items_.end(), [&scene](const Item& a, const Item& b) {
+        const bool transparent = isTransparent(scene.objects[a.index]);
+        if (transparent != isTransparent(scene.objects[b.index])) {
+            return !transparent;
+        }
+        return transparent ? a.distance > b.distance : a.distance < b.distance;
+    });
+}
+
+void FrameDrawer::uploadView(const View& view) {
+    const double aspect = double(view.size.x) / double(view.size.y);
+    const glm::dmat4 worldToClip =
+        projection(view.camera, aspect, depths_) * cameras_.worldToCamera;
+    packView(viewData_.staging(), worldToClip, eye(view.camera));
+    report_.uploadedBuffers += viewData_.upload(ViewLayout::vec4s) ? 1 : 0;
+    viewData_.bind(binding::view);
+}
+
+void FrameDrawer::choosePipelines(const Scene& scene) {
+    const int before = pipelines_.programs().compiledCount();
+    const std::uint64_t sceneKey = keys_.ofScene(scene, *catalog_);
+    sources_.clear();
+    for (const Item& item : items_) {
+        choosePipeline(scene, scene.objects[item.index], slots_[item.index], sceneKey);
+    }
+    report_.compiled += pipelines_.programs().compiledCount() - before;
+}
+
+void FrameDrawer::choosePipeline(const Scene& scene, const Object& object, Slot& slot,
+                                 std::uint64_t sceneKey) {
+    const std::uint64_t key = EffectKey::ofMaterial(object.material, *catalog_);
+    const PipelineStore::Entry& entry = pipelines_.get(object.material, key, scene, sceneKey);
+    if (entry.pipeline) {
+        slot.pipeline = entry.pipeline;
+    } else {
+        noteSource(&entry);
+    }
+    if (!slot.pipeline) {
+        const PipelineStore::Entry& standIn = pipelines_.standIn(scene, sceneKey);
+        slot.pipeline = standIn.pipeline;
+        if (!standIn.pipeline) {
+            noteSource(&standIn);
+        }
+    }
+    if (slot.pipeline) {
+        slot.data.reserve(static_cast<std::size_t>(slot.pipeline->object.vec4s));
+        noteSource(slot.pipeline.get());
+    }
+}
+
+void FrameDrawer::noteSource(const void* source) {
+    if (std::find(sources_.begin(), sources_.end(), source) == sources_.end()) {
+        sources_.push_back(source);
+    }
+}
+
+void FrameDrawer::drawItems(const Scene& scene) {
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glDisable(GL_DITHER);
+    glDepthFunc(GL_LESS);
+    fedScene_ = nullptr;
+    lostLights_ = 0;
+    for (const Item& item : items_) {
+        if (!slots_[item.index].pipeline) {
+            continue;
+        }
+        ++report_.drawnObjects;
+        feed(scene, item);
+        if (isTransparent(scene.objects[item.index])) {
+            drawTransparent(item);
+        } else {
+            item.mesh->draw();
+        }
+    }
+}
+
+/// Only the nearest layer of the object is blended, so that the order of its triangles does not
+/// show: depths first, then colours where the depth is the same.
+void FrameDrawer::drawTransparent(const Item& item) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    item.mesh->draw();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    item.mesh->draw();
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
+}
+
+void FrameDrawer::feed(const Scene& scene, const Item& item) {
+    Slot& slot = slots_[item.index];
+    const Pipeline& pipeline = *slot.pipeline;
+    feedScene(scene, pipeline);
+    packObject(slot.data.staging(), pipeline, scene.objects[item.index], item.world,
+               cameras_.cameraToWorld);
+    report_.uploadedBuffers +=
+        slot.data.upload(static_cast<std::size_t>(pipeline.object.vec4s)) ? 1 : 0;
+    slot.data.bind(binding::object);
+    pipeline.program->use();
+}
+
+/// Programs that were made for the same scene read the same data; one that is left over from
+/// before a change that does not compile may read other data.
+void FrameDrawer::feedScene(const Scene& scene, const Pipeline& pipeline) {
+    if (fedScene_ != nullptr && fedScene_->sceneKey == pipeline.sceneKey &&
+        fedScene_->catalog == pipeline.catalog) {
+        return;
+    }
+    const PackedScene packed =
+        packScene(sceneData_.staging(), pipeline, scene, cameras_.cameraToWorld);
+    report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
+    lostLights_ = std::max(lostLights_, packed.lostLights);
+    sceneData_.bind(binding::scene);
+    fedScene_ = &pipeline;
+}
+
+} // namespace patina

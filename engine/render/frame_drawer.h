@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "render/display_pass.h"
+#include "render/frustum.h"
+#include "render/gpu_mesh_store.h"
+#include "render/hdr_target.h"
+#include "render/pipeline_store.h"
+#include "render/renderer.h"
+#include "render/uniform_buffer.h"
+#include "shading/effect_key.h"
+
+namespace patina {
+
+/// The steps of a frame. All memory it works in is kept from frame to frame.
+class FrameDrawer {
+  public:
+    explicit FrameDrawer(std::filesystem::path programCache);
+
+    void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    /// The scene into the linear target. False when there is nothing to show; the report's first
+    /// message then says why.
+    bool drawLinear(const Scene& scene, const View& view, const MeshSource& meshes);
+
+    /// The linear target into a framebuffer; leaves it bound and the usual state at its defaults.
+    void show(const Scene& scene, const View& view, unsigned framebuffer);
+
+    unsigned linearFramebuffer() const { return target_.resolvedFramebuffer(); }
+    const FrameReport& report() const { return report_; }
+
+  private:
+    /// What is kept of an object from frame to frame, by its place in the scene.
+    struct Slot {
+        UniformBuffer data;
+        std::shared_ptr<const Pipeline> pipeline; ///< the last good one
+    };
+    /// One object of the frame that is being drawn.
+    struct Item {
+        std::size_t index = 0;
+        const GpuMesh* mesh = nullptr;
+        glm::dmat4 world{1.0};
+        double distance = 0.0; ///< from the eye to the middle of its box
+    };
+    struct Cameras {
+        glm::dmat4 worldToCamera{1.0};
+        glm::dmat4 cameraToWorld{1.0};
+    };
+
+    Result<void> prepare(const Scene& scene, const View& view);
+    bool fail(Error error);
+    void collect(const Scene& scene, const View& view, const MeshSource& meshes);
+    void uploadView(const View& view);
+    void choosePipelines(const Scene& scene);
+    void choosePipeline(const Scene& scene, const Object& object, Slot& slot,
+                        std::uint64_t sceneKey);
+    void drawItems(const Scene& scene);
+    static void drawTransparent(const Item& item);
+    void feed(const Scene& scene, const Item& item);
+    void feedScene(const Scene& scene, const Pipeline& pipeline);
+    void describe(const Scene& scene);
+    void describeEffects(const Scene& scene);
+    void noteSource(const void* source);
+
+    std::shared_ptr<const Catalog> catalog_;
+    PipelineStore pipelines_;
+    GpuMeshStore meshes_;
+    HdrTarget target_;
+    DisplayPass display_;
+    UniformBuffer viewData_;
+    UniformBuffer sceneData_;
+    EffectKey keys_;
+    std::vector<Slot> slots_;
+    std::vector<Item> items_;
+    Cameras cameras_;
+    DepthRange depths_;
+    const Pipeline* fedScene_ = nullptr;
+    int lostLights_ = 0;
+    std::vector<const void*> programs_;
+    std::vector<const void*> sources_;   ///< what this frame's report is made from
+    std::vector<const void*> described_; ///< what report_'s lists were made from
+    int describedLost_ = 0;
+    FrameReport report_;
+};
+
+} // namespace patina

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of FrameDrawer that says what a frame was made of.
+#include <algorithm>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include "render/frame_drawer.h"
+
+namespace patina {
+namespace {
+
+/// Canonical order: the object's own effects as they come, each once.
+void addOnce(std::vector<std::string>& effects, const std::string& effect) {
+    if (std::find(effects.begin(), effects.end(), effect) == effects.end()) {
+        effects.push_back(effect);
+    }
+}
+
+void addOnce(Errors& errors, const Error& error) {
+    if (std::find(errors.begin(), errors.end(), error) == errors.end()) {
+        errors.push_back(error);
+    }
+}
+
+} // namespace
+
+void FrameDrawer::describe(const Scene& scene) {
+    programs_.clear();
+    for (const Item& item : items_) {
+        const Pipeline* pipeline = slots_[item.index].pipeline.get();
+        const void* program = pipeline != nullptr ? pipeline->program.get() : nullptr;
+        if (program != nullptr &&
+            std::find(programs_.begin(), programs_.end(), program) == programs_.end()) {
+            programs_.push_back(program);
+        }
+    }
+    report_.programs = static_cast<int>(programs_.size());
+    if (sources_ == described_ && lostLights_ == describedLost_) {
+        return;
+    }
+    describeEffects(scene);
+    described_ = sources_;
+    describedLost_ = lostLights_;
+}
+
+void FrameDrawer::describeEffects(const Scene& scene) {
+    report_.effects.clear();
+    report_.messages.clear();
+    const std::uint64_t sceneKey = keys_.ofScene(scene, *catalog_);
+    for (const Item& item : items_) {
+        const Material& material = scene.objects[item.index].material;
+        const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
+        for (const Error& error : pipelines_.get(material, key, scene, sceneKey).errors) {
+            addOnce(report_.messages, error);
+        }
+        if (const Pipeline* pipeline = slots_[item.index].pipeline.get()) {
+            for (const EffectLine& line : effectLines(pipeline->effects)) {
+                addOnce(report_.effects, line.effect);
+            }
+        }
+    }
+    if (lostLights_ > 0) {
+        report_.messages.push_back(
+            {{}, 0, 0, fmt::format("{} lights are left out because the graphics card's memory for "
+                                   "lights is full",
+                                   lostLights_), {}});
+    }
+}
+
+void FrameDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, view.size.x, view.size.y);
+    display_.draw(target_.resolved(), scene.exposure);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glDepthFunc(GL_LESS);
+}
+
+} // namespace patina

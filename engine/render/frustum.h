@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "core/mesh.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// How deep what is drawn reaches, seen from the camera.
+class DepthRange {
+  public:
+    /// Adds a box of object space.
+    void add(const Bounds& bounds, const glm::dmat4& objectToCamera);
+
+    /// Distances of the near and the far plane: around everything that was added, the near one at
+    /// least a ten-thousandth of the far one so that depths stay apart. 0.1 and 100 for nothing.
+    double near() const;
+    double far() const;
+
+  private:
+    double nearest_ = 1e30;
+    double farthest_ = 0.0;
+};
+
+/// The perspective of a camera whose image is `aspect` times as wide as high. The (vertical) field
+/// of view is brought into 1 .. 170 degrees.
+glm::dmat4 projection(const Camera& camera, double aspect, const DepthRange& depths);
+
+} // namespace patina

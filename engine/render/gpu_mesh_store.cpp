@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gpu_mesh_store.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+namespace patina {
+namespace {
+
+constexpr std::uint64_t framesKept = 120;
+constexpr std::size_t samples = 64;
+
+/// FNV-1a over 64 items spread evenly.
+template <class Item>
+std::uint64_t sampleOf(std::span<const Item> items, std::uint64_t hash) {
+    const std::size_t count = std::min(items.size(), samples);
+    for (std::size_t i = 0; i < count; ++i) {
+        unsigned char bytes[sizeof(Item)];
+        std::memcpy(bytes, &items[i * items.size() / count], sizeof(Item));
+        for (const unsigned char byte : bytes) {
+            hash = (hash ^ byte) * 0x100000001b3u;
+        }
+    }
+    return hash;
+}
+
+} // namespace
+
+const GpuMesh& GpuMeshStore::get(const MeshView& mesh) {
+    const std::uint64_t sample =
+        sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u));
+    const Key key{mesh.vertices.data(), mesh.indices.data(), mesh.vertices.size(),
+                  mesh.indices.size(), sample};
+    auto found = meshes_.find(key);
+    if (found == meshes_.end()) {
+        found = meshes_.emplace(key, Entry{GpuMesh(mesh), frame_}).first;
+    }
+    found->second.lastFrame = frame_;
+    return found->second.mesh;
+}
+
+void GpuMeshStore::endFrame() {
+    std::erase_if(meshes_, [this](const auto& entry) {
+        return frame_ - entry.second.lastFrame > framesKept;
+    });
+    ++frame_;
+}
+
+} // namespace patina

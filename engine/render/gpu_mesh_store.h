@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+#include "core/mesh.h"
+#include "render/gpu_mesh.h"
+
+namespace patina {
+
+/// The meshes that are in the GPU's memory. They are told apart by where they lie in memory, their
+/// sizes and a sample of their content, so that a new mesh at an old address is seen.
+class GpuMeshStore {
+  public:
+    /// Uploads the mesh when it is not there yet.
+    const GpuMesh& get(const MeshView& mesh);
+
+    /// Call once per frame: forgets what was not drawn for a while.
+    void endFrame();
+
+  private:
+    using Key = std::tuple<const void*, const void*, std::size_t, std::size_t, std::uint64_t>;
+    struct Entry {
+        GpuMesh mesh;
+        std::uint64_t lastFrame;
+    };
+
+    std::map<Key, Entry> meshes_;
+    std::uint64_t frame_ = 0;
+};
+
+} // namespace patina

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "catalog/catalog.h"
+#include "gl/program.h"
+#include "shading/data_layout.h"
+#include "shading/effect_set.h"
+
+namespace patina {
+
+/// A program with what is needed to feed it. It keeps the catalogue it was made from, so that it
+/// can be drawn with after the blocks have changed.
+struct Pipeline {
+    std::shared_ptr<const Catalog> catalog;
+    EffectSet effects;
+    ObjectLayout object;
+    SceneLayout scene;
+    std::uint64_t sceneKey = 0;
+    std::shared_ptr<const gl::Program> program;
+};
+
+} // namespace patina

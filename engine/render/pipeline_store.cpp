@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pipeline_store.h"
+
+#include "render/binding.h"
+#include "shading/program_source.h"
+
+namespace patina {
+
+void PipelineStore::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+    entries_.clear();
+}
+
+const PipelineStore::Entry& PipelineStore::get(const Material& material,
+                                               std::uint64_t materialKey, const Scene& scene,
+                                               std::uint64_t sceneKey) {
+    return find({materialKey, sceneKey}, material, scene);
+}
+
+const PipelineStore::Entry& PipelineStore::standIn(const Scene& scene, std::uint64_t sceneKey) {
+    static const Material nothing;
+    return find({0, sceneKey}, nothing, scene);
+}
+
+const PipelineStore::Entry& PipelineStore::find(const Key& key, const Material& material,
+                                                const Scene& scene) {
+    auto known = entries_.find(key);
+    if (known == entries_.end()) {
+        Entry made = make(effectSet(material, scene, *catalog_), key.second);
+        known = entries_.emplace(key, std::move(made)).first;
+    }
+    return known->second;
+}
+
+PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneKey) {
+    auto pipeline = std::make_shared<Pipeline>();
+    const auto source = surfaceProgram(effects, *catalog_);
+    if (!source) {
+        return {nullptr, source.error()};
+    }
+    const ProgramCache::Found found = programs_.get(*source);
+    if (!found.program) {
+        return {nullptr, found.errors};
+    }
+    found.program->bindBlock("ViewBlock", binding::view);
+    found.program->bindBlock("SceneBlock", binding::scene);
+    found.program->bindBlock("ObjectBlock", binding::object);
+    pipeline->catalog = catalog_;
+    pipeline->object = objectLayout(effects, *catalog_);
+    pipeline->scene = sceneLayout(effects.scene, *catalog_);
+    pipeline->effects = std::move(effects);
+    pipeline->sceneKey = sceneKey;
+    pipeline->program = found.program;
+    return {std::move(pipeline), {}};
+}
+
+} // namespace patina

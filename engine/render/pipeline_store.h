@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "core/error.h"
+#include "render/pipeline.h"
+#include "shading/program_cache.h"
+
+namespace patina {
+
+/// Pipelines by the keys of their effects. Asking for one that is there allocates nothing.
+class PipelineStore {
+  public:
+    struct Entry {
+        std::shared_ptr<const Pipeline> pipeline; ///< null when it does not compile
+        Errors errors;
+    };
+
+    explicit PipelineStore(std::filesystem::path programCache) : programs_(std::move(programCache)) {}
+
+    void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    /// The pipeline for a material in a scene, whose keys are EffectKey's.
+    const Entry& get(const Material& material, std::uint64_t materialKey, const Scene& scene,
+                     std::uint64_t sceneKey);
+
+    /// A plain stand-in for an object whose own program never compiled.
+    const Entry& standIn(const Scene& scene, std::uint64_t sceneKey);
+
+    ProgramCache& programs() { return programs_; }
+
+  private:
+    using Key = std::pair<std::uint64_t, std::uint64_t>;
+
+    const Entry& find(const Key& key, const Material& material, const Scene& scene);
+    Entry make(EffectSet effects, std::uint64_t sceneKey);
+
+    std::shared_ptr<const Catalog> catalog_;
+    ProgramCache programs_;
+    std::map<Key, Entry> entries_;
+};
+
+} // namespace patina

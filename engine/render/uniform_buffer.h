@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "gl/buffer.h"
+
+namespace patina {
+
+/// A uniform block of vec4s that is written to the GPU only when its content changed.
+class UniformBuffer {
+  public:
+    /// Room for at least `vec4s`; grows when asked for more, never shrinks.
+    void reserve(std::size_t vec4s);
+
+    /// Where the next content is put together.
+    std::span<glm::vec4> staging() { return staged_; }
+
+    /// Sends the first `vec4s` of the staging area if they differ from what was sent; true if so.
+    bool upload(std::size_t vec4s);
+
+    void bind(unsigned bindingPoint) const;
+
+  private:
+    gl::Buffer buffer_ = gl::Buffer::create();
+    std::vector<glm::vec4> staged_;
+    std::vector<glm::vec4> sent_;
+    std::size_t sentCount_ = 0;
+};
+
+} // namespace patina

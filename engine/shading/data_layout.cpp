@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/data_layout.h"
+
+namespace patina {
+namespace {
+
+/// The place of a block at `next`, which moves behind it.
+std::optional<BlockPlace> placed(const BlockUse& use, const Catalog& catalog, int& next) {
+    const Block* block = catalog.find(use.kind, use.id);
+    if (block == nullptr) {
+        return std::nullopt;
+    }
+    BlockPlace place{block, layoutOf(*block), next};
+    next += place.vec4s();
+    return place;
+}
+
+} // namespace
+
+ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
+    ObjectLayout layout;
+    if (set.model) {
+        layout.model = placed(*set.model, catalog, layout.vec4s);
+    }
+    for (const BlockUse& use : set.slots) {
+        if (auto slot = placed(use, catalog, layout.vec4s)) {
+            layout.slots.push_back(std::move(*slot));
+        }
+    }
+    if (set.blend) {
+        layout.blend = placed(*set.blend, catalog, layout.vec4s);
+    }
+    return layout;
+}
+
+SceneLayout sceneLayout(const SceneEffects& effects, const Catalog& catalog) {
+    SceneLayout layout;
+    if (effects.fog) {
+        layout.fog = placed(*effects.fog, catalog, layout.firstLight);
+    }
+    for (const LightGroup& group : effects.lights) {
+        if (const Block* block = catalog.find(group.block.kind, group.block.id)) {
+            layout.groups.push_back({block, layoutOf(*block), layout.firstLight++});
+        }
+    }
+    return layout;
+}
+
+} // namespace patina

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "catalog/parameter_layout.h"
+#include "shading/effect_set.h"
+
+namespace patina {
+
+/// Where the values of one block lie in an array of vec4s.
+struct BlockPlace {
+    const Block* block = nullptr;
+    ParameterLayout layout;
+    int first = 0; ///< index of its first vec4
+
+    int vec4s() const { return static_cast<int>(layout.floats / 4); }
+};
+
+/// The array `objectData`: what belongs to one object and its material.
+struct ObjectLayout {
+    static constexpr int world = 0;   ///< three rows of the matrix to world space
+    static constexpr int normal = 3;  ///< three rows of its inverse transpose
+    static constexpr int surface = 6; ///< x: opacity
+    static constexpr int fixed = 7;   ///< the model's values follow
+
+    std::optional<BlockPlace> model;
+    std::vector<BlockPlace> slots; ///< right behind the model, in its order
+    std::optional<BlockPlace> blend;
+    int vec4s = fixed;
+};
+
+/// The array `sceneData`: fog, ambient and lights, shared by all programs of a scene.
+struct SceneLayout {
+    static constexpr int ambient = 0;
+    static constexpr int fixed = 1;
+    /// What every driver offers in one block (16 KiB).
+    static constexpr int capacity = 1024;
+
+    std::optional<BlockPlace> fog;
+    std::vector<BlockPlace> groups; ///< as SceneEffects::lights; `first` is the header's index:
+                                    ///< x: number of lights, y: index of the first one's values
+    int firstLight = fixed;
+};
+
+/// The array `viewData`.
+struct ViewLayout {
+    static constexpr int clip = 0; ///< four columns of the matrix from world to clip space
+    static constexpr int eye = 4;
+    static constexpr int vec4s = 5;
+};
+
+/// They point into the catalogue's blocks, which must stay. Blocks it lacks are left out.
+ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog);
+SceneLayout sceneLayout(const SceneEffects& effects, const Catalog& catalog);
+
+} // namespace patina

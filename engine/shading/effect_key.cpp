@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effect_key.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "shading/effect_choice.h"
+
+namespace patina {
+namespace {
+
+/// FNV-1a, 64 bits.
+class Hash {
+  public:
+    void add(std::string_view text) {
+        for (const char c : text) {
+            addByte(static_cast<unsigned char>(c));
+        }
+        addByte(0);
+    }
+    void add(std::uint64_t number) {
+        for (int shift = 0; shift < 64; shift += 8) {
+            addByte(static_cast<unsigned char>(number >> shift));
+        }
+    }
+    std::uint64_t value() const { return value_; }
+
+  private:
+    void addByte(unsigned char byte) { value_ = (value_ ^ byte) * 0x100000001b3u; }
+
+    std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+void addBlock(Hash& hash, const Block& block, const Values& values, const AccuracyLevels& levels) {
+    hash.add(block.kind);
+    hash.add(block.id);
+    for (const Parameter& parameter : block.parameters) {
+        if (parameter.compiled != Compiled::No) {
+            hash.add(compiledState(parameter, values));
+        }
+    }
+    for (const AccuracyChoice& choice : block.accuracy) {
+        hash.add(chosenIndex(choice, levels));
+    }
+}
+
+} // namespace
+
+std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog) {
+    const Block* block = catalog.find("lights", light.block.id);
+    if (block == nullptr || !canShine(light, *block)) {
+        return 0;
+    }
+    static const AccuracyLevels exact;
+    Hash hash;
+    addBlock(hash, *block, light.block.parameters, exact);
+    return hash.value();
+}
+
+std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog) {
+    groups_.clear();
+    for (const Light& light : scene.lights) {
+        groups_.push_back(ofLight(light, catalog));
+    }
+    std::sort(groups_.begin(), groups_.end());
+    groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
+    Hash hash;
+    for (const std::uint64_t group : groups_) {
+        hash.add(group == 0 ? 1 : group);
+    }
+    const Block* fog = scene.fog ? catalog.find("fog", scene.fog->id) : nullptr;
+    if (fog != nullptr && canHide(*scene.fog, *fog)) {
+        static const AccuracyLevels exact;
+        addBlock(hash, *fog, scene.fog->parameters, exact);
+    }
+    hash.add(scene.ambient.x > 0.0 || scene.ambient.y > 0.0 || scene.ambient.z > 0.0 ? 1 : 0);
+    return hash.value();
+}
+
+std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& catalog) {
+    static const Values none;
+    Hash hash;
+    const Block* model = catalog.find("models", material.model.id);
+    const Block* chosen =
+        material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr;
+    if (model != nullptr) {
+        addBlock(hash, *model, material.model.parameters, material.accuracy);
+        for (const Slot& slot : model->slots) {
+            const bool own = slot.kind == "fresnel" && chosen != nullptr;
+            const Block* block = own ? chosen : catalog.find(slot.kind, slot.defaultBlock);
+            if (block != nullptr) {
+                addBlock(hash, *block, own ? material.fresnel->parameters : none,
+                         material.accuracy);
+            }
+        }
+    }
+    if (chosen != nullptr && (model == nullptr || !hasFresnelSlot(*model))) {
+        addBlock(hash, *chosen, material.fresnel->parameters, material.accuracy);
+    }
+    hash.add(material.opacity < 1.0 ? 1 : 0);
+    return hash.value();
+}
+
+} // namespace patina

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "material/material.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// Numbers that are equal when the effect sets are, made without any allocation: what tells a
+/// frame whether the programs of the last one still fit.
+class EffectKey {
+  public:
+    /// Of sceneEffects(scene, catalog), without the counts of lights.
+    std::uint64_t ofScene(const Scene& scene, const Catalog& catalog);
+
+    /// Of what effectSet() adds for the material.
+    static std::uint64_t ofMaterial(const Material& material, const Catalog& catalog);
+
+    /// Of one light's block and compiled values; 0 when it is left out.
+    static std::uint64_t ofLight(const Light& light, const Catalog& catalog);
+
+  private:
+    std::vector<std::uint64_t> groups_; ///< kept for its memory
+};
+
+} // namespace patina

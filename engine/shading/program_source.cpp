@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/program_source.h"
+
+#include <filesystem>
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+#include <fmt/format.h>
+
+#include "shading/source_builder.h"
+#include "shading/surface_writer.h"
+
+namespace patina {
+namespace {
+
+constexpr const char* prelude = "#version 410 core\n#define OUT(T) out T\n";
+
+std::filesystem::path shaderRoot(const Catalog& catalog) {
+    return catalog.roots.empty() ? std::filesystem::path() : catalog.roots.front().folder;
+}
+
+Checked<ProgramSource> joined(const SourceBuilder& vertex, const SourceBuilder& fragment) {
+    Checked<ShaderSource> vertexText = vertex.finish();
+    Checked<ShaderSource> fragmentText = fragment.finish();
+    if (!vertexText) {
+        return tl::unexpected(vertexText.error());
+    }
+    if (!fragmentText) {
+        return tl::unexpected(fragmentText.error());
+    }
+    return ProgramSource{std::move(*vertexText), std::move(*fragmentText)};
+}
+
+} // namespace
+
+std::string ProgramSource::hash() const {
+    const boost::uuids::name_generator_sha1 generate(boost::uuids::ns::oid());
+    return boost::uuids::to_string(generate(vertex.text + '\0' + fragment.text));
+}
+
+Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog) {
+    const ObjectLayout layout = objectLayout(set, catalog);
+    SourceBuilder vertex(shaderRoot(catalog));
+    vertex.add(prelude);
+    vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
+    vertex.addFile("passes/surface.vert");
+
+    SourceBuilder fragment(shaderRoot(catalog));
+    fragment.add(prelude);
+    SurfaceWriter(fragment, set, layout, sceneLayout(set.scene, catalog)).write();
+    return joined(vertex, fragment);
+}
+
+Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,
+                                   std::span<const std::string> fragmentFiles) {
+    SourceBuilder vertex(shaderRoot(catalog));
+    vertex.add(prelude);
+    vertex.addFile(vertexFile);
+    SourceBuilder fragment(shaderRoot(catalog));
+    fragment.add(prelude);
+    for (const std::string& file : fragmentFiles) {
+        fragment.addFile(file);
+    }
+    return joined(vertex, fragment);
+}
+
+} // namespace patina

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/error.h"
+#include "shading/effect_set.h"
+#include "shading/shader_source.h"
+
+namespace patina {
+
+/// The text of a whole program. Uniform blocks are called ViewBlock, SceneBlock and ObjectBlock.
+struct ProgramSource {
+    ShaderSource vertex;
+    ShaderSource fragment;
+
+    /// A name-based UUID (128 bits of SHA-1, by Boost.Uuid) of both texts.
+    std::string hash() const;
+};
+
+/// The program that draws surfaces with exactly these effects, in canonical order: what is not in
+/// the set is not in the text. Errors name files that could not be read.
+Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog);
+
+/// A program made of files of the shader folder alone.
+Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,
+                                   std::span<const std::string> fragmentFiles);
+
+} // namespace patina

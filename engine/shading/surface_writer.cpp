@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/surface_writer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "shading/block_source.h"
+
+namespace patina {
+namespace {
+
+bool hasGate(const Block& model, std::string_view gate) {
+    return std::find(model.gates.begin(), model.gates.end(), gate) != model.gates.end();
+}
+
+/// When the model counts as 0 without being asked.
+std::string gateSource(const Block& model) {
+    std::string condition;
+    if (hasGate(model, "light")) {
+        condition = "(d).nl <= 0.0";
+    }
+    if (hasGate(model, "view")) {
+        condition += condition.empty() ? "(d).nv <= 0.0" : " || (d).nv <= 0.0";
+    }
+    return condition.empty() ? "false" : condition;
+}
+
+} // namespace
+
+SurfaceWriter::SurfaceWriter(SourceBuilder& out, const EffectSet& set, const ObjectLayout& object,
+                             const SceneLayout& scene)
+    : out_(out), set_(set), object_(object), scene_(scene) {}
+
+void SurfaceWriter::write() {
+    writeFrame();
+    if (object_.model) {
+        writeSlots();
+        writeModel();
+        writeLights();
+        writeAmbient();
+    } else {
+        out_.addFile("passes/stand_in.glsl");
+        main_ += "    shaded = standIn(s);\n";
+    }
+    writeBlend();
+    writeFog();
+    writeOpacity();
+    writeMain();
+}
+
+void SurfaceWriter::writeFrame() {
+    out_.add(fmt::format("#define OBJECT_VEC4S {}\n#define SCENE_VEC4S {}\n", object_.vec4s,
+                         SceneLayout::capacity));
+    out_.addFile("passes/surface.glsl");
+    readFrom("objectData");
+}
+
+void SurfaceWriter::readFrom(const std::string& array) {
+    out_.add(fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n",
+                         array));
+}
+
+void SurfaceWriter::writeBlock(const Block& block) {
+    if (std::find(written_.begin(), written_.end(), &block) == written_.end()) {
+        out_.add(constantsSource(block) + structSource(block));
+        out_.addFile(block.shaderFile);
+        written_.push_back(&block);
+    }
+}
+
+void SurfaceWriter::writeUnpack(const Block& block, const BlockUse& use,
+                                const std::string& function) {
+    out_.add(unpackSource(block, {function, use.compiled}));
+}
+
+void SurfaceWriter::writeSlots() {
+    for (std::size_t i = 0; i < object_.slots.size(); ++i) {
+        const Block& block = *object_.slots[i].block;
+        const std::string slot = slotStructName(block.kind);
+        writeBlock(block);
+        out_.add(fmt::format("#define {} {}\n#define {} {}\n", slot, structName(block),
+                             slotFunctionName(block.kind), functionName(block)));
+        writeUnpack(block, set_.slots[i], "unpack" + slot);
+    }
+}
+
+void SurfaceWriter::writeModel() {
+    const Block& model = *object_.model->block;
+    writeBlock(model);
+    writeUnpack(model, *set_.model, "unpackModel");
+    out_.add(fmt::format("#define Model {}\n#define shadeModel {}\n#define IS_DARK(d) ({})\n",
+                         structName(model), functionName(model), gateSource(model)));
+    main_ += fmt::format("    Model model = unpackModel({});\n", object_.model->first);
+}
+
+void SurfaceWriter::writeLights() {
+    if (scene_.groups.empty()) {
+        return;
+    }
+    out_.addFile("passes/lit.glsl");
+    readFrom("sceneData");
+    for (std::size_t i = 0; i < scene_.groups.size(); ++i) {
+        writeLightGroup(i);
+    }
+}
+
+void SurfaceWriter::writeLightGroup(std::size_t index) {
+    const BlockPlace& group = scene_.groups[index];
+    const std::string type = structName(*group.block);
+    writeBlock(*group.block);
+    writeUnpack(*group.block, set_.scene.lights[index].block, fmt::format("unpack{}{}", type, index));
+    out_.add(fmt::format("vec3 from{0}{1}(Surface s, Model p) {{\n"
+                         "    vec3 sum = vec3(0.0);\n"
+                         "    int count = int(sceneData[{2}].x);\n"
+                         "    int first = int(sceneData[{2}].y);\n"
+                         "    for (int i = 0; i < count; ++i) {{\n"
+                         "        {0} source = unpack{0}{1}(first + i * {3});\n"
+                         "        sum += lit(s, {4}(s.x, source), p);\n"
+                         "    }}\n"
+                         "    return sum;\n"
+                         "}}\n",
+                         type, index, group.first, group.vec4s(), functionName(*group.block)));
+    main_ += fmt::format("    shaded += from{}{}(s, model);\n", type, index);
+}
+
+void SurfaceWriter::writeAmbient() {
+    if (set_.scene.ambient) {
+        out_.addFile("passes/ambient.glsl");
+        main_ += fmt::format("    shaded += sceneData[{}].rgb * ambientShare(s, model);\n",
+                             SceneLayout::ambient);
+    }
+}
+
+void SurfaceWriter::writeBlend() {
+    if (!object_.blend) {
+        return;
+    }
+    const Block& block = *object_.blend->block;
+    readFrom("objectData");
+    writeBlock(block);
+    writeUnpack(block, *set_.blend, "unpackBlend");
+    const std::string function = functionName(block);
+    out_.add(fmt::format("#define Blend {}\n#define blendShare {}\n#define blendTint {}Tint\n",
+                         structName(block), function, function));
+    out_.addFile("passes/fresnel_blend.glsl");
+    main_ += fmt::format("    shaded = fresnelBlended(s, shaded, unpackBlend({}));\n",
+                         object_.blend->first);
+}
+
+void SurfaceWriter::writeFog() {
+    if (!scene_.fog) {
+        return;
+    }
+    const Block& block = *scene_.fog->block;
+    readFrom("sceneData");
+    writeBlock(block);
+    writeUnpack(block, *set_.scene.fog, "unpackFog");
+    const std::string function = functionName(block);
+    out_.add(fmt::format("#define Fog {}\n#define fogShare {}\n#define fogColor {}Color\n",
+                         structName(block), function, function));
+    out_.addFile("passes/fog.glsl");
+    main_ += fmt::format("    shaded = fogged(s, shaded, unpackFog({}));\n", scene_.fog->first);
+}
+
+void SurfaceWriter::writeOpacity() {
+    if (set_.opacity) {
+        out_.add(fmt::format("#define OPACITY objectData[{}].x\n", ObjectLayout::surface));
+        alpha_ = "OPACITY";
+    }
+}
+
+void SurfaceWriter::writeMain() {
+    out_.add(fmt::format("void main() {{\n    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
+                         "{}    store(shaded, {});\n}}\n",
+                         main_, alpha_));
+}
+
+} // namespace patina

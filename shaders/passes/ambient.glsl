@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT-0
+
+// The model's diffuse share: light along the normal, seen from 60 degrees, where no lobe around
+// the mirror direction contributes.
+vec3 ambientShare(Surface s, Model p) {
+    vec3 v = 0.5 * s.n + sqrt(0.75) * s.t;
+    return max(shadeModel(directions(s.n, s.t, s.b, s.n, v), p), vec3(0.0));
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/illumination.glsl"
+
+// What the model sends to the viewer from one light. Where nothing arrives the model is not asked.
+vec3 lit(Surface s, Illumination light, Model p) {
+    if (!(max(max(light.radiance.r, light.radiance.g), light.radiance.b) > 0.0)) {
+        return vec3(0.0);
+    }
+    Directions d = directions(s.n, s.t, s.b, light.l, s.v);
+    if (IS_DARK(d)) {
+        return vec3(0.0);
+    }
+    return light.radiance * max(shadeModel(d, p), vec3(0.0));
+}

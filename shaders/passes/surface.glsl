@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT-0
+// The point that a fragment shows, and where its colour goes.
+#include "passes/blocks.glsl"
+#include "lib/directions.glsl"
+#include "lib/math.glsl"
+
+layout(std140) uniform SceneBlock {
+    vec4 sceneData[SCENE_VEC4S];
+};
+
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec3 worldTangent;
+
+layout(location = 0) out vec4 storedColor;
+
+// The smallest n.v that is shaded. Interpolated normals of a coarse mesh point away from the
+// viewer near its outline, where every model is 0 and black pixels would line it; they are bent
+// towards the viewer to 0.6 degrees above the horizon.
+const float LEAST_NV = 0.01;
+
+struct Surface {
+    vec3 x;         // in world space
+    vec3 v;         // unit, to the eye
+    float range;    // metres from the eye
+    vec3 n;         // unit normal on the viewer's side
+    vec3 t;         // unit tangents, orthogonal to n and to each other
+    vec3 b;
+};
+
+// The normal of the triangle itself, on the viewer's side.
+vec3 faceNormal(vec3 v) {
+    vec3 face = safeNormalize(cross(dFdx(worldPosition), dFdy(worldPosition)), v);
+    return dot(face, v) < 0.0 ? -face : face;
+}
+
+// The interpolated normal, turned to the side that is seen whatever the winding of the triangle,
+// so that a back side is shaded like a front.
+vec3 shadingNormal(vec3 v) {
+    vec3 face = faceNormal(v);
+    vec3 n = safeNormalize(worldNormal, face);
+    n = dot(n, face) < 0.0 ? -n : n;
+    float lack = LEAST_NV - dot(n, v);
+    return lack > 0.0 ? normalize(n + lack * v) : n;
+}
+
+Surface surface() {
+    vec3 toEye = viewData[4].xyz - worldPosition;
+    Surface s;
+    s.x = worldPosition;
+    s.v = safeNormalize(toEye, vec3(0.0, 0.0, 1.0));
+    s.range = length(toEye);
+    s.n = shadingNormal(s.v);
+    s.t = tangentAlong(s.n, worldTangent);
+    s.b = cross(s.n, s.t);
+    return s;
+}
+
+// A half float ends at 65504; what is not a number is not light.
+float storable(float x) {
+    return x > 0.0 ? min(x, 65504.0) : 0.0;
+}
+
+void store(vec3 color, float alpha) {
+    storedColor = vec4(storable(color.r), storable(color.g), storable(color.b), alpha);
+}
