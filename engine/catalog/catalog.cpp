@@ -35,6 +35,25 @@ void append(Errors& errors, const Errors& more) {
     errors.insert(errors.end(), more.begin(), more.end());
 }
 
+Error unreadable(const fs::path& root, std::error_code status) {
+    return {root.string(), 0, 0,
+            "the folder of the lighting models cannot be read: " + status.message(),
+            "the shaders that come with Patina"};
+}
+
+/// Without the descriptors' schema nothing is read, but a missing folder is still worth a word.
+Errors missingRoots(std::span<const BlockRoot> roots) {
+    Errors errors;
+    for (const BlockRoot& root : roots) {
+        std::error_code status;
+        entriesOf(root.folder, status);
+        if (status && root.shipped) {
+            errors.push_back(unreadable(root.folder, status));
+        }
+    }
+    return errors;
+}
+
 /// Reads root after root into one catalogue.
 class Loader {
   public:
@@ -65,10 +84,7 @@ class Loader {
             }
         }
         if (status && root.shipped) {
-            catalog_.errors.push_back({root.folder.string(), 0, 0,
-                                       "the folder of the lighting models cannot be read: " +
-                                           status.message(),
-                                       "the shaders that come with Patina"});
+            catalog_.errors.push_back(unreadable(root.folder, status));
         }
     }
 
@@ -189,6 +205,7 @@ Catalog loadCatalog(std::span<const BlockRoot> roots) {
     if (schema) {
         catalog = Loader(*schema).run(roots);
     } else {
+        catalog.errors = missingRoots(roots);
         catalog.errors.push_back(schema.error());
     }
     catalog.roots.assign(roots.begin(), roots.end());

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "catalog/json_reader.h"
+
 namespace patina {
 namespace {
 
@@ -56,19 +58,6 @@ Place placeOf(std::string_view text, std::size_t offset) {
     const std::size_t lineStart = before.rfind('\n') + 1; // npos + 1 is 0
     return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
             1 + static_cast<int>(before.size() - lineStart)};
-}
-
-/// A reference token of a JSON pointer (RFC 6901).
-std::string escaped(std::string_view key) {
-    std::string out;
-    for (const char c : key) {
-        if (c == '~' || c == '/') {
-            out += c == '~' ? "~0" : "~1";
-        } else {
-            out += c;
-        }
-    }
-    return out;
 }
 
 /// The part of `text` between two marks; the end of the text stands for a missing second mark.
@@ -193,7 +182,7 @@ class Builder : public nlohmann::json_sax<Json> {
         }
         const Level& level = levels_.back();
         if (level.container->is_object()) {
-            return level.pointer + '/' + escaped(level.key);
+            return level.pointer + '/' + escapedToken(level.key);
         }
         return fmt::format("{}/{}", level.pointer, level.container->size());
     }

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
+#include "catalog/json_reader.h"
 #include "catalog/suggestion.h"
 
 namespace patina {
@@ -14,22 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string kindOf(const Json& json) {
-    if (json.is_number()) {
-        return "the number " + json.dump();
-    }
-    if (json.is_string()) {
-        const auto& text = json.get_ref<const std::string&>();
-        return fmt::format("the text \"{}\"", text.substr(0, 40));
-    }
-    if (json.is_array()) {
-        return fmt::format("an array of {}", json.size());
-    }
-    return json.is_object() ? "an object" : json.dump();
-}
-
 tl::unexpected<Error> wrong(const Json& json, std::string expected) {
-    return failure(kindOf(json) + " stands here", std::move(expected));
+    return failure(described(json) + " stands here", std::move(expected));
 }
 
 Result<Value> number(const Json& json) {

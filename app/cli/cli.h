@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace patina {
+
+/// True when the first argument of the program asks for the command line instead of the editor: a
+/// command, --help or --version.
+bool isCommand(std::string_view firstArgument);
+
+/// Runs `patina <command> ...` and gives the exit status: 0 for success, else 1. Results go to
+/// standard output, messages to standard error. Needs no display and no Qt.
+int runCommand(int argc, char** argv);
+
+} // namespace patina

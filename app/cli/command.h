@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace patina {
+
+/// Adds one command to the program's parser. Its callback does the work and sets `status` to 1
+/// when it failed; what it prints follows cli.h.
+using AddCommand = void (*)(CLI::App& program, int& status);
+
+// The commands, one file each.
+void addModels(CLI::App& program, int& status);
+void addValidate(CLI::App& program, int& status);
+
+/// Writes messages to standard error, one per line.
+void report(const Errors& messages);
+
+} // namespace patina

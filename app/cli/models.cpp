@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "catalog/catalog.h"
+#include "catalog/descriptor.h"
+#include "catalog/descriptor_words.h"
+#include "catalog/value_json.h"
+#include "core/number_text.h"
+
+namespace patina {
+namespace {
+
+std::string shown(double value) { return shortestText(static_cast<float>(value)); }
+
+std::string joined(const std::vector<EnumValue>& values) {
+    std::string out;
+    for (const EnumValue& value : values) {
+        out += (out.empty() ? "" : " | ") + value.id;
+    }
+    return out;
+}
+
+/// What a parameter can be: its hard range, or its choices.
+std::string rangeOf(const Parameter& parameter) {
+    switch (parameter.type) {
+    case ParameterType::Enum:
+        return joined(parameter.values);
+    case ParameterType::Bool:
+        return "true | false";
+    case ParameterType::Texture:
+        return "a file";
+    default:
+        return fmt::format("{} .. {}{}", shown(parameter.min), shown(parameter.max),
+                           parameter.unit.empty() ? "" : " " + parameter.unit);
+    }
+}
+
+/// The last character of a JSON file is a newline, which a table has no use for.
+std::string defaultOf(const Parameter& parameter) {
+    std::string written = writeJson(toJson(parameter.defaultValue));
+    written.pop_back();
+    return written;
+}
+
+void printParameters(const Block& block) {
+    for (const Parameter& parameter : block.parameters) {
+        std::cout << fmt::format("    {:<24} {:<7} {:<26} {}\n", parameter.id,
+                                 wordFor(typeWords, parameter.type), defaultOf(parameter),
+                                 rangeOf(parameter));
+    }
+    for (const AccuracyChoice& choice : block.accuracy) {
+        std::cout << fmt::format("    {:<24} {:<7} {:<26} {}\n", choice.id, "level",
+                                 choice.values.front().id, joined(choice.values));
+    }
+}
+
+void printBlock(const Block& block) {
+    std::cout << fmt::format("  {} - {}{}\n", block.id, block.label,
+                             block.shipped ? "" : " (yours)");
+    if (!block.summary.empty()) {
+        std::cout << "    " << block.summary << '\n';
+    }
+    printParameters(block);
+    std::cout << '\n';
+}
+
+/// The lighting models first, then the kinds of block around them.
+std::vector<std::string> kindsOf(const Catalog& catalog) {
+    std::vector<std::string> kinds;
+    for (const Block& block : catalog.blocks) {
+        if (kinds.empty() || kinds.back() != block.kind) {
+            kinds.push_back(block.kind);
+        }
+    }
+    std::stable_partition(kinds.begin(), kinds.end(),
+                          [](const std::string& kind) { return kind == "models"; });
+    return kinds;
+}
+
+void printTable(const Catalog& catalog) {
+    for (const std::string& kind : kindsOf(catalog)) {
+        std::cout << kind << "\n\n";
+        for (const Block* block : catalog.ofKind(kind)) {
+            printBlock(*block);
+        }
+    }
+}
+
+void printJson(const Catalog& catalog) {
+    nlohmann::json array = nlohmann::json::array();
+    for (const Block& block : catalog.blocks) {
+        array.push_back(toJson(block));
+    }
+    std::cout << writeJson(array);
+}
+
+/// A mistake in a user's own block leaves the rest working; without the shipped ones there is
+/// nothing to work with.
+bool hasShippedBlocks(const Catalog& catalog) {
+    return std::any_of(catalog.blocks.begin(), catalog.blocks.end(),
+                       [](const Block& block) { return block.shipped; });
+}
+
+} // namespace
+
+void addModels(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "models", "List every lighting model, Fresnel block, light and fog with its parameters");
+    auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "Print an array of the descriptors as they were loaded");
+    command->callback([json, &status] {
+        const Catalog catalog = loadCatalog(standardBlockRoots());
+        report(catalog.errors);
+        *json ? printJson(catalog) : printTable(catalog);
+        status = hasShippedBlocks(catalog) ? 0 : 1;
+    });
+}
+
+} // namespace patina

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material/block_values.h"
+
+#include <optional>
+#include <set>
+
+#include "catalog/value_json.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Where a value is parked whose plain id is taken by a value of another block.
+std::string ownKey(const std::string& blockId, const std::string& parameterId) {
+    return blockId + '/' + parameterId;
+}
+
+/// Moves the values of one block to another.
+class Carrier {
+  public:
+    Carrier(const BlockValues& values, const Block* from, const Block& to, Json& parked)
+        : values_(values), from_(from), to_(to), parked_(parked) {}
+
+    BlockValues run() {
+        BlockValues next = defaultBlockValues(to_);
+        next.unknown = values_.unknown;
+        for (const Parameter& parameter : to_.parameters) {
+            if (const auto value = valueFor(parameter)) {
+                next.parameters[parameter.id] = conformed(parameter, *value);
+                keepOriginal(parameter, *value);
+            }
+        }
+        parkTheRest();
+        return next;
+    }
+
+  private:
+    /// The current value under the parameter's id, if both blocks mean the same by it.
+    const Value* sameMeaning(const Parameter& parameter) const {
+        const auto found = values_.parameters.find(parameter.id);
+        if (found == values_.parameters.end()) {
+            return nullptr;
+        }
+        const Parameter* old = from_ == nullptr ? nullptr : from_->parameter(parameter.id);
+        const bool differs = from_ != nullptr && (old == nullptr || old->type != parameter.type);
+        return differs ? nullptr : &found->second;
+    }
+
+    /// The parked value that fits; taken out, because it comes back or is superseded.
+    std::optional<Value> takeParked(const Parameter& parameter) {
+        for (const std::string& key : {ownKey(to_.id, parameter.id), parameter.id}) {
+            const auto found = parked_.find(key);
+            if (found == parked_.end()) {
+                continue;
+            }
+            if (const Result<Value> value = valueFromJson(parameter, *found)) {
+                parked_.erase(key);
+                return *value;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// True when the current value is only what the old block made of the parked one, and nobody
+    /// has touched it since.
+    bool standsFor(const Value& current, const Value& original, const Parameter& parameter) const {
+        const Parameter* old = from_ == nullptr ? nullptr : from_->parameter(parameter.id);
+        return old != nullptr && current == conformed(*old, original);
+    }
+
+    /// The value before it is brought into range, if there is one that fits.
+    std::optional<Value> valueFor(const Parameter& parameter) {
+        const std::optional<Value> original = takeParked(parameter);
+        const Value* current = sameMeaning(parameter);
+        if (current == nullptr) {
+            return original;
+        }
+        if (original && standsFor(*current, *original, parameter)) {
+            used_.insert(parameter.id);
+            return original;
+        }
+        const Result<Value> fitting = valueFromJson(parameter, toJson(*current));
+        if (!fitting) {
+            return original;
+        }
+        used_.insert(parameter.id);
+        return *fitting;
+    }
+
+    void keepOriginal(const Parameter& parameter, const Value& original) {
+        if (conformed(parameter, original) != original) {
+            parked_[parameter.id] = toJson(original);
+        }
+    }
+
+    void parkTheRest() {
+        for (const auto& [id, value] : values_.parameters) {
+            if (!used_.contains(id)) {
+                const Json json = toJson(value);
+                const bool taken = parked_.contains(id) && parked_[id] != json;
+                parked_[taken ? ownKey(values_.id, id) : id] = json;
+            }
+        }
+    }
+
+    const BlockValues& values_;
+    const Block* from_;
+    const Block& to_;
+    Json& parked_;
+    std::set<std::string> used_;
+};
+
+} // namespace
+
+BlockValues defaultBlockValues(const Block& block) {
+    return {block.id, block.version, defaultValues(block), Json::object()};
+}
+
+BlockValues carriedOver(const BlockValues& values, const Block* from, const Block& to,
+                        nlohmann::json& parked) {
+    return Carrier(values, from, to, parked).run();
+}
+
+void park(const Values& values, nlohmann::json& parked) {
+    for (const auto& [id, value] : values) {
+        parked[id] = toJson(value);
+    }
+}
+
+} // namespace patina

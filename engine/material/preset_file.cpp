@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material/preset_file.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "catalog/suggestion.h"
+#include "material/block_values.h"
+#include "material/file_header.h"
+#include "material/texture_path.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr FileFormat presetFormat{"patina.preset", 1, "preset"};
+
+/// Reads one preset object.
+class PresetReader {
+  public:
+    PresetReader(const LocatedJson& document, const std::string& pointer, const Catalog& catalog)
+        : reader_(document, pointer, errors_), blocks_{catalog, reading_.notes} {}
+
+    Checked<PresetReading> run() {
+        reading_.readOnly = readHeader(reader_, presetFormat, reading_.notes) == FileAge::Newer;
+        readTexts();
+        readKept();
+        readModel();
+        readFresnel();
+        readOpacity();
+        readAccuracy();
+        checkTextures();
+        material().unknown = reader_.unknown();
+        return settled(std::move(reading_), std::move(errors_));
+    }
+
+  private:
+    Material& material() { return reading_.material; }
+
+    void note(const std::string& pointer, std::string problem, std::string expected) {
+        reading_.notes.push_back(
+            reader_.document().error(pointer, std::move(problem), std::move(expected)));
+    }
+
+    void readTexts() {
+        reader_.read("name", material().name);
+        reader_.read("description", material().description);
+        reader_.read("author", material().author);
+        reader_.read("license", material().license);
+        const Json* tags = reader_.array("tags");
+        for (std::size_t i = 0; tags != nullptr && i < tags->size(); ++i) {
+            if ((*tags)[i].is_string()) {
+                material().tags.push_back((*tags)[i].get<std::string>());
+            } else {
+                reader_.addError("tags", described((*tags)[i]) + " stands among the tags", "text");
+            }
+        }
+    }
+
+    void readKept() {
+        reader_.readObject("textures", material().textures);
+        reader_.readObject("parked", material().parked);
+        reader_.readObject("extras", material().extras);
+    }
+
+    void readModel() {
+        if (!reader_.has("model")) {
+            reader_.addError("model", "the key \"model\" is missing",
+                             "an object with the id and version of a lighting model");
+        }
+        JsonReader model = reader_.child("model");
+        JsonReader parameters = reader_.child("parameters");
+        if (reader_.has("model")) {
+            material().model = blocks_.read(model, parameters, "models", material().parked);
+            material().model.unknown.update(model.unknown());
+        }
+    }
+
+    void readFresnel() {
+        const Json* fresnel = reader_.find("fresnel");
+        if (fresnel == nullptr || fresnel->is_null()) {
+            return;
+        }
+        JsonReader block = reader_.child("fresnel");
+        material().fresnel = blocks_.read(block, "fresnel");
+        material().fresnel->unknown.update(block.unknown());
+    }
+
+    void readOpacity() {
+        double opacity = 1.0;
+        reader_.read("opacity", opacity);
+        material().opacity = std::clamp(opacity, 0.0, 1.0);
+        if (material().opacity != opacity) {
+            note(reader_.pointer("opacity"), "the opacity is outside its range and was brought into it", "0 to 1");
+        }
+    }
+
+    void readAccuracy() {
+        JsonReader levels = reader_.child("accuracy");
+        const Json all = levels.unknown();
+        for (const auto& [choice, level] : all.items()) {
+            levels.read(choice, material().accuracy[choice]);
+        }
+        completeLevels("models", material().model.id);
+        if (material().fresnel) {
+            completeLevels("fresnel", material().fresnel->id);
+        }
+    }
+
+    void completeLevels(const char* kind, const std::string& id) {
+        const Block* block = blocks_.catalog.find(kind, id);
+        if (block == nullptr) {
+            return;
+        }
+        for (const AccuracyChoice& choice : block->accuracy) {
+            std::string& level = material().accuracy[choice.id];
+            std::vector<std::string> levels;
+            for (const EnumValue& value : choice.values) {
+                levels.push_back(value.id);
+            }
+            if (std::find(levels.begin(), levels.end(), level) != levels.end()) {
+                continue;
+            }
+            if (!level.empty()) {
+                material().parked[choice.id] = level;
+                note(reader_.pointer("accuracy") + '/' + escapedToken(choice.id),
+                     fmt::format("\"{}\" is no level of \"{}\"; the exact one is used", level,
+                                 choice.id),
+                     oneOf(level, levels));
+            }
+            level = levels.front();
+        }
+    }
+
+    void checkTextures() {
+        const std::string textures = reader_.pointer("textures");
+        for (const auto& [parameter, texture] : material().textures.items()) {
+            const std::string pointer = textures + '/' + escapedToken(parameter);
+            const auto file = texture.is_object() ? texture.find("file") : texture.end();
+            if (!texture.is_object() || file == texture.end() || !file->is_string()) {
+                note(pointer, "the texture names no file", "an object with \"file\"");
+            } else if (!staysInFolder(file->get_ref<const std::string&>())) {
+                note(pointer + "/file",
+                     fmt::format("the texture \"{}\" is not in the preset's folder and is not used",
+                                 file->get<std::string>()),
+                     "a relative path with forward slashes into that folder");
+            }
+        }
+    }
+
+    Errors errors_;
+    PresetReading reading_;
+    JsonReader reader_;
+    BlockReader blocks_;
+};
+
+/// The model object holds the id and version; its values stand beside it.
+Json modelJson(const BlockValues& model) {
+    Json json = model.unknown;
+    json.erase("parameters");
+    json["id"] = model.id;
+    json["version"] = model.version;
+    return json;
+}
+
+} // namespace
+
+Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::string& pointer,
+                                        const Catalog& catalog) {
+    return PresetReader(document, pointer, catalog).run();
+}
+
+nlohmann::json toJson(const Material& material) {
+    Json json = material.unknown;
+    json["format"] = presetFormat.name;
+    json["version"] = presetFormat.version;
+    json["name"] = material.name;
+    json["description"] = material.description;
+    json["author"] = material.author;
+    json["license"] = material.license;
+    json["tags"] = material.tags;
+    json["model"] = modelJson(material.model);
+    json["parameters"] = parametersJson(material.model);
+    json["fresnel"] = material.fresnel ? toJson(*material.fresnel) : Json();
+    json["opacity"] = material.opacity;
+    json["accuracy"] = material.accuracy;
+    json["textures"] = material.textures;
+    json["parked"] = material.parked;
+    json["extras"] = material.extras;
+    return json;
+}
+
+Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog) {
+    const Result<LocatedJson> document = readJson(path);
+    if (!document) {
+        return tl::unexpected(Errors{document.error()});
+    }
+    return materialFromJson(*document, "", catalog);
+}
+
+Result<void> writePreset(const std::filesystem::path& path, const Material& material) {
+    return writeFileAtomically(path, writeJson(toJson(material)));
+}
+
+} // namespace patina
