@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace patina::benchmarks {
+
+/// How often this thread called operator new so far.
+long allocations();
+
+} // namespace patina::benchmarks

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace patina::benchmarks {
+
+/// Each prints its rows and says whether all targets were kept.
+bool startup();
+bool idle();
+bool sliderTick();
+bool modelSwap();
+bool largeMesh();
+
+} // namespace patina::benchmarks

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the running editor costs: its start, its memory, and doing nothing.
+#include <chrono>
+#include <thread>
+
+#include "benchmarks.h"
+#include "observed_program.h"
+#include "programs.h"
+#include "statistics.h"
+
+namespace patina::benchmarks {
+namespace {
+
+constexpr int startRuns = 9;
+constexpr double idleSeconds = 10.0;
+
+void waitFor(double seconds) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+/// Start time and memory of the editor over those of the empty window, run by run.
+struct StartRatios {
+    std::vector<double> editorSeconds;
+    std::vector<double> emptySeconds;
+    std::vector<double> time;
+    std::vector<double> memory;
+};
+
+bool addRun(StartRatios& ratios) {
+    ObservedProgram empty(program("patina-empty-window"));
+    const double emptySeconds = empty.secondsToFirstFrame();
+    waitFor(0.5);
+    const double emptyMegabytes = empty.residentMegabytes();
+
+    ObservedProgram editor(program("patina"));
+    const double editorSeconds = editor.secondsToFirstFrame();
+    waitFor(0.5);
+    if (emptySeconds < 0.0 || editorSeconds < 0.0) {
+        return false;
+    }
+    ratios.emptySeconds.push_back(emptySeconds);
+    ratios.editorSeconds.push_back(editorSeconds);
+    ratios.time.push_back(editorSeconds / emptySeconds);
+    ratios.memory.push_back(editor.residentMegabytes() / emptyMegabytes);
+    return true;
+}
+
+} // namespace
+
+bool startup() {
+    StartRatios ratios;
+    addRun(ratios); // fills the program cache and the disk cache
+    ratios = {};
+    for (int run = 0; run < startRuns; ++run) {
+        if (!addRun(ratios)) {
+            report("Start", "no first frame seen (is there a display?)", false, "");
+            return false;
+        }
+    }
+    const Spread time = spreadOf(ratios.time);
+    const Spread memory = spreadOf(ratios.memory);
+    report("Start: editor", text(spreadOf(ratios.editorSeconds), 1e3, "ms"), true, "");
+    report("Start: empty window", text(spreadOf(ratios.emptySeconds), 1e3, "ms"), true, "");
+    report("Start: editor / empty window", text(time, 1.0, "x"), time.median <= 3.0, "<= 3");
+    report("Resident memory: editor / empty window", text(memory, 1.0, "x"), memory.median <= 1.35,
+           "<= 1.35");
+    return time.median <= 3.0 && memory.median <= 1.35;
+}
+
+bool idle() {
+    ObservedProgram editor(program("patina"));
+    if (editor.secondsToFirstFrame() < 0.0) {
+        report("Idle", "no first frame seen (is there a display?)", false, "");
+        return false;
+    }
+    waitFor(3.0); // thumbnails and everything else that start-up leaves for later
+    const long ticks = editor.cpuTicks();
+    const int frames = editor.framesDrawn();
+    waitFor(idleSeconds);
+    const long ticksSpent = editor.cpuTicks() - ticks;
+    const int framesDrawn = editor.framesDrawn() - frames;
+    report("Idle for 10 s: frames", std::to_string(framesDrawn), framesDrawn == 0, "0");
+    report("Idle for 10 s: CPU ticks", std::to_string(ticksSpent), ticksSpent <= 2, "<= 2");
+    return framesDrawn == 0 && ticksSpent <= 2;
+}
+
+} // namespace patina::benchmarks

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// patina-benchmarks [name...]: prints each figure with its spread and its target. Ratios come from
+// interleaved runs on the same machine, so they mean something on any machine.
+#include <string_view>
+#include <vector>
+
+#include "benchmarks.h"
+#include "statistics.h"
+
+int main(int count, char** arguments) {
+    struct Entry {
+        std::string_view name;
+        bool (*run)();
+    };
+    const std::vector<Entry> entries = {{"startup", patina::benchmarks::startup},
+                                        {"idle", patina::benchmarks::idle},
+                                        {"slider-tick", patina::benchmarks::sliderTick},
+                                        {"model-swap", patina::benchmarks::modelSwap},
+                                        {"large-mesh", patina::benchmarks::largeMesh}};
+    const std::vector<std::string_view> wanted(arguments + 1, arguments + count);
+    bool kept = true;
+    for (const Entry& entry : entries) {
+        if (wanted.empty() || std::ranges::find(wanted, entry.name) != wanted.end()) {
+            kept = entry.run() && kept;
+        }
+    }
+    return kept ? 0 : 1;
+}

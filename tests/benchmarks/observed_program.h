@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace patina::benchmarks {
+
+/// A program that runs until the object is destroyed, and what the system says about it.
+class ObservedProgram {
+  public:
+    explicit ObservedProgram(const std::filesystem::path& program,
+                             const std::vector<std::string>& arguments = {});
+    ~ObservedProgram();
+
+    /// Seconds from the start until the program printed "first frame" on standard error, or a
+    /// negative number when it ended or `limitSeconds` passed without that.
+    double secondsToFirstFrame(double limitSeconds = 30.0);
+
+    double residentMegabytes() const;
+    long cpuTicks() const;   ///< user and system time so far
+    int framesDrawn() const; ///< lines that say "frame" on standard error so far
+
+  private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace patina::benchmarks

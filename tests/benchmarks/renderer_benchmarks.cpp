@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an edit costs in the renderer: a slider's tick, and another model.
+#include <ctime>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include <epoxy/gl.h>
+
+#include "allocations.h"
+#include "benchmarks.h"
+#include "catalog/catalog.h"
+#include "gl/framebuffer.h"
+#include "gl/headless_context.h"
+#include "render/renderer.h"
+#include "scene/primitives.h"
+#include "scene/scene_file.h"
+#include "statistics.h"
+#include "support/program.h"
+
+namespace patina::benchmarks {
+namespace {
+
+constexpr int ticks = 2000;
+
+double threadSeconds() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+double wallSeconds() {
+    using Clock = std::chrono::steady_clock;
+    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+/// The default scene with one sphere, a renderer without programs on disk, and a target.
+class Stage {
+  public:
+    explicit Stage(glm::ivec2 size)
+        : context_(gl::HeadlessContext::create().value()),
+          catalog_(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()))),
+          renderer_(Renderer::create({.programCache = folder_.path()}).value()),
+          mesh_(primitive("sphere").value()) {
+        const auto file = dataFolder() / "presets" / "default.patina-scene.json";
+        scene = readScene(file, *catalog_).value().scene;
+        scene.objects.resize(1);
+        view.size = size;
+        view.camera = scene.camera;
+        renderer_->setCatalog(catalog_);
+        color_ = gl::Renderbuffer::create(size, GL_RGBA8, 0);
+        target_ = gl::Framebuffer::create();
+        target_.attachColor(color_);
+    }
+
+    void use(const char* model) {
+        Material& material = scene.objects.front().material;
+        material = withModel(material, nullptr, *catalog_->find("models", model));
+    }
+
+    void set(const char* parameter, double value) {
+        std::get<double>(scene.objects.front().material.model.parameters[parameter]) = value;
+    }
+
+    FrameReport draw() {
+        return renderer_->draw(
+            scene, view, [this](const Object&) { return mesh_.view(); }, target_.name());
+    }
+
+    /// Wall time of a frame until the GPU is done with it.
+    double frameSeconds() {
+        const double began = wallSeconds();
+        draw();
+        glFinish();
+        return wallSeconds() - began;
+    }
+
+    Scene scene;
+    View view;
+
+  private:
+    tests::TemporaryFolder folder_;
+    std::unique_ptr<gl::HeadlessContext> context_;
+    std::shared_ptr<const Catalog> catalog_;
+    std::unique_ptr<Renderer> renderer_;
+    Mesh mesh_;
+    gl::Renderbuffer color_;
+    gl::Framebuffer target_;
+};
+
+} // namespace
+
+bool sliderTick() {
+    // One pixel: a software renderer would otherwise draw on our own clock.
+    Stage stage({1, 1});
+    stage.use("phong");
+    stage.set("shininess", 10.0);
+    stage.draw();
+    std::vector<double> changed;
+    std::vector<double> unchanged;
+    long allocated = 0;
+    int compiled = 0;
+    for (int tick = 0; tick < ticks; ++tick) {
+        stage.set("shininess", 10.0 + 0.1 * tick);
+        const long before = allocations();
+        const double began = threadSeconds();
+        const FrameReport frame = stage.draw();
+        changed.push_back(threadSeconds() - began);
+        allocated += allocations() - before;
+        compiled += frame.compiled;
+        const double again = threadSeconds();
+        stage.draw();
+        unchanged.push_back(threadSeconds() - again);
+    }
+    const Spread tick = spreadOf(changed);
+    report("Slider tick: CPU time, draw of one pixel included", text(tick, 1e3, "ms"),
+           tick.median <= 0.5e-3, "<= 0.5 ms");
+    report("Frame without a change, the same way", text(spreadOf(unchanged), 1e3, "ms"), true, "");
+    report("Slider tick: allocations per tick", fmt::format("{:.2f}", double(allocated) / ticks),
+           allocated == 0, "0");
+    report("Slider tick: programs compiled", std::to_string(compiled), compiled == 0, "0");
+    return tick.median <= 0.5e-3 && allocated == 0 && compiled == 0;
+}
+
+bool modelSwap() {
+    Stage stage({800, 600});
+    const std::vector<const char*> models = {"lambert", "phong", "blinn-phong", "cook-torrance",
+                                             "strauss"};
+    stage.frameSeconds();
+    std::vector<double> first;
+    std::vector<double> second;
+    std::vector<double> plain;
+    for (const char* model : models) {
+        stage.use(model);
+        first.push_back(stage.frameSeconds());
+    }
+    for (int round = 0; round < 3; ++round) {
+        for (const char* model : models) {
+            stage.use(model);
+            second.push_back(stage.frameSeconds());
+            plain.push_back(stage.frameSeconds());
+        }
+    }
+    const double slowest = *std::ranges::max_element(first);
+    const double extra = spreadOf(second).median - spreadOf(plain).median;
+    report("Model swap, first time: slowest of five", fmt::format("{:.3g} ms", slowest * 1e3),
+           slowest <= 0.2, "<= 200 ms");
+    report("Model swap, again: frame", text(spreadOf(second), 1e3, "ms"), true, "");
+    report("Model swap, again: more than a plain frame", fmt::format("{:.3g} ms", extra * 1e3),
+           extra <= 0.01, "<= 10 ms");
+    return slowest <= 0.2 && extra <= 0.01;
+}
+
+} // namespace patina::benchmarks
