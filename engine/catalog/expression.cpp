@@ -211,17 +211,17 @@ struct Expression::Node {
             return {{}, 1, static_cast<int>(token.offset) + 1, found, std::move(expected)};
         }
 
-        Result<Pointer> chain(std::string_view word, Operator what,
+        Result<Pointer> chain(std::string_view word, Operator joined,
                               Result<Pointer> (Parser::*next)()) {
-            Result<Pointer> left = (this->*next)();
-            while (left && tokens.takeIf(word)) {
-                Result<Pointer> right = (this->*next)();
-                if (!right) {
-                    return right;
+            Result<Pointer> first = (this->*next)();
+            while (first && tokens.takeIf(word)) {
+                Result<Pointer> second = (this->*next)();
+                if (!second) {
+                    return second;
                 }
-                left = std::make_shared<const Node>(Node{what, {}, {}, *left, *right});
+                first = std::make_shared<const Node>(Node{joined, {}, {}, *first, *second});
             }
-            return left;
+            return first;
         }
 
         Result<Pointer> disjunction() { return chain("or", Operator::Or, &Parser::conjunction); }
