@@ -7,6 +7,7 @@ install(TARGETS patina patina-files RUNTIME DESTINATION ${program_folder})
 install(TARGETS patina_images LIBRARY DESTINATION ${program_folder})
 file(RELATIVE_PATH program_from_bin
     ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/patina/patina)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/link)
 file(CREATE_LINK ${program_from_bin} ${PROJECT_BINARY_DIR}/link/patina SYMBOLIC)
 install(FILES ${PROJECT_BINARY_DIR}/link/patina DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY shaders presets schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/patina)
