@@ -88,11 +88,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"nan", "\"roughness\": 0.22", "\"roughness\": NaN"},
                     Damage{"huge", "\"roughness\": 0.22", "\"roughness\": 1e999"},
                     Damage{"text", "\"roughness\": 0.22", "\"roughness\": \"rough\""},
-                    Damage{"number", "\"specular.color\": [1, 1, 1]", "\"specular.color\": -1"},
+                    Damage{"number", "\"specular.color\": [1.0, 1.0, 1.0]", "\"specular.color\": -1"},
                     Damage{"enum", "\"ggx\"", "\"wide\""},
                     Damage{"newer", "\"version\": 1\n}", "\"version\": 99\n}"},
                     Damage{"format", "\"patina.preset\"", "\"other\""},
-                    Damage{"repeated", "\"opacity\": 1", "\"opacity\": 1, \"opacity\": 1"},
+                    Damage{"repeated", "\"opacity\": 1.0", "\"opacity\": 1.0, \"opacity\": 1.0"},
                     Damage{"binary", "\"name\"", std::string("\0\1\2", 3)}),
     [](const testing::TestParamInfo<Damage>& damage) { return damage.param.name; });
 

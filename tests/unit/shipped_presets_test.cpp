@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "material/preset_file.h"
+
+namespace patina {
+namespace {
+
+const Catalog& catalog() {
+    static const Catalog shipped = loadCatalog(
+        std::vector{BlockRoot{std::filesystem::path(PATINA_SOURCE_DIR) / "shaders", true}});
+    return shipped;
+}
+
+std::vector<std::filesystem::path> shippedPresets() {
+    std::vector<std::filesystem::path> files;
+    const std::filesystem::path folder = std::filesystem::path(PATINA_SOURCE_DIR) / "presets";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.path().string().ends_with(".patina.json")) {
+            files.push_back(entry.path());
+        }
+    }
+    return files;
+}
+
+TEST(ShippedPresets, EveryOne_ReadsWithoutANote) {
+    for (const auto& file : shippedPresets()) {
+        const auto reading = readPreset(file, catalog());
+        ASSERT_TRUE(reading) << text(reading.error());
+        EXPECT_EQ(text(reading->notes), "") << file;
+    }
+}
+
+TEST(ShippedPresets, EveryOne_IsWrittenAsPatinaWritesIt) {
+    for (const auto& file : shippedPresets()) {
+        std::ostringstream bytes;
+        bytes << std::ifstream(file).rdbuf();
+        EXPECT_EQ(bytes.str(), writeJson(toJson(readPreset(file, catalog())->material))) << file;
+    }
+}
+
+TEST(ShippedPresets, EveryOne_LiesInItsModelsFolder) {
+    for (const auto& file : shippedPresets()) {
+        const Material material = readPreset(file, catalog())->material;
+        EXPECT_EQ(file.parent_path().filename().string(), material.model.id) << file;
+    }
+}
+
+TEST(ShippedPresets, EveryOne_GivesAReasonForItsValues) {
+    for (const auto& file : shippedPresets()) {
+        EXPECT_GT(readPreset(file, catalog())->material.description.size(), 60u) << file;
+    }
+}
+
+TEST(ShippedPresets, EveryModel_HasAtLeastThree) {
+    std::map<std::string, int> count;
+    for (const auto& file : shippedPresets()) {
+        ++count[file.parent_path().filename().string()];
+    }
+    for (const Block* model : catalog().ofKind("models")) {
+        EXPECT_GE(count[model->id], 3) << model->id;
+    }
+}
+
+} // namespace
+} // namespace patina
