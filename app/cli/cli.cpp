@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 1> commands{addModels};
+constexpr std::array<AddCommand, 2> commands{addModels, addValidate};
 
 void addCommands(CLI::App& program, int& status) {
     program.description("Patina edits lighting models. Without a command it opens the editor:\n"

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command.h"
+
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "catalog/catalog.h"
+#include "catalog/descriptor.h"
+#include "catalog/json_schema.h"
+#include "catalog/value_json.h"
+#include "material/preset_file.h"
+#include "scene/scene_file.h"
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Reading>
+Errors mistakesOf(const Checked<Reading>& reading) {
+    return reading ? reading->notes : reading.error();
+}
+
+Errors descriptorMistakesIn(const fs::path& file) {
+    const Result<JsonSchema> schema = JsonSchema::load("descriptor");
+    if (!schema) {
+        return {schema.error()};
+    }
+    const Checked<Descriptor> descriptor = readDescriptor(file, *schema);
+    return descriptor ? Errors{} : descriptor.error();
+}
+
+/// A file says what it is by its name, and where that says nothing, by its "format".
+std::string formatOf(const fs::path& file) {
+    const std::string name = file.filename().string();
+    const auto endsWith = [&name](std::string_view ending) {
+        return name.size() >= ending.size() &&
+               name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+    };
+    if (endsWith(".patina-scene.json")) {
+        return "patina.scene";
+    }
+    if (endsWith(".patina.json")) {
+        return "patina.preset";
+    }
+    const Result<LocatedJson> document = readJson(file);
+    const bool says = document && document->value.is_object() &&
+                      document->value.contains("format") && document->value["format"].is_string();
+    return says ? document->value["format"].get<std::string>() : std::string();
+}
+
+Errors mistakesIn(const fs::path& file, const Catalog& catalog) {
+    const std::string format = formatOf(file);
+    if (format == "patina.scene") {
+        return mistakesOf(readScene(file, catalog));
+    }
+    return format.empty() ? descriptorMistakesIn(file) : mistakesOf(readPreset(file, catalog));
+}
+
+nlohmann::json toJson(const Error& error) {
+    return {{"file", error.file},       {"line", error.line},         {"column", error.column},
+            {"problem", error.problem}, {"expected", error.expected}};
+}
+
+struct Options {
+    std::vector<std::string> files;
+    bool json = false;
+};
+
+void print(const Options& options, const std::vector<Errors>& mistakes) {
+    nlohmann::json array = nlohmann::json::array();
+    for (std::size_t i = 0; i < mistakes.size(); ++i) {
+        nlohmann::json errors = nlohmann::json::array();
+        for (const Error& error : mistakes[i]) {
+            errors.push_back(toJson(error));
+        }
+        array.push_back(
+            {{"file", options.files[i]}, {"valid", mistakes[i].empty()}, {"errors", errors}});
+    }
+    std::cout << writeJson(array);
+}
+
+bool validate(const Options& options) {
+    const Catalog catalog = loadCatalog(standardBlockRoots());
+    bool valid = true;
+    std::vector<Errors> mistakes;
+    for (const std::string& file : options.files) {
+        mistakes.push_back(mistakesIn(file, catalog));
+        valid = valid && mistakes.back().empty();
+        report(mistakes.back());
+        if (!options.json && mistakes.back().empty()) {
+            std::cout << file << ": valid\n";
+        }
+    }
+    if (options.json) {
+        print(options, mistakes);
+    }
+    return valid;
+}
+
+} // namespace
+
+void addValidate(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "validate", "Check presets, scenes and block descriptors; every mistake with its place");
+    auto options = std::make_shared<Options>();
+    command->add_option("files", options->files, "The files")->required();
+    command->add_flag("--json", options->json, "Print the mistakes as JSON");
+    command->callback([options, &status] { status = validate(*options) ? 0 : 1; });
+}
+
+} // namespace patina

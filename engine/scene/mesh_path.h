@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace patina {
+
+/// "sphere" for "builtin:sphere"; nothing for the path of a file.
+std::optional<std::string_view> builtinName(std::string_view mesh);
+
+/// A mesh as a scene file names it, made absolute: relative paths start at the scene's folder.
+std::string meshFromFile(const std::string& mesh, const std::filesystem::path& folder);
+
+/// The inverse: relative to the folder, with forward slashes.
+std::string meshForFile(const std::string& mesh, const std::filesystem::path& folder);
+
+} // namespace patina

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "catalog/json_reader.h"
+#include "catalog/suggestion.h"
+#include "material/block_values.h"
+#include "material/texture_path.h"
+#include "scene/mesh_path.h"
+#include "scene/primitives.h"
+#include "scene/scene_words.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+// What a scene may hold, so that no product of such numbers overflows a float on the way to the
+// screen: metres, factors, linear light, powers of two, degrees.
+constexpr double farthest = 1e6;
+constexpr double largestScale = 1e6;
+constexpr double smallestScale = 1e-6;
+constexpr double brightest = 1e6;
+constexpr double largestExposure = 32.0;
+
+/// The number nearest to a factor that does not flatten the object.
+double usableScale(double scale) {
+    return std::copysign(std::clamp(std::abs(scale), smallestScale, largestScale), scale);
+}
+
+/// Reads one scene file.
+class SceneReader {
+  public:
+    SceneReader(const LocatedJson& document, const std::filesystem::path& folder,
+                const Catalog& catalog)
+        : document_(document), folder_(folder), reader_(document, "", errors_),
+          blocks_{catalog, reading_.notes} {}
+
+    Checked<SceneReading> run() {
+        reading_.readOnly = readHeader(reader_, sceneFormat, reading_.notes) == FileAge::Newer;
+        reader_.read("name", scene().name);
+        readObjects();
+        readLights();
+        readFog();
+        readPicture();
+        readCamera();
+        reader_.readObject("environment", scene().environment);
+        reader_.readObject("extras", scene().extras);
+        keepUnknown();
+        return settled(std::move(reading_), std::move(errors_));
+    }
+
+  private:
+    Scene& scene() { return reading_.scene; }
+
+    void note(const std::string& pointer, std::string problem, std::string expected = {}) {
+        reading_.notes.push_back(
+            document_.error(pointer, std::move(problem), std::move(expected)));
+    }
+
+    /// Numbers that may not leave their range are brought into it, with a note.
+    void limit(const JsonReader& reader, std::string_view key, double& value, double lowest,
+               double highest) {
+        const double limited = std::clamp(value, lowest, highest);
+        if (limited != value) {
+            value = limited;
+            noteRange(reader, key, fmt::format("{} to {}", lowest, highest));
+        }
+    }
+
+    void limit(const JsonReader& reader, std::string_view key, glm::dvec3& value, double lowest,
+               double highest) {
+        const glm::dvec3 limited = glm::clamp(value, lowest, highest);
+        if (limited != value) {
+            value = limited;
+            noteRange(reader, key, fmt::format("{} to {}", lowest, highest));
+        }
+    }
+
+    void noteRange(const JsonReader& reader, std::string_view key, std::string range) {
+        note(reader.pointer(key),
+             fmt::format("\"{}\" is outside its range and was brought into it", key),
+             std::move(range));
+    }
+
+    void readObjects() {
+        const Json* objects = reader_.array("objects");
+        for (std::size_t i = 0; objects != nullptr && i < objects->size(); ++i) {
+            JsonReader object(document_, fmt::format("/objects/{}", i), errors_);
+            scene().objects.push_back(objectFrom(object));
+        }
+    }
+
+    Object objectFrom(JsonReader& reader) {
+        Object object;
+        reader.read("name", object.name);
+        reader.read("fitUnitBox", object.fitUnitBox);
+        reader.read("flipNormals", object.flipNormals);
+        reader.read("visible", object.visible);
+        readTransform(reader, object);
+        readMesh(reader, object);
+        object.material = materialOf(reader);
+        object.unknown.update(reader.unknown());
+        return object;
+    }
+
+    void readTransform(JsonReader& reader, Object& object) {
+        reader.read("translation", object.translation);
+        reader.read("rotation", object.rotation);
+        reader.read("scale", object.scale);
+        limit(reader, "translation", object.translation, -farthest, farthest);
+        limit(reader, "rotation", object.rotation, -farthest, farthest);
+        const glm::dvec3 usable{usableScale(object.scale.x), usableScale(object.scale.y),
+                                usableScale(object.scale.z)};
+        if (usable != object.scale) {
+            object.scale = usable;
+            noteRange(reader, "scale", fmt::format("{} to {}", smallestScale, largestScale));
+        }
+    }
+
+    void readMesh(JsonReader& reader, Object& object) {
+        std::string mesh = object.mesh;
+        reader.read("mesh", mesh);
+        if (const auto builtin = builtinName(mesh)) {
+            checkBuiltin(reader, std::string(*builtin));
+        } else if (!staysInFolder(mesh)) {
+            note(reader.pointer("mesh"),
+                 fmt::format("the mesh \"{}\" is not in the scene's folder", mesh),
+                 "a relative path with forward slashes, if the scene is to move with its meshes");
+        }
+        object.mesh = meshFromFile(mesh, folder_);
+    }
+
+    void checkBuiltin(const JsonReader& reader, const std::string& name) {
+        const std::vector<std::string> names = primitiveNames();
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            note(reader.pointer("mesh"), fmt::format("there is no built-in mesh \"{}\"", name),
+                 oneOf(name, names));
+        }
+    }
+
+    Material materialOf(JsonReader& object) {
+        const Json* preset = object.find("preset");
+        if (preset == nullptr) {
+            note(object.pointer(), "the object has no preset; a default is used",
+                 "\"preset\": an object, or the path of a preset file");
+            return fallback();
+        }
+        if (preset->is_string()) {
+            return materialFromFile(object, preset->get<std::string>());
+        }
+        Checked<PresetReading> reading =
+            materialFromJson(document_, object.pointer("preset"), blocks_.catalog);
+        return reading ? taken(*reading) : damaged(reading.error(), *preset);
+    }
+
+    Material materialFromFile(JsonReader& object, const std::string& path) {
+        if (!staysInFolder(path)) {
+            note(object.pointer("preset"),
+                 fmt::format("the preset \"{}\" is not in the scene's folder", path),
+                 "a relative path with forward slashes");
+        }
+        Checked<PresetReading> reading = readPreset(folder_ / path, blocks_.catalog);
+        return reading ? taken(*reading) : damaged(reading.error(), path);
+    }
+
+    Material taken(PresetReading& reading) {
+        reading_.notes.insert(reading_.notes.end(), reading.notes.begin(), reading.notes.end());
+        return std::move(reading.material);
+    }
+
+    /// A preset that cannot be read does not take the scene with it; it is kept as it was.
+    Material damaged(const Errors& why, const Json& preset) {
+        reading_.notes.insert(reading_.notes.end(), why.begin(), why.end());
+        Material material = fallback();
+        material.extras["damagedPreset"] = preset;
+        return material;
+    }
+
+    Material fallback() const {
+        const std::vector<const Block*> models = blocks_.catalog.ofKind("models");
+        return models.empty() ? Material{} : defaultMaterial(*models.front());
+    }
+
+    void readLights() {
+        const Json* lights = reader_.array("lights");
+        for (std::size_t i = 0; lights != nullptr && i < lights->size(); ++i) {
+            JsonReader reader(document_, fmt::format("/lights/{}", i), errors_);
+            Light light;
+            reader.read("name", light.name);
+            reader.read("enabled", light.enabled);
+            light.block = blocks_.read(reader, "lights");
+            light.block.unknown.update(reader.unknown());
+            scene().lights.push_back(std::move(light));
+        }
+    }
+
+    void readFog() {
+        const Json* fog = reader_.find("fog");
+        if (fog == nullptr || fog->is_null()) {
+            return;
+        }
+        JsonReader reader = reader_.child("fog");
+        scene().fog = blocks_.read(reader, "fog");
+        scene().fog->unknown.update(reader.unknown());
+    }
+
+    void readPicture() {
+        reader_.read("ambient", scene().ambient);
+        reader_.read("background", scene().background);
+        reader_.read("exposure", scene().exposure);
+        limit(reader_, "ambient", scene().ambient, 0.0, brightest);
+        limit(reader_, "background", scene().background, 0.0, brightest);
+        limit(reader_, "exposure", scene().exposure, -largestExposure, largestExposure);
+        readToneMapping();
+    }
+
+    void readToneMapping() {
+        std::string word;
+        reader_.read("toneMapping", word);
+        std::vector<std::string> words;
+        for (const auto& [known, meaning] : toneMappingWords) {
+            words.emplace_back(known);
+            if (known == word) {
+                scene().toneMapping = meaning;
+            }
+        }
+        if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) {
+            note("/toneMapping",
+                 fmt::format("\"{}\" is no tone mapping; the default is used", word),
+                 oneOf(word, words));
+        }
+    }
+
+    void readCamera() {
+        Camera& camera = scene().camera;
+        JsonReader reader = reader_.child("camera");
+        reader.read("pivot", camera.pivot);
+        reader.read("yaw", camera.yaw);
+        reader.read("pitch", camera.pitch);
+        reader.read("distance", camera.distance);
+        reader.read("fieldOfView", camera.fieldOfView);
+        limit(reader, "pivot", camera.pivot, -farthest, farthest);
+        limit(reader, "yaw", camera.yaw, -farthest, farthest);
+        limit(reader, "pitch", camera.pitch, -90.0, 90.0);
+        limit(reader, "distance", camera.distance, smallestScale, farthest);
+        limit(reader, "fieldOfView", camera.fieldOfView, 1.0, 170.0);
+        cameraUnknown_ = reader.unknown();
+    }
+
+    void keepUnknown() {
+        scene().unknown = reader_.unknown();
+        if (!cameraUnknown_.empty()) {
+            scene().unknown["camera"] = std::move(cameraUnknown_);
+        }
+    }
+
+    const LocatedJson& document_;
+    const std::filesystem::path& folder_;
+    Errors errors_;
+    SceneReading reading_;
+    JsonReader reader_;
+    BlockReader blocks_;
+    Json cameraUnknown_;
+};
+
+} // namespace
+
+Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog) {
+    const Result<LocatedJson> document = readJson(path);
+    if (!document) {
+        return tl::unexpected(Errors{document.error()});
+    }
+    const std::filesystem::path folder =
+        std::filesystem::absolute(path).lexically_normal().parent_path();
+    return SceneReader(*document, folder, catalog).run();
+}
+
+} // namespace patina
