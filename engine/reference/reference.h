@@ -91,6 +91,7 @@ struct Function {
     std::size_t arguments = 0;
     std::size_t results = 0;
     void (*call)(const double* arguments, double* results) = nullptr;
+    std::string_view glslCall; ///< the same in GLSL: reads ARGUMENT(i), writes RESULT(i, x)
 };
 
 /// Every function of shaders/lib/, sorted by name. The elementary ones are the exact twins.

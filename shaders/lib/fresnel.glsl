@@ -15,10 +15,16 @@ float schlickReflectance(Incidence i, float F0) {
 //   Rs = ((g - c) / (g + c))^2          Rp = Rs ((c (g + c) - 1) / (c (g - c) + 1))^2
 // Fresnel's equations in the form of Blinn, SIGGRAPH 1977. Written with g - c = (eta^2 - 1)/(g + c)
 // and c (g +- c) -+ 1 = c g -+ sin^2, so an index close to 1 keeps its digits. Limits: no
-// reflection for equal indices; total reflection where g^2 <= 0.
+// reflection for equal indices; total reflection where g^2 <= 0. Near the critical angle g^2 is a
+// small difference: of eta^2 - 1 and -c^2, or of eta^2 and sin^2, whichever are the smaller terms.
 void dielectricReflectances(Incidence i, float etaI, float etaT, OUT(float) Rs, OUT(float) Rp) {
     float eta2m1 = (etaT - etaI) * (etaT + etaI) / (etaI * etaI);
+    float s2 = sin2Incidence(i);
+    float s = sqrt(s2);
     float g2 = eta2m1 + i.c * i.c;
+    if (s2 < 0.5) {
+        g2 = (etaT - etaI * s) * (etaT + etaI * s) / (etaI * etaI);
+    }
     Rs = g2 <= 0.0 ? 1.0 : 0.0;
     Rp = Rs;
     if (eta2m1 == 0.0) {
@@ -26,7 +32,6 @@ void dielectricReflectances(Incidence i, float etaI, float etaT, OUT(float) Rs, 
         Rp = 0.0;
     } else if (g2 > 0.0) {
         float g = sqrt(g2);
-        float s2 = sin2Incidence(i);
         float w = (i.c * g - s2) / (i.c * g + s2);
         Rs = sqr(eta2m1 / sqr(g + i.c));
         Rp = Rs * w * w;

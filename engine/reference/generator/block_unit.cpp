@@ -16,7 +16,7 @@ std::string constantCase(std::string_view name) {
     std::string result;
     for (const char c : name) {
         const auto letter = static_cast<unsigned char>(c);
-        if (std::isupper(letter) != 0 && !result.empty()) {
+        if (std::isupper(letter) != 0 && !result.empty() && result.back() != '_') {
             result += '_';
         }
         result += std::isalnum(letter) != 0 ? static_cast<char>(std::toupper(letter)) : '_';

@@ -12,11 +12,13 @@ std::string cppType(const std::string& type) {
     return type == "float" ? "double" : type;
 }
 
-/// Statements that move a value between its variable and the array `array` at `cursor`.
+enum class Language { Cpp, Glsl };
+
+/// Statements that move values between variables and a row of numbers, one place after the other.
 class Mover {
   public:
-    Mover(const Declarations& declarations, std::string array)
-        : declarations_(declarations), array_(std::move(array)) {}
+    Mover(const Declarations& declarations, Language language)
+        : declarations_(declarations), language_(language) {}
 
     std::string read(const std::string& type, const std::string& place) {
         return move(type, place, true);
@@ -27,8 +29,8 @@ class Mover {
 
   private:
     std::string move(const std::string& type, const std::string& place, bool reading) {
+        std::string text;
         if (const StructDeclaration* declared = declarations_.findStruct(type)) {
-            std::string text;
             for (const Variable& field : declared->fields) {
                 text += move(field.type, place + '.' + field.name, reading);
             }
@@ -38,7 +40,6 @@ class Mover {
         if (count == 1) {
             return scalar(type, place, reading);
         }
-        std::string text;
         for (std::size_t i = 0; i < count; ++i) {
             text += scalar("float", fmt::format("{}[{}]", place, i), reading);
         }
@@ -47,42 +48,50 @@ class Mover {
 
     std::string scalar(const std::string& type, const std::string& place, bool reading) {
         const std::size_t at = cursor_++;
+        const bool cpp = language_ == Language::Cpp;
         if (!reading) {
-            return fmt::format("    {}[{}] = static_cast<double>({});\n", array_, at, place);
+            return cpp ? fmt::format("out[{}] = double({}); ", at, place)
+                       : fmt::format("RESULT({}, float({})); ", at, place);
         }
-        if (type == "bool") {
-            return fmt::format("    {} = {}[{}] != 0.0;\n", place, array_, at);
-        }
-        return fmt::format("    {} = static_cast<{}>({}[{}]);\n", place, cppType(type), array_, at);
+        return cpp ? fmt::format("{} = {}(in[{}]); ", place, cppType(type), at)
+                   : fmt::format("{} = {}(ARGUMENT({})); ", place, type, at);
     }
 
     const Declarations& declarations_;
-    std::string array_;
+    Language language_;
     std::size_t cursor_ = 0;
 };
 
-std::string wrapper(const Declarations& declarations, const FunctionDeclaration& function) {
-    Mover in(declarations, "in");
-    Mover out(declarations, "out");
-    std::string body;
-    std::string call;
-    std::string results;
+/// Statements that read the arguments, call the function and write its results.
+std::string callOf(const Declarations& declarations, const FunctionDeclaration& function,
+                   Language language) {
+    const auto type = [language](const std::string& name) {
+        return language == Language::Cpp ? cppType(name) : name;
+    };
+    Mover in(declarations, language);
+    Mover out(declarations, language);
+    std::string before;
+    std::string arguments;
+    std::string after;
+    if (function.result != "void") {
+        after += out.write(function.result, "value_");
+    }
     for (const Variable& argument : function.arguments) {
         const std::string name = argument.name + '_';
-        body += fmt::format("    {} {}{{}};\n", cppType(argument.type), name);
-        body += argument.out ? "" : in.read(argument.type, name);
-        call += (call.empty() ? "" : ", ") + name;
+        before += fmt::format("{} {}; ", type(argument.type), name);
+        before += argument.out ? "" : in.read(argument.type, name);
+        after += argument.out ? out.write(argument.type, name) : "";
+        arguments += (arguments.empty() ? "" : ", ") + name;
     }
-    if (function.result != "void") {
-        results += out.write(function.result, "value");
-    }
-    for (const Variable& argument : function.arguments) {
-        results += argument.out ? out.write(argument.type, argument.name + '_') : "";
-    }
-    return fmt::format("void call_{0}([[maybe_unused]] const double* in, double* out) {{\n"
-                       "{1}    {2}{0}({3});\n{4}}}\n\n",
-                       function.name, body,
-                       function.result == "void" ? "" : "const auto value = ", call, results);
+    const std::string target =
+        function.result == "void" ? "" : type(function.result) + " value_ = ";
+    return fmt::format("{}{}{}({}); {}", before, target, function.name, arguments, after);
+}
+
+std::string wrapper(const Declarations& declarations, const FunctionDeclaration& function) {
+    return fmt::format(
+        "void call_{}([[maybe_unused]] const double* in, double* out) {{\n    {}\n}}\n\n",
+        function.name, callOf(declarations, function, Language::Cpp));
 }
 
 std::string tableEntry(const std::string& scope, const Declarations& declarations,
@@ -92,8 +101,9 @@ std::string tableEntry(const std::string& scope, const Declarations& declaration
     for (const Variable& argument : function.arguments) {
         (argument.out ? results : arguments) += declarations.numbers(argument.type);
     }
-    return fmt::format("    {{\"{}\", \"{}\", {}, {}, &{}::call_{}}},\n", function.name,
-                       function.signature(), arguments, results, scope, function.name);
+    return fmt::format("    {{\"{}\", \"{}\", {}, {}, &{}::call_{},\n     \"{}\"}},\n",
+                       function.name, function.signature(), arguments, results, scope,
+                       function.name, callOf(declarations, function, Language::Glsl));
 }
 
 } // namespace
