@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 2> commands{addModels, addValidate};
+constexpr std::array<AddCommand, 3> commands{addEval, addModels, addValidate};
 
 void addCommands(CLI::App& program, int& status) {
     program.description("Patina edits lighting models. Without a command it opens the editor:\n"

@@ -14,6 +14,7 @@ namespace patina {
 using AddCommand = void (*)(CLI::App& program, int& status);
 
 // The commands, one file each.
+void addEval(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);
 void addValidate(CLI::App& program, int& status);
 

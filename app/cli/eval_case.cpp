@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/eval_case.h"
+
+#include <algorithm>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "catalog/json_text.h"
+#include "catalog/suggestion.h"
+#include "catalog/value_json.h"
+#include "core/number_text.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Puts the name of a key in front of what is wrong with its value.
+tl::unexpected<Error> at(const std::string& key, Error error) {
+    error.problem = key + ": " + error.problem;
+    return tl::unexpected(std::move(error));
+}
+
+Result<double> number(const Json& json, const std::string& key) {
+    if (!json.contains(key)) {
+        return failure("there is no \"" + key + "\"", "a number");
+    }
+    if (!json[key].is_number()) {
+        return failure(key + " is not a number", "a number");
+    }
+    return json[key].get<double>();
+}
+
+Result<glm::dvec3> vector(const Json& json, const std::string& key) {
+    if (!json.contains(key)) {
+        return failure("there is no \"" + key + "\"", "an array of 3 numbers");
+    }
+    const Json& value = json[key];
+    const bool right = value.is_array() && value.size() == 3 &&
+                       std::all_of(value.begin(), value.end(),
+                                   [](const Json& element) { return element.is_number(); });
+    if (!right) {
+        return failure(key + " is not a vector", "an array of 3 numbers");
+    }
+    return glm::dvec3(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+}
+
+/// A vector that says a direction.
+Result<void> readDirection(const Json& json, const std::string& key, glm::dvec3& target) {
+    const Result<glm::dvec3> value = vector(json, key);
+    if (!value) {
+        return tl::unexpected(value.error());
+    }
+    if (*value == glm::dvec3(0.0)) {
+        return failure(key + " has no length", "a direction");
+    }
+    target = *value;
+    return {};
+}
+
+Result<void> checkKeys(const Json& json, std::vector<std::string> known) {
+    known.insert(known.end(), {"id", "precision"});
+    for (const auto& [key, value] : json.items()) {
+        if (std::find(known.begin(), known.end(), key) == known.end()) {
+            return failure("\"" + key + "\" means nothing here", oneOf(key, known));
+        }
+    }
+    return {};
+}
+
+/// Every component within the parameter's hard range.
+bool inRange(const Parameter& parameter, const Value& value) {
+    const auto within = [&](double x) { return x >= parameter.min && x <= parameter.max; };
+    if (const auto* x = std::get_if<double>(&value)) {
+        return within(*x);
+    }
+    if (const auto* x = std::get_if<int>(&value)) {
+        return within(*x);
+    }
+    if (const auto* x = std::get_if<glm::dvec2>(&value)) {
+        return within(x->x) && within(x->y);
+    }
+    if (const auto* x = std::get_if<glm::dvec3>(&value)) {
+        return within(x->x) && within(x->y) && within(x->z);
+    }
+    return true;
+}
+
+/// One number stands for a grey where a colour is wanted.
+Json asWanted(const Parameter& parameter, const Json& json) {
+    if (parameter.type == ParameterType::Color && json.is_number()) {
+        return Json::array({json, json, json});
+    }
+    return json;
+}
+
+Result<Value> readParameter(const Parameter& parameter, const Json& json) {
+    Result<Value> value = valueFromJson(parameter, asWanted(parameter, json));
+    if (!value) {
+        return at(parameter.id, value.error());
+    }
+    if (!inRange(parameter, *value)) {
+        return failure(fmt::format("{}: {} is outside its range", parameter.id, json.dump()),
+                       fmt::format("{} to {}", shortestText(static_cast<float>(parameter.min)),
+                                   shortestText(static_cast<float>(parameter.max))));
+    }
+    return value;
+}
+
+Result<Values> readValues(const Block& block, const Json& json) {
+    if (!json.is_object()) {
+        return failure("parameters is not an object", "an object of parameter ids and values");
+    }
+    std::vector<std::string> ids;
+    for (const Parameter& parameter : block.parameters) {
+        ids.push_back(parameter.id);
+    }
+    Values values;
+    for (const auto& [id, value] : json.items()) {
+        const Parameter* parameter = block.parameter(id);
+        if (parameter == nullptr) {
+            return failure(fmt::format("{} has no parameter \"{}\"", block.id, id), oneOf(id, ids));
+        }
+        const Result<Value> read = readParameter(*parameter, value);
+        if (!read) {
+            return tl::unexpected(read.error());
+        }
+        values.emplace(id, *read);
+    }
+    return values;
+}
+
+Result<AccuracyLevels> readLevels(const Block& block, const Json& json) {
+    AccuracyLevels levels;
+    for (const auto& [id, level] : json.items()) {
+        const AccuracyChoice* choice = block.accuracyChoice(id);
+        const auto known = [&](const EnumValue& value) {
+            return level.is_string() && value.id == level.get<std::string>();
+        };
+        if (choice == nullptr ||
+            std::none_of(choice->values.begin(), choice->values.end(), known)) {
+            return failure(fmt::format("{} has no accuracy {}: {}", block.id, id, level.dump()));
+        }
+        levels.emplace(id, level.get<std::string>());
+    }
+    return levels;
+}
+
+Result<EvalBlock> readBlock(const Catalog& catalog, const std::string& kind, const std::string& id,
+                            const Json& parameters, const Json& accuracy) {
+    const Block* block = catalog.find(kind, id);
+    if (block == nullptr) {
+        std::vector<std::string> ids;
+        for (const Block* known : catalog.ofKind(kind)) {
+            ids.push_back(known->id);
+        }
+        return failure(fmt::format("there is no \"{}\" in {}", id, kind), oneOf(id, ids));
+    }
+    const Result<Values> values = readValues(*block, parameters);
+    if (!values) {
+        return tl::unexpected(values.error());
+    }
+    const Result<AccuracyLevels> levels = readLevels(*block, accuracy);
+    if (!levels) {
+        return tl::unexpected(levels.error());
+    }
+    return EvalBlock{block, *values, *levels};
+}
+
+/// {"id": ..., "parameters": {...}}, or the id alone.
+Result<EvalBlock> readNested(const Catalog& catalog, const std::string& kind, const Json& json) {
+    const Json& id = json.is_object() ? json.value("id", Json()) : json;
+    if (!id.is_string()) {
+        return failure("the block has no id", R"({"id": ..., "parameters": {...}})");
+    }
+    const Json none = Json::object();
+    return readBlock(catalog, kind, id.get<std::string>(),
+                     json.is_object() ? json.value("parameters", none) : none, none);
+}
+
+Result<void> readFrame(const Json& json, EvalCase& request) {
+    for (const auto& [key, target] : {std::pair{"n", &request.n}, {"t", &request.t}}) {
+        const Result<void> done =
+            json.contains(key) ? readDirection(json, key, *target) : Result<void>();
+        if (!done) {
+            return done;
+        }
+    }
+    const Result<void> done = readDirection(json, "l", request.l);
+    return done ? readDirection(json, "v", request.v) : done;
+}
+
+/// Fills the slot of a model with the given block or the descriptor's default.
+Result<void> readSlot(const Json& json, const Catalog& catalog, EvalCase& request) {
+    if (request.block.block->slots.empty()) {
+        return {};
+    }
+    const Slot& slot = request.block.block->slots.front();
+    const Result<EvalBlock> filled =
+        readNested(catalog, slot.kind, json.value(slot.kind, Json(slot.defaultBlock)));
+    if (!filled) {
+        return at(slot.kind, filled.error());
+    }
+    request.slot = *filled;
+    return {};
+}
+
+Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase request) {
+    if (const auto keys =
+            checkKeys(json, {"model", "parameters", "accuracy", "fresnel", "l", "v", "n", "t"});
+        !keys) {
+        return tl::unexpected(keys.error());
+    }
+    if (!json["model"].is_string()) {
+        return failure("model is not the id of a model", "text");
+    }
+    const Json none = Json::object();
+    const Result<EvalBlock> block =
+        readBlock(catalog, "models", json["model"].get<std::string>(),
+                  json.value("parameters", none), json.value("accuracy", none));
+    if (!block) {
+        return tl::unexpected(block.error());
+    }
+    request.block = *block;
+    for (const auto& step : {readFrame(json, request), readSlot(json, catalog, request)}) {
+        if (!step) {
+            return tl::unexpected(step.error());
+        }
+    }
+    return request;
+}
+
+/// A block that is a function of a number or of a point.
+Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase request,
+                           const std::string& key, const std::string& kind) {
+    const std::string argument = kind == "lights" ? "x" : kind == "fog" ? "distance" : "cos";
+    const auto keys = checkKeys(json, {key, argument});
+    const Result<EvalBlock> block = readNested(catalog, kind, json[key]);
+    if (!keys || !block) {
+        return tl::unexpected(keys ? block.error() : keys.error());
+    }
+    request.block = *block;
+    if (kind == "lights") {
+        const Result<glm::dvec3> x = vector(json, argument);
+        request.l = x.value_or(request.l);
+        return x ? Result<EvalCase>(request) : tl::unexpected(x.error());
+    }
+    const Result<double> x = number(json, argument);
+    request.number = x.value_or(0.0);
+    return x ? Result<EvalCase>(request) : tl::unexpected(x.error());
+}
+
+Result<EvalCase> readFunction(const Json& json, EvalCase request) {
+    if (const auto keys = checkKeys(json, {"function", "arguments"}); !keys) {
+        return tl::unexpected(keys.error());
+    }
+    const Json arguments = json.value("arguments", Json::array());
+    const bool numbers = arguments.is_array() &&
+                         std::all_of(arguments.begin(), arguments.end(),
+                                     [](const Json& element) { return element.is_number(); });
+    if (!json["function"].is_string() || !numbers) {
+        return failure("the function or its arguments cannot be read",
+                       R"({"function": "name", "arguments": [numbers]})");
+    }
+    request.function = json["function"].get<std::string>();
+    request.arguments = arguments.get<std::vector<double>>();
+    return request;
+}
+
+Result<bool> readPrecision(const Json& json) {
+    const Json precision = json.value("precision", Json("double"));
+    if (precision != "double" && precision != "gpu") {
+        return failure("precision is " + precision.dump(), R"("double" or "gpu")");
+    }
+    return precision == "gpu";
+}
+
+Result<EvalCase> readCase(const Json& json, const Catalog& catalog) {
+    const Result<bool> gpu = readPrecision(json);
+    if (!gpu) {
+        return tl::unexpected(gpu.error());
+    }
+    EvalCase request;
+    request.id = json.value("id", Json());
+    request.gpu = *gpu;
+    using Subject = EvalCase::Subject;
+    if (json.contains("model")) {
+        return readModel(json, catalog, request);
+    }
+    if (json.contains("function")) {
+        request.subject = Subject::Function;
+        return readFunction(json, request);
+    }
+    struct Alone {
+        const char* key;
+        const char* kind;
+        Subject subject;
+    };
+    for (const Alone& alone :
+         {Alone{"fresnel", "fresnel", Subject::Fresnel}, Alone{"light", "lights", Subject::Light},
+          Alone{"fog", "fog", Subject::Fog}}) {
+        if (json.contains(alone.key)) {
+            request.subject = alone.subject;
+            return readAlone(json, catalog, request, alone.key, alone.kind);
+        }
+    }
+    return failure("nothing to evaluate", "a model, fresnel, light, fog or function");
+}
+
+/// The id in a line that is no JSON, so that its error still finds its way back.
+Json idInBrokenLine(std::string_view line) {
+    static const std::regex form(R"re("id"\s*:\s*("[^"\\]*"|-?[0-9]{1,18}))re");
+    const std::string start(line.substr(0, 1000));
+    std::smatch match;
+    return std::regex_search(start, match, form) ? Json::parse(match[1].str(), nullptr, false)
+                                                 : Json();
+}
+
+} // namespace
+
+EvalLine readEvalLine(std::string_view line, const Catalog& catalog) {
+    const Result<LocatedJson> document = parseJson(line, {});
+    if (!document) {
+        const Json id = idInBrokenLine(line);
+        return {id.is_discarded() ? Json() : id, tl::unexpected(document.error())};
+    }
+    if (!document->value.is_object()) {
+        return {Json(), failure("the line is not an object", "one case as a JSON object")};
+    }
+    return {document->value.value("id", Json()), readCase(document->value, catalog)};
+}
+
+} // namespace patina

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/eval_case.h"
+#include "shading/shader_source.h"
+
+namespace patina {
+
+/// How a program's cases and results lie in textures.
+struct EvalShape {
+    int caseTexels = 1;
+    int resultPixels = 1;
+    std::size_t results = 3; ///< numbers wanted, of the 4 per pixel (a light: 3 of each)
+};
+
+/// Rows of the textures, in texels.
+constexpr int evalWidth = 1024;
+
+/// Two cases with the same key are answered by the same program.
+std::string evalKey(const EvalCase& request);
+
+/// What the program of a case needs; an error when there is no such function or it is called with
+/// the wrong number of arguments.
+Result<EvalShape> evalShape(const EvalCase& request);
+
+/// The fragment stage that answers the case and those with the same key.
+Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape,
+                                 const std::filesystem::path& shaders);
+
+/// The case's texels: shape.caseTexels times 4 numbers.
+std::vector<float> evalTexels(const EvalCase& request, const EvalShape& shape);
+
+} // namespace patina
