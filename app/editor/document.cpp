@@ -193,14 +193,15 @@ void Document::resetValue(const BlockPath& path, std::string_view parameterId) {
     }
 }
 
-void Document::beginInteraction() {
-    if (interaction_ == 0) {
-        interaction_ = ++lastInteraction_;
-    }
+int Document::beginInteraction() {
+    interaction_ = ++lastInteraction_;
+    return interaction_;
 }
 
-void Document::endInteraction() {
-    interaction_ = 0;
+void Document::endInteraction(int token) {
+    if (token == 0 || token == interaction_) {
+        interaction_ = 0;
+    }
 }
 
 void Document::setCamera(const Camera& camera) {

@@ -66,9 +66,10 @@ class Document : public QObject {
     void resetValue(const BlockPath& path, std::string_view parameterId);
 
     // One interaction (a drag, a held key) is one undo step: every edit between begin and end
-    // merges, and one that ends where it began leaves no step.
-    void beginInteraction();
-    void endInteraction();
+    // merges, and one that ends where it began leaves no step. A new one ends the one before; a
+    // token makes a late end harmless (0 ends whichever is going on).
+    int beginInteraction();
+    void endInteraction(int token = 0);
     bool isInteracting() const { return interaction_ != 0; }
 
     // Materials. Empty ids turn the Fresnel block or the fog off.

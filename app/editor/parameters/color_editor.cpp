@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/color_editor.h"
+
+#include <QHBoxLayout>
+
+#include "parameters/color_picker.h"
+#include "parameters/color_swatch.h"
+#include "parameters/hex_box.h"
+
+namespace patina {
+
+ColorEditor::ColorEditor(const Parameter& parameter, QWidget* parent)
+    : ParameterEditor(parameter, parent), swatch_(new ColorSwatch(this)), hex_(new HexBox(this)) {
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(6);
+    line->addWidget(swatch_, 1);
+    line->addWidget(hex_);
+    swatch_->setAccessibleName(name());
+    hex_->setAccessibleName(tr("%1, sRGB hex").arg(name()));
+    connect(swatch_, &QAbstractButton::clicked, this, &ColorEditor::openPicker);
+    connect(hex_, &HexBox::typed, this,
+            [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
+}
+
+void ColorEditor::present(const Value& value) {
+    if (const auto* color = std::get_if<glm::dvec3>(&value)) {
+        color_ = *color;
+        swatch_->setColor(*color);
+        hex_->setColor(*color);
+        if (picker_ && picker_->isVisible()) {
+            picker_->present(*color);
+        }
+    }
+}
+
+void ColorEditor::openPicker() {
+    if (!picker_) {
+        picker_ = new ColorPicker(parameter(), this);
+        connect(picker_, &ColorPicker::interactionBegan, this, &ParameterEditor::interactionBegan);
+        connect(picker_, &ColorPicker::interactionEnded, this, &ParameterEditor::interactionEnded);
+        connect(picker_, &ColorPicker::edited, this,
+                [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
+    }
+    picker_->present(color_);
+    picker_->openAt(*swatch_);
+}
+
+QWidget* ColorEditor::focusTarget() {
+    return swatch_;
+}
+
+} // namespace patina

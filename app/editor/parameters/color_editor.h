@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "parameters/parameter_editor.h"
+
+namespace patina {
+
+class ColorPicker;
+class ColorSwatch;
+class HexBox;
+
+/// A swatch that opens a picker, and the colour's sRGB hex.
+class ColorEditor : public ParameterEditor {
+    Q_OBJECT
+
+  public:
+    ColorEditor(const Parameter& parameter, QWidget* parent);
+
+    void present(const Value& value) override;
+    QWidget* focusTarget() override;
+
+  private:
+    void openPicker();
+
+    glm::dvec3 color_{0.0};
+    ColorSwatch* swatch_;
+    HexBox* hex_;
+    ColorPicker* picker_ = nullptr; ///< made when it is first opened
+};
+
+} // namespace patina

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/document_form.h"
+
+#include "parameters/document_source.h"
+
+namespace patina {
+
+DocumentForm::DocumentForm(Document& document, BlockPath::Part part, QWidget* parent)
+    : ParameterForm(parent), document_(document), part_(part) {
+    follow();
+    connect(&document_, &Document::valueChanged, this,
+            [this](const BlockPath& path, const QString& id) {
+                if (path == path_) {
+                    refresh(id.toStdString());
+                }
+            });
+    connect(&document_, &Document::materialChanged, this, &DocumentForm::follow);
+    connect(&document_, &Document::fogReplaced, this, &DocumentForm::follow);
+    connect(&document_, &Document::lightsChanged, this, &DocumentForm::follow);
+    connect(&document_, &Document::objectsChanged, this, &DocumentForm::follow);
+    connect(&document_, &Document::currentChanged, this, &DocumentForm::follow);
+    connect(&document_, &Document::sceneReplaced, this, &DocumentForm::follow);
+    connect(&document_, &Document::catalogChanged, this, &DocumentForm::follow);
+}
+
+void DocumentForm::follow() {
+    path_ = document_.currentPath(part_);
+    setBlock(document_.block(path_), std::make_unique<DocumentSource>(document_, path_),
+             emptyText());
+}
+
+QString DocumentForm::emptyText() const {
+    const BlockValues* values = blockValuesAt(document_.state(), path_);
+    if (values && !document_.block(path_)) {
+        return tr("\u201c%1\u201d is not installed. Its values are kept.")
+            .arg(QString::fromStdString(values->id));
+    }
+    return values ? tr("Nothing to adjust.") : QString();
+}
+
+} // namespace patina

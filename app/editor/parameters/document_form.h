@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document.h"
+#include "parameters/parameter_form.h"
+
+namespace patina {
+
+/// The form of one part of what is current in a document. It follows the document: values, swapped
+/// models, the selected object, light and side.
+class DocumentForm : public ParameterForm {
+    Q_OBJECT
+
+  public:
+    DocumentForm(Document& document, BlockPath::Part part, QWidget* parent = nullptr);
+
+    const BlockPath& path() const { return path_; }
+
+  private:
+    void follow();
+    QString emptyText() const;
+
+    Document& document_;
+    BlockPath::Part part_;
+    BlockPath path_;
+};
+
+} // namespace patina

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document.h"
+#include "parameters/parameter_source.h"
+
+namespace patina {
+
+/// The values at a path of a document.
+class DocumentSource : public ParameterSource {
+  public:
+    DocumentSource(Document& document, const BlockPath& path) : document_(document), path_(path) {}
+
+    Value value(const Parameter& parameter) const override {
+        return document_.value(path_, parameter);
+    }
+    void setValue(std::string_view parameterId, const Value& value) override {
+        document_.setValue(path_, parameterId, value);
+    }
+    int beginInteraction() override { return document_.beginInteraction(); }
+    void endInteraction(int token) override { document_.endInteraction(token); }
+
+  private:
+    Document& document_;
+    BlockPath path_;
+};
+
+} // namespace patina

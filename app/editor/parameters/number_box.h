@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLineEdit>
+
+namespace patina {
+
+/// A field for one number. It shows few digits and, once it is edited, all of them; what is not
+/// touched is never rounded. Enter or leaving it asks for the number that was typed.
+class NumberBox : public QLineEdit {
+    Q_OBJECT
+
+  public:
+    NumberBox(int decimals, const QString& unit, QWidget* parent = nullptr);
+
+    void setValue(double value);
+    double value() const { return value_; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+  Q_SIGNALS:
+    void typed(double value);
+    void stepped(double steps);
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void showValue();
+    void commit();
+    void markWhetherValid();
+    void updateMargins();
+
+    double value_ = 0.0;
+    int decimals_;
+    QString unit_;
+    bool selectOnRelease_ = false;
+    double wheelRest_ = 0.0;
+};
+
+} // namespace patina

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/number_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHBoxLayout>
+
+#include "parameters/number_box.h"
+#include "parameters/value_slider.h"
+
+namespace patina {
+
+namespace {
+
+constexpr int restMilliseconds = 400; // longer than a slow key repeat, shorter than a thought
+
+} // namespace
+
+NumberEdit::NumberEdit(const Parameter& parameter, double defaultValue, const QString& name,
+                       QWidget* parent)
+    : QWidget(parent), parameter_(parameter), defaultValue_(defaultValue), range_(parameter),
+      slider_(new ValueSlider(this)),
+      box_(new NumberBox(parameter.decimals, QString::fromStdString(parameter.unit), this)) {
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(6);
+    line->addWidget(slider_, 1);
+    line->addWidget(box_);
+    setFocusProxy(slider_);
+    slider_->setAccessibleName(name);
+    box_->setAccessibleName(tr("%1, number").arg(name));
+    slider_->setDefaultValue(defaultValue);
+    slider_->setRange(range_);
+    stepping_.setSingleShot(true);
+    stepping_.setInterval(restMilliseconds);
+
+    connect(&stepping_, &QTimer::timeout, this, &NumberEdit::interactionEnded);
+    connect(slider_, &ValueSlider::dragBegan, this, [this] {
+        finishStepping();
+        Q_EMIT interactionBegan();
+    });
+    connect(slider_, &ValueSlider::dragEnded, this, &NumberEdit::interactionEnded);
+    connect(slider_, &ValueSlider::moved, this, &NumberEdit::ask);
+    connect(slider_, &ValueSlider::jumped, this, &NumberEdit::ask);
+    connect(box_, &NumberBox::typed, this, &NumberEdit::ask);
+    connect(slider_, &ValueSlider::stepped, this, &NumberEdit::step);
+    connect(box_, &NumberBox::stepped, this, &NumberEdit::step);
+}
+
+void NumberEdit::present(double value) {
+    value_ = value;
+    SliderRange range = range_;
+    if (static_cast<float>(value) == static_cast<float>(defaultValue_) && !slider_->isDragging()) {
+        range.reset();
+    }
+    range.widenFor(value);
+    if (!(range == range_)) {
+        range_ = range;
+        slider_->setRange(range_);
+    }
+    slider_->setValue(value);
+    box_->setValue(value);
+}
+
+void NumberEdit::ask(double wanted) {
+    if (!std::isfinite(wanted)) {
+        return;
+    }
+    const bool isWhole = parameter_.type == ParameterType::Int;
+    const double number = isWhole ? std::round(wanted) : wanted;
+    Q_EMIT edited(std::clamp(number, parameter_.min, parameter_.max));
+}
+
+void NumberEdit::step(double steps) {
+    if (!stepping_.isActive()) {
+        Q_EMIT interactionBegan();
+    }
+    stepping_.start();
+    const bool isWhole = parameter_.type == ParameterType::Int;
+    const double whole =
+        steps < 0.0 ? std::min(-1.0, std::round(steps)) : std::max(1.0, std::round(steps));
+    ask(range_.stepped(value_, isWhole ? whole : steps));
+}
+
+void NumberEdit::finishStepping() {
+    if (stepping_.isActive()) {
+        stepping_.stop();
+        Q_EMIT interactionEnded();
+    }
+}
+
+} // namespace patina

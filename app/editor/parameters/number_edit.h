@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "catalog/parameter.h"
+#include "parameters/slider_range.h"
+
+namespace patina {
+
+class NumberBox;
+class ValueSlider;
+
+/// A slider and a number box for one number. Whatever way a number is changed, it goes through
+/// here: it is made finite, whole where it must be, and kept inside the hard range.
+class NumberEdit : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// `defaultValue` is this number's own (one component of a vector, for instance).
+    NumberEdit(const Parameter& parameter, double defaultValue, const QString& name,
+               QWidget* parent = nullptr);
+
+    void present(double value);
+    double value() const { return value_; }
+    ValueSlider* slider() const { return slider_; }
+    NumberBox* box() const { return box_; }
+
+  Q_SIGNALS:
+    void interactionBegan();
+    void edited(double value);
+    void interactionEnded();
+
+  private:
+    void ask(double wanted);
+    void step(double steps);
+    void finishStepping();
+
+    Parameter parameter_;
+    double defaultValue_;
+    double value_ = 0.0;
+    SliderRange range_;
+    ValueSlider* slider_;
+    NumberBox* box_;
+    QTimer stepping_; ///< a held key or a turned wheel is one interaction until it rests
+};
+
+} // namespace patina

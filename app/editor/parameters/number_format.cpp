@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/number_format.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace patina {
+
+namespace {
+
+std::string withoutTrailingZeros(std::string text) {
+    if (text.find('.') == std::string::npos) {
+        return text;
+    }
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') {
+        text.pop_back();
+    }
+    return text;
+}
+
+} // namespace
+
+std::string shownNumber(double value, int decimals) {
+    const double size = std::abs(value);
+    if (size == 0.0) {
+        return "0";
+    }
+    if (size >= 1e7 || size < 1e-4) {
+        return fmt::format("{:.3g}", value);
+    }
+    const int magnitude = static_cast<int>(std::floor(std::log10(size)));
+    const int fourDigits = 3 - magnitude;
+    const int threeDigits = 2 - magnitude;
+    const int places = std::max(0, std::min(fourDigits, std::max(decimals, threeDigits)));
+    return withoutTrailingZeros(fmt::format("{:.{}f}", value, places));
+}
+
+} // namespace patina

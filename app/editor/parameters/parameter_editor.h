@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "catalog/parameter.h"
+
+namespace patina {
+
+/// Shows one parameter's value and asks for changes; the document decides and the answer comes
+/// back through present(). One small subclass per parameter type.
+class ParameterEditor : public QWidget {
+    Q_OBJECT
+
+  public:
+    ParameterEditor(const Parameter& parameter, QWidget* parent)
+        : QWidget(parent), parameter_(parameter) {}
+
+    const Parameter& parameter() const { return parameter_; }
+    QString name() const { return QString::fromStdString(parameter_.label); }
+
+    virtual void present(const Value& value) = 0;
+
+    /// What takes the focus when the row's label is activated.
+    virtual QWidget* focusTarget() = 0;
+
+  Q_SIGNALS:
+    void interactionBegan();
+    void edited(const patina::Value& value);
+    void interactionEnded();
+
+  private:
+    Parameter parameter_;
+};
+
+} // namespace patina

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/parameter_form.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "parameters/enabled_expression.h"
+#include "parameters/parameter_row.h"
+#include "parameters/parameter_section.h"
+#include "parameters/parameter_text.h"
+
+namespace patina {
+
+ParameterForm::ParameterForm(QWidget* parent)
+    : QWidget(parent), empty_(new QLabel(this)), ungrouped_(new QVBoxLayout),
+      column_(new QVBoxLayout(this)) {
+    column_->setContentsMargins(6, 4, 6, 4);
+    column_->setSpacing(4);
+    column_->addWidget(empty_);
+    column_->addLayout(ungrouped_);
+    column_->addStretch(1);
+    ungrouped_->setSpacing(4);
+    empty_->setWordWrap(true);
+    empty_->hide();
+}
+
+ParameterForm::~ParameterForm() = default;
+
+void ParameterForm::setBlock(const Block* block, std::unique_ptr<ParameterSource> source,
+                             const QString& emptyText) {
+    source_ = std::move(source);
+    const std::vector<Parameter> wanted = block ? block->parameters : std::vector<Parameter>();
+    if (wanted != parameters_) {
+        setUpdatesEnabled(false); // one repaint when everything is in place
+        arrange(wanted);
+        setUpdatesEnabled(true);
+    }
+    empty_->setText(emptyText);
+    empty_->setVisible(wanted.empty() && !emptyText.isEmpty());
+    refresh();
+}
+
+void ParameterForm::arrange(const std::vector<Parameter>& parameters) {
+    parameters_ = parameters;
+    Rows former;
+    std::swap(former, rows_);
+    for (const auto& [id, row] : former) {
+        row->setParent(this); // out of the sections, which go
+    }
+    clearSections();
+    dependents_.clear();
+    for (const Parameter& parameter : parameters_) {
+        const auto kept = former.find(parameter.id);
+        const bool fits = kept != former.end() && kept->second->parameter() == parameter;
+        ParameterRow* row = fits ? kept->second : makeRow(parameter);
+        if (fits) {
+            former.erase(kept);
+        }
+        rows_.insert_or_assign(parameter.id, row);
+        const QString group = QString::fromStdString(parameter.group);
+        QVBoxLayout* place = parameter.advanced ? section(tr("Advanced"), true)->rows()
+                             : group.isEmpty()  ? ungrouped_
+                                                : section(group, false)->rows();
+        place->addWidget(row);
+        row->show();
+        for (const std::string& word : tokensOf(parameter.enabledWhen)) {
+            dependents_[word].push_back(row);
+        }
+    }
+    for (const auto& [id, row] : former) {
+        row->hide();
+        row->deleteLater(); // it may be the sender of what brought us here
+    }
+    alignLabels();
+    orderTabs();
+}
+
+ParameterRow* ParameterForm::makeRow(const Parameter& parameter) {
+    auto* row = new ParameterRow(parameter, this);
+    const auto token = std::make_shared<int>(0);
+    connect(row, &ParameterRow::interactionBegan, this,
+            [this, token] { *token = source_->beginInteraction(); });
+    connect(row, &ParameterRow::interactionEnded, this, [this, token] {
+        if (*token != 0) {
+            source_->endInteraction(std::exchange(*token, 0));
+        }
+    });
+    connect(row, &ParameterRow::edited, this, [this, row](const Value& value) {
+        const std::string id = row->parameter().id;
+        source_->setValue(id, value);
+        refresh(id); // shows the value as it was accepted, even when nothing changed
+    });
+    return row;
+}
+
+ParameterSection* ParameterForm::section(const QString& title, bool isFolded) {
+    for (ParameterSection* known : sections_) {
+        if (known->title() == title) {
+            return known;
+        }
+    }
+    const bool folded = foldedSections_.try_emplace(title, isFolded).first->second;
+    auto* made = new ParameterSection(title, folded, this);
+    connect(made->header(), &QToolButton::toggled, this,
+            [this, title](bool isOpen) { foldedSections_[title] = !isOpen; });
+    const bool isLast = title == tr("Advanced");
+    const bool endsInAdvanced = !sections_.empty() && sections_.back()->title() == tr("Advanced");
+    const int end = column_->count() - 1; // before the stretch
+    const bool goesBefore = endsInAdvanced && !isLast;
+    column_->insertWidget(goesBefore ? end - 1 : end, made);
+    sections_.insert(goesBefore ? sections_.end() - 1 : sections_.end(), made);
+    return made;
+}
+
+void ParameterForm::clearSections() {
+    for (ParameterSection* old : sections_) {
+        column_->removeWidget(old);
+        old->hide();
+        old->deleteLater();
+    }
+    sections_.clear();
+}
+
+void ParameterForm::refresh(std::string_view parameterId) {
+    if (ParameterRow* changed = row(parameterId)) {
+        changed->present(source_->value(changed->parameter()));
+        updateEnabled(*changed);
+    }
+}
+
+void ParameterForm::refresh() {
+    for (const auto& [id, row] : rows_) {
+        row->present(source_->value(row->parameter()));
+    }
+    for (const auto& [id, row] : rows_) {
+        updateEnabled(*row);
+    }
+}
+
+/// Rows whose condition names the changed parameter.
+void ParameterForm::updateEnabled(const ParameterRow& changed) {
+    if (const auto found = dependents_.find(changed.parameter().id); found != dependents_.end()) {
+        for (ParameterRow* dependent : found->second) {
+            updateEnabled(*dependent);
+        }
+    }
+}
+
+void ParameterForm::updateEnabled(ParameterRow& row) {
+    const Parameter& parameter = row.parameter();
+    if (parameter.enabledWhen.empty()) {
+        return;
+    }
+    const ValueLookup lookup = [this](std::string_view id) -> std::optional<Value> {
+        const ParameterRow* named = this->row(id);
+        return named ? std::optional<Value>(source_->value(named->parameter())) : std::nullopt;
+    };
+    const bool counts = evaluateEnabled(parameter.enabledWhen, lookup).value_or(true);
+    row.setCounting(counts, enabledReason(parameter, parameters_));
+}
+
+ParameterRow* ParameterForm::row(std::string_view parameterId) const {
+    const auto found = rows_.find(parameterId);
+    return found == rows_.end() ? nullptr : found->second;
+}
+
+std::vector<ParameterRow*> ParameterForm::rows() const {
+    std::vector<ParameterRow*> inOrder;
+    for (const Parameter& parameter : parameters_) {
+        inOrder.push_back(row(parameter.id));
+    }
+    return inOrder;
+}
+
+/// One column of labels for the whole form: as wide as its longest, within reason.
+void ParameterForm::alignLabels() {
+    const int letter = fontMetrics().averageCharWidth();
+    int width = 14 * letter;
+    for (const auto& [id, row] : rows_) {
+        width = std::max(width, row->labelWidthHint());
+    }
+    for (const auto& [id, row] : rows_) {
+        row->setLabelWidth(std::min(width, 26 * letter)); // longer ones wrap
+    }
+}
+
+/// Tab goes down the form as it is seen, whatever the order in which rows were made.
+void ParameterForm::orderTabs() {
+    std::vector<QWidget*> chain;
+    const auto append = [&chain](const ParameterRow& row) {
+        const std::vector<QWidget*> inside = row.focusChain();
+        chain.insert(chain.end(), inside.begin(), inside.end());
+    };
+    for (int i = 0; i < ungrouped_->count(); ++i) {
+        append(*qobject_cast<ParameterRow*>(ungrouped_->itemAt(i)->widget()));
+    }
+    for (const ParameterSection* part : sections_) {
+        chain.push_back(part->header());
+        for (int i = 0; i < part->rows()->count(); ++i) {
+            append(*qobject_cast<ParameterRow*>(part->rows()->itemAt(i)->widget()));
+        }
+    }
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+        setTabOrder(chain[i - 1], chain[i]);
+    }
+}
+
+void ParameterForm::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+        alignLabels();
+    }
+}
+
+} // namespace patina

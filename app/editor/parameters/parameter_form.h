@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <QWidget>
+
+#include "catalog/block.h"
+#include "parameters/parameter_source.h"
+
+class QLabel;
+class QVBoxLayout;
+
+namespace patina {
+
+class ParameterRow;
+class ParameterSection;
+
+/// The form of a block: one row per parameter, lined up in sections, made from the descriptor
+/// alone. It holds no values; it asks its source.
+class ParameterForm : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ParameterForm(QWidget* parent = nullptr);
+    ~ParameterForm() override;
+
+    /// Shows the values of a source as the block describes them. Rows of parameters that stay the
+    /// same are kept. Without a block `emptyText` is shown.
+    void setBlock(const Block* block, std::unique_ptr<ParameterSource> source,
+                  const QString& emptyText = {});
+
+    /// Shows one value anew, or all of them.
+    void refresh(std::string_view parameterId);
+    void refresh();
+
+    /// The row of a parameter, or null.
+    ParameterRow* row(std::string_view parameterId) const;
+    std::vector<ParameterRow*> rows() const;
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    using Rows = std::map<std::string, ParameterRow*, std::less<>>;
+
+    ParameterRow* makeRow(const Parameter& parameter);
+    void arrange(const std::vector<Parameter>& parameters);
+    ParameterSection* section(const QString& title, bool isFolded);
+    void clearSections();
+    void updateEnabled(const ParameterRow& changed);
+    void updateEnabled(ParameterRow& row);
+    void alignLabels();
+    void orderTabs();
+
+    std::unique_ptr<ParameterSource> source_;
+    std::vector<Parameter> parameters_;
+    Rows rows_;
+    std::map<std::string, std::vector<ParameterRow*>, std::less<>> dependents_; ///< by word
+    std::vector<ParameterSection*> sections_;
+    std::map<QString, bool> foldedSections_; ///< remembered while models are swapped
+    QLabel* empty_;
+    QVBoxLayout* ungrouped_;
+    QVBoxLayout* column_;
+};
+
+} // namespace patina

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/parameter_row.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
+
+#include "parameters/editor_factory.h"
+#include "parameters/parameter_text.h"
+#include "parameters/reset_mark.h"
+#include "parameters/value_text.h"
+#include "parameters/warning_mark.h"
+
+namespace patina {
+
+ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
+    : QWidget(parent), editor_(makeEditor(parameter, this)),
+      label_(new QLabel(QString::fromStdString(parameter.label), this)),
+      foldButton_(new QToolButton(this)), warning_(new WarningMark(this)),
+      resetMark_(new ResetMark(this)), value_(parameter.defaultValue) {
+    makeLayout();
+    makeAccessible();
+    connect(editor_, &ParameterEditor::interactionBegan, this, &ParameterRow::interactionBegan);
+    connect(editor_, &ParameterEditor::interactionEnded, this, &ParameterRow::interactionEnded);
+    connect(editor_, &ParameterEditor::edited, this, &ParameterRow::edited);
+    connect(resetMark_, &QAbstractButton::clicked, this, &ParameterRow::reset);
+    connect(foldButton_, &QAbstractButton::clicked, this, [this] {
+        isOpened_ = !isOpened_;
+        updateFolding();
+    });
+    for (QWidget* widget : focusChain()) {
+        widget->installEventFilter(this);
+    }
+    present(parameter.defaultValue);
+    updateFolding();
+}
+
+void ParameterRow::makeLayout() {
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(6);
+    line->addWidget(label_, 0, Qt::AlignTop);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(2);
+    column->addWidget(foldButton_);
+    column->addWidget(editor_);
+    line->addLayout(column, 1);
+    line->addWidget(warning_, 0, Qt::AlignTop);
+    line->addWidget(resetMark_, 0, Qt::AlignTop);
+    label_->setWordWrap(true);
+    label_->setMinimumHeight(resetMark_->sizeHint().height() + 4);
+    foldButton_->setAutoRaise(true);
+    foldButton_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    foldButton_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    resetMark_->hide();
+}
+
+void ParameterRow::makeAccessible() {
+    setToolTip(tooltipOf(parameter()));
+    label_->setBuddy(editor_->focusTarget());
+    const QString doc = QString::fromStdString(parameter().doc);
+    editor_->focusTarget()->setAccessibleDescription(doc);
+    resetMark_->setAccessibleName(tr("Reset %1").arg(editor_->name()));
+    resetMark_->setToolTip(tr("Changed. Click to reset to %1.")
+                               .arg(shownValue(parameter(), parameter().defaultValue)));
+    foldButton_->setAccessibleName(tr("Show %1").arg(editor_->name()));
+}
+
+const Parameter& ParameterRow::parameter() const {
+    return editor_->parameter();
+}
+
+bool ParameterRow::isFolded() const {
+    return !isCounting_ && !isOpened_;
+}
+
+void ParameterRow::present(const Value& value) {
+    value_ = value;
+    editor_->present(value);
+    const bool isChanged = roundedToFloat(value) != roundedToFloat(parameter().defaultValue);
+    if (isChanged != isChanged_) {
+        isChanged_ = isChanged;
+        resetMark_->setVisible(isChanged);
+    }
+    if (parameter().physical) {
+        warning_->setWarning(physicalWarning(parameter(), value));
+    }
+    if (!isCounting_) {
+        updateSummary();
+    }
+}
+
+void ParameterRow::setCounting(bool counts, const QString& reason) {
+    reason_ = reason;
+    if (counts != isCounting_) {
+        isCounting_ = counts;
+        isOpened_ = false;
+        updateFolding();
+    }
+}
+
+void ParameterRow::updateFolding() {
+    foldButton_->setVisible(!isCounting_);
+    foldButton_->setArrowType(isFolded() ? Qt::RightArrow : Qt::DownArrow);
+    editor_->setVisible(!isFolded());
+    QPalette colors;
+    if (!isCounting_) {
+        const QColor grey = palette().color(QPalette::Disabled, QPalette::WindowText);
+        colors.setColor(QPalette::WindowText, grey);
+        colors.setColor(QPalette::ButtonText, grey);
+    }
+    label_->setPalette(colors);
+    foldButton_->setPalette(colors);
+    updateSummary();
+}
+
+void ParameterRow::updateSummary() {
+    const QString shown = shownValue(parameter(), value_);
+    foldButton_->setText(tr("%1, not in use").arg(shown));
+    foldButton_->setToolTip(tr("Counts only when %1.").arg(reason_));
+    foldButton_->setAccessibleDescription(foldButton_->text() + ". " + foldButton_->toolTip());
+}
+
+int ParameterRow::labelWidthHint() const {
+    return label_->fontMetrics().horizontalAdvance(label_->text()) + 2;
+}
+
+void ParameterRow::setLabelWidth(int width) {
+    label_->setFixedWidth(width);
+}
+
+std::vector<QWidget*> ParameterRow::focusChain() const {
+    std::vector<QWidget*> chain{foldButton_};
+    for (QWidget* widget : editor_->findChildren<QWidget*>()) {
+        if (widget->window() == window() && (widget->focusPolicy() & Qt::TabFocus)) {
+            chain.push_back(widget);
+        }
+    }
+    return chain;
+}
+
+void ParameterRow::reset() {
+    Q_EMIT edited(parameter().defaultValue);
+}
+
+void ParameterRow::paste() {
+    const std::string text = QGuiApplication::clipboard()->text().toStdString();
+    if (const std::optional<Value> value = pastedValue(parameter(), text)) {
+        Q_EMIT edited(*value);
+    }
+}
+
+void ParameterRow::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    QClipboard* clipboard = QGuiApplication::clipboard();
+    QAction* resetAction =
+        menu.addAction(tr("Reset to %1").arg(shownValue(parameter(), parameter().defaultValue)),
+                       this, &ParameterRow::reset);
+    resetAction->setEnabled(isChanged_);
+    menu.addSeparator();
+    menu.addAction(tr("Copy value"), this, [this, clipboard] {
+        clipboard->setText(QString::fromStdString(copiedText(value_)));
+    });
+    QAction* pasteAction = menu.addAction(tr("Paste value"), this, &ParameterRow::paste);
+    pasteAction->setEnabled(pastedValue(parameter(), clipboard->text().toStdString()).has_value());
+    menu.addAction(tr("Copy name"), this, [this, clipboard] {
+        clipboard->setText(QString::fromStdString(parameter().id));
+    });
+    menu.exec(event->globalPos());
+}
+
+void ParameterRow::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (label_->geometry().contains(event->position().toPoint())) {
+        reset();
+    }
+}
+
+/// Backspace resets wherever the row has the focus, except where it edits text.
+bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
+    const bool isBackspace = event->type() == QEvent::KeyPress &&
+                             static_cast<QKeyEvent*>(event)->key() == Qt::Key_Backspace;
+    if (isBackspace && !qobject_cast<QLineEdit*>(watched)) {
+        reset();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ParameterRow::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        updateFolding();
+    } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+        label_->setMinimumHeight(resetMark_->sizeHint().height() + 4);
+    }
+}
+
+} // namespace patina

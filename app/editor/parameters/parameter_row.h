@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "catalog/parameter.h"
+
+class QLabel;
+class QToolButton;
+
+namespace patina {
+
+class ParameterEditor;
+class ResetMark;
+class WarningMark;
+
+/// One line of a form: label, editor, and the marks of an unusual and of a changed value. While
+/// the parameter does not count it is grey and folded; it can be opened and set all the same.
+class ParameterRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    ParameterRow(const Parameter& parameter, QWidget* parent);
+
+    const Parameter& parameter() const;
+    ParameterEditor* editor() const { return editor_; }
+    QLabel* label() const { return label_; }
+    QToolButton* foldButton() const { return foldButton_; }
+    bool isCounting() const { return isCounting_; }
+    bool isFolded() const;
+    bool isChanged() const { return isChanged_; }
+
+    void present(const Value& value);
+    /// Whether the parameter counts at present; `reason` says when it would.
+    void setCounting(bool counts, const QString& reason);
+    int labelWidthHint() const;
+    void setLabelWidth(int width);
+    /// What Tab goes through, in order.
+    std::vector<QWidget*> focusChain() const;
+
+  Q_SIGNALS:
+    void interactionBegan();
+    void edited(const patina::Value& value);
+    void interactionEnded();
+
+  protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void makeLayout();
+    void makeAccessible();
+    void reset();
+    void paste();
+    void updateFolding();
+    void updateSummary();
+
+    ParameterEditor* editor_;
+    QLabel* label_;
+    QToolButton* foldButton_;
+    WarningMark* warning_;
+    ResetMark* resetMark_;
+    Value value_;
+    QString reason_;
+    bool isCounting_ = true;
+    bool isOpened_ = false; ///< by hand, while it does not count
+    bool isChanged_ = false;
+};
+
+} // namespace patina

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace patina {
+
+/// A heading that folds the rows below it.
+class ParameterSection : public QWidget {
+    Q_OBJECT
+
+  public:
+    ParameterSection(const QString& title, bool isFolded, QWidget* parent);
+
+    QString title() const;
+    bool isFolded() const;
+    QToolButton* header() const { return header_; }
+    QVBoxLayout* rows() const { return rows_; }
+
+  private:
+    QToolButton* header_;
+    QWidget* body_;
+    QVBoxLayout* rows_;
+};
+
+} // namespace patina

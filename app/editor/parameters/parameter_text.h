@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include <QString>
+
+#include "catalog/parameter.h"
+
+namespace patina {
+
+/// A value as a form writes it: few digits, the unit, the label of a choice.
+QString shownValue(const Parameter& parameter, const Value& value);
+
+/// What hovering over a parameter says, in plain words.
+QString tooltipOf(const Parameter& parameter);
+
+/// Why a parameter counts or does not: "Falloff is Polynomial".
+QString enabledReason(const Parameter& parameter, std::span<const Parameter> siblings);
+
+/// The warning for a value outside the range of real things; empty when there is none.
+QString physicalWarning(const Parameter& parameter, const Value& value);
+
+} // namespace patina

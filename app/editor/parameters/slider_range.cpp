@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/slider_range.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patina {
+
+namespace {
+
+/// 10^exponent, exact where a double can be: dividing by an exact power keeps 0.3 at 0.3.
+double rounded(double value, int exponent) {
+    const double power = std::pow(10.0, std::abs(exponent));
+    return exponent < 0 ? std::round(value * power) / power : std::round(value / power) * power;
+}
+
+} // namespace
+
+SliderRange::SliderRange(const Parameter& parameter)
+    : lower_(parameter.softMin), upper_(parameter.softMax), softMin_(parameter.softMin),
+      softMax_(parameter.softMax), min_(parameter.min), max_(parameter.max),
+      step_(parameter.step > 0.0 ? parameter.step : 0.01),
+      isWhole_(parameter.type == ParameterType::Int), scale_(parameter.scale) {
+    if (!(softMin_ < softMax_)) { // no slider to speak of; any length will do
+        upper_ = softMax_ = softMin_ + 1.0;
+    }
+}
+
+void SliderRange::widenFor(double value) {
+    if (value > upper_) {
+        upper_ = std::min(max_, value + std::abs(value));
+    } else if (value < lower_) {
+        lower_ = std::max(min_, value - std::abs(value));
+    }
+}
+
+void SliderRange::reset() {
+    lower_ = softMin_;
+    upper_ = softMax_;
+}
+
+/// A log slider that starts at or below 0 is logarithmic above a thousandth of its length and
+/// runs straight into its start.
+double SliderRange::kneeOfLog() const {
+    return lower_ > 0.0 ? lower_ : (upper_ - lower_) * 1e-3;
+}
+
+double SliderRange::positionOf(double value) const {
+    const double inside = std::clamp(value, lower_, upper_);
+    if (scale_ == Scale::Linear) {
+        return (inside - lower_) / (upper_ - lower_);
+    }
+    const double knee = kneeOfLog();
+    return std::log1p((inside - lower_) / knee) / std::log1p((upper_ - lower_) / knee);
+}
+
+double SliderRange::valueAt(double position) const {
+    const double share = std::clamp(position, 0.0, 1.0);
+    if (scale_ == Scale::Linear) {
+        return lower_ + share * (upper_ - lower_);
+    }
+    const double knee = kneeOfLog();
+    return lower_ + knee * std::expm1(share * std::log1p((upper_ - lower_) / knee));
+}
+
+double SliderRange::tidyValueAt(double position, double span) const {
+    const double value = valueAt(position);
+    const double change = std::abs(valueAt(position + span) - valueAt(position - span)) / 2.0;
+    if (position <= 0.0 || position >= 1.0 || !(change > 0.0)) {
+        return isWhole_ ? std::round(value) : value;
+    }
+    const int exponent = static_cast<int>(std::floor(std::log10(change)));
+    return std::clamp(rounded(value, isWhole_ ? std::max(exponent, 0) : exponent), lower_, upper_);
+}
+
+double SliderRange::snapped(double value) const {
+    return std::clamp(std::round(value / step_) * step_, lower_, upper_);
+}
+
+double SliderRange::stepped(double value, double steps) const {
+    const double next = value + steps * step_;
+    // Adding 0.1 again and again must not show 0.30000000000000004.
+    const int exponent = static_cast<int>(std::floor(std::log10(step_))) - 6;
+    return std::clamp(rounded(next, std::min(exponent, 0)), min_, max_);
+}
+
+} // namespace patina

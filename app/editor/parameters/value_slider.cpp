@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/value_slider.h"
+
+#include <cmath>
+
+#include <QAccessible>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "parameters/value_slider_accessible.h"
+
+namespace patina {
+
+namespace {
+
+constexpr double fine = 0.1;       // share of the mouse's way that a Shift drag goes
+constexpr double pageSteps = 10.0; // steps of PageUp and PageDown
+constexpr double wheelNotch = 120; // QWheelEvent::angleDelta of one notch
+
+} // namespace
+
+ValueSlider::ValueSlider(QWidget* parent) : QWidget(parent) {
+    installValueSliderAccessibility();
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ValueSlider::setRange(const SliderRange& range) {
+    range_ = range;
+    update();
+}
+
+void ValueSlider::setValue(double value) {
+    if (value != value_) {
+        value_ = value;
+        announceValue();
+        update();
+    }
+}
+
+void ValueSlider::setDefaultValue(double value) {
+    defaultValue_ = value;
+    update();
+}
+
+void ValueSlider::announceValue() {
+    if (QAccessible::isActive()) {
+        QAccessibleValueChangeEvent event(this, value_);
+        QAccessible::updateAccessibility(&event);
+    }
+}
+
+QSize ValueSlider::sizeHint() const {
+    const int line = fontMetrics().height();
+    return {line * 8, line + 6};
+}
+
+QSize ValueSlider::minimumSizeHint() const {
+    const int line = fontMetrics().height();
+    return {line * 3, line + 6};
+}
+
+double ValueSlider::radius() const {
+    return std::round(fontMetrics().height() * 0.4);
+}
+
+double ValueSlider::length() const {
+    return std::max(1.0, width() - 2.0 * radius() - 2.0);
+}
+
+double ValueSlider::pixelOf(double value) const {
+    const double pixel = radius() + 1.0 + range_.positionOf(value) * length();
+    return isRightToLeft() ? width() - pixel : pixel;
+}
+
+double ValueSlider::shareAt(double pixel) const {
+    const double fromStart = isRightToLeft() ? width() - pixel : pixel;
+    return (fromStart - radius() - 1.0) / length();
+}
+
+void ValueSlider::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        event->ignore();
+        return;
+    }
+    isDragging_ = true;
+    startValue_ = value_;
+    lastPixel_ = event->position().x();
+    share_ = range_.positionOf(value_);
+    Q_EMIT dragBegan();
+    const bool onHandle = std::abs(lastPixel_ - pixelOf(value_)) <= radius() + 1.0;
+    if (!onHandle && !(event->modifiers() & Qt::ShiftModifier)) {
+        share_ = shareAt(lastPixel_);
+        moveTo(share_, event->modifiers());
+    }
+    update();
+}
+
+void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
+    if (!isDragging_) {
+        return;
+    }
+    const double way = shareAt(event->position().x()) - shareAt(lastPixel_);
+    lastPixel_ = event->position().x();
+    const bool isFine = event->modifiers() & Qt::ShiftModifier;
+    share_ += way * (isFine ? fine : 1.0);
+    moveTo(share_, event->modifiers());
+}
+
+void ValueSlider::moveTo(double share, Qt::KeyboardModifiers modifiers) {
+    const double inside = std::clamp(share, 0.0, 1.0);
+    const double pixel = 1.0 / length();
+    const bool isFine = modifiers & Qt::ShiftModifier;
+    const double tidy = range_.tidyValueAt(inside, isFine ? pixel * fine : pixel);
+    const double wanted =
+        modifiers & Qt::ControlModifier ? range_.snapped(range_.valueAt(inside)) : tidy;
+    if (wanted != value_) {
+        Q_EMIT moved(wanted);
+    }
+}
+
+void ValueSlider::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        finishDrag();
+    }
+}
+
+void ValueSlider::finishDrag() {
+    if (isDragging_) {
+        isDragging_ = false;
+        Q_EMIT dragEnded();
+        update();
+    }
+}
+
+bool ValueSlider::cancelDrag() {
+    if (!isDragging_) {
+        return false;
+    }
+    Q_EMIT moved(startValue_);
+    finishDrag();
+    return true;
+}
+
+void ValueSlider::keyPressEvent(QKeyEvent* event) {
+    const double finer = event->modifiers() & Qt::ShiftModifier ? fine : 1.0;
+    const double forward = isRightToLeft() ? -1.0 : 1.0;
+    switch (event->key()) {
+    case Qt::Key_Escape:
+        if (!cancelDrag()) {
+            event->ignore();
+        }
+        return;
+    case Qt::Key_Right:
+        Q_EMIT stepped(forward * finer);
+        return;
+    case Qt::Key_Left:
+        Q_EMIT stepped(-forward * finer);
+        return;
+    case Qt::Key_Up:
+        Q_EMIT stepped(finer);
+        return;
+    case Qt::Key_Down:
+        Q_EMIT stepped(-finer);
+        return;
+    case Qt::Key_PageUp:
+        Q_EMIT stepped(pageSteps);
+        return;
+    case Qt::Key_PageDown:
+        Q_EMIT stepped(-pageSteps);
+        return;
+    case Qt::Key_Home:
+        Q_EMIT jumped(range_.softMin());
+        return;
+    case Qt::Key_End:
+        Q_EMIT jumped(range_.softMax());
+        return;
+    default:
+        event->ignore();
+    }
+}
+
+/// Scrolling past a form must not change it: without focus the wheel belongs to what scrolls.
+void ValueSlider::wheelEvent(QWheelEvent* event) {
+    if (!hasFocus()) {
+        event->ignore();
+        return;
+    }
+    wheelRest_ += event->angleDelta().y() / wheelNotch;
+    const double notches = std::trunc(wheelRest_);
+    wheelRest_ -= notches;
+    if (notches != 0.0) {
+        Q_EMIT stepped(notches * (event->modifiers() & Qt::ShiftModifier ? fine : 1.0));
+    }
+    event->accept();
+}
+
+void ValueSlider::focusInEvent(QFocusEvent* event) {
+    QWidget::focusInEvent(event);
+    wheelRest_ = 0.0;
+    update();
+}
+
+void ValueSlider::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+void ValueSlider::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    finishDrag(); // no release comes to a hidden widget
+}
+
+void ValueSlider::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+        updateGeometry();
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace patina {
+
+/// Makes screen readers see a ValueSlider as a slider with its real value and range. Safe to call
+/// any number of times.
+void installValueSliderAccessibility();
+
+} // namespace patina

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "catalog/parameter.h"
+
+namespace patina {
+
+/// A value as text for the clipboard: "0.5", "true", "ggx", "[0.8, 0.1, 0.1]".
+std::string copiedText(const Value& value);
+
+/// What pasted text means to a parameter, inside its hard range; a colour may be sRGB hex too.
+/// Nothing when it means nothing.
+std::optional<Value> pastedValue(const Parameter& parameter, std::string_view text);
+
+/// A linear colour as the sRGB hex a screen shows ("#80c0ff"), and back.
+std::string hexOf(const glm::dvec3& linear);
+std::optional<glm::dvec3> colorOfHex(std::string_view text);
+
+} // namespace patina

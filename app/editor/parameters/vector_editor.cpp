@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/vector_editor.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "parameters/number_edit.h"
+#include "parameters/value_slider.h"
+
+namespace patina {
+
+namespace {
+
+std::vector<double> componentsOf(const Value& value) {
+    if (const auto* pair = std::get_if<glm::dvec2>(&value)) {
+        return {pair->x, pair->y};
+    }
+    if (const auto* triple = std::get_if<glm::dvec3>(&value)) {
+        return {triple->x, triple->y, triple->z};
+    }
+    return {};
+}
+
+} // namespace
+
+VectorEditor::VectorEditor(const Parameter& parameter, QWidget* parent)
+    : ParameterEditor(parameter, parent), value_(parameter.defaultValue) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(3);
+    const std::vector<double> defaults = componentsOf(parameter.defaultValue);
+    for (int i = 0; i < static_cast<int>(defaults.size()); ++i) {
+        const QString axis = QStringLiteral("xyz").mid(i, 1);
+        auto* number = new NumberEdit(parameter, defaults[static_cast<std::size_t>(i)],
+                                      name() + QLatin1Char(' ') + axis, this);
+        auto* letter = new QLabel(axis, this);
+        letter->setBuddy(number->slider());
+        grid->addWidget(letter, i, 0);
+        grid->addWidget(number, i, 1);
+        numbers_.push_back(number);
+        connect(number, &NumberEdit::interactionBegan, this, &ParameterEditor::interactionBegan);
+        connect(number, &NumberEdit::interactionEnded, this, &ParameterEditor::interactionEnded);
+        connect(number, &NumberEdit::edited, this,
+                [this, i](double wanted) { Q_EMIT edited(withComponent(i, wanted)); });
+    }
+}
+
+Value VectorEditor::withComponent(int component, double number) const {
+    if (const auto* pair = std::get_if<glm::dvec2>(&value_)) {
+        glm::dvec2 changed = *pair;
+        changed[component] = number;
+        return changed;
+    }
+    glm::dvec3 changed = std::get<glm::dvec3>(value_);
+    changed[component] = number;
+    return changed;
+}
+
+void VectorEditor::present(const Value& value) {
+    const std::vector<double> components = componentsOf(value);
+    if (components.size() != numbers_.size()) {
+        return;
+    }
+    value_ = value;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        numbers_[i]->present(components[i]);
+    }
+}
+
+QWidget* VectorEditor::focusTarget() {
+    return numbers_.empty() ? static_cast<QWidget*>(this) : numbers_.front()->slider();
+}
+
+} // namespace patina
