@@ -8,7 +8,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "parameters/enabled_expression.h"
 #include "parameters/parameter_row.h"
 #include "parameters/parameter_section.h"
 #include "parameters/parameter_text.h"
@@ -52,7 +51,7 @@ void ParameterForm::arrange(const std::vector<Parameter>& parameters) {
         row->setParent(this); // out of the sections, which go
     }
     clearSections();
-    dependents_.clear();
+    conditions_.clear();
     for (const Parameter& parameter : parameters_) {
         const auto kept = former.find(parameter.id);
         const bool fits = kept != former.end() && kept->second->parameter() == parameter;
@@ -67,9 +66,7 @@ void ParameterForm::arrange(const std::vector<Parameter>& parameters) {
                                                 : section(group, false)->rows();
         place->addWidget(row);
         row->show();
-        for (const std::string& word : tokensOf(parameter.enabledWhen)) {
-            dependents_[word].push_back(row);
-        }
+        readCondition(*row);
     }
     for (const auto& [id, row] : former) {
         row->hide();
@@ -128,7 +125,7 @@ void ParameterForm::clearSections() {
 void ParameterForm::refresh(std::string_view parameterId) {
     if (ParameterRow* changed = row(parameterId)) {
         changed->present(source_->value(changed->parameter()));
-        updateEnabled(*changed);
+        updateDependents(*changed);
     }
 }
 
@@ -137,30 +134,49 @@ void ParameterForm::refresh() {
         row->present(source_->value(row->parameter()));
     }
     for (const auto& [id, row] : rows_) {
-        updateEnabled(*row);
+        updateCounting(*row);
     }
 }
 
-/// Rows whose condition names the changed parameter.
-void ParameterForm::updateEnabled(const ParameterRow& changed) {
-    if (const auto found = dependents_.find(changed.parameter().id); found != dependents_.end()) {
-        for (ParameterRow* dependent : found->second) {
-            updateEnabled(*dependent);
+/// A condition that does not parse is the descriptor's mistake, reported where it is read: the row
+/// counts, because hiding by mistake is worse than showing.
+void ParameterForm::readCondition(const ParameterRow& row) {
+    const Parameter& parameter = row.parameter();
+    Result<Expression> expression = Expression::parse(parameter.enabledWhen);
+    if (parameter.enabledWhen.empty() || !expression) {
+        return;
+    }
+    Condition condition{*expression, {}};
+    for (const Expression::Comparison& comparison : expression->comparisons()) {
+        condition.words.push_back(comparison.left);
+        condition.words.push_back(comparison.right);
+    }
+    conditions_.insert_or_assign(parameter.id, std::move(condition));
+}
+
+void ParameterForm::updateDependents(const ParameterRow& changed) {
+    const std::string& id = changed.parameter().id;
+    for (const auto& [dependent, condition] : conditions_) {
+        const std::vector<std::string>& words = condition.words;
+        if (std::find(words.begin(), words.end(), id) != words.end()) {
+            updateCounting(*rows_.at(dependent));
         }
     }
 }
 
-void ParameterForm::updateEnabled(ParameterRow& row) {
-    const Parameter& parameter = row.parameter();
-    if (parameter.enabledWhen.empty()) {
+void ParameterForm::updateCounting(ParameterRow& row) {
+    const auto found = conditions_.find(row.parameter().id);
+    if (found == conditions_.end()) {
         return;
     }
-    const ValueLookup lookup = [this](std::string_view id) -> std::optional<Value> {
-        const ParameterRow* named = this->row(id);
-        return named ? std::optional<Value>(source_->value(named->parameter())) : std::nullopt;
-    };
-    const bool counts = evaluateEnabled(parameter.enabledWhen, lookup).value_or(true);
-    row.setCounting(counts, enabledReason(parameter, parameters_));
+    Values named;
+    for (const std::string& word : found->second.words) {
+        if (const ParameterRow* sibling = this->row(word)) {
+            named.insert_or_assign(word, source_->value(sibling->parameter()));
+        }
+    }
+    row.setCounting(found->second.expression.evaluate(named),
+                    enabledReason(row.parameter(), parameters_));
 }
 
 ParameterRow* ParameterForm::row(std::string_view parameterId) const {

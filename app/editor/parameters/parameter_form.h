@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include "catalog/block.h"
+#include "catalog/expression.h"
 #include "parameters/parameter_source.h"
 
 class QLabel;
@@ -48,19 +49,26 @@ class ParameterForm : public QWidget {
   private:
     using Rows = std::map<std::string, ParameterRow*, std::less<>>;
 
+    /// When a row counts, and the parameters that decide it.
+    struct Condition {
+        Expression expression;
+        std::vector<std::string> words;
+    };
+
     ParameterRow* makeRow(const Parameter& parameter);
     void arrange(const std::vector<Parameter>& parameters);
     ParameterSection* section(const QString& title, bool isFolded);
     void clearSections();
-    void updateEnabled(const ParameterRow& changed);
-    void updateEnabled(ParameterRow& row);
+    void readCondition(const ParameterRow& row);
+    void updateDependents(const ParameterRow& changed);
+    void updateCounting(ParameterRow& row);
     void alignLabels();
     void orderTabs();
 
     std::unique_ptr<ParameterSource> source_;
     std::vector<Parameter> parameters_;
     Rows rows_;
-    std::map<std::string, std::vector<ParameterRow*>, std::less<>> dependents_; ///< by word
+    std::map<std::string, Condition, std::less<>> conditions_; ///< by the id of their row
     std::vector<ParameterSection*> sections_;
     std::map<QString, bool> foldedSections_; ///< remembered while models are swapped
     QLabel* empty_;

@@ -5,9 +5,9 @@
 #include <map>
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
 
-#include "parameters/enabled_expression.h"
 #include "parameters/number_format.h"
 #include "parameters/value_text.h"
 
@@ -144,10 +144,12 @@ QString tooltipOf(const Parameter& parameter) {
 }
 
 QString enabledReason(const Parameter& parameter, std::span<const Parameter> siblings) {
+    static const QRegularExpression tokens(QStringLiteral("[\\w.-]+|[=!<>]=|&&|\\|\\||[<>!()]"));
     QStringList words;
     const Parameter* named = nullptr;
-    for (const std::string& token : tokensOf(parameter.enabledWhen)) {
-        words << inWords(token, named, siblings);
+    auto matches = tokens.globalMatch(text(parameter.enabledWhen));
+    while (matches.hasNext()) {
+        words << inWords(matches.next().captured().toStdString(), named, siblings);
     }
     return words.join(QLatin1Char(' '));
 }
