@@ -33,7 +33,7 @@ void dielectricReflectances(Incidence i, float etaI, float etaT, OUT(float) Rs, 
     } else if (g2 > 0.0) {
         float g = sqrt(g2);
         float w = (i.c * g - s2) / (i.c * g + s2);
-        Rs = sqr(eta2m1 / sqr(g + i.c));
+        Rs = min(sqr(eta2m1 / sqr(g + i.c)), 1.0); // at c = 0 rounding may pass 1
         Rp = Rs * w * w;
     }
 }
