@@ -5,12 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "assets/asset_client.h"
-#include "temporary_folder.h"
+#include "support/program.h"
 
-namespace patina {
+namespace patina::tests {
 namespace {
-
-using test::TemporaryFolder;
 
 /// A gradient in all channels, alpha included, so that no two neighbours are equal.
 Image gradient(int width, int height, int channels) {
@@ -33,8 +31,8 @@ float largestDifference(const Image& a, const Image& b) {
 Result<Image> roundTrip(const std::string& name, const Image& image) {
     const TemporaryFolder folder;
     AssetClient client;
-    return client.saveImage(folder.path() / name, image).and_then([&] {
-        return client.loadImage(folder.path() / name);
+    return client.saveImage(folder / name, image).and_then([&] {
+        return client.loadImage(folder / name);
     });
 }
 
@@ -88,4 +86,4 @@ TEST(ImageFile, JpegOfOneColor_ReadsBackThatColor) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::tests

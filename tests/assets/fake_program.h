@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "assets/asset_client.h"
+
+namespace patina::tests {
+
+/// While it lives, a files process that misbehaves in the named way; see fake_files.cpp.
+class FakeProgram {
+  public:
+    explicit FakeProgram(const char* behaviour) { ::setenv("PATINA_FAKE", behaviour, 1); }
+    ~FakeProgram() { ::unsetenv("PATINA_FAKE"); }
+    FakeProgram(const FakeProgram&) = delete;
+    FakeProgram& operator=(const FakeProgram&) = delete;
+
+    static AssetClient::Options options(double timeLimitSeconds = 20.0) {
+        AssetClient::Options options;
+        options.program = std::filesystem::path(PATINA_BINARY_DIR) / "bin" / "patina-fake-files";
+        options.timeLimitSeconds = timeLimitSeconds;
+        return options;
+    }
+};
+
+} // namespace patina::tests
