@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT-0
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lib/directions.glsl"
 
 vec3 halfBright(Directions d, HalfBright p) {
