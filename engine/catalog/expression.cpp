@@ -213,15 +213,15 @@ struct Expression::Node {
 
         Result<Pointer> chain(std::string_view word, Operator joined,
                               Result<Pointer> (Parser::*next)()) {
-            Result<Pointer> first = (this->*next)();
-            while (first && tokens.takeIf(word)) {
-                Result<Pointer> second = (this->*next)();
-                if (!second) {
-                    return second;
+            Result<Pointer> operand = (this->*next)();
+            while (operand && tokens.takeIf(word)) {
+                Result<Pointer> other = (this->*next)();
+                if (!other) {
+                    return other;
                 }
-                first = std::make_shared<const Node>(Node{joined, {}, {}, *first, *second});
+                operand = std::make_shared<const Node>(Node{joined, {}, {}, *operand, *other});
             }
-            return first;
+            return operand;
         }
 
         Result<Pointer> disjunction() { return chain("or", Operator::Or, &Parser::conjunction); }

@@ -113,7 +113,9 @@ class Builder : public nlohmann::json_sax<Json> {
         }
         std::string problem = between(what, " - ", ";");
         if (problem.find("invalid literal") != std::string::npos) {
-            problem = fmt::format("'{}' is not a JSON value", wordAt(position));
+            return fail(wordStart(position),
+                        fmt::format("'{}' is not a JSON value", wordAt(position)),
+                        "an object, an array, a number, text, true, false or null");
         }
         return fail(wordStart(position), problem.empty() ? "not valid JSON" : problem,
                     between(what, "; expected ", "\n"));

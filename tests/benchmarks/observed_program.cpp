@@ -85,14 +85,4 @@ long ObservedProgram::cpuTicks() const {
     return user + system;
 }
 
-int ObservedProgram::framesDrawn() const {
-    const std::string messages = implementation_->messages();
-    int frames = 0;
-    for (auto at = messages.find("frame"); at != messages.npos;
-         at = messages.find("frame", at + 1)) {
-        ++frames;
-    }
-    return frames;
-}
-
 } // namespace patina::benchmarks

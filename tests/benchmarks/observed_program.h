@@ -20,8 +20,7 @@ class ObservedProgram {
     double secondsToFirstFrame(double limitSeconds = 30.0);
 
     double residentMegabytes() const;
-    long cpuTicks() const;   ///< user and system time so far
-    int framesDrawn() const; ///< lines that say "frame" on standard error so far
+    long cpuTicks() const; ///< user and system time so far
 
   private:
     class Implementation;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/framebuffer.h"
+
+namespace patina {
+
+/// Work whose amount is known: copying an image back and forth, scaled so that no driver can skip
+/// it.
+class TimerWork {
+  public:
+    TimerWork();
+
+    /// Leaves framebuffer 0 bound.
+    void run(int rounds) const;
+
+  private:
+    gl::Texture large_;
+    gl::Texture small_;
+    gl::Framebuffer largeFramebuffer_ = gl::Framebuffer::create();
+    gl::Framebuffer smallFramebuffer_ = gl::Framebuffer::create();
+};
+
+} // namespace patina
