@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "assets/asset_client.h"
+#include "cli/image_difference.h"
+#include "cli/label.h"
+#include "cli/picture.h"
+#include "cli/picture_options.h"
+#include "cli/scene_meshes.h"
+#include "cli/scene_setup.h"
+
+namespace patina {
+namespace {
+
+struct Options {
+    std::vector<std::string> presets;
+    PictureOptions picture;
+    PictureFile output;
+    std::string mode = "side";
+};
+
+/// One of the pictures that are compared.
+struct Side {
+    char letter = 'A';
+    Scene scene;
+    Image image;
+
+    std::string name() const {
+        const std::string& material = scene.objects.front().material.name;
+        return material.empty() ? scene.objects.front().material.model.id : material;
+    }
+};
+
+Errors oneError(Error error) { return {std::move(error)}; }
+
+Checked<std::vector<Side>> sidesFor(const Options& options, const Catalog& catalog) {
+    std::vector<Side> sides;
+    for (const std::string& preset : options.presets) {
+        auto setup = sceneFor(preset, options.picture, catalog);
+        if (!setup) {
+            return tl::unexpected(setup.error());
+        }
+        report(setup->notes);
+        sides.push_back({static_cast<char>('A' + sides.size()), std::move(setup->scene), {}});
+    }
+    return sides;
+}
+
+Checked<void> draw(std::vector<Side>& sides, const Options& options,
+                   const std::shared_ptr<const Catalog>& catalog) {
+    auto maker = PictureMaker::create(catalog);
+    if (!maker) {
+        return tl::unexpected(oneError(maker.error()));
+    }
+    AssetClient client;
+    for (Side& side : sides) {
+        const auto meshes = SceneMeshes::load(side.scene, client);
+        if (!meshes) {
+            return tl::unexpected(meshes.error());
+        }
+        auto image = maker->draw(
+            side.scene, [&meshes](const Object& object) { return meshes->view(object); },
+            options.picture.size, true);
+        if (!image) {
+            return tl::unexpected(image.error());
+        }
+        side.image = std::move(*image);
+    }
+    return {};
+}
+
+Image sideBySide(const std::vector<Side>& sides) {
+    const Image& first = sides.front().image;
+    Image all{first.width * static_cast<int>(sides.size()), first.height, first.channels, {}};
+    all.pixels.reserve(first.pixels.size() * sides.size());
+    const std::size_t row = std::size_t(first.width) * std::size_t(first.channels);
+    for (std::size_t y = 0; y < std::size_t(first.height); ++y) {
+        for (const Side& side : sides) {
+            const float* start = side.image.pixels.data() + y * row;
+            all.pixels.insert(all.pixels.end(), start, start + row);
+        }
+    }
+    const int scale = std::max(1, first.height / 200);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const int left = static_cast<int>(i) * first.width;
+        drawLabel(all, fmt::format("{}  {}", sides[i].letter, sides[i].name()), {left, 0}, scale,
+                  left + first.width);
+    }
+    return all;
+}
+
+/// The error metrics of every side against the first.
+void printMetrics(const std::vector<Side>& sides, std::ostream& out) {
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        const ImageDifference apart = difference(sides.front().image, sides[i].image);
+        out << fmt::format("{} ({}) against {} ({}): RMSE {:.5f}, largest difference {:.5f}, "
+                           "{:.2f} % of the pixels differ\n",
+                           sides[i].letter, sides[i].name(), sides.front().letter,
+                           sides.front().name(), apart.rootMeanSquare, apart.largest,
+                           100.0 * apart.changedShare);
+    }
+}
+
+Checked<void> write(const Options& options, const std::vector<Side>& sides, AssetClient& client) {
+    const Image image = linearFromDisplay(sideBySide(sides));
+    if (!options.output.isStandardOutput()) {
+        const auto saved = client.saveImage(options.output.name, image);
+        if (!saved) {
+            return tl::unexpected(oneError(saved.error()));
+        }
+        printMetrics(sides, std::cout);
+        return {};
+    }
+    const auto bytes = client.encodeImage(".png", image);
+    if (!bytes) {
+        return tl::unexpected(oneError(bytes.error()));
+    }
+    std::cout << *bytes;
+    printMetrics(sides, std::cerr);
+    return {};
+}
+
+Checked<void> compare(const Options& options) {
+    if (auto checked = options.output.check(); !checked) {
+        return tl::unexpected(oneError(checked.error()));
+    }
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    auto sides = sidesFor(options, *catalog);
+    if (!sides) {
+        return tl::unexpected(sides.error());
+    }
+    AssetClient images;
+    images.warmUp(AssetClient::Formats::images);
+    const auto drawn = draw(*sides, options, catalog);
+    return drawn ? write(options, *sides, images) : drawn;
+}
+
+} // namespace
+
+void addCompare(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "compare", "Draw two to four presets side by side and print how far they are apart");
+    auto options = std::make_shared<Options>();
+    command->add_option("presets", options->presets, "Presets (*.patina.json)")
+        ->required()
+        ->expected(2, 4);
+    addSceneOptions(*command, options->picture);
+    addSizeOption(*command, options->picture);
+    command->add_option("--mode", options->mode, "How they are shown: side")
+        ->check(CLI::IsMember({"side"}));
+    command
+        ->add_option("-o,--output", options->output.name,
+                     "The image: .png, .jpg, .exr or .hdr; - writes a PNG to standard output")
+        ->required();
+    command->callback([options, &status] {
+        const auto done = compare(*options);
+        status = done ? 0 : 1;
+        if (!done) {
+            report(done.error());
+        }
+    });
+}
+
+} // namespace patina

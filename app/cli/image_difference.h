@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/image.h"
+
+namespace patina {
+
+/// How far two display images of the same size are apart. Channel values are 0 .. 1.
+struct ImageDifference {
+    double rootMeanSquare = 0.0; ///< over all channels but alpha
+    double largest = 0.0;
+    double changedShare = 0.0; ///< of pixels that differ by at least one 8-bit step in a channel
+};
+
+ImageDifference difference(const Image& a, const Image& b);
+
+} // namespace patina

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include <glm/vec2.hpp>
+
+#include "core/image.h"
+
+namespace patina {
+
+/// Writes a line of text onto a display image (3 or 4 channels): white capitals, digits and common
+/// signs of 5 x 7 squares on a dark band. `corner` is the band's top left, `scale` the size of one
+/// square in pixels. What does not fit between the corner and `right` is cut off.
+void drawLabel(Image& image, std::string_view text, glm::ivec2 corner, int scale, int right);
+
+/// Height of a label's band in pixels.
+int labelHeight(int scale);
+
+} // namespace patina

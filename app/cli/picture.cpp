@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "core/color.h"
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extensionOf(const std::string& name) {
+    std::string extension = fs::path(name).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+} // namespace
+
+Result<PictureMaker> PictureMaker::create(std::shared_ptr<const Catalog> catalog) {
+    PictureMaker maker;
+    auto context = gl::HeadlessContext::create();
+    if (!context) {
+        return tl::unexpected(context.error());
+    }
+    maker.context_ = std::move(*context);
+    auto renderer = Renderer::create({programCacheFolder()});
+    if (!renderer) {
+        return tl::unexpected(renderer.error());
+    }
+    maker.renderer_ = std::move(*renderer);
+    maker.renderer_->setCatalog(std::move(catalog));
+    return maker;
+}
+
+Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
+                                  bool display) {
+    View view;
+    view.size = size;
+    view.camera = scene.camera;
+    auto image = renderer_->capture(scene, view, meshes, display);
+    if (!image) {
+        return tl::unexpected(Errors{image.error()});
+    }
+    if (!renderer_->report().messages.empty()) {
+        return tl::unexpected(renderer_->report().messages);
+    }
+    return std::move(*image);
+}
+
+bool PictureFile::isLinear() const {
+    const std::string extension = extensionOf(name);
+    return extension == ".exr" || extension == ".hdr";
+}
+
+Result<void> PictureFile::check() const {
+    constexpr std::array<std::string_view, 5> known{".png", ".jpg", ".jpeg", ".exr", ".hdr"};
+    if (isStandardOutput() ||
+        std::find(known.begin(), known.end(), extensionOf(name)) != known.end()) {
+        return {};
+    }
+    return tl::unexpected(Error{name, 0, 0, "the name does not say which image format to write",
+                                ".png, .jpg, .exr or .hdr at its end"});
+}
+
+Image linearFromDisplay(Image display) {
+    for (std::size_t i = 0; i < display.pixels.size(); ++i) {
+        if (display.channels != 4 || i % 4 != 3) {
+            display.pixels[i] = static_cast<float>(srgbDecoded(double(display.pixels[i])));
+        }
+    }
+    return display;
+}
+
+fs::path programCacheFolder() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    if (cache != nullptr && fs::path(cache).is_absolute()) {
+        return fs::path(cache) / "patina" / "programs";
+    }
+    const char* home = std::getenv("HOME");
+    return home != nullptr ? fs::path(home) / ".cache" / "patina" / "programs" : fs::path();
+}
+
+} // namespace patina

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "catalog/catalog.h"
+#include "core/error.h"
+#include "core/image.h"
+#include "gl/headless_context.h"
+#include "render/renderer.h"
+
+namespace patina {
+
+/// Draws scenes without a display.
+class PictureMaker {
+  public:
+    static Result<PictureMaker> create(std::shared_ptr<const Catalog> catalog);
+
+    /// With display the 8-bit display values / 255, else linear floats.
+    Checked<Image> draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
+                        bool display);
+
+  private:
+    PictureMaker() = default;
+
+    std::unique_ptr<gl::HeadlessContext> context_;
+    std::unique_ptr<Renderer> renderer_;
+};
+
+/// Where an image goes: a file, or "-" for a PNG on standard output.
+struct PictureFile {
+    std::string name;
+
+    bool isStandardOutput() const { return name == "-"; }
+
+    /// True for formats that keep linear light.
+    bool isLinear() const;
+
+    /// The error says which formats there are.
+    Result<void> check() const;
+};
+
+/// The display image with the sRGB curve undone: what saveImage expects.
+Image linearFromDisplay(Image display);
+
+/// Where program binaries are kept between runs.
+std::filesystem::path programCacheFolder();
+
+} // namespace patina

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/picture_options.h"
+
+#include <charconv>
+
+#include <CLI/CLI.hpp>
+
+namespace patina {
+namespace {
+
+bool readWhole(std::string_view text, int& number) {
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return status == std::errc() && end == text.data() + text.size();
+}
+
+std::string sizeFrom(const std::string& text, glm::ivec2& size) {
+    const std::size_t cross = text.find_first_of("xX,");
+    const bool read = cross != std::string::npos &&
+                      readWhole(std::string_view(text).substr(0, cross), size.x) &&
+                      readWhole(std::string_view(text).substr(cross + 1), size.y);
+    return read && size.x > 0 && size.y > 0
+               ? std::string()
+               : "not a size: \"" + text + "\"; expected WIDTHxHEIGHT such as 640x480";
+}
+
+} // namespace
+
+void addSceneOptions(CLI::App& command, PictureOptions& options) {
+    command.add_option("--model", options.model, "A lighting model's id instead of a preset");
+    command.add_option("--fresnel", options.fresnel, "A Fresnel block's id");
+    command.add_option("--set", options.sets, "A parameter's value, as id=value; repeatable")
+        ->type_size(1)
+        ->allow_extra_args(false);
+    command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
+    command.add_option("--scene", options.scene, "A scene file; the preset goes on its first object");
+    command.add_option("--exposure", options.exposure, "Stops; 1 is twice as bright");
+}
+
+void addSizeOption(CLI::App& command, PictureOptions& options) {
+    command.add_option_function<std::string>(
+        "--size",
+        [&options](const std::string& text) {
+            if (const std::string wrong = sizeFrom(text, options.size); !wrong.empty()) {
+                throw CLI::ValidationError("--size", wrong);
+            }
+        },
+        "Pixels, as WIDTHxHEIGHT");
+}
+
+} // namespace patina

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace CLI {
+class App;
+}
+
+namespace patina {
+
+/// What the commands that draw have in common.
+struct PictureOptions {
+    std::string model;             ///< id; empty: from the preset
+    std::string fresnel;           ///< id; empty: from the preset
+    std::vector<std::string> sets; ///< "id=value"
+    std::string mesh;              ///< a file or "builtin:<name>"; empty: the scene's
+    std::string scene;             ///< a file; empty: the shipped default scene
+    std::optional<double> exposure;
+    glm::ivec2 size{512, 512};
+};
+
+/// --scene, --mesh, --set, --model, --fresnel, --exposure.
+void addSceneOptions(CLI::App& command, PictureOptions& options);
+
+/// --size.
+void addSizeOption(CLI::App& command, PictureOptions& options);
+
+} // namespace patina

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command.h"
+
+#include <future>
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "assets/asset_client.h"
+#include "cli/picture.h"
+#include "cli/picture_options.h"
+#include "cli/scene_meshes.h"
+#include "cli/scene_setup.h"
+
+namespace patina {
+namespace {
+
+struct Options {
+    std::string preset;
+    PictureOptions picture;
+    PictureFile output;
+};
+
+Errors oneError(Error error) { return {std::move(error)}; }
+
+Checked<void> checkRequest(const Options& options) {
+    if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
+        return tl::unexpected(oneError(failure("there is nothing to render",
+                                               "a preset, --model or --scene").value()));
+    }
+    if (auto checked = options.output.check(); !checked) {
+        return tl::unexpected(oneError(checked.error()));
+    }
+    return {};
+}
+
+/// The image of the request: meshes are read while the graphics driver starts.
+Checked<Image> picture(const Options& options, const std::shared_ptr<const Catalog>& catalog,
+                       const Scene& scene) {
+    AssetClient client;
+    auto meshes = std::async(std::launch::async,
+                             [&scene, &client] { return SceneMeshes::load(scene, client); });
+    auto maker = PictureMaker::create(catalog);
+    const auto loaded = meshes.get();
+    if (!maker) {
+        return tl::unexpected(oneError(maker.error()));
+    }
+    if (!loaded) {
+        return tl::unexpected(loaded.error());
+    }
+    const bool display = !options.output.isLinear();
+    auto image = maker->draw(
+        scene, [&loaded](const Object& object) { return loaded->view(object); },
+        options.picture.size, display);
+    return image && display ? linearFromDisplay(std::move(*image)) : std::move(image);
+}
+
+Checked<void> write(const PictureFile& file, const Image& image, AssetClient& client) {
+    if (!file.isStandardOutput()) {
+        const auto saved = client.saveImage(file.name, image);
+        return saved ? Checked<void>() : tl::unexpected(oneError(saved.error()));
+    }
+    const auto bytes = client.encodeImage(".png", image);
+    if (!bytes) {
+        return tl::unexpected(oneError(bytes.error()));
+    }
+    std::cout << *bytes;
+    return {};
+}
+
+Checked<void> render(const Options& options) {
+    if (auto checked = checkRequest(options); !checked) {
+        return checked;
+    }
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    const auto setup = sceneFor(options.preset, options.picture, *catalog);
+    if (!setup) {
+        return tl::unexpected(setup.error());
+    }
+    report(setup->notes);
+    AssetClient images;
+    images.warmUp(AssetClient::Formats::images);
+    const auto image = picture(options, catalog, setup->scene);
+    return image ? write(options.output, *image, images) : tl::unexpected(image.error());
+}
+
+} // namespace
+
+void addRender(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand("render", "Draw a preset into an image file");
+    auto options = std::make_shared<Options>();
+    command->add_option("preset", options->preset, "A preset (*.patina.json)");
+    addSceneOptions(*command, options->picture);
+    addSizeOption(*command, options->picture);
+    command
+        ->add_option("-o,--output", options->output.name,
+                     "The image: .png, .jpg, .exr or .hdr (linear); - writes a PNG to standard "
+                     "output")
+        ->required();
+    command->callback([options, &status] {
+        const auto done = render(*options);
+        status = done ? 0 : 1;
+        if (!done) {
+            report(done.error());
+        }
+    });
+}
+
+} // namespace patina

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/scene_meshes.h"
+
+#include <fmt/format.h>
+
+#include "scene/primitives.h"
+
+namespace patina {
+namespace {
+
+constexpr std::string_view builtin = "builtin:";
+
+Result<Mesh> builtinMesh(const Object& object) {
+    const std::string name = object.mesh.substr(builtin.size());
+    auto mesh = primitive(name);
+    if (!mesh) {
+        std::string known;
+        for (const std::string& each : primitiveNames()) {
+            known += (known.empty() ? "one of " : ", ") + each;
+        }
+        return failure(fmt::format("no built-in mesh \"{}\" is known", name), known);
+    }
+    for (Vertex& vertex : mesh->vertices) {
+        vertex.normal = object.flipNormals ? -vertex.normal : vertex.normal;
+    }
+    return std::move(*mesh);
+}
+
+} // namespace
+
+SceneMeshes::Key SceneMeshes::keyOf(const Object& object) {
+    return {object.mesh, object.fitUnitBox, object.flipNormals};
+}
+
+Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, AssetClient& client) {
+    SceneMeshes meshes;
+    Errors errors;
+    for (const Object& object : scene.objects) {
+        if (!object.visible || !meshes.view(object).indices.empty()) {
+            continue;
+        }
+        if (auto added = meshes.add(object, client); !added) {
+            errors.push_back(added.error());
+        }
+    }
+    if (!errors.empty()) {
+        return tl::unexpected(errors);
+    }
+    return meshes;
+}
+
+Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
+    if (std::string_view(object.mesh).starts_with(builtin)) {
+        auto mesh = builtinMesh(object);
+        if (!mesh) {
+            return tl::unexpected(mesh.error());
+        }
+        made_.emplace(keyOf(object), std::move(*mesh));
+        return {};
+    }
+    auto mesh = client.loadMesh({object.mesh, object.fitUnitBox, object.flipNormals});
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    read_.emplace(keyOf(object), std::move(*mesh));
+    return {};
+}
+
+MeshView SceneMeshes::view(const Object& object) const {
+    const auto made = made_.find(keyOf(object));
+    if (made != made_.end()) {
+        return made->second.view();
+    }
+    const auto read = read_.find(keyOf(object));
+    return read != read_.end() ? read->second->view() : MeshView{};
+}
+
+} // namespace patina

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include "assets/asset_client.h"
+#include "core/error.h"
+#include "core/mesh.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// All meshes of a scene, there before the first frame.
+class SceneMeshes {
+  public:
+    /// Reads every mesh the visible objects name; all that cannot be had are in the error.
+    static Checked<SceneMeshes> load(const Scene& scene, AssetClient& client);
+
+    MeshView view(const Object& object) const;
+
+  private:
+    using Key = std::tuple<std::string, bool, bool>;
+
+    static Key keyOf(const Object& object);
+    Result<void> add(const Object& object, AssetClient& client);
+
+    std::map<Key, Mesh> made_;
+    std::map<Key, std::shared_ptr<const SharedMesh>> read_;
+};
+
+} // namespace patina

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/scene_setup.h"
+
+#include <fmt/format.h>
+
+#include "cli/value_text.h"
+#include "core/number_text.h"
+#include "material/preset_file.h"
+#include "scene/scene_file.h"
+
+namespace patina {
+namespace {
+
+constexpr std::string_view builtin = "builtin:";
+
+Errors oneError(Error error) { return {std::move(error)}; }
+
+Checked<SceneSetup> startScene(const PictureOptions& options, const Catalog& catalog) {
+    const auto file = options.scene.empty()
+                          ? dataFolder() / "presets" / "default.patina-scene.json"
+                          : std::filesystem::path(options.scene);
+    const auto reading = readScene(file, catalog);
+    if (!reading) {
+        return tl::unexpected(reading.error());
+    }
+    SceneSetup setup{reading->scene, reading->notes};
+    if (setup.scene.objects.empty()) {
+        setup.scene.objects.emplace_back();
+    }
+    return setup;
+}
+
+Checked<void> usePreset(SceneSetup& setup, const std::string& preset, const Catalog& catalog) {
+    const auto reading = readPreset(preset, catalog);
+    if (!reading) {
+        return tl::unexpected(reading.error());
+    }
+    setup.scene.objects.front().material = reading->material;
+    setup.notes.insert(setup.notes.end(), reading->notes.begin(), reading->notes.end());
+    return {};
+}
+
+Result<const Block*> knownBlock(const Catalog& catalog, const std::string& kind,
+                                const std::string& id) {
+    if (const Block* block = catalog.find(kind, id)) {
+        return block;
+    }
+    std::string known;
+    for (const Block* block : catalog.ofKind(kind)) {
+        known += (known.empty() ? "one of " : ", ") + block->id;
+    }
+    return failure(fmt::format("{}: no block \"{}\" is known", kind, id), known);
+}
+
+Result<void> chooseBlocks(Material& material, const PictureOptions& options,
+                          const Catalog& catalog) {
+    if (!options.model.empty()) {
+        const auto model = knownBlock(catalog, "models", options.model);
+        if (!model) {
+            return tl::unexpected(model.error());
+        }
+        material = defaultMaterial(**model);
+    }
+    if (!options.fresnel.empty()) {
+        const auto block = knownBlock(catalog, "fresnel", options.fresnel);
+        if (!block) {
+            return tl::unexpected(block.error());
+        }
+        material = withFresnel(material, nullptr, *block);
+    }
+    return {};
+}
+
+/// Sets a parameter of a block; false when the block has none of this id.
+Result<bool> setIn(const Block* block, BlockValues& values, const std::string& id,
+                   const std::string& text) {
+    const Parameter* parameter = block == nullptr ? nullptr : block->parameter(id);
+    if (parameter == nullptr) {
+        return false;
+    }
+    const auto value = valueFromText(*parameter, text);
+    if (!value) {
+        return tl::unexpected(value.error());
+    }
+    values.parameters[id] = *value;
+    return true;
+}
+
+Result<bool> setOpacity(Material& material, const std::string& text) {
+    const auto number = parseNumber(text);
+    if (!number || *number < 0.0 || *number > 1.0) {
+        return failure(fmt::format("opacity: \"{}\" is not a value for it", text),
+                       "a number, 0 .. 1");
+    }
+    material.opacity = *number;
+    return true;
+}
+
+Result<bool> setLevel(Material& material, const Block* model, const std::string& id,
+                      const std::string& text) {
+    const AccuracyChoice* choice = model == nullptr ? nullptr : model->accuracyChoice(id);
+    if (choice == nullptr) {
+        return false;
+    }
+    std::string known;
+    for (const EnumValue& level : choice->values) {
+        if (level.id == text) {
+            material.accuracy[id] = text;
+            return true;
+        }
+        known += (known.empty() ? "one of " : ", ") + level.id;
+    }
+    return failure(fmt::format("{}: \"{}\" is not a level of it", id, text), known);
+}
+
+Result<void> applySet(Material& material, const std::string& assignment, const Catalog& catalog) {
+    const std::size_t equals = assignment.find('=');
+    const std::string id = assignment.substr(0, equals);
+    if (equals == std::string::npos || id.empty()) {
+        return failure(fmt::format("--set {}: there is no \"=\" in it", assignment), "id=value");
+    }
+    const std::string text = assignment.substr(equals + 1);
+    const Block* model = catalog.find("models", material.model.id);
+    const Block* fresnel =
+        material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr;
+    Result<bool> done = id == "opacity" ? setOpacity(material, text)
+                                        : setIn(model, material.model, id, text);
+    if (done && !*done) {
+        done = setLevel(material, model, id, text);
+    }
+    if (done && !*done && fresnel != nullptr) {
+        done = setIn(fresnel, *material.fresnel, id, text);
+    }
+    if (!done) {
+        return tl::unexpected(done.error());
+    }
+    if (!*done) {
+        return failure(fmt::format("{}: the model \"{}\" has no such parameter", id,
+                                   material.model.id),
+                       "an id that `patina models` lists");
+    }
+    return {};
+}
+
+void useMesh(Object& object, const std::string& mesh) {
+    object.mesh = mesh;
+    object.fitUnitBox = !mesh.starts_with(builtin);
+    if (object.fitUnitBox) {
+        object.mesh = std::filesystem::absolute(mesh).generic_string();
+    }
+}
+
+} // namespace
+
+Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& options,
+                             const Catalog& catalog) {
+    auto setup = startScene(options, catalog);
+    if (!setup) {
+        return setup;
+    }
+    if (!preset.empty()) {
+        if (auto used = usePreset(*setup, preset, catalog); !used) {
+            return tl::unexpected(used.error());
+        }
+    }
+    Object& object = setup->scene.objects.front();
+    if (auto chosen = chooseBlocks(object.material, options, catalog); !chosen) {
+        return tl::unexpected(oneError(chosen.error()));
+    }
+    if (auto model = knownBlock(catalog, "models", object.material.model.id); !model) {
+        return tl::unexpected(oneError(model.error()));
+    }
+    for (const std::string& assignment : options.sets) {
+        if (auto applied = applySet(object.material, assignment, catalog); !applied) {
+            return tl::unexpected(oneError(applied.error()));
+        }
+    }
+    if (!options.mesh.empty()) {
+        useMesh(object, options.mesh);
+    }
+    if (options.exposure) {
+        setup->scene.exposure = *options.exposure;
+    }
+    return setup;
+}
+
+} // namespace patina

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "catalog/parameter.h"
+#include "core/error.h"
+
+namespace patina {
+
+/// The value a person typed for a parameter: "0.5", "true", an enum value's id, "0.1,0.2,0.3" (a
+/// colour is linear) or "#ff8800" (sRGB). The error says what would have been right.
+Result<Value> valueFromText(const Parameter& parameter, std::string_view text);
+
+} // namespace patina
