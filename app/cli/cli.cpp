@@ -14,7 +14,8 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 3> commands{addEval, addModels, addValidate};
+constexpr std::array<AddCommand, 6> commands{addRender, addCompare,  addEffects,
+                                             addEval,   addValidate, addModels};
 
 void addCommands(CLI::App& program, int& status) {
     program.description("Patina edits lighting models. Without a command it opens the editor:\n"
@@ -63,6 +64,8 @@ int runCommand(int argc, char** argv) {
     return status != 0 || !std::cout ? 1 : 0; // a full disk behind standard output is a failure
 }
 
-void report(const Errors& messages) { std::cerr << text(messages); }
+void report(const Errors& messages) {
+    std::cerr << text(messages);
+}
 
 } // namespace patina

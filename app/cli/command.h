@@ -14,8 +14,11 @@ namespace patina {
 using AddCommand = void (*)(CLI::App& program, int& status);
 
 // The commands, one file each.
+void addCompare(CLI::App& program, int& status);
+void addEffects(CLI::App& program, int& status);
 void addEval(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);
+void addRender(CLI::App& program, int& status);
 void addValidate(CLI::App& program, int& status);
 
 /// Writes messages to standard error, one per line.

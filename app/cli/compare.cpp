@@ -38,7 +38,9 @@ struct Side {
     }
 };
 
-Errors oneError(Error error) { return {std::move(error)}; }
+Errors oneError(Error error) {
+    return {std::move(error)};
+}
 
 Checked<std::vector<Side>> sidesFor(const Options& options, const Catalog& catalog) {
     std::vector<Side> sides;

@@ -26,7 +26,9 @@ struct Options {
     bool json = false;
 };
 
-Errors oneError(Error error) { return {std::move(error)}; }
+Errors oneError(Error error) {
+    return {std::move(error)};
+}
 
 void printList(const EffectSet& set) {
     for (const EffectLine& line : effectLines(set)) {
@@ -117,8 +119,8 @@ Checked<void> print(const EffectSet& set, const Options& options, const Catalog&
 
 Checked<void> effects(const Options& options) {
     if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
-        return tl::unexpected(oneError(failure("there is nothing to look at",
-                                               "a preset, --model or --scene").value()));
+        return tl::unexpected(oneError(
+            failure("there is nothing to look at", "a preset, --model or --scene").value()));
     }
     const Catalog catalog = loadCatalog(standardBlockRoots());
     report(catalog.errors);
@@ -134,8 +136,8 @@ Checked<void> effects(const Options& options) {
 } // namespace
 
 void addEffects(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand(
-        "effects", "List which effects a preset needs in a scene and why");
+    CLI::App* command =
+        program.add_subcommand("effects", "List which effects a preset needs in a scene and why");
     auto options = std::make_shared<Options>();
     command->add_option("preset", options->preset, "A preset (*.patina.json)");
     addSceneOptions(*command, options->picture);

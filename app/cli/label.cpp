@@ -74,11 +74,10 @@ constexpr std::array glyphs{
 
 /// Small letters are written as capitals, unknown characters as a question mark.
 const Glyph& glyphOf(char character) {
-    const auto capital =
-        static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
-    const auto* found =
-        std::find_if(glyphs.begin(), glyphs.end(),
-                     [capital](const Glyph& glyph) { return glyph.character == capital; });
+    const auto capital = static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
+    const auto* found = std::find_if(glyphs.begin(), glyphs.end(), [capital](const Glyph& glyph) {
+        return glyph.character == capital;
+    });
     return found == glyphs.end() ? glyphs.back() : *found;
 }
 
@@ -117,7 +116,9 @@ struct Brush {
 
 } // namespace
 
-int labelHeight(int scale) { return (glyphHeight + 2 * margin) * scale; }
+int labelHeight(int scale) {
+    return (glyphHeight + 2 * margin) * scale;
+}
 
 void drawLabel(Image& image, std::string_view text, glm::ivec2 corner, int scale, int right) {
     const Brush brush{image, right};

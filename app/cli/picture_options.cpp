@@ -32,7 +32,8 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
         ->type_size(1)
         ->allow_extra_args(false);
     command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
-    command.add_option("--scene", options.scene, "A scene file; the preset goes on its first object");
+    command.add_option("--scene", options.scene,
+                       "A scene file; the preset goes on its first object");
     command.add_option("--exposure", options.exposure, "Stops; 1 is twice as bright");
 }
 

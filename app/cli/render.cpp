@@ -22,12 +22,14 @@ struct Options {
     PictureFile output;
 };
 
-Errors oneError(Error error) { return {std::move(error)}; }
+Errors oneError(Error error) {
+    return {std::move(error)};
+}
 
 Checked<void> checkRequest(const Options& options) {
     if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
-        return tl::unexpected(oneError(failure("there is nothing to render",
-                                               "a preset, --model or --scene").value()));
+        return tl::unexpected(oneError(
+            failure("there is nothing to render", "a preset, --model or --scene").value()));
     }
     if (auto checked = options.output.check(); !checked) {
         return tl::unexpected(oneError(checked.error()));

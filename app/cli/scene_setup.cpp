@@ -13,12 +13,13 @@ namespace {
 
 constexpr std::string_view builtin = "builtin:";
 
-Errors oneError(Error error) { return {std::move(error)}; }
+Errors oneError(Error error) {
+    return {std::move(error)};
+}
 
 Checked<SceneSetup> startScene(const PictureOptions& options, const Catalog& catalog) {
-    const auto file = options.scene.empty()
-                          ? dataFolder() / "presets" / "default.patina-scene.json"
-                          : std::filesystem::path(options.scene);
+    const auto file = options.scene.empty() ? dataFolder() / "presets" / "default.patina-scene.json"
+                                            : std::filesystem::path(options.scene);
     const auto reading = readScene(file, catalog);
     if (!reading) {
         return tl::unexpected(reading.error());
@@ -123,8 +124,8 @@ Result<void> applySet(Material& material, const std::string& assignment, const C
     const Block* model = catalog.find("models", material.model.id);
     const Block* fresnel =
         material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr;
-    Result<bool> done = id == "opacity" ? setOpacity(material, text)
-                                        : setIn(model, material.model, id, text);
+    Result<bool> done =
+        id == "opacity" ? setOpacity(material, text) : setIn(model, material.model, id, text);
     if (done && !*done) {
         done = setLevel(material, model, id, text);
     }
@@ -135,9 +136,9 @@ Result<void> applySet(Material& material, const std::string& assignment, const C
         return tl::unexpected(done.error());
     }
     if (!*done) {
-        return failure(fmt::format("{}: the model \"{}\" has no such parameter", id,
-                                   material.model.id),
-                       "an id that `patina models` lists");
+        return failure(
+            fmt::format("{}: the model \"{}\" has no such parameter", id, material.model.id),
+            "an id that `patina models` lists");
     }
     return {};
 }

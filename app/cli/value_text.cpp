@@ -94,9 +94,8 @@ std::optional<Value> boolIn(std::string_view text) {
 }
 
 std::optional<Value> enumIn(const Parameter& parameter, std::string_view text) {
-    const bool known =
-        std::any_of(parameter.values.begin(), parameter.values.end(),
-                    [text](const EnumValue& value) { return value.id == text; });
+    const bool known = std::any_of(parameter.values.begin(), parameter.values.end(),
+                                   [text](const EnumValue& value) { return value.id == text; });
     return known ? std::optional<Value>(std::string(text)) : std::nullopt;
 }
 

@@ -141,7 +141,7 @@ void SourceBuilder::addText(const std::string& file, std::string_view text) {
             append(fmt::format("#line {} {}", number, index));
         }
         gap = false;
-        append(line);
+        append(line.substr(0, line.find_last_not_of(" \t") + 1));
     }
     append(fmt::format("#line {} 0", lines_ + 2));
 }
