@@ -239,6 +239,7 @@ Checked<Descriptor> readDescriptor(const std::filesystem::path& path, const Json
     const Errors more = descriptorMistakes(descriptor);
     errors.insert(errors.end(), more.begin(), more.end());
     if (!errors.empty()) {
+        sortByPlace(errors);
         return tl::unexpected(std::move(errors));
     }
     return descriptor;

@@ -3,25 +3,29 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace patina {
 namespace {
 
-/// Levenshtein's distance (1966): the fewest letters to add, drop or change.
+/// Damerau's distance (1964) in its restricted form: the fewest letters to add, drop or change, or
+/// neighbours to exchange.
 std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        d[i][0] = i;
+    }
+    std::iota(d[0].begin(), d[0].end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t changed = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            d[i][j] = std::min({changed, d[i - 1][j] + 1, d[i][j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+            }
         }
     }
-    return row.back();
+    return d[a.size()][b.size()];
 }
 
 std::string joined(std::span<const std::string> words) {
@@ -36,9 +40,10 @@ std::string joined(std::span<const std::string> words) {
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
     std::string best;
-    std::size_t bestDistance = std::min<std::size_t>(word.size(), 64) / 3 + 1;
+    word = word.substr(0, 64); // nobody misspells a longer one
+    std::size_t bestDistance = word.size() / 3 + 1;
     for (const std::string& candidate : candidates) {
-        const std::size_t d = distance(word.substr(0, 64), candidate);
+        const std::size_t d = distance(word, candidate);
         if (d < bestDistance) {
             best = candidate;
             bestDistance = d;

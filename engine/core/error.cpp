@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include <fmt/format.h>
 
 namespace patina {
@@ -18,6 +21,12 @@ std::string Error::text() const {
         out += "; expected " + expected;
     }
     return out;
+}
+
+void sortByPlace(Errors& errors) {
+    std::stable_sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
+        return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+    });
 }
 
 std::string text(const Errors& errors) {

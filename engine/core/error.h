@@ -24,6 +24,9 @@ struct Error {
 
 using Errors = std::vector<Error>;
 
+/// Sorts errors of one file by their place; the order of those at one place stays.
+void sortByPlace(Errors& errors);
+
 /// The texts of all errors, one per line.
 std::string text(const Errors& errors);
 

@@ -26,6 +26,7 @@ Checked<Reading> settled(Reading reading, Errors errors) {
         return reading;
     }
     if (!reading.readOnly) {
+        sortByPlace(errors);
         return tl::unexpected(std::move(errors));
     }
     reading.notes.insert(reading.notes.end(), errors.begin(), errors.end());

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "catalog_fixture.h"
+
+namespace patina {
+namespace {
+
+using tests::BlockFolder;
+using tests::plainDescriptor;
+
+TEST(Catalog, BlockInAFolder_HasItsKind) {
+    BlockFolder folder;
+    folder.add("lights", plainDescriptor("lamp"));
+    EXPECT_NE(folder.load().find("lights", "lamp"), nullptr);
+}
+
+TEST(Catalog, BlockOfAnotherKind_IsNotFound) {
+    BlockFolder folder;
+    folder.add("lights", plainDescriptor("lamp"));
+    EXPECT_EQ(folder.load().find("models", "lamp"), nullptr);
+}
+
+TEST(Catalog, Blocks_AreSortedByLabelWithinAKind) {
+    BlockFolder folder;
+    auto first = plainDescriptor("zz");
+    first["label"] = "Aa";
+    folder.add("models", first);
+    folder.add("models", plainDescriptor("b"));
+    const Catalog catalog = folder.load();
+    EXPECT_EQ(catalog.ofKind("models").front()->id, "zz");
+}
+
+TEST(Catalog, BlockWithAMistake_LeavesTheOthers) {
+    BlockFolder folder;
+    folder.add("models", plainDescriptor("good"));
+    folder.addText("models", "bad", "{");
+    const Catalog catalog = folder.load();
+    EXPECT_EQ(catalog.blocks.size(), 1u);
+    EXPECT_EQ(catalog.errors.size(), 1u);
+}
+
+TEST(Catalog, ShaderWithoutADescriptor_IsAMistake) {
+    BlockFolder folder;
+    tests::writeFile(folder.root() / "models/alone.glsl", "");
+    EXPECT_NE(text(folder.load().errors).find("the shader has no descriptor"), std::string::npos);
+}
+
+TEST(Catalog, SharedAndPassesFolders_HoldNoBlocks) {
+    BlockFolder folder;
+    tests::writeFile(folder.root() / "lib/math.glsl", "");
+    tests::writeFile(folder.root() / "passes/main.glsl", "");
+    EXPECT_EQ(text(folder.load().errors), "");
+}
+
+TEST(Catalog, UsersBlock_IsNotShipped) {
+    BlockFolder folder;
+    folder.add("models", plainDescriptor("mine"));
+    const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{folder.root(), false}});
+    EXPECT_FALSE(catalog.find("models", "mine")->shipped);
+}
+
+TEST(Catalog, UsersBlockWithAShippedId_IsAMistakeAndTheShippedOneStays) {
+    BlockFolder shipped;
+    BlockFolder users;
+    shipped.add("models", plainDescriptor("a"));
+    users.add("models", plainDescriptor("a"));
+    const Catalog catalog =
+        loadCatalog(std::vector<BlockRoot>{{shipped.root(), true}, {users.root(), false}});
+    EXPECT_NE(text(catalog.errors).find("the models block \"a\" is already there"),
+              std::string::npos);
+    EXPECT_TRUE(catalog.find("models", "a")->shipped);
+}
+
+TEST(Catalog, BlocksThatMakeOneStruct_AreAMistake) {
+    BlockFolder folder;
+    folder.add("fog", plainDescriptor("thin"));
+    folder.add("models", plainDescriptor("thin-fog"));
+    EXPECT_EQ(folder.load().errors.size(), 1u);
+}
+
+TEST(Catalog, MissingShippedFolder_IsAnError) {
+    const tests::TemporaryFolder folder;
+    const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{folder / "none", true}});
+    EXPECT_NE(text(catalog.errors).find((folder / "none").string()), std::string::npos);
+}
+
+TEST(Catalog, ShippedFolderThatIsAFile_IsAnError) {
+    const tests::TemporaryFolder folder;
+    tests::writeFile(folder / "file", "");
+    EXPECT_EQ(loadCatalog(std::vector<BlockRoot>{{folder / "file", true}}).errors.size(), 1u);
+}
+
+TEST(Catalog, MissingUserFolder_IsNoError) {
+    const tests::TemporaryFolder folder;
+    EXPECT_EQ(text(loadCatalog(std::vector<BlockRoot>{{folder / "none", false}}).errors), "");
+}
+
+TEST(Catalog, NameOfABlock_ComesFromIdAndKind) {
+    Block block;
+    block.id = "thin-film-2";
+    block.kind = "models";
+    EXPECT_EQ(structName(block), "ThinFilm2");
+    block.kind = "lights";
+    EXPECT_EQ(structName(block), "ThinFilm2Light");
+    EXPECT_EQ(functionName(block), "thinFilm2Light");
+}
+
+/// Sets an environment variable for one test.
+class Variable {
+  public:
+    Variable(const char* name, const std::string& value) : name_(name) {
+        const char* before = std::getenv(name);
+        before_ = before == nullptr ? "" : before;
+        setenv(name, value.c_str(), 1);
+    }
+    ~Variable() { before_.empty() ? unsetenv(name_) : setenv(name_, before_.c_str(), 1); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+  private:
+    const char* name_;
+    std::string before_;
+};
+
+TEST(DataFolder, Variable_Wins) {
+    const Variable variable("PATINA_DATA_DIR", "/somewhere");
+    EXPECT_EQ(dataFolder(), "/somewhere");
+}
+
+TEST(DataFolder, BuildTree_UsesTheSources) {
+    const Variable variable("PATINA_DATA_DIR", "");
+    EXPECT_EQ(dataFolder(), PATINA_SOURCE_DIR);
+}
+
+TEST(StandardBlockRoots, UsersFolder_FollowsTheXdgVariable) {
+    const Variable variable("XDG_DATA_HOME", "/data");
+    EXPECT_EQ(standardBlockRoots().back(), (BlockRoot{"/data/patina/shaders", false}));
+}
+
+TEST(StandardBlockRoots, RelativeXdgVariable_IsIgnored) {
+    const Variable xdg("XDG_DATA_HOME", "data");
+    const Variable home("HOME", "/home/me");
+    EXPECT_EQ(standardBlockRoots().back().folder, "/home/me/.local/share/patina/shaders");
+}
+
+TEST(Catalog, MissingSchema_IsAnErrorThatNamesIt) {
+    const tests::TemporaryFolder empty;
+    BlockFolder folder;
+    const Variable variable("PATINA_DATA_DIR", empty.path());
+    EXPECT_NE(text(folder.load().errors).find("descriptor.schema.json"), std::string::npos);
+}
+
+} // namespace
+} // namespace patina

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "catalog_fixture.h"
+
+namespace patina {
+namespace {
+
+using nlohmann::json;
+using tests::BlockFolder;
+using tests::plainDescriptor;
+
+/// Everything that is wrong with a descriptor whose first parameter is changed.
+class Mistakes : public testing::Test {
+  protected:
+    std::string of(const json& descriptor) {
+        folder_.add("models", descriptor);
+        std::string messages = text(folder_.load().errors);
+        const std::string folder = folder_.root().string() + "/models/";
+        for (auto at = messages.find(folder); at != std::string::npos; at = messages.find(folder)) {
+            messages.erase(at, folder.size());
+        }
+        return messages;
+    }
+
+    std::string ofParameter(const json& changes) {
+        json descriptor = plainDescriptor("a");
+        descriptor["parameters"][0].merge_patch(changes);
+        return of(descriptor);
+    }
+
+    /// The same without file, line and column.
+    std::string problem(const json& changes) {
+        const std::string message = ofParameter(changes);
+        const auto at = message.find(": ");
+        return at == std::string::npos ? message : message.substr(at + 2);
+    }
+
+    BlockFolder folder_;
+};
+
+TEST_F(Mistakes, PlainDescriptor_HasNone) { EXPECT_EQ(of(plainDescriptor("a")), ""); }
+
+TEST_F(Mistakes, SeveralInOneFile_AreAllReported) {
+    folder_.addText("models", "a", R"({
+  "id": "b",
+  "version": "one",
+  "label": "A",
+  "parameters": [
+    {"id": "x", "label": "X", "type": "float", "default": 5},
+    {"id": "y", "label": "Y", "type": "flaot", "default": 1, "colour": 1}
+  ]
+})");
+    const std::string file = folder_.file("models", "a").string();
+    EXPECT_EQ(text(folder_.load().errors),
+              file + ":2:9: the id \"b\" is not the file's name; expected \"a\"\n" + file +
+                  ":3:14: \"one\" is not allowed here; expected a whole number from 1; raise it "
+                  "when old values mean something else\n" +
+                  file + ":6:59: the default is outside the hard range; expected 0 to 1\n" +
+                  file + ":7:39: \"flaot\" is not allowed here; expected one of float, int, bool, "
+                         "color, vec2, vec3, angle, enum, texture\n" +
+                  file + ":7:72: the key \"colour\" is not known; expected one of advanced, "
+                         "compiled, decimals, default, doc, enabledWhen, group, id, label, max, "
+                         "migrations, min, physical, scale, softMax, softMin, space, step, "
+                         "texture, type, unit, values\n");
+}
+
+TEST_F(Mistakes, UnknownKey_SuggestsTheOneThatWasMeant) {
+    EXPECT_EQ(problem({{"lable", "x"}}).substr(0, 50),
+              "the key \"lable\" is not known; expected 'label', or");
+}
+
+TEST_F(Mistakes, SeveralUnknownKeys_AreAllReported) {
+    const std::string messages = ofParameter({{"one", 1}, {"two", 2}});
+    EXPECT_NE(messages.find("\"one\" is not known"), std::string::npos);
+    EXPECT_NE(messages.find("\"two\" is not known"), std::string::npos);
+}
+
+TEST_F(Mistakes, MissingKey_IsNamed) {
+    json descriptor = plainDescriptor("a");
+    descriptor.erase("label");
+    EXPECT_EQ(of(descriptor), "a.json:1:1: the key \"label\" is missing; expected the name the "
+                              "user sees, as text\n");
+}
+
+TEST_F(Mistakes, SchemaKey_IsAllowed) {
+    json descriptor = plainDescriptor("a");
+    descriptor["$schema"] = "https://example.org/descriptor.schema.json";
+    EXPECT_EQ(of(descriptor), "");
+}
+
+TEST_F(Mistakes, NotAnObject_IsOne) {
+    folder_.addText("models", "a", "[]");
+    EXPECT_NE(text(folder_.load().errors).find("a.json:1:1: "), std::string::npos);
+}
+
+TEST_F(Mistakes, MissingShader_IsOne) {
+    tests::writeFile(folder_.file("models", "a"), plainDescriptor("a").dump());
+    EXPECT_NE(text(folder_.load().errors).find("a.json:1:1: the block has no shader; expected a "
+                                               "file a.glsl beside this one"),
+              std::string::npos);
+}
+
+TEST_F(Mistakes, DefaultOfTheWrongType_IsOne) {
+    EXPECT_EQ(problem({{"default", "half"}}),
+              "the text \"half\" stands here; expected a number\n");
+}
+
+TEST_F(Mistakes, DefaultOutsideTheHardRange_IsOne) {
+    EXPECT_EQ(problem({{"min", 1}, {"max", 2}}),
+              "the default is outside the hard range; expected 1 to 2\n");
+}
+
+TEST_F(Mistakes, SoftRangeOutsideTheHardRange_IsOne) {
+    EXPECT_EQ(problem({{"softMax", 2}}), "the soft range is not inside the hard range; expected 0 "
+                                         "<= softMin <= softMax <= 1\n");
+}
+
+TEST_F(Mistakes, RangeUpsideDown_IsOne) {
+    EXPECT_EQ(problem({{"min", 2}, {"max", 1}}), "min is above max; expected a number up to 1\n");
+}
+
+TEST_F(Mistakes, WholeNumberWithoutARange_IsTwo) {
+    EXPECT_EQ(ofParameter({{"type", "int"}, {"default", 1}}),
+              "a.json:5:3: the key \"min\" is missing; expected a number\n"
+              "a.json:5:3: the key \"max\" is missing; expected a number\n");
+}
+
+TEST_F(Mistakes, LogSliderFromZero_IsOne) {
+    EXPECT_EQ(problem({{"scale", "log"}}),
+              "a log slider cannot reach 0; expected a softMin above 0\n");
+}
+
+TEST_F(Mistakes, DefaultNotAmongTheChoices_IsOne) {
+    EXPECT_EQ(problem({{"type", "enum"},
+                       {"default", "c"},
+                       {"values", {{{"id", "aa"}, {"label", "A"}}, {{"id", "bb"}, {"label", "B"}}}}}),
+              "the text \"c\" stands here; expected one of aa, bb\n");
+}
+
+TEST_F(Mistakes, ChoiceTwice_IsOne) {
+    EXPECT_EQ(problem({{"type", "enum"},
+                       {"default", "a"},
+                       {"values", {{{"id", "a"}, {"label", "A"}}, {{"id", "a"}, {"label", "B"}}}}}),
+              "the id \"a\" occurs twice; expected each id once\n");
+}
+
+TEST_F(Mistakes, ChoicesOfANumber_AreOne) {
+    EXPECT_EQ(problem({{"values", {{{"id", "a"}, {"label", "A"}}}}}),
+              "only an enum has values; expected no such key\n");
+}
+
+TEST_F(Mistakes, CompiledNumber_IsOne) {
+    EXPECT_EQ(problem({{"compiled", true}}), "only an enum or a bool can be compiled in; expected "
+                                             "false, or \"whenZero\" for a float\n");
+}
+
+TEST_F(Mistakes, CompiledWhenZero_IsForFloats) {
+    EXPECT_EQ(ofParameter({{"compiled", "whenZero"}}), "");
+}
+
+TEST_F(Mistakes, SpaceOfANumber_IsOne) {
+    EXPECT_EQ(problem({{"space", "worldPoint"}}),
+              "only a vec3 lies in a space; expected no such key\n");
+}
+
+TEST_F(Mistakes, ConditionThatDoesNotParse_IsOne) {
+    EXPECT_EQ(problem({{"enabledWhen", "gloss >"}}),
+              "the expression ends here (column 8 of the text); expected a parameter, a number or "
+              "a choice\n");
+}
+
+TEST_F(Mistakes, ConditionOverItself_IsOne) {
+    EXPECT_EQ(problem({{"enabledWhen", "gloss > 0"}}),
+              "'gloss' is no other parameter of this block; expected nothing here\n");
+}
+
+json withCondition(const std::string& condition) {
+    json descriptor = plainDescriptor("a");
+    descriptor["parameters"].push_back(
+        {{"id", "lobe"},
+         {"label", "Lobe"},
+         {"type", "enum"},
+         {"default", "wide"},
+         {"values", {{{"id", "wide"}, {"label", "W"}}, {{"id", "narrow"}, {"label", "N"}}}}});
+    descriptor["parameters"][0]["enabledWhen"] = condition;
+    return descriptor;
+}
+
+TEST_F(Mistakes, ConditionOverASibling_HasNone) {
+    EXPECT_EQ(of(withCondition("lobe == narrow")), "");
+}
+
+TEST_F(Mistakes, ConditionOverAMisspeltSibling_SuggestsIt) {
+    EXPECT_NE(of(withCondition("lobes == narrow")).find("expected 'lobe'"), std::string::npos);
+}
+
+TEST_F(Mistakes, ConditionOverAMisspeltChoice_SuggestsIt) {
+    EXPECT_NE(of(withCondition("lobe == narow")).find("expected 'narrow'"), std::string::npos);
+}
+
+TEST_F(Mistakes, ParameterTwice_IsOne) {
+    json descriptor = plainDescriptor("a");
+    descriptor["parameters"].push_back(descriptor["parameters"][0]);
+    EXPECT_NE(of(descriptor).find("the id \"gloss\" occurs twice"), std::string::npos);
+}
+
+TEST_F(Mistakes, IdsThatMakeOneField_AreOne) {
+    json descriptor = plainDescriptor("a");
+    descriptor["parameters"].push_back(descriptor["parameters"][0]);
+    descriptor["parameters"][0]["id"] = "gloss.x";
+    descriptor["parameters"][1]["id"] = "glossX";
+    EXPECT_NE(of(descriptor).find("another id also makes the field \"glossX\""),
+              std::string::npos);
+}
+
+TEST_F(Mistakes, IdThatIsAWordOfGlsl_IsOne) {
+    EXPECT_EQ(problem({{"id", "sample"}}), "\"sample\" is a word of GLSL or C++; expected another id\n");
+}
+
+json withLevels(bool first, bool second) {
+    json descriptor = plainDescriptor("a");
+    descriptor["accuracy"] = {{{"id", "lobe"},
+                               {"label", "Lobe"},
+                               {"values",
+                                {{{"id", "one"}, {"label", "1"}, {"exact", first}},
+                                 {{"id", "two"}, {"label", "2"}, {"exact", second}}}}}};
+    return descriptor;
+}
+
+TEST_F(Mistakes, FirstLevelExact_HasNone) { EXPECT_EQ(of(withLevels(true, false)), ""); }
+
+TEST_F(Mistakes, NoLevelExact_IsOne) {
+    EXPECT_NE(of(withLevels(false, false)).find("the first level is not marked as exact"),
+              std::string::npos);
+}
+
+TEST_F(Mistakes, TwoLevelsExact_AreOne) {
+    EXPECT_NE(of(withLevels(true, true)).find("a level after the first is marked as exact"),
+              std::string::npos);
+}
+
+TEST_F(Mistakes, ClaimWithAnExemption_IsOne) {
+    json descriptor = plainDescriptor("a");
+    descriptor["claims"] = {"finite"};
+    descriptor["exemptions"] = {{"finite", "because"}};
+    EXPECT_NE(of(descriptor).find("\"finite\" is also claimed"), std::string::npos);
+}
+
+TEST_F(Mistakes, SlotWithoutItsBlock_IsOne) {
+    json descriptor = plainDescriptor("a");
+    descriptor["slots"] = {{{"kind", "fresnel"}, {"default", "none"}}};
+    EXPECT_NE(of(descriptor).find("there is no fresnel block \"none\""), std::string::npos);
+}
+
+TEST(DescriptorJson, OfABlock_IsADescriptorOfTheSameBlock) {
+    BlockFolder folder;
+    json descriptor = withLevels(true, false);
+    descriptor["parameters"][0].merge_patch({{"scale", "log"},
+                                             {"softMin", 0.1},
+                                             {"physical", {{"min", 0}, {"max", 0.5}}},
+                                             {"migrations", {{{"from", "old"}, {"until", 1}}}},
+                                             {"texture", true}});
+    folder.add("models", descriptor);
+    const Catalog before = folder.load();
+    ASSERT_EQ(before.blocks.size(), 1u) << text(before.errors);
+    json again = toJson(before.blocks[0]);
+    EXPECT_EQ(again["kind"], "models");
+    again.erase("kind");
+    folder.add("models", again);
+    EXPECT_EQ(folder.load(), before);
+}
+
+} // namespace
+} // namespace patina
