@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include <sys/wait.h>
 
@@ -43,18 +44,23 @@ Outcome run(const std::filesystem::path& program, const Start& start) {
     const TemporaryFolder folder;
     writeFile(folder / "in", start.input);
     const auto began = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    };
     process::child child(
         process::exe = program.string(), process::args = start.arguments, environmentOf(start),
         process::std_in<(folder / "in").string(), process::std_out>(folder / "out").string(),
         process::std_err > (folder / "err").string());
-    const auto limit = std::chrono::milliseconds(int(start.timeLimitSeconds * 1000.0));
-    const bool ended = child.wait_for(limit);
+    // Asked again and again: wait_for of Boost 1.74 misses a child that ends before it waits.
+    while (child.running() && seconds() < start.timeLimitSeconds) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const bool ended = !child.running();
     if (!ended) {
         child.terminate();
     }
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
     return {ended ? exitCodeOf(child) : -1, readFile(folder / "out"), readFile(folder / "err"),
-            taken.count()};
+            seconds()};
 }
 
 TemporaryFolder::TemporaryFolder() {
