@@ -111,7 +111,8 @@ Result<FileServer::Answer> FileServer::readMesh(const Message& request) {
         options = {request.numbers[0], request.numbers[1] != 0.0, request.numbers[2] != 0.0};
     }
     std::optional<SharedBlock> block;
-    const MeshStorage storage = [&](std::size_t vertices, std::size_t indices) -> Result<MeshSpans> {
+    const MeshStorage storage = [&](std::size_t vertices,
+                                    std::size_t indices) -> Result<MeshSpans> {
         const std::size_t size = MeshBlock::sizeFor(vertices, indices);
         auto fresh = size != 0 ? SharedBlock::create(size) : failure("is too large");
         if (!fresh) {
@@ -141,7 +142,8 @@ Result<FileServer::Answer> FileServer::readImage(const Message& request) {
     if (!image) {
         return tl::unexpected(image.error());
     }
-    auto block = SharedBlock::create(ImageBlock::sizeFor(image->width, image->height, image->channels));
+    auto block =
+        SharedBlock::create(ImageBlock::sizeFor(image->width, image->height, image->channels));
     if (!block) {
         return tl::unexpected(named(block.error(), request.texts[0]));
     }

@@ -136,8 +136,11 @@ Result<std::shared_ptr<const SharedMesh>> AssetClient::loadMesh(const MeshReques
     }
     const std::vector<double> numbers{mesh.scale, mesh.fitUnitBox ? 1.0 : 0.0,
                                       mesh.flipNormals ? 1.0 : 0.0};
-    const FilesSession::Request request{
-        {MessageKind::readMesh, numbers, {fullPath(mesh.file)}}, mesh.file, "reading", {}, progress};
+    const FilesSession::Request request{{MessageKind::readMesh, numbers, {fullPath(mesh.file)}},
+                                        mesh.file,
+                                        "reading",
+                                        {},
+                                        progress};
     using Shared = std::shared_ptr<const SharedMesh>;
     return implementation_->ask<Shared>(request, [](FilesSession::Answer answer) -> Result<Shared> {
         auto block = SharedBlock::open(std::move(answer.attachment));
@@ -159,9 +162,8 @@ Result<Image> AssetClient::loadImage(const fs::path& file, Progress* progress) {
     const FilesSession::Request request{
         {MessageKind::readImage, {}, {fullPath(file)}}, file, "reading", {}, progress};
     return implementation_->ask<Image>(request, [](FilesSession::Answer answer) {
-        return SharedBlock::open(std::move(answer.attachment)).and_then([](const SharedBlock& block) {
-            return ImageBlock::checked(block.bytes());
-        });
+        return SharedBlock::open(std::move(answer.attachment))
+            .and_then([](const SharedBlock& block) { return ImageBlock::checked(block.bytes()); });
     });
 }
 
@@ -190,9 +192,8 @@ Result<std::string> AssetClient::encodeImage(const std::string& extension, const
                                         std::move(*pixels),
                                         nullptr};
     return implementation_->ask<std::string>(request, [](FilesSession::Answer answer) {
-        return SharedBlock::open(std::move(answer.attachment)).and_then([](const SharedBlock& block) {
-            return TextBlock::checked(block.bytes());
-        });
+        return SharedBlock::open(std::move(answer.attachment))
+            .and_then([](const SharedBlock& block) { return TextBlock::checked(block.bytes()); });
     });
 }
 

@@ -61,9 +61,9 @@ Result<FilesProcess> FilesProcess::start(const std::filesystem::path& program,
     const pid_t parent = ::getpid();
     const auto setUp = [=](auto&) { confine(memoryLimitBytes, parent); };
     try {
-        process::child child(process::exe = program.string(), process::posix::fd.bind(0, theirs.get()),
-                             process::std_out > process::null,
-                             process::extend::on_exec_setup = setUp);
+        process::child child(
+            process::exe = program.string(), process::posix::fd.bind(0, theirs.get()),
+            process::std_out > process::null, process::extend::on_exec_setup = setUp);
         return FilesProcess(
             std::make_unique<State>(State{Channel(std::move(ours)), std::move(child)}));
     } catch (const process::process_error& problem) {

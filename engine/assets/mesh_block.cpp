@@ -79,8 +79,9 @@ Result<MeshView> MeshBlock::checked(std::span<const std::byte> block) {
     }
     const std::byte* const first = block.data() + sizeof header;
     const std::span vertices(reinterpret_cast<const Vertex*>(first), header.vertexCount);
-    const std::span indices(reinterpret_cast<const std::uint32_t*>(vertices.data() + vertices.size()),
-                            header.indexCount);
+    const std::span indices(
+        reinterpret_cast<const std::uint32_t*>(vertices.data() + vertices.size()),
+        header.indexCount);
     if (!allFinite(vertices)) {
         return failure("the mesh block has a number that is not finite");
     }

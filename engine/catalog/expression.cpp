@@ -206,8 +206,8 @@ struct Expression::Node {
 
         Error unexpected(std::string expected) const {
             const Token& token = tokens.current();
-            const std::string found =
-                tokens.atEnd() ? "the expression ends here" : fmt::format("'{}' stands here", token.text);
+            const std::string found = tokens.atEnd() ? "the expression ends here"
+                                                     : fmt::format("'{}' stands here", token.text);
             return {{}, 1, static_cast<int>(token.offset) + 1, found, std::move(expected)};
         }
 

@@ -125,7 +125,8 @@ void JsonReader::read(std::string_view key, glm::dvec3& into) {
     if (json == nullptr) {
         return;
     }
-    if (json->is_array() && json->size() == 3 && std::all_of(json->begin(), json->end(), isNumber)) {
+    if (json->is_array() && json->size() == 3 &&
+        std::all_of(json->begin(), json->end(), isNumber)) {
         into = {asFloat((*json)[0]), asFloat((*json)[1]), asFloat((*json)[2])};
     } else {
         addWrongType(key, *json, "an array of 3 numbers");

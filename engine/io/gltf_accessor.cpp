@@ -154,7 +154,8 @@ Result<std::vector<float>> readFloats(const tinygltf::Model& model, GltfViews& v
         return tl::unexpected(found.error());
     }
     if (tinygltf::GetNumComponentsInType(std::uint32_t((*found)->type)) != int(components)) {
-        return failure(fmt::format("accessor {} does not have {} components", accessor, components));
+        return failure(
+            fmt::format("accessor {} does not have {} components", accessor, components));
     }
     return values<float>(views, **found, components);
 }

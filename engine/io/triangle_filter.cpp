@@ -18,7 +18,8 @@ bool isUsable(const glm::vec3& p) {
 
 /// In doubles: the area of a triangle 1e-15 wide is no float, and must not count as zero.
 bool hasArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+    const glm::dvec3 normal =
+        glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
     return normal.x != 0.0 || normal.y != 0.0 || normal.z != 0.0;
 }
 

@@ -65,9 +65,10 @@ class ValuesReader {
         std::size_t noted = 0;
         for (const auto& [id, json] : unknown.items()) {
             if (++noted <= mostNotes) {
-                note(id,
-                     fmt::format("{} has no parameter \"{}\"; it is kept as it is", block.label, id),
-                     oneOf(id, ids));
+                note(
+                    id,
+                    fmt::format("{} has no parameter \"{}\"; it is kept as it is", block.label, id),
+                    oneOf(id, ids));
             }
             keepUnknown(id, json);
         }

@@ -93,7 +93,8 @@ class PresetReader {
         reader_.read("opacity", opacity);
         material().opacity = std::clamp(opacity, 0.0, 1.0);
         if (material().opacity != opacity) {
-            note(reader_.pointer("opacity"), "the opacity is outside its range and was brought into it", "0 to 1");
+            note(reader_.pointer("opacity"),
+                 "the opacity is outside its range and was brought into it", "0 to 1");
         }
     }
 

@@ -20,7 +20,8 @@ int driverLimit(GLenum name) {
 }
 
 Result<void> checkSize(glm::ivec2 size) {
-    const int most = std::min(driverLimit(GL_MAX_TEXTURE_SIZE), driverLimit(GL_MAX_RENDERBUFFER_SIZE));
+    const int most =
+        std::min(driverLimit(GL_MAX_TEXTURE_SIZE), driverLimit(GL_MAX_RENDERBUFFER_SIZE));
     const bool fits = size.x >= 1 && size.y >= 1 && size.x <= most && size.y <= most &&
                       std::int64_t(size.x) * size.y <= mostPixels;
     if (fits) {

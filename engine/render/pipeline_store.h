@@ -19,7 +19,8 @@ class PipelineStore {
         Errors errors;
     };
 
-    explicit PipelineStore(std::filesystem::path programCache) : programs_(std::move(programCache)) {}
+    explicit PipelineStore(std::filesystem::path programCache)
+        : programs_(std::move(programCache)) {}
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 

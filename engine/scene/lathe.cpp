@@ -85,8 +85,8 @@ void addLathe(Mesh& mesh, const Profile& profile, int columns) {
     for (const Span& span : profile) {
         for (std::size_t i = 0; i < span.size(); ++i) {
             length += i == 0 ? 0.0 : glm::distance(span[i - 1].position, span[i].position);
-            const glm::dvec2 along =
-                i == 0 ? span[1].position - span[0].position : span[i].position - span[i - 1].position;
+            const glm::dvec2 along = i == 0 ? span[1].position - span[0].position
+                                            : span[i].position - span[i - 1].position;
             // The bitangent is w (n x t); in the profile's plane n x t is the normal turned left.
             const glm::dvec2 bitangent(-span[i].normal.y, span[i].normal.x);
             const double handedness = glm::dot(bitangent, along) >= 0.0 ? 1.0 : -1.0;

@@ -119,8 +119,9 @@ void fillSlot(EffectSet& set, const Slot& slot, const Material& material, const 
     const Block* chosen = slot.kind == "fresnel" ? fresnelBlock(material, catalog) : nullptr;
     const Block* block = chosen != nullptr ? chosen : catalog.find(slot.kind, slot.defaultBlock);
     if (block == nullptr) {
-        set.leftOut.push_back({slot.kind, fmt::format("No block \"{}\" is known for the model's slot.",
-                                                      slot.defaultBlock)});
+        set.leftOut.push_back(
+            {slot.kind,
+             fmt::format("No block \"{}\" is known for the model's slot.", slot.defaultBlock)});
         return;
     }
     const std::string reason = chosen != nullptr ? "The model calls the material's Fresnel term."

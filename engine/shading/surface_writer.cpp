@@ -109,7 +109,8 @@ void SurfaceWriter::writeLightGroup(std::size_t index) {
     const BlockPlace& group = scene_.groups[index];
     const std::string type = structName(*group.block);
     writeBlock(*group.block);
-    writeUnpack(*group.block, set_.scene.lights[index].block, fmt::format("unpack{}{}", type, index));
+    writeUnpack(*group.block, set_.scene.lights[index].block,
+                fmt::format("unpack{}{}", type, index));
     out_.add(fmt::format("vec3 from{0}{1}(Surface s, Model p) {{\n"
                          "    vec3 sum = vec3(0.0);\n"
                          "    int count = int(sceneData[{2}].x);\n"
@@ -171,9 +172,10 @@ void SurfaceWriter::writeOpacity() {
 }
 
 void SurfaceWriter::writeMain() {
-    out_.add(fmt::format("void main() {{\n    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
-                         "{}    store(shaded, {});\n}}\n",
-                         main_, alpha_));
+    out_.add(
+        fmt::format("void main() {{\n    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
+                    "{}    store(shaded, {});\n}}\n",
+                    main_, alpha_));
 }
 
 } // namespace patina

@@ -45,7 +45,8 @@ class LargeImport : public testing::Test {
     static std::filesystem::path file() { return *folder_ / "large.obj"; }
 
     std::future<LoadedMesh> start() {
-        return std::async(std::launch::async, [this] { return client_.loadMesh({file()}, &progress_); });
+        return std::async(std::launch::async,
+                          [this] { return client_.loadMesh({file()}, &progress_); });
     }
 
     /// The process that has begun to read.
@@ -80,7 +81,8 @@ TEST_F(LargeImport, CancelledHalfWay_EndsTheProcessWithinAMoment) {
     const auto before = std::chrono::steady_clock::now();
     progress_.cancelled = true;
     const auto mesh = import.get();
-    EXPECT_LT(std::chrono::steady_clock::now() - before, 500ms); // polled every 20 ms; slow machines
+    EXPECT_LT(std::chrono::steady_clock::now() - before,
+              500ms); // polled every 20 ms; slow machines
     ASSERT_FALSE(mesh);
     EXPECT_EQ(mesh.error().problem, "cancelled while reading");
     EXPECT_FALSE(isAlive(process));

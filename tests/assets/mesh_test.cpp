@@ -14,9 +14,10 @@ namespace {
 constexpr float tolerance = 1e-6f; // a few roundings of numbers near one
 
 /// A cube of side 2, every corner once, faces outwards.
-constexpr const char* cubeObj = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
-                                "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
-                                "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";
+constexpr const char* cubeObj =
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
+    "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";
 
 /// The normal the winding of a triangle gives.
 glm::vec3 windingNormal(const MeshView& mesh, std::size_t triangle) {
@@ -88,8 +89,9 @@ TEST(MeshFile, TextureCoordinates_GiveTheTangentAlongU) {
 }
 
 TEST(MeshFile, MirroredTexture_SplitsTheSeam) {
-    const auto mesh = loaded("mirror.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
-                                           "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/2\n");
+    const auto mesh =
+        loaded("mirror.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                             "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/2\n");
     ASSERT_TRUE(mesh) << mesh.error().text();
     EXPECT_EQ((*mesh)->view().vertices.size(), 6u);
 }

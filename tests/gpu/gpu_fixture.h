@@ -131,8 +131,8 @@ class GpuTest : public testing::Test {
     }
 
     static glm::vec3 pixel(const Image& image, int x, int y) {
-        const std::size_t at =
-            (std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * std::size_t(image.channels);
+        const std::size_t at = (std::size_t(y) * std::size_t(image.width) + std::size_t(x)) *
+                               std::size_t(image.channels);
         return {image.pixels.at(at), image.pixels.at(at + 1), image.pixels.at(at + 2)};
     }
 

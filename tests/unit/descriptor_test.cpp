@@ -132,10 +132,11 @@ TEST_F(Mistakes, LogSliderFromZero_IsOne) {
 }
 
 TEST_F(Mistakes, DefaultNotAmongTheChoices_IsOne) {
-    EXPECT_EQ(problem({{"type", "enum"},
-                       {"default", "c"},
-                       {"values", {{{"id", "aa"}, {"label", "A"}}, {{"id", "bb"}, {"label", "B"}}}}}),
-              "the text \"c\" stands here; expected one of aa, bb\n");
+    EXPECT_EQ(
+        problem({{"type", "enum"},
+                 {"default", "c"},
+                 {"values", {{{"id", "aa"}, {"label", "A"}}, {{"id", "bb"}, {"label", "B"}}}}}),
+        "the text \"c\" stands here; expected one of aa, bb\n");
 }
 
 TEST_F(Mistakes, ChoiceTwice_IsOne) {
@@ -215,7 +216,8 @@ TEST_F(Mistakes, IdsThatMakeOneField_AreOne) {
 }
 
 TEST_F(Mistakes, IdThatIsAWordOfGlsl_IsOne) {
-    EXPECT_EQ(problem({{"id", "sample"}}), "\"sample\" is a word of GLSL or C++; expected another id\n");
+    EXPECT_EQ(problem({{"id", "sample"}}),
+              "\"sample\" is a word of GLSL or C++; expected another id\n");
 }
 
 json withLevels(bool first, bool second) {

@@ -38,7 +38,9 @@ TEST(Expression, QuotedChoice_IsCompared) { EXPECT_TRUE(isTrue("lobe == \"wide-t
 TEST(Expression, OtherChoice_IsUnequal) { EXPECT_TRUE(isTrue("lobe != 'narrow'")); }
 TEST(Expression, ChoiceThatLooksLikeANumber_IsCompared) { EXPECT_TRUE(isTrue("scale == 1982")); }
 TEST(Expression, ChoiceOrderedByLess_IsFalse) { EXPECT_FALSE(isTrue("lobe < 3")); }
-TEST(Expression, ParameterAgainstParameter_IsCompared) { EXPECT_TRUE(isTrue("roughness.x < count")); }
+TEST(Expression, ParameterAgainstParameter_IsCompared) {
+    EXPECT_TRUE(isTrue("roughness.x < count"));
+}
 TEST(Expression, Not_BindsCloserThanAnd) { EXPECT_FALSE(isTrue("not off and off")); }
 TEST(Expression, And_BindsCloserThanOr) { EXPECT_TRUE(isTrue("on or off and off")); }
 TEST(Expression, Parentheses_BindFirst) { EXPECT_FALSE(isTrue("(on or off) and off")); }

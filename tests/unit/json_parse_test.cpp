@@ -95,7 +95,9 @@ TEST(ParseJson, Truncated_IsAnErrorAtTheEnd) {
     EXPECT_EQ(start(errorOf("{\"a\": [1, 2")), "f.json:1:12");
 }
 
-TEST(ParseJson, TruncatedInText_IsAnError) { EXPECT_EQ(start(errorOf("{\"a\": \"b")), "f.json:1:9"); }
+TEST(ParseJson, TruncatedInText_IsAnError) {
+    EXPECT_EQ(start(errorOf("{\"a\": \"b")), "f.json:1:9");
+}
 
 TEST(ParseJson, SomethingAfterTheEnd_IsAnErrorThere) {
     EXPECT_EQ(start(errorOf("{}\n{}")), "f.json:2:1");
@@ -127,7 +129,8 @@ TEST(ParseJson, DepthBeyondTheLimit_IsAnErrorAtItsPlace) {
 TEST(ParseJson, MillionBrackets_AreRefused) { EXPECT_NE(errorOf(std::string(1'000'000, '[')), ""); }
 
 TEST(ParseJson, TooManyBytes_AreRefused) {
-    EXPECT_EQ(errorOf("[1, 2]", {5, 64}), "f.json: the file is too large; expected at most 5 bytes");
+    EXPECT_EQ(errorOf("[1, 2]", {5, 64}),
+              "f.json: the file is too large; expected at most 5 bytes");
 }
 
 TEST(ReadJson, MissingFile_IsAnErrorWithItsName) {

@@ -204,7 +204,8 @@ TEST(Reconciled, LightsRemovedParameter_ComesBack) {
     lamp.kind = "lights";
     Block without = lamp;
     without.parameters.pop_back();
-    const BlockValues before{"shiny", 1, {{"albedo", 0.5}, {"gloss", 7.0}}, nlohmann::json::object()};
+    const BlockValues before{
+        "shiny", 1, {{"albedo", 0.5}, {"gloss", 7.0}}, nlohmann::json::object()};
     const BlockValues between = reconciled(before, "lights", catalogOf(lamp), catalogOf(without));
     EXPECT_EQ(reconciled(between, "lights", catalogOf(without), catalogOf(lamp)), before);
 }

@@ -62,7 +62,9 @@ TEST(ValueFromJson, WholeFloatForAWholeNumber_IsRead) {
 TEST(ValueFromJson, HugeWholeNumber_IsCut) {
     EXPECT_EQ(valueFromJson(whole, 1e300), Value(std::numeric_limits<int>::max()));
 }
-TEST(ValueFromJson, Number_IsNeitherRoundedNorCut) { EXPECT_EQ(valueFromJson(number, 7.1), Value(7.1)); }
+TEST(ValueFromJson, Number_IsNeitherRoundedNorCut) {
+    EXPECT_EQ(valueFromJson(number, 7.1), Value(7.1));
+}
 
 class Layout : public testing::Test {
   protected:

@@ -150,7 +150,8 @@ Result<Image> OiioCodec::read(const std::filesystem::path& file) const {
     const OIIO::ImageSpec spec = input->spec();
     if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1 ||
         spec.image_pixels() > OIIO::imagesize_t(maxPixels) || spec.nchannels > 64 ||
-        spec.image_pixels() * OIIO::imagesize_t(spec.nchannels) > 4 * OIIO::imagesize_t(maxPixels)) {
+        spec.image_pixels() * OIIO::imagesize_t(spec.nchannels) >
+            4 * OIIO::imagesize_t(maxPixels)) {
         return tl::unexpected(readError(file, fmt::format("is too large: {} x {} pixels",
                                                           spec.width, spec.height)));
     }
