@@ -171,7 +171,7 @@ const Block* Document::block(const BlockPath& path) const {
 
 Value Document::value(const BlockPath& path, const Parameter& parameter) const {
     const std::optional<Value> stored = storedValue(state_, path, parameter.id);
-    return stored ? conformed(parameter, *stored) : parameter.defaultValue;
+    return roundedToFloat(stored ? conformed(parameter, *stored) : parameter.defaultValue);
 }
 
 void Document::setValue(const BlockPath& path, std::string_view parameterId, const Value& wanted) {

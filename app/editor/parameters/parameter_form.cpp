@@ -109,6 +109,7 @@ ParameterSection* ParameterForm::section(const QString& title, bool isFolded) {
     const int end = column_->count() - 1; // before the stretch
     const bool goesBefore = endsInAdvanced && !isLast;
     column_->insertWidget(goesBefore ? end - 1 : end, made);
+    made->show(); // at once, or it would come one frame late
     sections_.insert(goesBefore ? sections_.end() - 1 : sections_.end(), made);
     return made;
 }

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scene/scene_file.h"
+#include "ui/fixtures.h"
+
+namespace patina::tests {
+
+namespace {
+
+/// Everything a file holds, as text: numbers count as the floats they are.
+std::string written(const DocumentState& state) {
+    const std::string second = state.second ? writeJson(toJson(*state.second)) : "";
+    return writeJson(toJson(state.scene, "/")) + second;
+}
+
+struct DocumentFile_ : testing::Test {
+    FixtureDocument fixture;
+    Document& document = fixture.document;
+    TemporaryFolder folder;
+    std::vector<std::string> messages;
+
+    DocumentFile_() {
+        QObject::connect(&document, &Document::message,
+                         [this](const Error& error) { messages.push_back(error.text()); });
+    }
+};
+
+} // namespace
+
+TEST_F(DocumentFile_, SavedScene_OpensAsItWas) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    document.setComparing(true);
+    document.setValue({BlockPath::Part::Model, 0, Side::B}, "roughness", 0.25);
+    const std::string saved = written(document.state());
+    ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    document.startFrom(Scene());
+    ASSERT_TRUE(document.openScene(folder / "a.patina-scene.json"));
+    EXPECT_EQ(written(document.state()), saved);
+    EXPECT_EQ(messages, std::vector<std::string>());
+}
+
+TEST_F(DocumentFile_, SavedScene_IsNotModified) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    EXPECT_TRUE(document.isModified());
+    document.saveScene(folder / "a.patina-scene.json");
+    EXPECT_FALSE(document.isModified());
+    document.undoStack().undo();
+    EXPECT_TRUE(document.isModified());
+}
+
+TEST_F(DocumentFile_, SavedPreset_OpensAsItWas) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    const std::string saved = writeJson(toJson(*document.material(Side::A)));
+    ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+    EXPECT_FALSE(document.isModified());
+    document.undoStack().undo();
+    ASSERT_TRUE(document.openPreset(folder / "a.patina.json"));
+    EXPECT_EQ(writeJson(toJson(*document.material(Side::A))), saved);
+}
+
+TEST_F(DocumentFile_, SavedPresetOfAChangedScene_StaysModified) {
+    document.setValue(document.currentPath(BlockPath::Part::Light), "intensity", 5.0);
+    ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+    EXPECT_TRUE(document.isModified());
+}
+
+TEST_F(DocumentFile_, SecondSave_WritesTheSameFile) {
+    document.saveScene(folder / "a.patina-scene.json");
+    document.setValue(fixture.model(), "roughness", 0.75);
+    ASSERT_TRUE(document.save());
+    EXPECT_NE(readFile(folder / "a.patina-scene.json").find("0.75"), std::string::npos);
+}
+
+TEST_F(DocumentFile_, UntitledDocument_DoesNotSave) {
+    EXPECT_FALSE(document.save());
+}
+
+TEST_F(DocumentFile_, DroppedPreset_IsOneStep) {
+    document.savePreset(folder / "a.patina.json", Side::A);
+    document.setValue(fixture.model(), "roughness", 0.75);
+    const int steps = fixture.steps();
+    ASSERT_TRUE(document.applyPreset(folder / "a.patina.json", Side::A));
+    EXPECT_EQ(fixture.steps(), steps + 1);
+    EXPECT_EQ(fixture.number("roughness"), 0.5);
+}
+
+TEST_F(DocumentFile_, PresetDroppedOnB_StartsComparing) {
+    document.savePreset(folder / "a.patina.json", Side::A);
+    ASSERT_TRUE(document.applyPreset(folder / "a.patina.json", Side::B));
+    EXPECT_TRUE(document.isComparing());
+}
+
+TEST_F(DocumentFile_, BadFile_ChangesNothingAndSaysSo) {
+    const DocumentState before = document.state();
+    writeFile(folder / "a.patina-scene.json", "{\"format\": ");
+    EXPECT_FALSE(document.openScene(folder / "a.patina-scene.json"));
+    EXPECT_EQ(document.state(), before);
+    EXPECT_EQ(messages.size(), 1u);
+}
+
+TEST_F(DocumentFile_, MissingFolder_SaysSo) {
+    EXPECT_FALSE(document.saveScene(folder / "missing" / "a.patina-scene.json"));
+    EXPECT_EQ(messages.size(), 1u);
+}
+
+TEST_F(DocumentFile_, PresetFromTheFuture_IsNotSavedOver) {
+    document.savePreset(folder / "a.patina.json", Side::A);
+    std::string future = readFile(folder / "a.patina.json");
+    const std::string version = "\n  \"version\": 1";
+    future.replace(future.find(version), version.size(), "\n  \"version\": 99");
+    writeFile(folder / "a.patina.json", future);
+    ASSERT_TRUE(document.openPreset(folder / "a.patina.json"));
+    EXPECT_TRUE(document.file().readOnly);
+    EXPECT_FALSE(document.save());
+    EXPECT_EQ(readFile(folder / "a.patina.json"), future);
+}
+
+} // namespace patina::tests

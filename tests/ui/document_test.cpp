@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The document without widgets: what edits do, and what undo takes back.
+#include <gtest/gtest.h>
+
+#include "ui/fixtures.h"
+
+namespace patina::tests {
+
+namespace {
+
+using Part = BlockPath::Part;
+
+/// Undoes everything, does it again, and says whether both ends are what they were.
+bool survivesUndoAndRedo(Document& document, const DocumentState& before) {
+    const DocumentState after = document.state();
+    while (document.undoStack().canUndo()) {
+        document.undoStack().undo();
+    }
+    const bool undone = document.state() == before;
+    while (document.undoStack().canRedo()) {
+        document.undoStack().redo();
+    }
+    return undone && document.state() == after && !(before == after);
+}
+
+struct DocumentEdit : testing::Test {
+    FixtureDocument fixture;
+    Document& document = fixture.document;
+    DocumentState before = document.state();
+};
+
+} // namespace
+
+TEST(FixtureBlocks, Loaded_HaveNoMistakes) {
+    EXPECT_EQ(text(FixtureBlocks().catalog()->errors), "");
+}
+
+TEST_F(DocumentEdit, Parameter_UndoesAndRedoes) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, EveryPart_UndoesAndRedoes) {
+    document.setFresnel(Side::A, "rim");
+    document.setFog("mist");
+    document.setValue(document.currentPath(Part::Fresnel), "f0", 0.5);
+    document.setValue(document.currentPath(Part::Fog), "density", 0.5);
+    document.setValue(document.currentPath(Part::Light), "intensity", 3.0);
+    document.setValue(document.currentPath(Part::Material), "opacity", 0.5);
+    document.setValue(document.currentPath(Part::Object), "translation", glm::dvec3(1, 2, 3));
+    document.setValue(document.currentPath(Part::Scene), "exposure", 1.0);
+    EXPECT_EQ(fixture.steps(), 8);
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, ModelSwap_UndoesAndRedoes) {
+    document.setModel(Side::A, "second");
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, Lights_UndoAndRedo) {
+    document.addLight("sun");
+    Light renamed = document.scene().lights[1];
+    renamed.name = "Rim";
+    document.setLight(1, renamed);
+    document.setLightKind(0, "sun");
+    document.removeLight(0);
+    EXPECT_EQ(fixture.steps(), 4);
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, Objects_UndoAndRedo) {
+    Object second = document.scene().objects[0];
+    second.name = "Second";
+    document.addObject(second);
+    second.mesh = "builtin:cube";
+    document.setObject(1, second);
+    document.removeObject(0);
+    EXPECT_EQ(fixture.steps(), 3);
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, Fog_UndoesAndRedoes) {
+    document.setFog("mist");
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, Comparing_UndoesAndRedoes) {
+    document.setComparing(true);
+    document.setValue({Part::Model, 0, Side::B}, "roughness", 0.9);
+    document.swapSides();
+    EXPECT_EQ(fixture.steps(), 3);
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, ReplacedMaterial_UndoesAndRedoes) {
+    Material material = *document.material(Side::A);
+    material.name = "Other";
+    document.replaceMaterial(Side::A, material, "Preset");
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, SameValue_LeavesNoStep) {
+    document.setValue(fixture.model(), "roughness", 0.5);
+    EXPECT_EQ(fixture.steps(), 0);
+}
+
+TEST_F(DocumentEdit, NotANumber_IsRefused) {
+    document.setValue(fixture.model(), "roughness", std::nan(""));
+    document.setValue(fixture.model(), "roughness", HUGE_VAL);
+    EXPECT_EQ(document.state(), before);
+}
+
+TEST_F(DocumentEdit, BeyondHardRange_StopsAtIt) {
+    document.setValue(fixture.model(), "roughness", 99.0);
+    EXPECT_EQ(fixture.number("roughness"), 10.0);
+}
+
+TEST_F(DocumentEdit, OneInteraction_IsOneStep) {
+    const int token = document.beginInteraction();
+    for (int i = 0; i < 20; ++i) {
+        document.setValue(fixture.model(), "roughness", 0.01 * i);
+    }
+    document.endInteraction(token);
+    EXPECT_EQ(fixture.steps(), 1);
+}
+
+TEST_F(DocumentEdit, TwoInteractions_AreTwoSteps) {
+    for (const double wanted : {0.2, 0.3}) {
+        const int token = document.beginInteraction();
+        document.setValue(fixture.model(), "roughness", wanted);
+        document.endInteraction(token);
+    }
+    EXPECT_EQ(fixture.steps(), 2);
+}
+
+TEST_F(DocumentEdit, InteractionBackToItsStart_LeavesNoStep) {
+    const int token = document.beginInteraction();
+    document.setValue(fixture.model(), "roughness", 0.9);
+    document.setValue(fixture.model(), "roughness", 0.5);
+    document.endInteraction(token);
+    EXPECT_EQ(fixture.steps(), 0);
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST_F(DocumentEdit, LateEndOfAnInteraction_LeavesTheNextAlone) {
+    const int wheel = document.beginInteraction();
+    const int drag = document.beginInteraction();
+    document.setValue(fixture.model(), "roughness", 0.6);
+    document.endInteraction(wheel);
+    document.setValue(fixture.model(), "roughness", 0.7);
+    document.endInteraction(drag);
+    EXPECT_EQ(fixture.steps(), 1);
+}
+
+TEST_F(DocumentEdit, ModelSwapAndBack_RestoresValues) {
+    document.setValue(fixture.model(), "roughness", 0.8);
+    document.setModel(Side::A, "second");
+    document.setModel(Side::A, "first");
+    EXPECT_FLOAT_EQ(static_cast<float>(fixture.number("roughness")), 0.8f);
+}
+
+TEST_F(DocumentEdit, ModelSwap_CarriesSharedValues) {
+    const Value red = glm::dvec3(0.75, 0.125, 0.125);
+    document.setValue(fixture.model(), "diffuse.color", red);
+    document.setModel(Side::A, "second");
+    EXPECT_EQ(fixture.value("diffuse.color"), red);
+}
+
+TEST_F(DocumentEdit, LightKindAndBack_RestoresValues) {
+    const BlockPath light = document.currentPath(Part::Light);
+    document.setValue(light, "height", 5.0);
+    document.setLightKind(0, "sun");
+    document.setLightKind(0, "lamp");
+    EXPECT_EQ(storedValue(document.state(), light, "height"), Value(5.0));
+}
+
+TEST_F(DocumentEdit, FogOffAndOn_RestoresValues) {
+    document.setFog("mist");
+    document.setValue(document.currentPath(Part::Fog), "density", 0.5);
+    document.setFog("");
+    document.setFog("mist");
+    EXPECT_EQ(document.scene().fog->parameters.at("density"), Value(0.5));
+}
+
+TEST_F(DocumentEdit, SecondMaterial_ShowsOnSideBOnly) {
+    document.setComparing(true);
+    document.scene(Side::B);
+    document.setValue({Part::Model, 0, Side::B}, "roughness", 0.75);
+    document.setValue(document.currentPath(Part::Scene), "exposure", 1.0);
+    EXPECT_EQ(document.scene(Side::A).objects[0].material, before.scene.objects[0].material);
+    EXPECT_EQ(document.scene(Side::B).objects[0].material, *document.state().second);
+    EXPECT_EQ(document.scene(Side::B).exposure, 1.0);
+}
+
+TEST_F(DocumentEdit, RemovingTheLastLight_LeavesNoCurrentLight) {
+    document.removeLight(0);
+    EXPECT_EQ(document.currentLight(), -1);
+    document.undoStack().undo();
+    EXPECT_EQ(document.currentLight(), 0);
+}
+
+TEST_F(DocumentEdit, NewCatalogue_KeepsValuesById) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    std::string narrower = readFile(fixture.blocks.folder() / "models" / "first.json");
+    narrower.replace(narrower.find("\"max\": 10,"), 10, "\"max\": 0.7,");
+    narrower.replace(narrower.find("\"softMax\": 1,"), 13, "\"softMax\": 0.7,");
+    fixture.blocks.add("models", "first", narrower,
+                       "vec3 first(Directions d, First p) {\n    return p.diffuseColor;\n}\n");
+    document.setCatalog(fixture.blocks.catalog());
+    EXPECT_EQ(text(fixture.blocks.catalog()->errors), "");
+    EXPECT_FLOAT_EQ(static_cast<float>(fixture.number("roughness")), 0.7f);
+    EXPECT_EQ(fixture.steps(), 1);
+}
+
+} // namespace patina::tests

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAccessible>
+#include <QLocale>
+
+#include "ui/form_fixture.h"
+
+namespace patina::tests {
+
+using Slider = Form;
+using Number = Form;
+
+TEST_F(Slider, Drag_IsOneStep) {
+    drag(slider("roughness"), 0.5, 0.8);
+    EXPECT_EQ(fixture.steps(), 1);
+    EXPECT_GT(fixture.number("roughness"), 0.7);
+}
+
+TEST_F(Slider, UndoOfADrag_ShowsTheStartAgain) {
+    drag(slider("roughness"), 0.5, 0.8);
+    document.undoStack().undo();
+    EXPECT_EQ(slider("roughness")->value(), 0.5);
+    EXPECT_EQ(box("roughness")->text(), "0.5");
+}
+
+TEST_F(Slider, TwoDrags_AreTwoSteps) {
+    drag(slider("roughness"), 0.5, 0.8);
+    drag(slider("roughness"), 0.8, 0.3);
+    EXPECT_EQ(fixture.steps(), 2);
+}
+
+TEST_F(Slider, EscapeDuringADrag_LeavesNoStep) {
+    press(slider("roughness"), 0.5);
+    move(slider("roughness"), 0.5, 0.9);
+    EXPECT_NE(fixture.number("roughness"), 0.5);
+    QTest::keyClick(slider("roughness"), Qt::Key_Escape);
+    EXPECT_EQ(fixture.number("roughness"), 0.5);
+    EXPECT_EQ(fixture.steps(), 0);
+}
+
+TEST_F(Slider, MoveAfterEscape_ChangesNothing) {
+    press(slider("roughness"), 0.5);
+    move(slider("roughness"), 0.5, 0.9);
+    QTest::keyClick(slider("roughness"), Qt::Key_Escape);
+    move(slider("roughness"), 0.9, 0.1);
+    EXPECT_EQ(fixture.number("roughness"), 0.5);
+}
+
+TEST_F(Slider, ShiftDrag_IsTenTimesFiner) {
+    drag(slider("roughness"), 0.5, 0.9, Qt::ShiftModifier);
+    EXPECT_NEAR(fixture.number("roughness"), 0.54, 0.01);
+}
+
+TEST_F(Slider, ControlDrag_SnapsToSteps) {
+    drag(slider("tilt"), 0.4, 0.715, Qt::ControlModifier);
+    const double tilt = fixture.number("tilt");
+    EXPECT_EQ(tilt, std::round(tilt));
+}
+
+TEST_F(Slider, PlainDrag_GivesShortNumbers) {
+    drag(slider("roughness"), 0.5, 0.7312);
+    EXPECT_LE(box("roughness")->text().size(), 5); // "0.735", not "0.7353846"
+}
+
+TEST_F(Slider, LogScale_HasTheGeometricMeanInTheMiddle) {
+    press(slider("exponent"), 0.5);
+    QTest::mouseRelease(slider("exponent"), Qt::LeftButton, {}, at(*slider("exponent"), 0.5));
+    EXPECT_NEAR(fixture.number("exponent"), std::sqrt(1000.0), 2.0);
+}
+
+TEST_F(Slider, ArrowKey_IsOneStepOfTheDescriptor) {
+    slider("roughness")->setFocus();
+    QTest::keyClick(slider("roughness"), Qt::Key_Right);
+    EXPECT_FLOAT_EQ(static_cast<float>(fixture.number("roughness")), 0.51f);
+}
+
+TEST_F(Slider, PageDown_IsTenSteps) {
+    QTest::keyClick(slider("roughness"), Qt::Key_PageDown);
+    EXPECT_FLOAT_EQ(static_cast<float>(fixture.number("roughness")), 0.4f);
+}
+
+TEST_F(Slider, HomeAndEnd_AreTheSoftEnds) {
+    QTest::keyClick(slider("roughness"), Qt::Key_End);
+    EXPECT_EQ(fixture.number("roughness"), 1.0);
+    QTest::keyClick(slider("roughness"), Qt::Key_Home);
+    EXPECT_EQ(fixture.number("roughness"), 0.0);
+}
+
+TEST_F(Slider, HeldKey_IsOneStep) {
+    for (int i = 0; i < 5; ++i) {
+        QTest::keyClick(slider("roughness"), Qt::Key_Right);
+    }
+    EXPECT_EQ(fixture.steps(), 1);
+}
+
+TEST_F(Slider, WheelWithoutFocus_ChangesNothing) {
+    box("exponent")->setFocus();
+    wheel(slider("roughness"), 3);
+    wheel(box("roughness"), 3);
+    EXPECT_EQ(fixture.number("roughness"), 0.5);
+}
+
+TEST_F(Slider, WheelWithFocus_Steps) {
+    slider("roughness")->setFocus();
+    wheel(slider("roughness"), 3);
+    EXPECT_FLOAT_EQ(static_cast<float>(fixture.number("roughness")), 0.53f);
+}
+
+TEST_F(Slider, IntParameter_StaysWhole) {
+    drag(slider("samples"), 0.2, 0.77);
+    EXPECT_TRUE(std::holds_alternative<int>(fixture.value("samples")));
+}
+
+TEST_F(Slider, Drag_CostsLessThanHalfAMillisecondATick) {
+    press(slider("roughness"), 0.0);
+    constexpr int ticks = 400;
+    const std::clock_t start = std::clock();
+    for (int i = 0; i < ticks; ++i) {
+        document.setValue(fixture.model(), "roughness", (i % 2) * 0.25 + i * 1e-4);
+    }
+    const double milliseconds =
+        1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / ticks;
+    QTest::mouseRelease(slider("roughness"), Qt::LeftButton);
+    RecordProperty("milliseconds", std::to_string(milliseconds));
+    EXPECT_LT(milliseconds, 0.5);
+}
+
+TEST_F(Number, TypedBeyondTheSoftRange_WidensTheSlider) {
+    type("roughness", "4");
+    EXPECT_EQ(fixture.number("roughness"), 4.0);
+    EXPECT_GT(slider("roughness")->range().upper(), 4.0);
+    EXPECT_TRUE(slider("roughness")->range().isWidenedAbove());
+}
+
+TEST_F(Number, Reset_NarrowsTheSliderAgain) {
+    type("roughness", "4");
+    QTest::keyClick(slider("roughness"), Qt::Key_Backspace);
+    EXPECT_EQ(slider("roughness")->range().upper(), 1.0);
+}
+
+TEST_F(Number, TypedBeyondTheHardRange_StopsAtIt) {
+    type("roughness", "1e9");
+    EXPECT_EQ(fixture.number("roughness"), 10.0);
+    EXPECT_EQ(box("roughness")->text(), "10");
+}
+
+TEST_F(Number, CommaInAGermanLocale_IsADecimalMark) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    type("roughness", "0,25");
+    QLocale::setDefault(before);
+    EXPECT_EQ(fixture.number("roughness"), 0.25);
+}
+
+TEST_F(Number, PointInAGermanLocale_IsADecimalMark) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    type("roughness", "0.25");
+    QLocale::setDefault(before);
+    EXPECT_EQ(fixture.number("roughness"), 0.25);
+}
+
+TEST_F(Number, Quotient_IsComputed) {
+    type("roughness", "1/4");
+    EXPECT_EQ(fixture.number("roughness"), 0.25);
+}
+
+TEST_F(Number, Unit_IsConverted) {
+    type("tilt", "0.5rad");
+    EXPECT_NEAR(fixture.number("tilt"), 28.6479, 1e-4);
+}
+
+TEST_F(Number, Nonsense_ChangesNothing) {
+    for (const char* text : {"nan", "inf", "1/0", "abc", "1e999", "", "0.5.5"}) {
+        type("roughness", text);
+    }
+    EXPECT_EQ(fixture.steps(), 0);
+    EXPECT_EQ(box("roughness")->text(), "0.5");
+}
+
+TEST_F(Number, ManyDigits_AreKeptThoughFewAreShown) {
+    type("roughness", "0.123456789");
+    slider("roughness")->setFocus();
+    EXPECT_EQ(box("roughness")->text(), "0.123");
+    EXPECT_EQ(static_cast<float>(fixture.number("roughness")), 0.123456789f);
+}
+
+TEST_F(Number, PassingThrough_DoesNotRound) {
+    document.setValue(fixture.model(), "roughness", 0.123456789);
+    box("roughness")->setFocus();
+    slider("exponent")->setFocus();
+    EXPECT_EQ(fixture.steps(), 1);
+    EXPECT_EQ(static_cast<float>(fixture.number("roughness")), 0.123456789f);
+}
+
+TEST_F(Number, Escape_TakesTypingBack) {
+    box("roughness")->setFocus();
+    QTest::keyClicks(box("roughness"), "0.9");
+    QTest::keyClick(box("roughness"), Qt::Key_Escape);
+    QTest::keyClick(box("roughness"), Qt::Key_Return);
+    EXPECT_EQ(fixture.steps(), 0);
+}
+
+TEST_F(Number, LeavingTheBox_TakesWhatWasTyped) {
+    box("roughness")->setFocus();
+    box("roughness")->selectAll();
+    QTest::keyClicks(box("roughness"), "0.9");
+    slider("exponent")->setFocus();
+    EXPECT_FLOAT_EQ(static_cast<float>(fixture.number("roughness")), 0.9f);
+}
+
+} // namespace patina::tests
