@@ -15,7 +15,7 @@ Outcome eval(const std::string& lines) {
 }
 
 TEST(Program, UnknownOption_FailsOnStandardError) {
-    const Outcome outcome = patina({"render", "--no-such-option"});
+    const Outcome outcome = patina({"models", "--no-such-option"});
     EXPECT_NE(outcome.exitCode, 0);
     EXPECT_EQ(outcome.out, "");
     EXPECT_NE(outcome.err.find("--no-such-option"), std::string::npos) << outcome.err;
