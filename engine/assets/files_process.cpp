@@ -39,6 +39,8 @@ void confine(std::size_t memoryLimitBytes, pid_t parent) {
     if (!underSanitizer) {
         const rlimit memory{memoryLimitBytes, memoryLimitBytes};
         ::setrlimit(RLIMIT_AS, &memory);
+        // Libraries print what the answer says better; standard output leads nowhere already.
+        ::dup2(STDOUT_FILENO, STDERR_FILENO);
     }
     const rlimit noCoreFile{0, 0};
     ::setrlimit(RLIMIT_CORE, &noCoreFile);

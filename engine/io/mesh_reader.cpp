@@ -8,21 +8,26 @@
 #include "io/assimp_reader.h"
 #include "io/gltf_reader.h"
 #include "io/mesh_finisher.h"
+#include "io/ply_header.h"
 
 namespace patina {
 namespace {
 
 constexpr double shareOfReading = 0.7; // of the whole time, for the progress bar
 
-bool isGltf(const std::filesystem::path& file) {
+std::string formatOf(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::ranges::transform(extension, extension.begin(),
                            [](unsigned char c) { return std::tolower(c); });
-    return extension == ".gltf" || extension == ".glb";
+    return extension;
 }
 
 Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportProgress& report) {
-    if (isGltf(file)) {
+    const std::string format = formatOf(file);
+    if (format == ".ply" && !hasWholePlyHeader(file)) {
+        return failure("is not a PLY file, or its header is cut short");
+    }
+    if (format == ".gltf" || format == ".glb") {
         auto mesh = readGltf(file, report);
         if (!mesh) {
             return tl::unexpected(mesh.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -83,6 +84,92 @@ TEST(ImageFile, JpegOfOneColor_ReadsBackThatColor) {
     const auto read = roundTrip("a.jpg", image);
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_LE(largestDifference(*read, image), 2.0f * eightBitTolerance); // chroma rounding too
+}
+
+TEST(ImageFile, EncodedPng_StartsAsOne) {
+    AssetClient client;
+    const auto bytes = client.encodeImage(".png", gradient(4, 4, 3));
+    ASSERT_TRUE(bytes) << bytes.error().text();
+    EXPECT_EQ(bytes->substr(1, 3), "PNG");
+}
+
+TEST(ImageFile, ColorsBeyondTheRange_AreClampedInPng) {
+    Image image{2, 1, 3, {-1.0f, 2.0f, std::nanf(""), 1e30f, -1e30f, 0.0f}};
+    const auto read = roundTrip("a.png", image);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->pixels, (std::vector<float>{0, 1, 0, 1, 0, 0}));
+}
+
+TEST(ImageFile, UnknownExtension_SaysWhatIsKnown) {
+    AssetClient client;
+    const auto saved = client.saveImage("/tmp/a.xyz", gradient(4, 4, 3));
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().text(), "/tmp/a.xyz: \".xyz\" is not an image format that can be "
+                                    "written; expected .png, .jpg, .exr or .hdr");
+}
+
+TEST(ImageFile, FolderThatIsNotThere_SaysSo) {
+    AssetClient client;
+    const auto saved = client.saveImage("/nowhere/a.png", gradient(4, 4, 3));
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().text(), "/nowhere/a.png: cannot be written: No such file or directory");
+}
+
+TEST(ImageFile, FolderThatCannotBeWritten_SaysSo) {
+    AssetClient client; // nobody, not even root, makes files in /proc
+    const auto saved = client.saveImage("/proc/a.png", gradient(4, 4, 3));
+    ASSERT_FALSE(saved);
+    EXPECT_TRUE(saved.error().problem.starts_with("cannot be written: "));
+}
+
+TEST(ImageFile, ThatCannotBeReplaced_IsIntact) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "a.png"); // a file never replaces a folder
+    AssetClient client;
+    ASSERT_FALSE(client.saveImage(folder / "a.png", gradient(4, 4, 3)));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(ImageFile, SavedThroughALink_ReplacesWhatItPointsTo) {
+    const TemporaryFolder folder;
+    writeFile(folder / "real.png", "old");
+    std::filesystem::create_symlink("real.png", folder / "link.png");
+    AssetClient client;
+    ASSERT_TRUE(client.saveImage(folder / "link.png", gradient(4, 4, 3)));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.png"));
+    EXPECT_TRUE(client.loadImage(folder / "real.png"));
+}
+
+TEST(ImageFile, WithoutPixels_IsRefused) {
+    AssetClient client;
+    EXPECT_FALSE(client.saveImage("/tmp/a.png", Image{}));
+}
+
+TEST(ImageFile, WithFewerPixelsThanItsSize_IsRefused) {
+    AssetClient client;
+    EXPECT_FALSE(client.saveImage("/tmp/a.png", Image{4, 4, 3, {1.0f}}));
+}
+
+TEST(ImageFile, CutShort_EndsInAMessageOrAnImage) {
+    const TemporaryFolder folder;
+    AssetClient client;
+    for (const char* extension : {".png", ".exr", ".hdr", ".jpg"}) {
+        const std::string bytes = *client.encodeImage(extension, gradient(64, 64, 3));
+        const std::filesystem::path file = folder / ("cut" + std::string(extension));
+        writeFile(file, bytes.substr(0, bytes.size() / 2));
+        const auto image = client.loadImage(file);
+        EXPECT_TRUE(image || image.error().file == file.string()) << extension;
+    }
+}
+
+TEST(ImageFile, OfNoise_SaysSo) {
+    const TemporaryFolder folder;
+    AssetClient client;
+    for (const char* extension : {".png", ".exr", ".hdr", ".jpg"}) {
+        const std::filesystem::path file = folder / ("noise" + std::string(extension));
+        writeFile(file, "this is no picture");
+        EXPECT_FALSE(client.loadImage(file)) << extension;
+    }
 }
 
 } // namespace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ply_header.h"
+
+#include <fstream>
+#include <string>
+
+namespace patina {
+namespace {
+
+constexpr std::size_t longestHeader = 1 << 20; // comments may be long, but not a megabyte
+
+} // namespace
+
+bool hasWholePlyHeader(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string start(longestHeader, '\0');
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(stream.gcount()));
+    const std::size_t end = start.find("end_header");
+    return start.starts_with("ply") && end != std::string::npos &&
+           start.find_first_of("\r\n", end) != std::string::npos;
+}
+
+} // namespace patina
