@@ -24,6 +24,9 @@ class JsonReader {
     const std::string& pointer() const { return pointer_; }
     std::string pointer(std::string_view key) const;
 
+    /// False when the value is missing or something else.
+    bool isObject() const { return object_ != nullptr; }
+
     /// The member, or null; asking makes it known.
     const nlohmann::json* find(std::string_view key);
     bool has(std::string_view key) { return find(key) != nullptr; }

@@ -114,7 +114,11 @@ class Carrier {
 } // namespace
 
 BlockValues defaultBlockValues(const Block& block) {
-    return {block.id, block.version, defaultValues(block), Json::object()};
+    BlockValues values{block.id, block.version, defaultValues(block), Json::object()};
+    for (auto& [id, value] : values.parameters) {
+        value = roundedToFloat(value);
+    }
+    return values;
 }
 
 BlockValues carriedOver(const BlockValues& values, const Block* from, const Block& to,

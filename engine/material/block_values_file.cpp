@@ -101,7 +101,7 @@ class ValuesReader {
         const std::string id = idInFile(parameter);
         const Json* json = reader_.find(id);
         if (json == nullptr) {
-            return parameter.defaultValue;
+            return roundedToFloat(parameter.defaultValue);
         }
         const Result<Value> value = valueFromJson(parameter, *json);
         if (!value) {
@@ -126,7 +126,7 @@ class ValuesReader {
         } else {
             reader_.addError(id, why.problem, why.expected);
         }
-        return parameter.defaultValue;
+        return roundedToFloat(parameter.defaultValue);
     }
 
     JsonReader& reader_;
@@ -150,7 +150,7 @@ BlockValues BlockReader::read(JsonReader& block, JsonReader& parameters, std::st
     BlockValues values;
     block.read("id", values.id);
     block.read("version", values.version);
-    if (!block.has("id")) {
+    if (block.isObject() && !block.has("id")) {
         block.addError("id", "the key \"id\" is missing", "the id of a block");
     }
     ValuesReader reader(parameters, values, notes, parked);

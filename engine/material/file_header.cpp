@@ -6,6 +6,9 @@
 namespace patina {
 
 FileAge readHeader(JsonReader& reader, const FileFormat& format, Errors& notes) {
+    if (!reader.isObject()) {
+        return FileAge::Readable; // which is an error already
+    }
     const std::string expected =
         fmt::format("\"format\": \"{}\", as every {} has it", format.name, format.called);
     std::string name;

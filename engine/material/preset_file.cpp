@@ -66,7 +66,7 @@ class PresetReader {
     }
 
     void readModel() {
-        if (!reader_.has("model")) {
+        if (reader_.isObject() && !reader_.has("model")) {
             reader_.addError("model", "the key \"model\" is missing",
                              "an object with the id and version of a lighting model");
         }

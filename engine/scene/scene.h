@@ -57,7 +57,7 @@ struct Scene {
     std::vector<Light> lights;
     std::optional<BlockValues> fog;  ///< of kind "fog"; absent: off
     glm::dvec3 ambient{0.0};         ///< linear colour of the light from everywhere
-    glm::dvec3 background{0.18};     ///< linear
+    glm::dvec3 background{0.18f};    ///< linear; a float, as files hold it
     Camera camera;
     double exposure = 0.0;           ///< EV, powers of two
     ToneMapping toneMapping = ToneMapping::KhronosNeutral;

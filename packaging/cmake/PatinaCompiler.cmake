@@ -25,6 +25,11 @@ if(PATINA_SANITIZE)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
+option(PATINA_FUZZ "Build patina-fuzz, which needs clang" OFF)
+if(PATINA_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 if(PATINA_TIDY)
     find_program(PATINA_CLANG_TIDY clang-tidy REQUIRED)
     set(CMAKE_CXX_CLANG_TIDY ${PATINA_CLANG_TIDY} --quiet)

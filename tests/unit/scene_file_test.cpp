@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_file.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "catalog_fixture.h"
+#include "scene/mesh_path.h"
+
+namespace patina {
+namespace {
+
+using nlohmann::json;
+using tests::BlockFolder;
+using tests::plainDescriptor;
+
+const Catalog& catalog() {
+    static const Catalog made = [] {
+        BlockFolder folder;
+        folder.add("models", plainDescriptor("velvet"));
+        folder.add("lights", plainDescriptor("lamp"));
+        folder.add("fog", plainDescriptor("mist"));
+        return folder.load();
+    }();
+    return made;
+}
+
+json preset() {
+    return {{"format", "patina.preset"},
+            {"version", 1},
+            {"name", "Inline"},
+            {"model", {{"id", "velvet"}, {"version", 1}}},
+            {"parameters", {{"gloss", 0.75}}}};
+}
+
+class SceneFile : public testing::Test {
+  protected:
+    static json plainScene() {
+        return {{"format", "patina.scene"},
+                {"version", 1},
+                {"objects", {{{"name", "Ball"}, {"mesh", "builtin:sphere"}, {"preset", preset()}}}},
+                {"lights", {{{"id", "lamp"}, {"parameters", {{"gloss", 0.25}}}}}},
+                {"fog", {{"id", "mist"}, {"parameters", {{"gloss", 0.125}}}}}};
+    }
+
+    Checked<SceneReading> read(const json& scene) {
+        tests::writeFile(file_, writeJson(scene));
+        return readScene(file_, catalog());
+    }
+
+    Checked<SceneReading> readChanged(const json& changes) {
+        json scene = plainScene();
+        scene.merge_patch(changes);
+        return read(scene);
+    }
+
+    Checked<SceneReading> readObject(const json& changes) {
+        json scene = plainScene();
+        scene["objects"][0].merge_patch(changes);
+        return read(scene);
+    }
+
+    tests::TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "a.patina-scene.json";
+};
+
+TEST_F(SceneFile, PlainScene_HasNoNotes) {
+    const auto reading = read(plainScene());
+    ASSERT_TRUE(reading) << text(reading.error());
+    EXPECT_EQ(text(reading->notes), "");
+}
+
+TEST_F(SceneFile, InlinePreset_IsTheObjectsMaterial) {
+    EXPECT_EQ(read(plainScene())->scene.objects[0].material.name, "Inline");
+}
+
+TEST_F(SceneFile, PresetFile_IsTheObjectsMaterial) {
+    json named = preset();
+    named["name"] = "From a file";
+    tests::writeFile(folder_ / "p/x.patina.json", writeJson(named));
+    EXPECT_EQ(readObject({{"preset", "p/x.patina.json"}})->scene.objects[0].material.name,
+              "From a file");
+}
+
+TEST_F(SceneFile, MissingPresetFile_IsANoteThatNamesIt) {
+    const auto reading = readObject({{"preset", "none.patina.json"}});
+    ASSERT_TRUE(reading);
+    EXPECT_NE(text(reading->notes).find("none.patina.json"), std::string::npos);
+}
+
+TEST_F(SceneFile, DamagedPreset_IsANoteAtItsPlace) {
+    const auto reading = readObject({{"preset", {{"parameters", {{"gloss", "x"}}}}}});
+    ASSERT_TRUE(reading);
+    const std::string before = tests::readFile(file_);
+    const auto value = before.begin() + static_cast<std::ptrdiff_t>(before.find("\"x\""));
+    ASSERT_EQ(reading->notes.size(), 1u);
+    EXPECT_EQ(reading->notes[0].line, 1 + std::count(before.begin(), value, '\n'));
+}
+
+TEST_F(SceneFile, DamagedPreset_IsKept) {
+    json damaged = preset();
+    damaged["parameters"]["gloss"] = "x";
+    const auto reading = readObject({{"preset", damaged}});
+    EXPECT_EQ(reading->scene.objects[0].material.extras["damagedPreset"], damaged);
+}
+
+TEST_F(SceneFile, DamagedPreset_LeavesTheRestOfTheScene) {
+    EXPECT_EQ(readObject({{"preset", 5}})->scene.lights.size(), 1u);
+}
+
+TEST_F(SceneFile, LightsAndFog_HaveTheirValues) {
+    const Scene scene = read(plainScene())->scene;
+    EXPECT_EQ(scene.lights[0].block.parameters, (Values{{"gloss", 0.25}}));
+    EXPECT_EQ(scene.fog->parameters, (Values{{"gloss", 0.125}}));
+}
+
+TEST_F(SceneFile, UnknownLight_IsKeptWithANote) {
+    const auto reading = readChanged({{"lights", {{{"id", "torch"}, {"parameters", {{"x", 1}}}}}}});
+    EXPECT_EQ(reading->notes.size(), 1u);
+    EXPECT_EQ(toJson(reading->scene, folder_.path())["lights"][0]["parameters"]["x"], 1);
+}
+
+TEST_F(SceneFile, RelativeMesh_IsAbsoluteInTheValue) {
+    EXPECT_EQ(readObject({{"mesh", "m/x.obj"}})->scene.objects[0].mesh,
+              (folder_ / "m/x.obj").string());
+}
+
+TEST_F(SceneFile, Mesh_IsWrittenRelative) {
+    const Scene scene = readObject({{"mesh", "m/x.obj"}})->scene;
+    EXPECT_EQ(toJson(scene, folder_.path())["objects"][0]["mesh"], "m/x.obj");
+}
+
+TEST_F(SceneFile, Mesh_FollowsASceneSavedElsewhere) {
+    const Scene scene = readObject({{"mesh", "m/x.obj"}})->scene;
+    const auto deeper = folder_ / "deep/b.patina-scene.json";
+    std::filesystem::create_directories(deeper.parent_path());
+    ASSERT_TRUE(writeScene(deeper, scene));
+    EXPECT_EQ(readScene(deeper, catalog())->scene.objects[0].mesh, (folder_ / "m/x.obj").string());
+}
+
+TEST_F(SceneFile, AbsoluteMesh_IsNotedAndKept) {
+    const auto reading = readObject({{"mesh", "/somewhere/x.obj"}});
+    EXPECT_EQ(reading->notes.size(), 1u);
+    EXPECT_EQ(reading->scene.objects[0].mesh, "/somewhere/x.obj");
+}
+
+TEST_F(SceneFile, UnknownBuiltinMesh_IsNotedWithTheNames) {
+    const std::string notes = text(readObject({{"mesh", "builtin:shpere"}})->notes);
+    EXPECT_NE(notes.find("expected 'sphere'"), std::string::npos) << notes;
+}
+
+TEST_F(SceneFile, ScaleOfZero_BecomesUsable) {
+    const auto reading = readObject({{"scale", {0, 1, 1}}});
+    EXPECT_GT(reading->scene.objects[0].scale.x, 0.0);
+    EXPECT_EQ(reading->notes.size(), 1u);
+}
+
+TEST_F(SceneFile, NegativeScale_Mirrors) {
+    EXPECT_EQ(readObject({{"scale", {-2, 1, 1}}})->scene.objects[0].scale.x, -2.0);
+}
+
+TEST_F(SceneFile, CameraOutOfRange_IsBroughtIn) {
+    const Camera camera = readChanged({{"camera",
+                                        {{"distance", 0},
+                                         {"pitch", 1000},
+                                         {"fieldOfView", 0},
+                                         {"yaw", 1e300},
+                                         {"pivot", {1e30, 0, 0}}}}})
+                              ->scene.camera;
+    EXPECT_GT(camera.distance, 0.0);
+    EXPECT_EQ(camera.pitch, 90.0);
+    EXPECT_EQ(camera.fieldOfView, 1.0);
+    EXPECT_TRUE(std::isfinite(viewMatrix(camera)[3][0]));
+}
+
+TEST_F(SceneFile, NegativeBackground_IsBroughtIn) {
+    EXPECT_EQ(readChanged({{"background", {-1, 0, 0}}})->scene.background, glm::dvec3(0.0));
+}
+
+TEST_F(SceneFile, UnknownToneMapping_IsNotedWithTheWords) {
+    const std::string notes = text(readChanged({{"toneMapping", "film"}})->notes);
+    EXPECT_NE(notes.find("expected one of none, khronosNeutral"), std::string::npos) << notes;
+}
+
+TEST_F(SceneFile, NewerVersion_IsReadOnly) {
+    EXPECT_TRUE(readChanged({{"version", 99}})->readOnly);
+}
+
+TEST_F(SceneFile, Preset_IsNoScene) { EXPECT_FALSE(read(preset())); }
+
+TEST_F(SceneFile, WrongTypes_AreAllReported) {
+    const auto reading = readChanged(
+        {{"objects", 5}, {"lights", {5}}, {"fog", true}, {"camera", "x"}, {"ambient", {1, 2}}});
+    ASSERT_FALSE(reading);
+    EXPECT_EQ(reading.error().size(), 5u) << text(reading.error());
+}
+
+TEST_F(SceneFile, MissingFile_IsAnError) {
+    EXPECT_FALSE(readScene(folder_ / "none.patina-scene.json", catalog()));
+}
+
+TEST_F(SceneFile, UnknownKeysOfEveryObject_AreWrittenBackUntouched) {
+    json scene = toJson(read(plainScene())->scene, folder_.path());
+    for (const char* place : {"", "/objects/0", "/objects/0/preset", "/lights/0",
+                              "/lights/0/parameters", "/fog", "/camera", "/environment", "/extras"}) {
+        scene[json::json_pointer(place)]["x-odd"] = {{"a", {1, 2.5, nullptr}}};
+    }
+    EXPECT_EQ(writeJson(toJson(read(scene)->scene, folder_.path())), writeJson(scene));
+}
+
+TEST_F(SceneFile, Written_ReadsAsTheSameScene) {
+    Scene before = read(plainScene())->scene;
+    before.exposure = 1.5;
+    before.toneMapping = ToneMapping::None;
+    before.objects[0].rotation = {10.0, 20.0, 30.0};
+    ASSERT_TRUE(writeScene(file_, before));
+    EXPECT_EQ(readScene(file_, catalog())->scene, before);
+}
+
+TEST_F(SceneFile, Written_FollowsTheSchema) {
+    const json scene = toJson(read(plainScene())->scene, folder_.path());
+    EXPECT_EQ(text(checkSchema(*parseJson(writeJson(scene), "s"), "scene")), "");
+}
+
+TEST(MeshPath, Builtin_StaysAsItIs) {
+    EXPECT_EQ(meshFromFile("builtin:sphere", "/a"), "builtin:sphere");
+    EXPECT_EQ(meshForFile("builtin:sphere", "/a"), "builtin:sphere");
+}
+
+TEST(MeshPath, DotsInAPath_AreResolved) { EXPECT_EQ(meshFromFile("../b/x.obj", "/a/c"), "/a/b/x.obj"); }
+
+} // namespace
+} // namespace patina
