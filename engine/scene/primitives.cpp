@@ -114,9 +114,9 @@ glm::mat3 turnedTo(const glm::vec3& up) {
 Profile ballProfile() {
     const double radius = 0.82;
     const double groove = 0.05;
-    const double grooveAngle = 1.22;                                // from the cut's normal
+    const double grooveAngle = 1.30;                                // from the cut's normal
     const double halfGroove = 2.0 * std::asin(0.5 * groove / radius); // angle the channel takes
-    const double cutAngle = 0.60;
+    const double cutAngle = 0.46;
     const double chamfer = 0.035;
     const auto onSphere = [&](double angle) {
         return radius * glm::dvec2(std::sin(angle), std::cos(angle));
@@ -154,7 +154,7 @@ Profile pedestalProfile() {
 Mesh shaderball() {
     Mesh ball;
     addLathe(ball, ballProfile(), 192);
-    const glm::mat3 turn = turnedTo(glm::normalize(glm::vec3(0.25f, 0.66f, 0.71f)));
+    const glm::mat3 turn = turnedTo(glm::normalize(glm::vec3(0.42f, 0.82f, 0.32f)));
     for (Vertex& vertex : ball.vertices) {
         vertex.position = turn * vertex.position + glm::vec3(0.0f, 0.14f, 0.0f);
         vertex.normal = turn * vertex.normal;
