@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAccessible>
 #include <QLocale>
+#include <QShortcut>
 
 #include "ui/form_fixture.h"
 
@@ -122,6 +123,32 @@ TEST_F(Slider, Drag_CostsLessThanHalfAMillisecondATick) {
     QTest::mouseRelease(slider("roughness"), Qt::LeftButton);
     RecordProperty("milliseconds", std::to_string(milliseconds));
     EXPECT_LT(milliseconds, 0.5);
+}
+
+TEST_F(Slider, ItsKeys_WinOverShortcutsOfTheWindow) {
+    bool isTriggered = false;
+    auto* shortcut = new QShortcut(QKeySequence(Qt::Key_Home), &window);
+    QObject::connect(shortcut, &QShortcut::activated, [&] { isTriggered = true; });
+    slider("roughness")->setFocus();
+    QTest::keyClick(slider("roughness"), Qt::Key_Home);
+    EXPECT_FALSE(isTriggered);
+    EXPECT_EQ(fixture.number("roughness"), 0.0);
+}
+
+TEST_F(Slider, RowThatGoesWhileKeysRest_EndsTheInteraction) {
+    QTest::keyClick(slider("roughness"), Qt::Key_Right);
+    EXPECT_TRUE(document.isInteracting());
+    document.setModel(Side::A, "second");
+    EXPECT_FALSE(document.isInteracting());
+}
+
+TEST_F(Number, UndoInAnUntouchedBox_IsTheDocuments) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    auto* shortcut = new QShortcut(QKeySequence::Undo, &window);
+    QObject::connect(shortcut, &QShortcut::activated, [&] { document.undoStack().undo(); });
+    box("roughness")->setFocus();
+    QTest::keyClick(box("roughness"), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(fixture.number("roughness"), 0.5);
 }
 
 TEST_F(Number, TypedBeyondTheSoftRange_WidensTheSlider) {

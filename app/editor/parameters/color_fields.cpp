@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/color_fields.h"
 
+#include <algorithm>
+
 #include <QLinearGradient>
 #include <QPainter>
 
@@ -58,7 +60,11 @@ void SaturationField::paintEvent(QPaintEvent*) {
     brightness.setColorAt(1.0, Qt::black);
     painter.fillRect(rect(), brightness);
     paintFocus(painter, *this);
-    paintRing(painter, {point().x() * (width() - 1), (1.0 - point().y()) * (height() - 1)}, 6.0);
+    constexpr double radius = 6.0;
+    const auto inside = [](double share, int length) { // the whole ring stays in sight
+        return std::clamp(share * length, radius + 2.0, length - radius - 2.0);
+    };
+    paintRing(painter, {inside(point().x(), width()), inside(1.0 - point().y(), height())}, radius);
 }
 
 HueStrip::HueStrip(QWidget* parent) : ColorArea(parent) {
@@ -81,7 +87,9 @@ void HueStrip::paintEvent(QPaintEvent*) {
     }
     painter.fillRect(rect(), hues);
     paintFocus(painter, *this);
-    paintRing(painter, {point().x() * (width() - 1), height() / 2.0}, height() / 2.0 - 2.0);
+    const double radius = height() / 2.0 - 2.0;
+    const double x = std::clamp(point().x() * width(), radius + 2.0, width() - radius - 2.0);
+    paintRing(painter, {x, height() / 2.0}, radius);
 }
 
 } // namespace patina

@@ -146,6 +146,13 @@ void ColorPicker::showScreenColor() {
                                  .arg(QString::fromStdString(shownNumber(intensity_, 2))));
 }
 
+void ColorPicker::hideEvent(QHideEvent* event) {
+    QFrame::hideEvent(event);
+    isAreaDragged_ = false;
+    nudging_.stop();
+    Q_EMIT interactionEnded();
+}
+
 void ColorPicker::openAt(const QWidget& anchor) {
     adjustSize();
     const QRect screen = anchor.screen()->availableGeometry();

@@ -35,6 +35,9 @@ class ColorPicker : public QFrame {
     void edited(const glm::dvec3& linear);
     void interactionEnded();
 
+  protected:
+    void hideEvent(QHideEvent* event) override;
+
   private:
     QWidget* makeNumbers(const Parameter& parameter);
     void connectArea(class ColorArea* area);

@@ -21,6 +21,7 @@ class HexBox : public QLineEdit {
     void typed(const glm::dvec3& linear);
 
   protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 

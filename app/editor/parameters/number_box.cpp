@@ -23,7 +23,8 @@ const QColor wrong(196, 64, 48); // readable on light and dark
 } // namespace
 
 NumberBox::NumberBox(int decimals, const QString& unit, QWidget* parent)
-    : QLineEdit(parent), decimals_(decimals), unit_(unit) {
+    : QLineEdit(parent), decimals_(decimals), unit_(unit),
+      shown_(QString::fromStdString(shownUnit(unit.toStdString()))) {
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setContextMenuPolicy(Qt::NoContextMenu); // the row has one
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -78,6 +79,18 @@ void NumberBox::markWhetherValid() {
         colors.setColor(QPalette::Text, wrong);
     }
     setPalette(colors);
+}
+
+/// Ctrl+Z is the document's, except while there is typing to take back.
+bool NumberBox::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+        const auto* press = static_cast<QKeyEvent*>(event);
+        if (press->matches(QKeySequence::Undo) || press->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return false;
+        }
+    }
+    return QLineEdit::event(event);
 }
 
 void NumberBox::keyPressEvent(QKeyEvent* event) {
@@ -159,8 +172,8 @@ void NumberBox::changeEvent(QEvent* event) {
 }
 
 void NumberBox::updateMargins() {
-    const int unitWidth = unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit_) + 4;
-    setTextMargins(0, 0, unitWidth, 0);
+    const int gap = fontMetrics().horizontalAdvance(QLatin1Char('0')); // 0.1 1/m, not 0.11/m
+    setTextMargins(0, 0, unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(shown_) + gap, 0);
 }
 
 QSize NumberBox::sizeHint() const {
@@ -176,7 +189,7 @@ void NumberBox::paintEvent(QPaintEvent* event) {
         QColor color = palette().color(QPalette::WindowText);
         color.setAlphaF(isEnabled() ? 0.6f : 0.35f);
         painter.setPen(color);
-        painter.drawText(rect().adjusted(0, 0, -7, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);
+        painter.drawText(rect().adjusted(0, 0, -7, 0), Qt::AlignRight | Qt::AlignVCenter, shown_);
     }
 }
 

@@ -24,6 +24,7 @@ class NumberBox : public QLineEdit {
     void stepped(double steps);
 
   protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
@@ -40,7 +41,8 @@ class NumberBox : public QLineEdit {
 
     double value_ = 0.0;
     int decimals_;
-    QString unit_;
+    QString unit_;  ///< as the descriptor has it, which is what typed units convert to
+    QString shown_; ///< as people write it
     bool selectOnRelease_ = false;
     double wheelRest_ = 0.0;
 };

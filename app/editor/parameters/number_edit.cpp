@@ -83,6 +83,11 @@ void NumberEdit::step(double steps) {
     ask(range_.stepped(value_, isWhole ? whole : steps));
 }
 
+void NumberEdit::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    finishStepping(); // the row may go before the keys have rested
+}
+
 void NumberEdit::finishStepping() {
     if (stepping_.isActive()) {
         stepping_.stop();

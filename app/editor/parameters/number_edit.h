@@ -32,6 +32,9 @@ class NumberEdit : public QWidget {
     void edited(double value);
     void interactionEnded();
 
+  protected:
+    void hideEvent(QHideEvent* event) override;
+
   private:
     void ask(double wanted);
     void step(double steps);

@@ -38,4 +38,15 @@ std::string shownNumber(double value, int decimals) {
     return withoutTrailingZeros(fmt::format("{:.{}f}", value, places));
 }
 
+std::string shownUnit(std::string_view unit) {
+    if (unit == "deg") {
+        return "\u00b0";
+    }
+    std::string shown;
+    for (const char c : unit) {
+        shown += c == '2' ? "\u00b2" : c == '3' ? "\u00b3" : std::string(1, c);
+    }
+    return shown;
+}
+
 } // namespace patina

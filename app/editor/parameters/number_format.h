@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace patina {
 
@@ -9,5 +10,8 @@ namespace patina {
 /// decimal mark. `decimals` is how many places the parameter asks for; small numbers get more, so
 /// that three digits always count.
 std::string shownNumber(double value, int decimals);
+
+/// A unit as people write it: "deg" is a degree sign, "1/m2" has its exponent raised.
+std::string shownUnit(std::string_view unit);
 
 } // namespace patina

@@ -17,6 +17,7 @@ namespace patina {
 ParameterForm::ParameterForm(QWidget* parent)
     : QWidget(parent), empty_(new QLabel(this)), ungrouped_(new QVBoxLayout),
       column_(new QVBoxLayout(this)) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // forms stack without gaps
     column_->setContentsMargins(6, 4, 6, 4);
     column_->setSpacing(4);
     column_->addWidget(empty_);
@@ -102,8 +103,8 @@ ParameterSection* ParameterForm::section(const QString& title, bool isFolded) {
     }
     const bool folded = foldedSections_.try_emplace(title, isFolded).first->second;
     auto* made = new ParameterSection(title, folded, this);
-    connect(made->header(), &QToolButton::toggled, this,
-            [this, title](bool isOpen) { foldedSections_[title] = !isOpen; });
+    connect(made, &ParameterSection::folded, this,
+            [this, title](bool isNowFolded) { foldedSections_[title] = isNowFolded; });
     const bool isLast = title == tr("Advanced");
     const bool endsInAdvanced = !sections_.empty() && sections_.back()->title() == tr("Advanced");
     const int end = column_->count() - 1; // before the stretch

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/parameter_row.h"
 
+#include <algorithm>
+
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QGuiApplication>
@@ -53,11 +55,22 @@ void ParameterRow::makeLayout() {
     line->addWidget(warning_, 0, Qt::AlignTop);
     line->addWidget(resetMark_, 0, Qt::AlignTop);
     label_->setWordWrap(true);
-    label_->setMinimumHeight(resetMark_->sizeHint().height() + 4);
     foldButton_->setAutoRaise(true);
     foldButton_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     foldButton_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     resetMark_->hide();
+    alignFirstLine();
+}
+
+/// Label and marks are as high as the editor's first line, so that their texts stand level.
+void ParameterRow::alignFirstLine() {
+    int height = resetMark_->sizeHint().height();
+    for (const QWidget* widget : focusChain()) {
+        height = std::max(height, widget->sizeHint().height());
+    }
+    label_->setMinimumHeight(height);
+    resetMark_->setFixedHeight(height);
+    warning_->setFixedHeight(height);
 }
 
 void ParameterRow::makeAccessible() {
@@ -182,13 +195,17 @@ void ParameterRow::mouseDoubleClickEvent(QMouseEvent* event) {
 
 /// Backspace resets wherever the row has the focus, except where it edits text.
 bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
-    const bool isBackspace = event->type() == QEvent::KeyPress &&
-                             static_cast<QKeyEvent*>(event)->key() == Qt::Key_Backspace;
-    if (isBackspace && !qobject_cast<QLineEdit*>(watched)) {
-        reset();
-        return true;
+    const bool isKey =
+        event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Backspace ||
+        qobject_cast<QLineEdit*>(watched)) {
+        return QWidget::eventFilter(watched, event);
     }
-    return QWidget::eventFilter(watched, event);
+    if (event->type() == QEvent::KeyPress) {
+        reset();
+    }
+    event->accept(); // no shortcut of the window may take it
+    return true;
 }
 
 void ParameterRow::changeEvent(QEvent* event) {
@@ -196,7 +213,7 @@ void ParameterRow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
         updateFolding();
     } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
-        label_->setMinimumHeight(resetMark_->sizeHint().height() + 4);
+        alignFirstLine();
     }
 }
 

@@ -53,6 +53,7 @@ class ParameterRow : public QWidget {
 
   private:
     void makeLayout();
+    void alignFirstLine();
     void makeAccessible();
     void reset();
     void paste();

@@ -21,25 +21,25 @@ ParameterSection::ParameterSection(const QString& title, bool isFolded, QWidget*
     bold.setBold(true);
     header_->setFont(bold);
     header_->setText(title);
-    header_->setCheckable(true);
     header_->setAutoRaise(true);
+    header_->setFocusPolicy(Qt::StrongFocus);
+    header_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); // easy to hit
     header_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     header_->setAccessibleName(tr("Group %1").arg(title));
-    connect(header_, &QToolButton::toggled, this, [this](bool isOpen) {
-        header_->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
-        body_->setVisible(isOpen);
-    });
-    header_->setArrowType(Qt::RightArrow);
-    body_->setVisible(false);
-    header_->setChecked(!isFolded);
+    connect(header_, &QToolButton::clicked, this, [this] { setFolded(!isFolded_); });
+    setFolded(isFolded);
 }
 
 QString ParameterSection::title() const {
     return header_->text();
 }
 
-bool ParameterSection::isFolded() const {
-    return !header_->isChecked();
+void ParameterSection::setFolded(bool isFolded) {
+    isFolded_ = isFolded;
+    header_->setArrowType(isFolded ? Qt::RightArrow : Qt::DownArrow);
+    header_->setAccessibleDescription(isFolded ? tr("Folded") : tr("Open"));
+    body_->setVisible(!isFolded);
+    Q_EMIT folded(isFolded);
 }
 
 } // namespace patina

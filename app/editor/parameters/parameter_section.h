@@ -16,11 +16,16 @@ class ParameterSection : public QWidget {
     ParameterSection(const QString& title, bool isFolded, QWidget* parent);
 
     QString title() const;
-    bool isFolded() const;
+    bool isFolded() const { return isFolded_; }
+    void setFolded(bool isFolded);
     QToolButton* header() const { return header_; }
     QVBoxLayout* rows() const { return rows_; }
 
+  Q_SIGNALS:
+    void folded(bool isFolded);
+
   private:
+    bool isFolded_ = false;
     QToolButton* header_;
     QWidget* body_;
     QVBoxLayout* rows_;

@@ -28,7 +28,8 @@ QString number(double value, const Parameter& parameter) {
 }
 
 QString withUnit(const QString& shown, const Parameter& parameter) {
-    return parameter.unit.empty() ? shown : shown + QLatin1Char(' ') + text(parameter.unit);
+    return parameter.unit.empty() ? shown
+                                  : shown + QLatin1Char(' ') + text(shownUnit(parameter.unit));
 }
 
 QString labelOfChoice(const Parameter& parameter, const std::string& id) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/value_slider.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <QAccessible>
@@ -62,7 +64,7 @@ QSize ValueSlider::minimumSizeHint() const {
 }
 
 double ValueSlider::radius() const {
-    return std::round(fontMetrics().height() * 0.4);
+    return std::round(fontMetrics().height() * 0.45);
 }
 
 double ValueSlider::length() const {
@@ -141,6 +143,21 @@ bool ValueSlider::cancelDrag() {
     Q_EMIT moved(startValue_);
     finishDrag();
     return true;
+}
+
+/// The keys a focused slider uses are its own, even where the window has a shortcut on them.
+bool ValueSlider::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        constexpr std::array keys{Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,     Qt::Key_Down,
+                                  Qt::Key_Home, Qt::Key_End,   Qt::Key_PageUp, Qt::Key_PageDown};
+        const auto* press = static_cast<QKeyEvent*>(event);
+        const bool isOurs = std::find(keys.begin(), keys.end(), press->key()) != keys.end() ||
+                            (press->key() == Qt::Key_Escape && isDragging_);
+        const bool isPlain = !(press->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+        event->setAccepted(isOurs && isPlain);
+        return event->isAccepted();
+    }
+    return QWidget::event(event);
 }
 
 void ValueSlider::keyPressEvent(QKeyEvent* event) {

@@ -33,6 +33,7 @@ void WarningMark::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double side = width();
+    painter.translate(0.0, (height() - side) / 2.0);
     const QPolygonF triangle({QPointF(side * 0.5, side * 0.12), QPointF(side * 0.94, side * 0.88),
                               QPointF(side * 0.06, side * 0.88)});
     painter.setPen(QPen(amber, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
