@@ -17,7 +17,9 @@
 namespace patina {
 namespace {
 
-std::string shown(double value) { return shortestText(static_cast<float>(value)); }
+std::string shown(double value) {
+    return shortestText(static_cast<float>(value));
+}
 
 std::string joined(const std::vector<EnumValue>& values) {
     std::string out;

@@ -60,8 +60,11 @@ Errors mistakesIn(const fs::path& file, const Catalog& catalog) {
 }
 
 nlohmann::json toJson(const Error& error) {
-    return {{"file", error.file},       {"line", error.line},         {"column", error.column},
-            {"problem", error.problem}, {"expected", error.expected}};
+    return {{"file", error.file},
+            {"line", error.line},
+            {"column", error.column},
+            {"problem", error.problem},
+            {"expected", error.expected}};
 }
 
 struct Options {

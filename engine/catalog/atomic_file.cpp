@@ -53,9 +53,7 @@ class OutputFile {
     }
 
     /// Some file systems tell only here that the disk is full.
-    bool close() {
-        return descriptor_ < 0 || ::close(std::exchange(descriptor_, -1)) == 0;
-    }
+    bool close() { return descriptor_ < 0 || ::close(std::exchange(descriptor_, -1)) == 0; }
 
   private:
     int descriptor_;

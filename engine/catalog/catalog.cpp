@@ -108,8 +108,7 @@ class Loader {
         std::error_code status;
         if (!fs::exists(descriptor, status)) {
             catalog_.errors.push_back({shader.string(), 0, 0, "the shader has no descriptor",
-                                       "a file " + descriptor.filename().string() +
-                                           " beside it"});
+                                       "a file " + descriptor.filename().string() + " beside it"});
         }
     }
 

@@ -128,8 +128,8 @@ std::vector<std::string> channelsFrom(const Fields& fields, ParameterType type) 
     fields.read("texture", any);
     if (any) {
         const bool whole = componentCount(type) == 3;
-        channels = whole ? std::vector<std::string>{"rgb"}
-                         : std::vector<std::string>{"r", "g", "b", "a"};
+        channels =
+            whole ? std::vector<std::string>{"rgb"} : std::vector<std::string>{"r", "g", "b", "a"};
     }
     return channels;
 }

@@ -25,7 +25,9 @@ std::vector<std::string> idsOf(const std::vector<EnumValue>& values) {
     return ids;
 }
 
-std::string shown(double value) { return shortestText(static_cast<float>(value)); }
+std::string shown(double value) {
+    return shortestText(static_cast<float>(value));
+}
 
 bool hasRange(ParameterType type) {
     return type != ParameterType::Bool && type != ParameterType::Enum &&
@@ -259,6 +261,8 @@ class Checker {
 
 } // namespace
 
-Errors descriptorMistakes(const Descriptor& descriptor) { return Checker(descriptor).run(); }
+Errors descriptorMistakes(const Descriptor& descriptor) {
+    return Checker(descriptor).run();
+}
 
 } // namespace patina

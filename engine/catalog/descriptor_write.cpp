@@ -35,7 +35,9 @@ Json accuracyJson(const AccuracyChoice& choice) {
             {"values", arrayOf(choice.values, levelJson)}};
 }
 
-Json slotJson(const Slot& slot) { return {{"kind", slot.kind}, {"default", slot.defaultBlock}}; }
+Json slotJson(const Slot& slot) {
+    return {{"kind", slot.kind}, {"default", slot.defaultBlock}};
+}
 
 Json migrationJson(const Migration& migration) {
     return {{"from", migration.from}, {"until", migration.until}};

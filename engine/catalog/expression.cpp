@@ -97,12 +97,9 @@ class Tokens {
 
 std::optional<Operator> comparisonOf(const Token& token) {
     using Pair = std::pair<std::string_view, Operator>;
-    constexpr std::array<Pair, 6> signs{Pair{"==", Operator::Equal},
-                                        {"!=", Operator::Unequal},
-                                        {"<", Operator::Less},
-                                        {"<=", Operator::LessEqual},
-                                        {">", Operator::Greater},
-                                        {">=", Operator::GreaterEqual}};
+    constexpr std::array<Pair, 6> signs{
+        Pair{"==", Operator::Equal}, {"!=", Operator::Unequal}, {"<", Operator::Less},
+        {"<=", Operator::LessEqual}, {">", Operator::Greater},  {">=", Operator::GreaterEqual}};
     for (const auto& [sign, meaning] : signs) {
         if (token.is(sign)) {
             return meaning;
@@ -112,8 +109,8 @@ std::optional<Operator> comparisonOf(const Token& token) {
 }
 
 bool isOperand(const Token& token) {
-    return token.quoted || (!token.text.empty() && isWord(token.text.front()) &&
-                            !token.is("and") && !token.is("or") && !token.is("not"));
+    return token.quoted || (!token.text.empty() && isWord(token.text.front()) && !token.is("and") &&
+                            !token.is("or") && !token.is("not"));
 }
 
 /// What an operand stands for: a number (bools are 0 and 1) or a word.

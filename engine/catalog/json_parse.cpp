@@ -117,8 +117,9 @@ class Builder : public nlohmann::json_sax<Json> {
                         fmt::format("'{}' is not a JSON value", wordAt(position)),
                         "an object, an array, a number, text, true, false or null");
         }
+        const bool inText = problem.find("invalid string") != std::string::npos;
         return fail(wordStart(position), problem.empty() ? "not valid JSON" : problem,
-                    between(what, "; expected ", "\n"));
+                    inText ? "text in UTF-8" : between(what, "; expected ", ";"));
     }
 
   private:
@@ -246,8 +247,7 @@ class Builder : public nlohmann::json_sax<Json> {
 };
 
 Error tooLarge(std::string file, std::size_t limit) {
-    return {std::move(file), 0, 0, "the file is too large",
-            fmt::format("at most {} bytes", limit)};
+    return {std::move(file), 0, 0, "the file is too large", fmt::format("at most {} bytes", limit)};
 }
 
 } // namespace
@@ -272,6 +272,12 @@ Result<LocatedJson> parseJson(std::string_view text, std::string file, const Jso
     if (text.substr(0, 3) == byteOrderMark) {
         text.remove_prefix(3);
     }
+    // The parser would take a zero byte for the end of the text.
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+        const Place place = placeOf(text, zero);
+        return tl::unexpected(Error{std::move(file), place.line, place.column,
+                                    "a zero byte stands here", "a text file"});
+    }
     LocatedJson document;
     document.file = std::move(file);
     Builder builder(text, document, limits.depth);
@@ -291,8 +297,8 @@ Result<LocatedJson> readJson(const std::filesystem::path& path, const JsonLimits
     }
     std::ifstream file(path, std::ios::binary);
     if (!file) {
-        return tl::unexpected(Error{name, 0, 0, "the file cannot be read",
-                                    "an existing file that you may read"});
+        return tl::unexpected(
+            Error{name, 0, 0, "the file cannot be read", "an existing file that you may read"});
     }
     // Not the size asked beforehand: it is a lie for devices and for files that grow.
     std::string text;

@@ -18,7 +18,9 @@ double asFloat(const Json& json) {
     return static_cast<float>(std::clamp(json.get<double>(), -largest, largest));
 }
 
-bool isNumber(const Json& json) { return json.is_number(); }
+bool isNumber(const Json& json) {
+    return json.is_number();
+}
 
 } // namespace
 
@@ -74,8 +76,7 @@ const nlohmann::json* JsonReader::find(std::string_view key) {
 }
 
 void JsonReader::addError(std::string_view key, std::string problem, std::string expected) {
-    errors_.push_back(
-        document_.error(pointer(key), std::move(problem), std::move(expected)));
+    errors_.push_back(document_.error(pointer(key), std::move(problem), std::move(expected)));
 }
 
 void JsonReader::addWrongType(std::string_view key, const Json& found, std::string expected) {

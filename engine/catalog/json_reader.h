@@ -34,7 +34,7 @@ class JsonReader {
     void read(std::string_view key, std::string& into);
     void read(std::string_view key, bool& into);
     void read(std::string_view key, int& into);
-    void read(std::string_view key, double& into);    ///< rounded to float
+    void read(std::string_view key, double& into);     ///< rounded to float
     void read(std::string_view key, glm::dvec3& into); ///< rounded to float
 
     /// A member that is kept whole; it must be an object.

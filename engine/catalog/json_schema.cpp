@@ -104,8 +104,8 @@ Errors unknownKeys(const LocatedJson& document, const std::string& pointer, cons
     for (const auto& [key, ignored] : document.value.at(Json::json_pointer(pointer)).items()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
             const auto place = (Json::json_pointer(pointer) / key).to_string();
-            errors.push_back(document.error(
-                place, fmt::format("the key \"{}\" is not known", key), oneOf(key, known)));
+            errors.push_back(document.error(place, fmt::format("the key \"{}\" is not known", key),
+                                            oneOf(key, known)));
         }
     }
     return errors;

@@ -33,8 +33,12 @@ std::string scalarText(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-bool isNumber(const Json& value) { return value.is_number(); }
-bool isScalar(const Json& value) { return value.is_primitive(); }
+bool isNumber(const Json& value) {
+    return value.is_number();
+}
+bool isScalar(const Json& value) {
+    return value.is_primitive();
+}
 
 std::string onOneLine(const Json& array) {
     std::string out = "[";

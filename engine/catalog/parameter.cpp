@@ -11,8 +11,8 @@ namespace patina {
 namespace {
 
 int clampedInt(const Parameter& parameter, int value) {
-    return static_cast<int>(std::clamp<double>(value, std::ceil(parameter.min),
-                                               std::floor(parameter.max)));
+    return static_cast<int>(
+        std::clamp<double>(value, std::ceil(parameter.min), std::floor(parameter.max)));
 }
 
 Value clamped(const Parameter& parameter, const Value& value) {

@@ -60,8 +60,7 @@ struct Packer {
 
 double levelOf(const AccuracyChoice& choice, const AccuracyLevels& levels) {
     const auto found = levels.find(choice.id);
-    return found == levels.end() ? 0.0
-                                 : static_cast<double>(indexOf(choice.values, found->second));
+    return found == levels.end() ? 0.0 : static_cast<double>(indexOf(choice.values, found->second));
 }
 
 } // namespace
@@ -80,8 +79,7 @@ ParameterLayout layoutOf(const Block& block) {
     return layout;
 }
 
-std::vector<double> packed(const Block& block, const Values& values,
-                           const AccuracyLevels& levels) {
+std::vector<double> packed(const Block& block, const Values& values, const AccuracyLevels& levels) {
     const ParameterLayout layout = layoutOf(block);
     std::vector<double> out(layout.floats, 0.0);
     for (const ParameterField& field : layout.fields) {

@@ -7,6 +7,18 @@
 #include <fmt/format.h>
 
 namespace patina {
+namespace {
+
+/// Messages quote files that nobody vouches for: a line break would look like another message, and
+/// a terminal obeys other control characters.
+std::string printable(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(),
+        [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    return text;
+}
+
+} // namespace
 
 std::string Error::text() const {
     std::string out = file;
@@ -20,7 +32,7 @@ std::string Error::text() const {
     if (!expected.empty()) {
         out += "; expected " + expected;
     }
-    return out;
+    return printable(std::move(out));
 }
 
 void sortByPlace(Errors& errors) {

@@ -76,8 +76,8 @@ class ValuesReader {
 
   private:
     void note(const std::string& id, std::string problem, std::string expected) {
-        notes_.push_back(reader_.document().error(reader_.pointer(id), std::move(problem),
-                                                  std::move(expected)));
+        notes_.push_back(
+            reader_.document().error(reader_.pointer(id), std::move(problem), std::move(expected)));
     }
 
     void keepUnknown(const std::string& id, const Json& json) {
@@ -119,8 +119,9 @@ class ValuesReader {
     Value refused(const Parameter& parameter, const std::string& id, const Json& json,
                   const Error& why) {
         if (parameter.type == ParameterType::Enum && json.is_string()) {
-            note(id, fmt::format("\"{}\" is no choice of \"{}\"; the default is used",
-                                 json.get<std::string>(), id),
+            note(id,
+                 fmt::format("\"{}\" is no choice of \"{}\"; the default is used",
+                             json.get<std::string>(), id),
                  why.expected);
             parked_[id] = json;
         } else {
@@ -158,11 +159,11 @@ BlockValues BlockReader::read(JsonReader& block, JsonReader& parameters, std::st
     if (known != nullptr) {
         reader.read(*known);
         if (values.version > known->version) {
-            notes.push_back(block.document().error(
-                block.pointer("version"),
-                fmt::format("{} has version {} here, it may look different", known->label,
-                            values.version),
-                fmt::format("up to {}", known->version)));
+            notes.push_back(
+                block.document().error(block.pointer("version"),
+                                       fmt::format("{} has version {} here, it may look different",
+                                                   known->label, values.version),
+                                       fmt::format("up to {}", known->version)));
         }
         values.version = std::max(values.version, known->version);
         return values;

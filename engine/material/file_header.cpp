@@ -11,14 +11,14 @@ FileAge readHeader(JsonReader& reader, const FileFormat& format, Errors& notes) 
     }
     const std::string expected =
         fmt::format("\"format\": \"{}\", as every {} has it", format.name, format.called);
-    std::string name;
+    std::string name = format.name;
     reader.read("format", name);
     if (!reader.has("format")) {
         reader.addError("format", "the key \"format\" is missing", expected);
     } else if (name != format.name) {
         reader.addError("format", fmt::format("this is no {}", format.called), expected);
     }
-    int version = 0;
+    int version = 1;
     reader.read("version", version);
     if (!reader.has("version") || version < 1) {
         reader.addError("version", fmt::format("the {} has no version", format.called),

@@ -7,8 +7,8 @@ namespace patina {
 
 /// What the first lines of one of Patina's own files say.
 struct FileFormat {
-    const char* name;  ///< the value of "format"
-    int version;       ///< the newest that can be read
+    const char* name;   ///< the value of "format"
+    int version;        ///< the newest that can be read
     const char* called; ///< what a user calls such a file
 };
 

@@ -38,8 +38,8 @@ class SceneReader {
   public:
     SceneReader(const LocatedJson& document, const std::filesystem::path& folder,
                 const Catalog& catalog)
-        : document_(document), folder_(folder), reader_(document, "", errors_),
-          blocks_{catalog, reading_.notes} {}
+        : document_(document), folder_(folder),
+          reader_(document, "", errors_), blocks_{catalog, reading_.notes} {}
 
     Checked<SceneReading> run() {
         reading_.readOnly = readHeader(reader_, sceneFormat, reading_.notes) == FileAge::Newer;
@@ -59,8 +59,7 @@ class SceneReader {
     Scene& scene() { return reading_.scene; }
 
     void note(const std::string& pointer, std::string problem, std::string expected = {}) {
-        reading_.notes.push_back(
-            document_.error(pointer, std::move(problem), std::move(expected)));
+        reading_.notes.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
     }
 
     /// Numbers that may not leave their range are brought into it, with a note.

@@ -11,7 +11,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json triple(const glm::dvec3& value) { return {value.x, value.y, value.z}; }
+Json triple(const glm::dvec3& value) {
+    return {value.x, value.y, value.z};
+}
 
 Json toJson(const Object& object, const std::filesystem::path& folder) {
     Json json = object.unknown;

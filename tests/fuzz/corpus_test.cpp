@@ -32,7 +32,9 @@ TEST(JsonCorpus, EveryFile_IsReadOrRefused) {
 
 /// Changes, drops or doubles a few bytes.
 std::string damaged(std::string text, std::mt19937& random) {
-    const auto upTo = [&random](std::size_t end) { return random() % std::max<std::size_t>(end, 1); };
+    const auto upTo = [&random](std::size_t end) {
+        return random() % std::max<std::size_t>(end, 1);
+    };
     for (std::size_t changes = 1 + upTo(4); changes > 0 && !text.empty(); --changes) {
         const std::size_t at = upTo(text.size());
         switch (upTo(3)) {

@@ -36,9 +36,7 @@ class BlockFolder {
         addText(kind, descriptor["id"], descriptor.dump(1));
     }
 
-    Catalog load() const {
-        return loadCatalog(std::vector<BlockRoot>{{root(), true}});
-    }
+    Catalog load() const { return loadCatalog(std::vector<BlockRoot>{{root(), true}}); }
 
   private:
     TemporaryFolder folder_;

@@ -39,7 +39,9 @@ class Mistakes : public testing::Test {
     BlockFolder folder_;
 };
 
-TEST_F(Mistakes, PlainDescriptor_HasNone) { EXPECT_EQ(of(plainDescriptor("a")), ""); }
+TEST_F(Mistakes, PlainDescriptor_HasNone) {
+    EXPECT_EQ(of(plainDescriptor("a")), "");
+}
 
 TEST_F(Mistakes, SeveralInOneFile_AreAllReported) {
     folder_.addText("models", "a", R"({
@@ -56,13 +58,14 @@ TEST_F(Mistakes, SeveralInOneFile_AreAllReported) {
               file + ":2:9: the id \"b\" is not the file's name; expected \"a\"\n" + file +
                   ":3:14: \"one\" is not allowed here; expected a whole number from 1; raise it "
                   "when old values mean something else\n" +
-                  file + ":6:59: the default is outside the hard range; expected 0 to 1\n" +
-                  file + ":7:39: \"flaot\" is not allowed here; expected one of float, int, bool, "
-                         "color, vec2, vec3, angle, enum, texture\n" +
-                  file + ":7:72: the key \"colour\" is not known; expected one of advanced, "
-                         "compiled, decimals, default, doc, enabledWhen, group, id, label, max, "
-                         "migrations, min, physical, scale, softMax, softMin, space, step, "
-                         "texture, type, unit, values\n");
+                  file + ":6:59: the default is outside the hard range; expected 0 to 1\n" + file +
+                  ":7:39: \"flaot\" is not allowed here; expected one of float, int, bool, "
+                  "color, vec2, vec3, angle, enum, texture\n" +
+                  file +
+                  ":7:72: the key \"colour\" is not known; expected one of advanced, "
+                  "compiled, decimals, default, doc, enabledWhen, group, id, label, max, "
+                  "migrations, min, physical, scale, softMax, softMin, space, step, "
+                  "texture, type, unit, values\n");
 }
 
 TEST_F(Mistakes, UnknownKey_SuggestsTheOneThatWasMeant) {
@@ -96,14 +99,14 @@ TEST_F(Mistakes, NotAnObject_IsOne) {
 
 TEST_F(Mistakes, MissingShader_IsOne) {
     tests::writeFile(folder_.file("models", "a"), plainDescriptor("a").dump());
-    EXPECT_NE(text(folder_.load().errors).find("a.json:1:1: the block has no shader; expected a "
-                                               "file a.glsl beside this one"),
+    EXPECT_NE(text(folder_.load().errors)
+                  .find("a.json:1:1: the block has no shader; expected a "
+                        "file a.glsl beside this one"),
               std::string::npos);
 }
 
 TEST_F(Mistakes, DefaultOfTheWrongType_IsOne) {
-    EXPECT_EQ(problem({{"default", "half"}}),
-              "the text \"half\" stands here; expected a number\n");
+    EXPECT_EQ(problem({{"default", "half"}}), "the text \"half\" stands here; expected a number\n");
 }
 
 TEST_F(Mistakes, DefaultOutsideTheHardRange_IsOne) {
@@ -211,8 +214,7 @@ TEST_F(Mistakes, IdsThatMakeOneField_AreOne) {
     descriptor["parameters"].push_back(descriptor["parameters"][0]);
     descriptor["parameters"][0]["id"] = "gloss.x";
     descriptor["parameters"][1]["id"] = "glossX";
-    EXPECT_NE(of(descriptor).find("another id also makes the field \"glossX\""),
-              std::string::npos);
+    EXPECT_NE(of(descriptor).find("another id also makes the field \"glossX\""), std::string::npos);
 }
 
 TEST_F(Mistakes, IdThatIsAWordOfGlsl_IsOne) {
@@ -230,7 +232,9 @@ json withLevels(bool first, bool second) {
     return descriptor;
 }
 
-TEST_F(Mistakes, FirstLevelExact_HasNone) { EXPECT_EQ(of(withLevels(true, false)), ""); }
+TEST_F(Mistakes, FirstLevelExact_HasNone) {
+    EXPECT_EQ(of(withLevels(true, false)), "");
+}
 
 TEST_F(Mistakes, NoLevelExact_IsOne) {
     EXPECT_NE(of(withLevels(false, false)).find("the first level is not marked as exact"),

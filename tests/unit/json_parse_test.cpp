@@ -23,7 +23,9 @@ std::string errorOf(std::string_view json, const JsonLimits& limits = {}) {
     return document ? "" : document.error().text();
 }
 
-std::string start(const std::string& text) { return text.substr(0, text.find(": ")); }
+std::string start(const std::string& text) {
+    return text.substr(0, text.find(": "));
+}
 
 TEST(ParseJson, Value_IsPlacedWhereItStarts) {
     EXPECT_EQ(placeOf("{\n  \"a\": 1,\n  \"b\": [true, \"x\"]\n}", "/b/1"), "3:15");
@@ -37,7 +39,9 @@ TEST(ParseJson, NumberBeforeANewline_DoesNotShiftTheNextLine) {
     EXPECT_EQ(placeOf("{\"a\": 1\n,\"b\": 2\n, \"c\" :\n null}", "/c"), "4:2");
 }
 
-TEST(ParseJson, WholeDocument_IsPlacedAfterBlanks) { EXPECT_EQ(placeOf("\n\n  {}", ""), "3:3"); }
+TEST(ParseJson, WholeDocument_IsPlacedAfterBlanks) {
+    EXPECT_EQ(placeOf("\n\n  {}", ""), "3:3");
+}
 
 TEST(ParseJson, ByteOrderMark_IsSkipped) {
     EXPECT_EQ(placeOf("\xEF\xBB\xBF{\"a\": 1}", "/a"), "1:7");
@@ -74,7 +78,9 @@ TEST(ParseJson, NotANumber_IsAnErrorAtItsPlace) {
               "text, true, false or null");
 }
 
-TEST(ParseJson, Infinity_IsRefused) { EXPECT_EQ(start(errorOf("[1, -Infinity]")), "f.json:1:5"); }
+TEST(ParseJson, Infinity_IsRefused) {
+    EXPECT_EQ(start(errorOf("[1, -Infinity]")), "f.json:1:5");
+}
 
 TEST(ParseJson, NumberBeyondDouble_IsAnErrorAtItsPlace) {
     EXPECT_EQ(errorOf("[0,\n  1e999]"),
@@ -89,7 +95,9 @@ TEST(ParseJson, NumberBelowTheSmallestDouble_IsZero) {
     EXPECT_EQ(parseJson("1e-999", "f").value().value.get<double>(), 0.0);
 }
 
-TEST(ParseJson, Empty_IsAnErrorAtTheStart) { EXPECT_EQ(start(errorOf("")), "f.json:1:1"); }
+TEST(ParseJson, Empty_IsAnErrorAtTheStart) {
+    EXPECT_EQ(start(errorOf("")), "f.json:1:1");
+}
 
 TEST(ParseJson, Truncated_IsAnErrorAtTheEnd) {
     EXPECT_EQ(start(errorOf("{\"a\": [1, 2")), "f.json:1:12");
@@ -103,18 +111,33 @@ TEST(ParseJson, SomethingAfterTheEnd_IsAnErrorThere) {
     EXPECT_EQ(start(errorOf("{}\n{}")), "f.json:2:1");
 }
 
-TEST(ParseJson, TrailingComma_IsAnError) { EXPECT_EQ(start(errorOf("[1,]")), "f.json:1:4"); }
+TEST(ParseJson, TrailingComma_IsAnError) {
+    EXPECT_EQ(start(errorOf("[1,]")), "f.json:1:4");
+}
 
-TEST(ParseJson, Comment_IsAnError) { EXPECT_EQ(start(errorOf("{ // no\n}")), "f.json:1:3"); }
+TEST(ParseJson, Comment_IsAnError) {
+    EXPECT_EQ(start(errorOf("{ // no\n}")), "f.json:1:3");
+}
 
 TEST(ParseJson, IllFormedUtf8_IsAnError) {
     EXPECT_EQ(start(errorOf("{\"a\": \"\xFF\"}")), "f.json:1:8");
 }
 
-TEST(ParseJson, OverlongUtf8_IsAnError) { EXPECT_NE(errorOf("[\"\xC0\x80\"]"), ""); }
+TEST(ParseJson, OverlongUtf8_IsAnError) {
+    EXPECT_NE(errorOf("[\"\xC0\x80\"]"), "");
+}
 
 TEST(ParseJson, Binary_IsAnError) {
     EXPECT_EQ(start(errorOf(std::string_view("\0\1\2\xFE", 4))), "f.json:1:1");
+}
+
+TEST(ParseJson, ZeroByteAfterTheEnd_IsAnErrorThere) {
+    EXPECT_EQ(errorOf(std::string_view("{}\0{", 4)),
+              "f.json:1:3: a zero byte stands here; expected a text file");
+}
+
+TEST(ErrorText, ControlCharacters_CannotReachTheTerminal) {
+    EXPECT_EQ((Error{"a\nb", 1, 2, "x\x1b[31m", ""}).text(), "a?b:1:2: x?[31m");
 }
 
 TEST(ParseJson, DepthAtTheLimit_IsRead) {
@@ -126,7 +149,9 @@ TEST(ParseJson, DepthBeyondTheLimit_IsAnErrorAtItsPlace) {
               "f.json:1:65: nested too deeply; expected at most 64 levels");
 }
 
-TEST(ParseJson, MillionBrackets_AreRefused) { EXPECT_NE(errorOf(std::string(1'000'000, '[')), ""); }
+TEST(ParseJson, MillionBrackets_AreRefused) {
+    EXPECT_NE(errorOf(std::string(1'000'000, '[')), "");
+}
 
 TEST(ParseJson, TooManyBytes_AreRefused) {
     EXPECT_EQ(errorOf("[1, 2]", {5, 64}),

@@ -48,15 +48,21 @@ TEST(WriteJson, DoubleThatIsNoFloat_KeepsItsDigits) {
     EXPECT_EQ(reread("0.12345678901234567"), "0.12345678901234566\n");
 }
 
-TEST(WriteJson, WholeFloat_StaysAFloat) { EXPECT_EQ(writeJson(1.0), "1.0\n"); }
+TEST(WriteJson, WholeFloat_StaysAFloat) {
+    EXPECT_EQ(writeJson(1.0), "1.0\n");
+}
 
-TEST(WriteJson, LargeFloat_HasAnExponent) { EXPECT_EQ(writeJson(1e20), "1e+20\n"); }
+TEST(WriteJson, LargeFloat_HasAnExponent) {
+    EXPECT_EQ(writeJson(1e20), "1e+20\n");
+}
 
 TEST(WriteJson, LargeInteger_KeepsItsDigits) {
     EXPECT_EQ(reread("18446744073709551615"), "18446744073709551615\n");
 }
 
-TEST(WriteJson, Text_IsEscaped) { EXPECT_EQ(writeJson("\"\n\x01"), "\"\\\"\\n\\u0001\"\n"); }
+TEST(WriteJson, Text_IsEscaped) {
+    EXPECT_EQ(writeJson("\"\n\x01"), "\"\\\"\\n\\u0001\"\n");
+}
 
 TEST(WriteJson, AnyFloat_ReadsBackAsTheSame) {
     std::mt19937 random(1);

@@ -55,17 +55,25 @@ TEST_F(DecimalComma, ParseJson_ReadsAPoint) {
     EXPECT_EQ(parseJson("0.25", "f").value().value.get<double>(), 0.25);
 }
 
-TEST_F(DecimalComma, ParseJson_RefusesAComma) { EXPECT_FALSE(parseJson("0,25", "f")); }
+TEST_F(DecimalComma, ParseJson_RefusesAComma) {
+    EXPECT_FALSE(parseJson("0,25", "f"));
+}
 
-TEST_F(DecimalComma, WriteJson_WritesAPoint) { EXPECT_EQ(writeJson(1234.5), "1234.5\n"); }
+TEST_F(DecimalComma, WriteJson_WritesAPoint) {
+    EXPECT_EQ(writeJson(1234.5), "1234.5\n");
+}
 
 TEST_F(DecimalComma, WriteJson_WritesWholeNumbersUngrouped) {
     EXPECT_EQ(writeJson(1234567), "1234567\n");
 }
 
-TEST_F(DecimalComma, ShortestText_HasAPoint) { EXPECT_EQ(shortestText(0.1f), "0.1"); }
+TEST_F(DecimalComma, ShortestText_HasAPoint) {
+    EXPECT_EQ(shortestText(0.1f), "0.1");
+}
 
-TEST_F(DecimalComma, FullText_HasAPoint) { EXPECT_EQ(fullText(0.5), "0.5"); }
+TEST_F(DecimalComma, FullText_HasAPoint) {
+    EXPECT_EQ(fullText(0.5), "0.5");
+}
 
 TEST_F(DecimalComma, ParseNumber_WantsAPoint) {
     EXPECT_EQ(parseNumber("0.5"), 0.5);

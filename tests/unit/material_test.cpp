@@ -91,8 +91,7 @@ TEST(WithModel, ValueOutsideTheNewRange_IsBroughtIn) {
 
 TEST(WithModel, ValueThatWasBroughtIn_ComesBackWhole) {
     const Material before = shinyMaterial(500.0);
-    EXPECT_EQ(get(withModel(withModel(before, &shiny, dull), &dull, shiny), "gloss"),
-              Value(500.0));
+    EXPECT_EQ(get(withModel(withModel(before, &shiny, dull), &dull, shiny), "gloss"), Value(500.0));
 }
 
 TEST(WithModel, ValueThatWasBroughtInAndChanged_StaysChanged) {

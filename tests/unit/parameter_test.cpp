@@ -27,16 +27,24 @@ const Parameter whole = parameter("i", ParameterType::Int, 1);
 const Parameter colour = parameter("c", ParameterType::Color, glm::dvec3(0.25));
 const Parameter choice = parameter("e", ParameterType::Enum, std::string("one"));
 
-TEST(Conformed, NumberInRange_StaysAsItIs) { EXPECT_EQ(conformed(number, 0.25), Value(0.25)); }
-TEST(Conformed, NumberAboveTheRange_IsTheLargest) { EXPECT_EQ(conformed(number, 7.0), Value(1.0)); }
+TEST(Conformed, NumberInRange_StaysAsItIs) {
+    EXPECT_EQ(conformed(number, 0.25), Value(0.25));
+}
+TEST(Conformed, NumberAboveTheRange_IsTheLargest) {
+    EXPECT_EQ(conformed(number, 7.0), Value(1.0));
+}
 TEST(Conformed, NotANumber_IsTheDefault) {
     EXPECT_EQ(conformed(number, std::numeric_limits<double>::quiet_NaN()), Value(0.5));
 }
-TEST(Conformed, Infinity_IsTheDefault) { EXPECT_EQ(conformed(number, HUGE_VAL), Value(0.5)); }
+TEST(Conformed, Infinity_IsTheDefault) {
+    EXPECT_EQ(conformed(number, HUGE_VAL), Value(0.5));
+}
 TEST(Conformed, ColourComponent_IsBroughtIntoRange) {
     EXPECT_EQ(conformed(colour, glm::dvec3(-1.0, 0.5, 2.0)), Value(glm::dvec3(0.0, 0.5, 1.0)));
 }
-TEST(Conformed, WrongType_IsTheDefault) { EXPECT_EQ(conformed(number, true), Value(0.5)); }
+TEST(Conformed, WrongType_IsTheDefault) {
+    EXPECT_EQ(conformed(number, true), Value(0.5));
+}
 TEST(Conformed, UnknownChoice_IsTheDefault) {
     EXPECT_EQ(conformed(choice, std::string("three")), Value(std::string("one")));
 }
@@ -55,7 +63,9 @@ TEST(ValueFromJson, NumberForAColour_IsAnError) {
               "the number -1 stands here; expected a colour: an array of 3 numbers, linear red, "
               "green and blue");
 }
-TEST(ValueFromJson, FractionForAWholeNumber_IsAnError) { EXPECT_FALSE(valueFromJson(whole, 1.5)); }
+TEST(ValueFromJson, FractionForAWholeNumber_IsAnError) {
+    EXPECT_FALSE(valueFromJson(whole, 1.5));
+}
 TEST(ValueFromJson, WholeFloatForAWholeNumber_IsRead) {
     EXPECT_EQ(valueFromJson(whole, 3.0), Value(3));
 }
@@ -69,9 +79,12 @@ TEST(ValueFromJson, Number_IsNeitherRoundedNorCut) {
 class Layout : public testing::Test {
   protected:
     Layout() {
-        block_.parameters = {number, colour, parameter("v", ParameterType::Vec2, glm::dvec2(1, 2)),
+        block_.parameters = {number,
+                             colour,
+                             parameter("v", ParameterType::Vec2, glm::dvec2(1, 2)),
                              parameter("a", ParameterType::Angle, 90.0),
-                             parameter("t", ParameterType::Texture, std::string()), choice,
+                             parameter("t", ParameterType::Texture, std::string()),
+                             choice,
                              parameter("b", ParameterType::Bool, true)};
         block_.parameters[3].max = 360.0;
         block_.accuracy = {{"level", "", "", {{"exact", "", "", true}, {"fast", "", "", false}}}};
@@ -101,20 +114,36 @@ TEST_F(Layout, Fields_DoNotOverlap) {
         end = field.offset + static_cast<std::size_t>(field.components);
     }
 }
-TEST_F(Layout, Size_IsAMultipleOfFour) { EXPECT_EQ(layoutOf(block_).floats % 4, 0u); }
-TEST_F(Layout, Texture_HasNoField) { EXPECT_EQ(layoutOf(block_).fields.size(), 7u); }
-TEST_F(Layout, EmptyBlock_HasNoFloats) { EXPECT_EQ(layoutOf(Block{}).floats, 0u); }
+TEST_F(Layout, Size_IsAMultipleOfFour) {
+    EXPECT_EQ(layoutOf(block_).floats % 4, 0u);
+}
+TEST_F(Layout, Texture_HasNoField) {
+    EXPECT_EQ(layoutOf(block_).fields.size(), 7u);
+}
+TEST_F(Layout, EmptyBlock_HasNoFloats) {
+    EXPECT_EQ(layoutOf(Block{}).floats, 0u);
+}
 TEST_F(Layout, Angle_IsPackedInRadians) {
     EXPECT_EQ(at("a", {{"a", 180.0}}), glm::radians(180.0));
 }
 TEST_F(Layout, Choice_IsPackedAsItsIndex) {
     EXPECT_EQ(at("e", {{"e", std::string("two")}}), 1.0);
 }
-TEST_F(Layout, Level_IsPackedAsItsIndex) { EXPECT_EQ(at("level", {}, {{"level", "fast"}}), 1.0); }
-TEST_F(Layout, MissingLevel_IsExact) { EXPECT_EQ(at("level", {}), 0.0); }
-TEST_F(Layout, MissingValue_IsTheDefault) { EXPECT_EQ(at("n", {}), 0.5); }
-TEST_F(Layout, WrongType_IsTheDefault) { EXPECT_EQ(at("n", {{"n", true}}), 0.5); }
-TEST_F(Layout, Bool_IsPackedAsOne) { EXPECT_EQ(at("b", {}), 1.0); }
+TEST_F(Layout, Level_IsPackedAsItsIndex) {
+    EXPECT_EQ(at("level", {}, {{"level", "fast"}}), 1.0);
+}
+TEST_F(Layout, MissingLevel_IsExact) {
+    EXPECT_EQ(at("level", {}), 0.0);
+}
+TEST_F(Layout, MissingValue_IsTheDefault) {
+    EXPECT_EQ(at("n", {}), 0.5);
+}
+TEST_F(Layout, WrongType_IsTheDefault) {
+    EXPECT_EQ(at("n", {{"n", true}}), 0.5);
+}
+TEST_F(Layout, Bool_IsPackedAsOne) {
+    EXPECT_EQ(at("b", {}), 1.0);
+}
 
 } // namespace
 } // namespace patina

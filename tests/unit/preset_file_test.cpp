@@ -76,11 +76,17 @@ Value valueOf(const json& changes, const std::string& id) {
     return reading(changes).value().material.model.parameters.at(id);
 }
 
-TEST(ReadPreset, Value_IsRead) { EXPECT_EQ(valueOf(json::object(), "fuzz"), Value(0.75)); }
+TEST(ReadPreset, Value_IsRead) {
+    EXPECT_EQ(valueOf(json::object(), "fuzz"), Value(0.75));
+}
 
-TEST(ReadPreset, MissingValue_IsTheDefault) { EXPECT_EQ(valueOf(json::object(), "soft"), Value(true)); }
+TEST(ReadPreset, MissingValue_IsTheDefault) {
+    EXPECT_EQ(valueOf(json::object(), "soft"), Value(true));
+}
 
-TEST(ReadPreset, PlainPreset_HasNoNotes) { EXPECT_EQ(messages(json::object()), ""); }
+TEST(ReadPreset, PlainPreset_HasNoNotes) {
+    EXPECT_EQ(messages(json::object()), "");
+}
 
 TEST(ReadPreset, Numbers_AreRoundedToFloat) {
     EXPECT_EQ(valueOf({{"parameters", {{"fuzz", 0.1}}}}, "fuzz"), Value(static_cast<double>(0.1f)));
@@ -88,8 +94,8 @@ TEST(ReadPreset, Numbers_AreRoundedToFloat) {
 
 TEST(ReadPreset, Message_HasFileLineAndColumn) {
     const auto read = readingOf("{\"format\": \"patina.preset\", \"version\": 1,\n"
-                              " \"model\": {\"id\": \"velvet\", \"version\": 2},\n"
-                              " \"parameters\": {\"color\": -1}}");
+                                " \"model\": {\"id\": \"velvet\", \"version\": 2},\n"
+                                " \"parameters\": {\"color\": -1}}");
     ASSERT_FALSE(read);
     EXPECT_EQ(text(read.error()),
               "p:3:26: the number -1 stands here; expected a colour: an array of 3 numbers, linear "
@@ -176,16 +182,22 @@ TEST(ReadPreset, NewerVersionThatMeansSomethingElse_StillOpens) {
     EXPECT_TRUE(reading({{"version", 99}, {"opacity", {{"front", 1}}}}));
 }
 
-TEST(ReadPreset, ThisVersion_MayBeWritten) { EXPECT_FALSE(reading(json::object())->readOnly); }
+TEST(ReadPreset, ThisVersion_MayBeWritten) {
+    EXPECT_FALSE(reading(json::object())->readOnly);
+}
 
 TEST(ReadPreset, OtherFormat_IsAnError) {
     EXPECT_EQ(messages({{"format", "other"}}), "this is no preset; expected \"format\": "
                                                "\"patina.preset\", as every preset has it\n");
 }
 
-TEST(ReadPreset, EmptyObject_IsAnError) { EXPECT_EQ(readingOf("{}").error().size(), 3u); }
+TEST(ReadPreset, EmptyObject_IsAnError) {
+    EXPECT_EQ(readingOf("{}").error().size(), 3u);
+}
 
-TEST(ReadPreset, Array_IsAnError) { EXPECT_FALSE(readingOf("[]")); }
+TEST(ReadPreset, Array_IsAnError) {
+    EXPECT_FALSE(readingOf("[]"));
+}
 
 TEST(ReadPreset, WrongTypeAnywhere_IsAnErrorAndNoCrash) {
     const json keys = toJson(Material{});
@@ -256,8 +268,8 @@ TEST(ReadPreset, TextureInTheFolder_IsFine) {
 }
 
 TEST(StaysInFolder, PathsThatLeave_AreFound) {
-    for (const char* path : {"../a", "a/../../b", "/etc/passwd", "C:/a", "..\\a", "\\\\host\\a", "..",
-                             "a/b/../../../c", ""}) {
+    for (const char* path : {"../a", "a/../../b", "/etc/passwd", "C:/a", "..\\a", "\\\\host\\a",
+                             "..", "a/b/../../../c", ""}) {
         EXPECT_FALSE(staysInFolder(path)) << path;
     }
 }
@@ -289,7 +301,8 @@ TEST(WritePreset, EveryParameter_IsWritten) {
 }
 
 TEST(WritePreset, Written_ReadsAsTheSameMaterial) {
-    const Material before = reading({{"name", "N"}, {"tags", {"a", "b"}}, {"opacity", 0.3}})->material;
+    const Material before =
+        reading({{"name", "N"}, {"tags", {"a", "b"}}, {"opacity", 0.3}})->material;
     EXPECT_EQ(readingOf(writeJson(toJson(before)))->material, before);
 }
 

@@ -187,7 +187,9 @@ TEST_F(SceneFile, NewerVersion_IsReadOnly) {
     EXPECT_TRUE(readChanged({{"version", 99}})->readOnly);
 }
 
-TEST_F(SceneFile, Preset_IsNoScene) { EXPECT_FALSE(read(preset())); }
+TEST_F(SceneFile, Preset_IsNoScene) {
+    EXPECT_FALSE(read(preset()));
+}
 
 TEST_F(SceneFile, WrongTypes_AreAllReported) {
     const auto reading = readChanged(
@@ -202,8 +204,9 @@ TEST_F(SceneFile, MissingFile_IsAnError) {
 
 TEST_F(SceneFile, UnknownKeysOfEveryObject_AreWrittenBackUntouched) {
     json scene = toJson(read(plainScene())->scene, folder_.path());
-    for (const char* place : {"", "/objects/0", "/objects/0/preset", "/lights/0",
-                              "/lights/0/parameters", "/fog", "/camera", "/environment", "/extras"}) {
+    for (const char* place :
+         {"", "/objects/0", "/objects/0/preset", "/lights/0", "/lights/0/parameters", "/fog",
+          "/camera", "/environment", "/extras"}) {
         scene[json::json_pointer(place)]["x-odd"] = {{"a", {1, 2.5, nullptr}}};
     }
     EXPECT_EQ(writeJson(toJson(read(scene)->scene, folder_.path())), writeJson(scene));
@@ -228,7 +231,9 @@ TEST(MeshPath, Builtin_StaysAsItIs) {
     EXPECT_EQ(meshForFile("builtin:sphere", "/a"), "builtin:sphere");
 }
 
-TEST(MeshPath, DotsInAPath_AreResolved) { EXPECT_EQ(meshFromFile("../b/x.obj", "/a/c"), "/a/b/x.obj"); }
+TEST(MeshPath, DotsInAPath_AreResolved) {
+    EXPECT_EQ(meshFromFile("../b/x.obj", "/a/c"), "/a/b/x.obj");
+}
 
 } // namespace
 } // namespace patina
