@@ -135,8 +135,8 @@ Result<AccuracyLevels> readLevels(const Block& block, const Json& json) {
     AccuracyLevels levels;
     for (const auto& [id, level] : json.items()) {
         const AccuracyChoice* choice = block.accuracyChoice(id);
-        const auto known = [&](const EnumValue& value) {
-            return level.is_string() && value.id == level.get<std::string>();
+        const auto known = [&word = level](const EnumValue& value) {
+            return word.is_string() && value.id == word.get<std::string>();
         };
         if (choice == nullptr ||
             std::none_of(choice->values.begin(), choice->values.end(), known)) {

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/patina_program.h"
+
+namespace patina::tests {
+namespace {
+
+using Json = nlohmann::json;
+
+Outcome evalLines(const std::string& lines) {
+    return patina(Start{.arguments = {"eval"}, .environment = {}, .input = lines});
+}
+
+/// The answer to one case.
+Json answerTo(const Json& request) {
+    return Json::parse(evalLines(request.dump() + "\n").out, nullptr, false);
+}
+
+std::string errorOf(const Json& request) {
+    return answerTo(request).value("error", "");
+}
+
+Json facing(const std::string& model) {
+    return {{"id", "a"}, {"model", model}, {"l", {0, 0, 1}}, {"v", {0, 0, 1}}};
+}
+
+TEST(EvalCommand, Fraction_HasSeventeenDigits) {
+    const Outcome outcome = evalLines(R"({"id": 1, "fresnel": "schlick", "cos": 0.3})"
+                                      "\n");
+    const auto start = outcome.out.find("[0.") + 3;
+    EXPECT_GE(outcome.out.find_first_not_of("0123456789", start) - start, 16u) << outcome.out;
+}
+
+TEST(EvalCommand, Id_ComesBackAsItWas) {
+    for (const Json& id : {Json("x \"y\""), Json(7), Json(nullptr), Json({1, 2})}) {
+        Json request = facing("lambert");
+        request["id"] = id;
+        EXPECT_EQ(answerTo(request)["id"], id);
+    }
+}
+
+TEST(EvalCommand, BrokenLine_KeepsItsId) {
+    const Outcome outcome = evalLines(R"({"id": "far", "model": "phong", "l": [0, 0, 1e999]})"
+                                      "\n");
+    EXPECT_EQ(Json::parse(outcome.out)["id"], "far") << outcome.out;
+}
+
+TEST(EvalCommand, BadLine_MakesTheExitStatusOne) {
+    EXPECT_EQ(evalLines("{}\n").exitCode, 1);
+    EXPECT_EQ(evalLines("").exitCode, 0);
+}
+
+TEST(EvalCommand, Answers_ComeInTheOrderOfTheirLines) {
+    std::string lines;
+    for (int i = 0; i < 6; ++i) {
+        Json request = facing(i % 2 == 0 ? "lambert" : "phong");
+        request["id"] = i;
+        request["precision"] = i % 3 == 0 ? "gpu" : "double";
+        lines += request.dump() + "\n";
+    }
+    std::istringstream out(evalLines(lines).out);
+    std::string line;
+    for (int i = 0; i < 6; ++i) {
+        ASSERT_TRUE(std::getline(out, line));
+        EXPECT_EQ(Json::parse(line)["id"], i);
+    }
+}
+
+TEST(EvalCommand, OwnFrame_TurnsTheCase) {
+    Json request = facing("lambert");
+    request["n"] = {2, 0, 0};
+    request["t"] = {1, 1, 0};
+    request["l"] = {3, 0, 4};
+    request["v"] = {1, 0, 0};
+    request["parameters"] = {{"diffuse.color", {1, 1, 1}}};
+    EXPECT_NEAR(answerTo(request)["value"][0].get<double>(), 0.6, 1e-15);
+}
+
+TEST(EvalCommand, DoublePrecision_KeepsEveryDigitOfAParameter) {
+    Json request = facing("lambert");
+    request["parameters"] = {{"diffuse.color", {0.1, 0.2, 0.3}}};
+    EXPECT_EQ(answerTo(request)["value"], Json({0.1, 0.2, 0.3}));
+}
+
+TEST(EvalCommand, LibraryFunction_IsFoundByEitherSpelling) {
+    const Json snake = answerTo({{"function", "ggx_d"}, {"arguments", {0.1, 0.9, 0.3}}});
+    const Json camel = answerTo({{"function", "ggxD"}, {"arguments", {0.1, 0.9, 0.3}}});
+    EXPECT_EQ(snake["value"], camel["value"]);
+    EXPECT_EQ(snake["value"].size(), 1u);
+}
+
+TEST(EvalCommand, LibraryFunctionOnTheGpu_AgreesWithDouble) {
+    Json request{{"function", "dielectric_reflectances"}, {"arguments", {0.5, 0.5, 1, 1.5}}};
+    const Json exact = answerTo(request)["value"];
+    request["precision"] = "gpu";
+    const Json answer = answerTo(request)["value"];
+    ASSERT_EQ(answer.size(), 2u);
+    EXPECT_NEAR(answer[1].get<double>() / exact[1].get<double>(), 1.0, 1e-5);
+}
+
+TEST(EvalCommand, WrongNumberOfArguments_ShowsTheSignature) {
+    EXPECT_NE(errorOf({{"function", "ggx_d"}, {"arguments", {1}}}).find("float alpha"),
+              std::string::npos);
+}
+
+TEST(EvalCommand, Light_AnswersWithItsDirection) {
+    const Json answer = answerTo({{"light", {{"id", "directional"}}}, {"x", {0, 0, 0}}});
+    EXPECT_EQ(answer["l"].size(), 3u);
+    EXPECT_EQ(answer["value"], Json({1, 1, 1}));
+}
+
+TEST(EvalCommand, Fog_AnswersWithTheShareThatIsLeft) {
+    const Json answer =
+        answerTo({{"fog", {{"id", "linear"}, {"parameters", {{"start", 0}}}}}, {"distance", 2.5}});
+    EXPECT_EQ(answer["value"], Json({0.75}));
+}
+
+TEST(EvalCommand, UnknownNames_AreNamedInTheError) {
+    EXPECT_NE(errorOf(facing("phongg")).find("'phong'"), std::string::npos);
+    Json request = facing("phong");
+    request["parameters"] = {{"shinyness", 3}};
+    EXPECT_NE(errorOf(request).find("shinyness"), std::string::npos);
+    request = facing("phong");
+    request["colour"] = 1;
+    EXPECT_NE(errorOf(request).find("colour"), std::string::npos);
+}
+
+TEST(EvalCommand, ValueOutsideItsRange_IsAnError) {
+    Json request = facing("phong");
+    request["parameters"] = {{"shininess", -1}};
+    EXPECT_NE(errorOf(request).find("shininess"), std::string::npos);
+}
+
+TEST(EvalCommand, ZeroVector_IsAnError) {
+    Json request = facing("phong");
+    request["v"] = {0, 0, 0};
+    EXPECT_NE(errorOf(request).find("v "), std::string::npos);
+}
+
+TEST(EvalCommand, Slot_IsFilledByItsDefaultOrTheGivenBlock) {
+    const Json plain = answerTo(facing("cook-torrance"));
+    Json request = facing("cook-torrance");
+    request["fresnel"] = {{"id", "schlick"}};
+    EXPECT_EQ(answerTo(request)["value"], plain["value"]);
+    request["fresnel"] = {{"id", "schlick"}, {"parameters", {{"f0", {1, 1, 1}}}}};
+    EXPECT_NE(answerTo(request)["value"], plain["value"]);
+}
+
+} // namespace
+} // namespace patina::tests
