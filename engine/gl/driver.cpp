@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/driver.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
@@ -16,6 +20,15 @@ std::string text(GLenum name) {
 
 std::string driverText() {
     return fmt::format("{} on {} by {}", text(GL_VERSION), text(GL_RENDERER), text(GL_VENDOR));
+}
+
+bool isSoftware() {
+    const std::string renderer = text(GL_RENDERER);
+    constexpr std::array<std::string_view, 5> names{"llvmpipe", "softpipe", "swrast", "SwiftShader",
+                                                    "Software"};
+    return std::ranges::any_of(names, [&](std::string_view name) {
+        return renderer.find(name) != std::string::npos;
+    });
 }
 
 Result<void> checkVersion() {

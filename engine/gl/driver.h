@@ -11,6 +11,9 @@ namespace patina::gl {
 /// tells one driver from another.
 std::string driverText();
 
+/// True when the driver draws on the CPU, as far as its name tells.
+bool isSoftware();
+
 /// An error that says what was found when the current context is below OpenGL 4.1.
 Result<void> checkVersion();
 

@@ -6,6 +6,7 @@
 
 #include <epoxy/gl.h>
 
+#include "gl/driver.h"
 #include "gpu_fixture.h"
 #include "measure/timer_work.h"
 
@@ -54,6 +55,15 @@ TEST_F(FrameTimerTest, ChosenMethod_AgreesWithTheClock) {
     }
     RecordProperty("method", std::string(timer.methodText()));
     EXPECT_LT(timer.milliseconds(), 10.0 * wall);
+}
+
+TEST_F(FrameTimerTest, SoftwareDriver_IsTimedByTheClock) {
+    const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const bool software = renderer.find("llvmpipe") != std::string::npos;
+    EXPECT_EQ(gl::isSoftware(), software) << renderer;
+    if (software) {
+        EXPECT_EQ(trustedMethod(), FrameTimer::Method::WallClock);
+    }
 }
 
 } // namespace
