@@ -7,7 +7,9 @@
 
 namespace patina::gl {
 
-void deleteBuffer(unsigned name) { glDeleteBuffers(1, &name); }
+void deleteBuffer(unsigned name) {
+    glDeleteBuffers(1, &name);
+}
 
 Buffer Buffer::create() {
     Buffer buffer;

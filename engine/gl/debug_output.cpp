@@ -6,9 +6,10 @@
 namespace patina::gl {
 namespace {
 
-void APIENTRY collect(GLenum, GLenum, GLuint, GLenum severity, GLsizei length,
+/// What is wrong with a shader's text is in the shader's log and reported from there.
+void APIENTRY collect(GLenum source, GLenum, GLuint, GLenum severity, GLsizei length,
                       const GLchar* message, const void* user) {
-    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) {
+    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || source == GL_DEBUG_SOURCE_SHADER_COMPILER) {
         return;
     }
     auto* messages = static_cast<std::vector<std::string>*>(const_cast<void*>(user));

@@ -9,7 +9,8 @@ namespace patina::gl {
 /// Collects what the driver has to say about how it is used, while it exists. One per context.
 class DebugOutput {
   public:
-    /// Starts listening in the current context, synchronously. Notifications are left out.
+    /// Starts listening in the current context, synchronously. Notifications are left
+    /// out, and so is what a shader's log says.
     DebugOutput();
     ~DebugOutput();
     DebugOutput(const DebugOutput&) = delete;

@@ -6,7 +6,9 @@
 
 namespace patina::gl {
 
-void deleteFramebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
+void deleteFramebuffer(unsigned name) {
+    glDeleteFramebuffers(1, &name);
+}
 
 Framebuffer Framebuffer::create() {
     Framebuffer framebuffer;
@@ -37,8 +39,8 @@ Result<void> Framebuffer::check() const {
     if (status == GL_FRAMEBUFFER_COMPLETE) {
         return {};
     }
-    return failure(fmt::format("the graphics driver cannot draw to this image format (0x{:x})",
-                               status));
+    return failure(
+        fmt::format("the graphics driver cannot draw to this image format (0x{:x})", status));
 }
 
 } // namespace patina::gl

@@ -38,7 +38,9 @@ bool driverHasFormat(unsigned format) {
 
 } // namespace
 
-void deleteProgram(unsigned name) { glDeleteProgram(name); }
+void deleteProgram(unsigned name) {
+    glDeleteProgram(name);
+}
 
 tl::expected<Program, std::string> Program::link(const Shader& vertex, const Shader& fragment) {
     Program program;
@@ -96,6 +98,8 @@ int Program::uniform(const char* uniformName) const {
     return glGetUniformLocation(name(), uniformName);
 }
 
-void Program::use() const { glUseProgram(name()); }
+void Program::use() const {
+    glUseProgram(name());
+}
 
 } // namespace patina::gl

@@ -5,7 +5,9 @@
 
 namespace patina::gl {
 
-void deleteQuery(unsigned name) { glDeleteQueries(1, &name); }
+void deleteQuery(unsigned name) {
+    glDeleteQueries(1, &name);
+}
 
 TimeQuery TimeQuery::create() {
     TimeQuery query;
@@ -15,9 +17,13 @@ TimeQuery TimeQuery::create() {
     return query;
 }
 
-void TimeQuery::begin() { glBeginQuery(GL_TIME_ELAPSED, name_.get()); }
+void TimeQuery::begin() {
+    glBeginQuery(GL_TIME_ELAPSED, name_.get());
+}
 
-void TimeQuery::end() { glEndQuery(GL_TIME_ELAPSED); }
+void TimeQuery::end() {
+    glEndQuery(GL_TIME_ELAPSED);
+}
 
 bool TimeQuery::ready() const {
     GLint available = 0;

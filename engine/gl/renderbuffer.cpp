@@ -5,7 +5,9 @@
 
 namespace patina::gl {
 
-void deleteRenderbuffer(unsigned name) { glDeleteRenderbuffers(1, &name); }
+void deleteRenderbuffer(unsigned name) {
+    glDeleteRenderbuffers(1, &name);
+}
 
 Renderbuffer Renderbuffer::create(glm::ivec2 size, unsigned internalFormat, int samples) {
     Renderbuffer buffer;

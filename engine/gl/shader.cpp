@@ -17,7 +17,9 @@ std::string log(GLuint shader) {
 
 } // namespace
 
-void deleteShader(unsigned name) { glDeleteShader(name); }
+void deleteShader(unsigned name) {
+    glDeleteShader(name);
+}
 
 tl::expected<Shader, std::string> Shader::compile(unsigned stage, std::string_view source) {
     Shader shader;

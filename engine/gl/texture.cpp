@@ -5,7 +5,9 @@
 
 namespace patina::gl {
 
-void deleteTexture(unsigned name) { glDeleteTextures(1, &name); }
+void deleteTexture(unsigned name) {
+    glDeleteTextures(1, &name);
+}
 
 Texture Texture::create(glm::ivec2 size, unsigned internalFormat, unsigned format, unsigned type,
                         const void* texels) {

@@ -5,7 +5,9 @@
 
 namespace patina::gl {
 
-void deleteVertexArray(unsigned name) { glDeleteVertexArrays(1, &name); }
+void deleteVertexArray(unsigned name) {
+    glDeleteVertexArrays(1, &name);
+}
 
 VertexArray VertexArray::create() {
     VertexArray array;
@@ -15,7 +17,9 @@ VertexArray VertexArray::create() {
     return array;
 }
 
-void VertexArray::bind() const { glBindVertexArray(name()); }
+void VertexArray::bind() const {
+    glBindVertexArray(name());
+}
 
 void VertexArray::attribute(unsigned location, const Buffer& buffer, int components,
                             std::size_t stride, std::size_t offset) {

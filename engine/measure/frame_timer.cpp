@@ -44,10 +44,10 @@ FrameTimer::Method trustedMethod() {
         return FrameTimer::Method::WallClock;
     }
     const TimerWork work;
-    int rounds = 4;
+    int rounds = 1;
     timed(work, rounds); // the first run also prepares the driver
     Times little = timed(work, rounds);
-    for (; little.wall < 1.0 && rounds < 4096; little = timed(work, rounds)) {
+    for (; little.wall < 0.5 && rounds < 4096; little = timed(work, rounds)) {
         rounds *= 2;
     }
     const Times much = timed(work, 4 * rounds);

@@ -6,8 +6,8 @@
 namespace patina {
 namespace {
 
-constexpr int largeSide = 512;
-constexpr int smallSide = 384;
+constexpr int largeSide = 128;
+constexpr int smallSide = 96;
 
 void copy(const gl::Framebuffer& from, int fromSide, const gl::Framebuffer& to, int toSide) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());

@@ -84,9 +84,8 @@ glm::dmat4 normalMatrix(const glm::dmat4& world) {
 
 PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline, const Scene& scene,
                       const glm::dmat4& cameraToWorld) {
-    out[SceneLayout::ambient] =
-        glm::vec4(radianceOf(scene.ambient.x), radianceOf(scene.ambient.y),
-                  radianceOf(scene.ambient.z), 0.0f);
+    out[SceneLayout::ambient] = glm::vec4(radianceOf(scene.ambient.x), radianceOf(scene.ambient.y),
+                                          radianceOf(scene.ambient.z), 0.0f);
     if (pipeline.scene.fog && scene.fog) {
         packPlace(out, *pipeline.scene.fog, scene.fog->parameters, exact, cameraToWorld);
     }

@@ -14,8 +14,7 @@ namespace {
 constexpr double mostStops = 40.0;
 
 std::array<std::string, 2> fragmentFiles(ToneMapping toneMapping) {
-    return {toneMapping == ToneMapping::None ? "passes/tone_none.glsl"
-                                             : "passes/tone_neutral.glsl",
+    return {toneMapping == ToneMapping::None ? "passes/tone_none.glsl" : "passes/tone_neutral.glsl",
             "passes/display.frag"};
 }
 

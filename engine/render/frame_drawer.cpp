@@ -18,14 +18,17 @@ float storable(double channel) {
     return std::isfinite(channel) ? static_cast<float>(std::clamp(channel, 0.0, 65504.0)) : 0.0f;
 }
 
-bool isTransparent(const Object& object) { return object.material.opacity < 1.0; }
+bool isTransparent(const Object& object) {
+    return object.material.opacity < 1.0;
+}
 
-bool isDrawn(const Object& object) { return object.visible && object.material.opacity > 0.0; }
+bool isDrawn(const Object& object) {
+    return object.visible && object.material.opacity > 0.0;
+}
 
 } // namespace
 
-FrameDrawer::FrameDrawer(std::filesystem::path programCache)
-    : pipelines_(std::move(programCache)) {
+FrameDrawer::FrameDrawer(std::filesystem::path programCache) : pipelines_(std::move(programCache)) {
     viewData_.reserve(ViewLayout::vec4s);
     sceneData_.reserve(SceneLayout::capacity);
 }

@@ -62,9 +62,13 @@ void FrameDrawer::describeEffects(const Scene& scene) {
     }
     if (lostLights_ > 0) {
         report_.messages.push_back(
-            {{}, 0, 0, fmt::format("{} lights are left out because the graphics card's memory for "
-                                   "lights is full",
-                                   lostLights_), {}});
+            {{},
+             0,
+             0,
+             fmt::format("{} lights are left out because the graphics card's memory for "
+                         "lights is full",
+                         lostLights_),
+             {}});
     }
 }
 

@@ -25,7 +25,9 @@ void DepthRange::add(const Bounds& bounds, const glm::dmat4& objectToCamera) {
     }
 }
 
-double DepthRange::far() const { return farthest_ > 0.0 ? 1.01 * farthest_ : 100.0; }
+double DepthRange::far() const {
+    return farthest_ > 0.0 ? 1.01 * farthest_ : 100.0;
+}
 
 double DepthRange::near() const {
     return farthest_ > 0.0 ? std::max(0.99 * nearest_, 1e-4 * far()) : 0.1;

@@ -65,8 +65,8 @@ Result<void> HdrTarget::build(glm::ivec2 size, int samples) {
     depth_ = gl::Renderbuffer::create(size, GL_DEPTH_COMPONENT32F, samples);
     resolvedImage_ = gl::Texture::create(size, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT);
     if (glGetError() == GL_OUT_OF_MEMORY) {
-        return failure(fmt::format("there is not enough graphics memory for {}x{} pixels", size.x,
-                                   size.y));
+        return failure(
+            fmt::format("there is not enough graphics memory for {}x{} pixels", size.x, size.y));
     }
     framebuffer_ = gl::Framebuffer::create();
     framebuffer_.attachColor(color_);

@@ -11,9 +11,8 @@ void PipelineStore::setCatalog(std::shared_ptr<const Catalog> catalog) {
     entries_.clear();
 }
 
-const PipelineStore::Entry& PipelineStore::get(const Material& material,
-                                               std::uint64_t materialKey, const Scene& scene,
-                                               std::uint64_t sceneKey) {
+const PipelineStore::Entry& PipelineStore::get(const Material& material, std::uint64_t materialKey,
+                                               const Scene& scene, std::uint64_t sceneKey) {
     return find({materialKey, sceneKey}, material, scene);
 }
 

@@ -46,11 +46,12 @@ Result<Image> Renderer::capture(const Scene& scene, const View& view, const Mesh
     if (!display) {
         return readLinear(implementation_->linearFramebuffer(), view.size, scene.exposure);
     }
-    return readDisplay(view.size, [&](unsigned framebuffer) {
-        implementation_->show(scene, view, framebuffer);
-    });
+    return readDisplay(
+        view.size, [&](unsigned framebuffer) { implementation_->show(scene, view, framebuffer); });
 }
 
-const FrameReport& Renderer::report() const { return implementation_->report(); }
+const FrameReport& Renderer::report() const {
+    return implementation_->report();
+}
 
 } // namespace patina

@@ -106,11 +106,17 @@ std::string constantCase(std::string_view name) {
     return out;
 }
 
-std::string slotStructName(std::string_view kind) { return capitalised(kind) + "Slot"; }
+std::string slotStructName(std::string_view kind) {
+    return capitalised(kind) + "Slot";
+}
 
-std::string slotFunctionName(std::string_view kind) { return "slot" + capitalised(kind); }
+std::string slotFunctionName(std::string_view kind) {
+    return "slot" + capitalised(kind);
+}
 
-int vec4Count(const Block& block) { return static_cast<int>(layoutOf(block).floats / 4); }
+int vec4Count(const Block& block) {
+    return static_cast<int>(layoutOf(block).floats / 4);
+}
 
 std::string constantsSource(const Block& block) {
     std::string out;

@@ -27,10 +27,16 @@ std::optional<Error> errorOf(const std::string& line, const ShaderSource& source
     std::smatch match;
     for (const std::regex& form : forms()) {
         if (std::regex_match(line, match, form)) {
-            const auto index = static_cast<std::size_t>(number(match[1]));
+            const int line = number(match[2]);
+            const bool says = line >= ShaderSource::linesPerFile;
+            const auto index = static_cast<std::size_t>(says ? line / ShaderSource::linesPerFile
+                                                             : number(match[1]));
             const bool known = index < source.files.size();
-            return Error{known ? source.files[index] : source.files.front(), number(match[2]),
-                         number(match[3]), match[4], {}};
+            return Error{known ? source.files[index] : source.files.front(),
+                         line % ShaderSource::linesPerFile,
+                         number(match[3]),
+                         match[4],
+                         {}};
         }
     }
     return std::nullopt;

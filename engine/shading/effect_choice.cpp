@@ -38,8 +38,8 @@ bool isNothing(const Block& block, const Values& values, std::string_view parame
 
 const Value& givenValue(const Parameter& parameter, const Values& values) {
     const auto found = values.find(parameter.id);
-    const bool usable = found != values.end() &&
-                        found->second.index() == parameter.defaultValue.index();
+    const bool usable =
+        found != values.end() && found->second.index() == parameter.defaultValue.index();
     return usable ? found->second : parameter.defaultValue;
 }
 
@@ -83,6 +83,8 @@ bool canHide(const BlockValues& fog, const Block& block) {
     return !isNothing(block, fog.parameters, "density");
 }
 
-bool hasFresnelSlot(const Block& model) { return model.slot("fresnel") != nullptr; }
+bool hasFresnelSlot(const Block& model) {
+    return model.slot("fresnel") != nullptr;
+}
 
 } // namespace patina

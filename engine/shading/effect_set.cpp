@@ -52,9 +52,8 @@ std::string lightName(const Light& light) {
 }
 
 void addLight(SceneEffects& effects, const Block& block, const Light& light, std::uint64_t key) {
-    const auto group =
-        std::find_if(effects.lights.begin(), effects.lights.end(),
-                     [key](const LightGroup& known) { return known.key == key; });
+    const auto group = std::find_if(effects.lights.begin(), effects.lights.end(),
+                                    [key](const LightGroup& known) { return known.key == key; });
     if (group != effects.lights.end()) {
         ++group->count;
     } else {
@@ -101,8 +100,7 @@ void addFog(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     }
     const Block* block = catalog.find("fog", scene.fog->id);
     if (block == nullptr) {
-        effects.leftOut.push_back(
-            {"fog", fmt::format("No fog \"{}\" is known.", scene.fog->id)});
+        effects.leftOut.push_back({"fog", fmt::format("No fog \"{}\" is known.", scene.fog->id)});
     } else if (!canHide(*scene.fog, *block)) {
         effects.leftOut.push_back({"fog", "Its density is 0."});
     } else {

@@ -112,8 +112,11 @@ void SourceBuilder::addIncluded(const std::string& name, const std::string& incl
     if (const std::optional<std::string> text = contentOf(path)) {
         addText(path.string(), withoutComments(*text));
     } else {
-        errors_.push_back({includer.empty() ? path.string() : includer, line, line > 0 ? 1 : 0,
-                           fmt::format("cannot read \"{}\"", name), {}});
+        errors_.push_back({includer.empty() ? path.string() : includer,
+                           line,
+                           line > 0 ? 1 : 0,
+                           fmt::format("cannot read \"{}\"", name),
+                           {}});
     }
 }
 
@@ -138,7 +141,8 @@ void SourceBuilder::addText(const std::string& file, std::string_view text) {
             continue;
         }
         if (gap) {
-            append(fmt::format("#line {} {}", number, index));
+            append(fmt::format("#line {} {}", number + int(index) * ShaderSource::linesPerFile,
+                               index));
         }
         gap = false;
         append(line.substr(0, line.find_last_not_of(" \t") + 1));

@@ -57,8 +57,8 @@ void SurfaceWriter::writeFrame() {
 }
 
 void SurfaceWriter::readFrom(const std::string& array) {
-    out_.add(fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n",
-                         array));
+    out_.add(
+        fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array));
 }
 
 void SurfaceWriter::writeBlock(const Block& block) {

@@ -63,7 +63,7 @@ class Stage {
         std::get<double>(scene.objects.front().material.model.parameters[parameter]) = value;
     }
 
-    FrameReport draw() {
+    const FrameReport& draw() {
         return renderer_->draw(
             scene, view, [this](const Object&) { return mesh_.view(); }, target_.name());
     }
@@ -105,7 +105,7 @@ bool sliderTick() {
         stage.set("shininess", 10.0 + 0.1 * tick);
         const long before = allocations();
         const double began = threadSeconds();
-        const FrameReport frame = stage.draw();
+        const FrameReport& frame = stage.draw();
         changed.push_back(threadSeconds() - began);
         allocated += allocations() - before;
         compiled += frame.compiled;

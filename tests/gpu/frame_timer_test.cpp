@@ -27,13 +27,13 @@ double wallMilliseconds(const TimerWork& work, int rounds) {
 TEST_F(FrameTimerTest, WallClock_SeesAllTheWork) {
     const TimerWork work;
     FrameTimer timer(FrameTimer::Method::WallClock);
-    work.run(4);
+    work.run(40);
     timer.begin();
-    work.run(4);
+    work.run(40);
     timer.end();
     const double little = timer.milliseconds();
     timer.begin();
-    work.run(40);
+    work.run(400);
     timer.end();
     // Ten times the work; a factor of three leaves room for a machine that is busy otherwise.
     EXPECT_GT(timer.milliseconds(), 3.0 * little);
@@ -42,14 +42,14 @@ TEST_F(FrameTimerTest, WallClock_SeesAllTheWork) {
 TEST_F(FrameTimerTest, ChosenMethod_AgreesWithTheClock) {
     FrameTimer timer;
     const TimerWork work;
-    work.run(4);
+    work.run(40);
     timer.begin();
-    work.run(64);
+    work.run(400);
     timer.end();
     glFinish();
     timer.begin(); // collects what is ready
     timer.end();
-    const double wall = wallMilliseconds(work, 64);
+    const double wall = wallMilliseconds(work, 400);
     if (timer.method() == FrameTimer::Method::DeviceTimer) {
         EXPECT_GT(timer.milliseconds(), 0.0);
     }

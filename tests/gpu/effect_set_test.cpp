@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effect_set.h"
+
+#include "shading/effect_key.h"
+#include "shading_scene.h"
+
+namespace patina {
+namespace {
+
+class EffectSetTest : public ShadingTest {
+  protected:
+    static SceneEffects effectsOf(const Light& one) {
+        Scene scene;
+        scene.lights = {one};
+        return sceneEffects(scene, catalog());
+    }
+};
+
+TEST_F(EffectSetTest, LightsOfOneKind_AreOneGroup) {
+    Scene scene;
+    scene.lights = {light("point"), light("head"), light("point")};
+    const SceneEffects effects = sceneEffects(scene, catalog());
+    ASSERT_EQ(effects.lights.size(), 2u);
+    EXPECT_EQ(effects.lights[1].count, 2);
+}
+
+TEST_F(EffectSetTest, DifferentCompiledValues_AreTwoGroups) {
+    Scene scene;
+    scene.lights = {light("point"), light("point")};
+    scene.lights[1].block.parameters["falloff"] = std::string("inverse-square");
+    EXPECT_EQ(sceneEffects(scene, catalog()).lights.size(), 2u);
+}
+
+TEST_F(EffectSetTest, DisabledLight_IsLeftOutWithAReason) {
+    Light off = light("point");
+    off.enabled = false;
+    EXPECT_TRUE(effectsOf(off).lights.empty());
+    ASSERT_EQ(effectsOf(off).leftOut.size(), 1u);
+    EXPECT_EQ(effectsOf(off).leftOut[0].reason, "It is switched off.");
+}
+
+TEST_F(EffectSetTest, BlackLight_IsLeftOut) {
+    Light black = light("spot");
+    black.block.parameters["color"] = glm::dvec3(0.0);
+    EXPECT_TRUE(effectsOf(black).lights.empty());
+}
+
+TEST_F(EffectSetTest, LightWithoutIntensity_IsLeftOut) {
+    Light dark = light("directional");
+    dark.block.parameters["intensity"] = 0.0;
+    EXPECT_TRUE(effectsOf(dark).lights.empty());
+}
+
+TEST_F(EffectSetTest, UnknownLight_IsLeftOutWithItsName) {
+    Light unknown;
+    unknown.block.id = "moonbeam";
+    ASSERT_EQ(effectsOf(unknown).leftOut.size(), 1u);
+    EXPECT_NE(effectsOf(unknown).leftOut[0].reason.find("moonbeam"), std::string::npos);
+}
+
+TEST_F(EffectSetTest, FogWithoutDensity_IsLeftOut) {
+    Scene scene;
+    scene.fog = block("fog", "exponential");
+    scene.fog->parameters["density"] = 0.0;
+    EXPECT_FALSE(sceneEffects(scene, catalog()).fog);
+}
+
+TEST_F(EffectSetTest, ModelWithSlot_TakesTheMaterialsFresnel) {
+    Material metal = material("cook-torrance");
+    metal.fresnel = block("fresnel", "dielectric");
+    const EffectSet set = effectSet(metal, {}, catalog());
+    ASSERT_EQ(set.slots.size(), 1u);
+    EXPECT_EQ(set.slots[0].id, "dielectric");
+    EXPECT_FALSE(set.blend);
+}
+
+TEST_F(EffectSetTest, EmptySlot_TakesTheDefaultBlock) {
+    const EffectSet set = effectSet(material("cook-torrance"), {}, catalog());
+    ASSERT_EQ(set.slots.size(), 1u);
+    EXPECT_EQ(set.slots[0].id, catalog().find("models", "cook-torrance")->slots[0].defaultBlock);
+}
+
+TEST_F(EffectSetTest, ModelWithoutSlot_IsBlended) {
+    Material matte = material("lambert");
+    matte.fresnel = block("fresnel", "schlick");
+    EXPECT_EQ(effectSet(matte, {}, catalog()).fresnelMode, FresnelMode::Blend);
+}
+
+TEST_F(EffectSetTest, EveryEffect_HasAReason) {
+    Material glass = material("strauss");
+    glass.fresnel = block("fresnel", "schlick");
+    glass.opacity = 0.5;
+    Scene scene;
+    scene.lights = {light("point")};
+    scene.fog = block("fog", "linear");
+    scene.ambient = glm::dvec3(0.1);
+    const std::vector<EffectLine> lines = effectLines(effectSet(glass, scene, catalog()));
+    ASSERT_EQ(lines.size(), 6u);
+    for (const EffectLine& line : lines) {
+        EXPECT_TRUE(line.reason.ends_with('.')) << line.effect;
+    }
+}
+
+TEST_F(EffectSetTest, Key_StaysWhenAValueChanges) {
+    Material phong = material("phong");
+    const std::uint64_t before = EffectKey::ofMaterial(phong, catalog());
+    phong.model.parameters["shininess"] = 321.0;
+    EXPECT_EQ(EffectKey::ofMaterial(phong, catalog()), before);
+}
+
+TEST_F(EffectSetTest, Key_ChangesWithACompiledValue) {
+    Material metal = material("cook-torrance");
+    metal.model.parameters["distribution"] = std::string("beckmann");
+    const std::uint64_t before = EffectKey::ofMaterial(metal, catalog());
+    metal.model.parameters["distribution"] = std::string("ggx");
+    EXPECT_NE(EffectKey::ofMaterial(metal, catalog()), before);
+}
+
+TEST_F(EffectSetTest, Key_StaysWhenAnotherLightOfTheKindComes) {
+    Scene scene;
+    scene.lights = {light("point")};
+    EffectKey keys;
+    const std::uint64_t before = keys.ofScene(scene, catalog());
+    scene.lights.push_back(light("point"));
+    EXPECT_EQ(keys.ofScene(scene, catalog()), before);
+}
+
+} // namespace
+} // namespace patina

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/program_source.h"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
+#include "shading_scene.h"
+
+namespace patina {
+namespace {
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// An effect that a scene may call for, and the word that betrays it.
+struct Effect {
+    std::string name;
+    std::regex word;
+    void (*add)(Material& material, Scene& scene);
+};
+
+class EffectWordTest : public ShadingTest, public testing::WithParamInterface<Effect> {
+  public:
+    static BlockValues of(const std::string& kind, const std::string& id) {
+        return block(kind, id);
+    }
+    static Light lightOf(const std::string& id) { return light(id); }
+
+  protected:
+    /// Every effect but the one under test.
+    static void addOthers(Material& material, Scene& scene);
+    static bool has(const std::string& source) {
+        return std::regex_search(lower(source), GetParam().word);
+    }
+};
+
+template <int index>
+void addLight(Material&, Scene& scene) {
+    constexpr std::array names{"directional", "point", "spot", "head"};
+    scene.lights.push_back(EffectWordTest::lightOf(names[index]));
+}
+
+const std::vector<Effect>& effects() {
+    static const std::vector<Effect> all{
+        {"Fog", std::regex("fog"),
+         [](Material&, Scene& scene) { scene.fog = EffectWordTest::of("fog", "exponential"); }},
+        {"Fresnel", std::regex("fresnel"),
+         [](Material& material, Scene&) {
+             material.fresnel = EffectWordTest::of("fresnel", "schlick");
+         }},
+        {"Opacity", std::regex("opacity"),
+         [](Material& material, Scene&) { material.opacity = 0.5; }},
+        {"Ambient", std::regex("ambient"),
+         [](Material&, Scene& scene) { scene.ambient = glm::dvec3(0.1); }},
+        {"Directional", std::regex("directional"), addLight<0>},
+        {"Point", std::regex("point(light|_light)|\\bpoint\\b"), addLight<1>},
+        {"Spot", std::regex("spot"), addLight<2>},
+        {"Head", std::regex("head"), addLight<3>},
+    };
+    return all;
+}
+
+void EffectWordTest::addOthers(Material& material, Scene& scene) {
+    for (const Effect& effect : effects()) {
+        if (effect.name != GetParam().name) {
+            effect.add(material, scene);
+        }
+    }
+}
+
+TEST_P(EffectWordTest, NotInTheScene_NotInTheSource) {
+    Material lambert = material("lambert");
+    Scene scene;
+    addOthers(lambert, scene);
+    EXPECT_FALSE(has(fragment(lambert, scene)));
+}
+
+TEST_P(EffectWordTest, InTheScene_InTheSource) {
+    Material lambert = material("lambert");
+    Scene scene;
+    GetParam().add(lambert, scene);
+    EXPECT_TRUE(has(fragment(lambert, scene)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Effects, EffectWordTest, testing::ValuesIn(effects()),
+                         [](const auto& instance) { return instance.param.name; });
+
+class ProgramSourceTest : public ShadingTest {};
+
+TEST_F(ProgramSourceTest, NoLights_NoWordOfLight) {
+    EXPECT_EQ(lower(fragment(material("lambert"), {})).find("light"), std::string::npos);
+}
+
+TEST_F(ProgramSourceTest, AnotherLightOfTheKind_SameText) {
+    Scene one;
+    one.lights = {light("point")};
+    Scene two = one;
+    two.lights.push_back(light("point"));
+    EXPECT_EQ(fragment(material("phong"), one), fragment(material("phong"), two));
+}
+
+TEST_F(ProgramSourceTest, OrderOfLights_DoesNotChangeTheText) {
+    Scene scene;
+    scene.lights = {light("point"), light("head"), light("spot")};
+    const std::string before = fragment(material("phong"), scene);
+    std::reverse(scene.lights.begin(), scene.lights.end());
+    EXPECT_EQ(fragment(material("phong"), scene), before);
+}
+
+TEST_F(ProgramSourceTest, ChangedValue_SameHash) {
+    Material phong = material("phong");
+    const Scene scene;
+    const auto before = surfaceProgram(effectSet(phong, scene, catalog()), catalog());
+    phong.model.parameters["shininess"] = 7.0;
+    const auto after = surfaceProgram(effectSet(phong, scene, catalog()), catalog());
+    EXPECT_EQ(before->hash(), after->hash());
+}
+
+TEST_F(ProgramSourceTest, CompiledValue_IsADefine) {
+    Material metal = material("cook-torrance");
+    metal.model.parameters["distribution"] = std::string("ggx");
+    const std::string define =
+        "#define COMPILED_MODEL_DISTRIBUTION COOK_TORRANCE_DISTRIBUTION_GGX\n";
+    EXPECT_NE(fragment(metal, {}).find(define), std::string::npos);
+}
+
+TEST_F(ProgramSourceTest, Comments_AreLeftOut) {
+    EXPECT_EQ(fragment(material("phong"), {}).find("//"), std::string::npos);
+}
+
+TEST_F(ProgramSourceTest, MissingShaderFolder_IsAnErrorThatNamesTheFile) {
+    Catalog moved = catalog();
+    moved.roots = {{"/nowhere/shaders", true}};
+    const auto program = surfaceProgram(effectSet(material("phong"), {}, moved), moved);
+    ASSERT_FALSE(program);
+    EXPECT_NE(text(program.error()).find("/nowhere/shaders/passes/surface.vert"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace patina

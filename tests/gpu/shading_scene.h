@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "catalog/catalog.h"
+#include "scene/scene.h"
+#include "shading/program_source.h"
+
+namespace patina {
+
+/// The shipped catalogue without a context: what program text is made from.
+class ShadingTest : public testing::Test {
+  protected:
+    static const Catalog& catalog() {
+        static const Catalog loaded =
+            loadCatalog(std::array{BlockRoot{PATINA_SOURCE_DIR "/shaders", true}});
+        return loaded;
+    }
+
+    static BlockValues block(const std::string& kind, const std::string& id) {
+        BlockValues made;
+        made.id = id;
+        made.parameters = defaultValues(*catalog().find(kind, id));
+        return made;
+    }
+
+    static Light light(const std::string& kindOfLight) {
+        Light made;
+        made.name = kindOfLight;
+        made.block = block("lights", kindOfLight);
+        return made;
+    }
+
+    static Material material(const std::string& model) {
+        return defaultMaterial(*catalog().find("models", model));
+    }
+
+    static std::string fragment(const Material& material, const Scene& scene) {
+        const auto program = surfaceProgram(effectSet(material, scene, catalog()), catalog());
+        EXPECT_TRUE(program) << (program ? "" : text(program.error()));
+        return program ? program->fragment.text : std::string();
+    }
+};
+
+} // namespace patina

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Counts what the draw path asks of the heap on its own thread.
+#include <cstdlib>
+#include <new>
+
+#include "gl/framebuffer.h"
+#include "gpu_fixture.h"
+
+namespace {
+
+thread_local long allocations = 0;
+
+void* counted(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size == 0 ? 1 : size)) {
+        return memory;
+    }
+    throw std::bad_alloc();
+}
+
+} // namespace
+
+void* operator new(std::size_t size) {
+    return counted(size);
+}
+void* operator new[](std::size_t size) {
+    return counted(size);
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace patina {
+namespace {
+
+class SteadyStateTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+        color_ = gl::Texture::create({33, 33}, 0x8058 /* GL_RGBA8 */, 0x1908 /* GL_RGBA */,
+                                     0x1401 /* GL_UNSIGNED_BYTE */);
+        target_ = gl::Framebuffer::create();
+        target_.attachColor(color_);
+        source_ = meshSource();
+        scene_ = simpleScene("cook-torrance");
+        scene_.objects.push_back(object("strauss", "torus"));
+        scene_.objects[1].material.opacity = 0.5;
+        scene_.lights.push_back(light("point"));
+        scene_.lights.push_back(light("head"));
+        scene_.fog = block("fog", "exponential");
+    }
+
+    void TearDown() override {
+        color_ = gl::Texture();
+        target_ = gl::Framebuffer();
+        GpuTest::TearDown();
+    }
+
+    void draw() { renderer->draw(scene_, viewOf(scene_), source_, target_.name()); }
+
+    /// Allocations of the next frame after the working memory has been made.
+    long ofTheNextFrame() {
+        const View view = viewOf(scene_);
+        const long before = allocations;
+        renderer->draw(scene_, view, source_, target_.name());
+        return allocations - before;
+    }
+
+    Scene scene_;
+    MeshSource source_;
+    gl::Texture color_;
+    gl::Framebuffer target_;
+};
+
+TEST_F(SteadyStateTest, FirstFrame_Allocates) {
+    EXPECT_GT(ofTheNextFrame(), 0);
+}
+
+TEST_F(SteadyStateTest, ChangedParameter_AllocatesNothing) {
+    draw();
+    draw();
+    std::get<double>(scene_.objects[0].material.model.parameters["roughness"]) = 0.77;
+    EXPECT_EQ(ofTheNextFrame(), 0);
+}
+
+TEST_F(SteadyStateTest, MovedCamera_AllocatesNothing) {
+    draw();
+    draw();
+    scene_.camera.yaw += 10.0;
+    EXPECT_EQ(ofTheNextFrame(), 0);
+}
+
+TEST_F(SteadyStateTest, ChangedLight_AllocatesNothing) {
+    draw();
+    draw();
+    std::get<double>(scene_.lights[0].block.parameters["intensity"]) = 2.0;
+    EXPECT_EQ(ofTheNextFrame(), 0);
+}
+
+} // namespace
+} // namespace patina
