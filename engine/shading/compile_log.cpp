@@ -27,13 +27,13 @@ std::optional<Error> errorOf(const std::string& line, const ShaderSource& source
     std::smatch match;
     for (const std::regex& form : forms()) {
         if (std::regex_match(line, match, form)) {
-            const int line = number(match[2]);
-            const bool says = line >= ShaderSource::linesPerFile;
-            const auto index = static_cast<std::size_t>(says ? line / ShaderSource::linesPerFile
+            const int place = number(match[2]);
+            const bool says = place >= ShaderSource::linesPerFile;
+            const auto index = static_cast<std::size_t>(says ? place / ShaderSource::linesPerFile
                                                              : number(match[1]));
             const bool known = index < source.files.size();
             return Error{known ? source.files[index] : source.files.front(),
-                         line % ShaderSource::linesPerFile,
+                         place % ShaderSource::linesPerFile,
                          number(match[3]),
                          match[4],
                          {}};

@@ -156,6 +156,7 @@ TEST_F(RendererTest, EveryModelOnEveryMesh_IsFiniteAndNotBlack) {
             Scene scene = simpleScene(model->id);
             scene.objects[0].mesh = "builtin:" + name;
             scene.camera.pitch = 20.0;
+            scene.lights = {sun({0.0, -0.5, -1.0})};
             const Image image = capture(scene);
             EXPECT_TRUE(isLight(image)) << model->id << " on " << name;
             EXPECT_GT(middle(image).r, 0.0f) << model->id << " on " << name;
