@@ -7,8 +7,8 @@
 namespace patina {
 
 /// Text for the driver that knows where its parts came from. `#line N S` says that what follows
-/// comes from files[S]; N is the line in that file plus S * linesPerFile, because Mesa forgets S for
-/// errors inside expressions. files[0] is "generated", whose lines are those of `text` itself.
+/// comes from files[S]; N is the line in that file plus S * linesPerFile, because Mesa forgets S
+/// for errors inside expressions. files[0] is "generated": its lines are those of `text` itself.
 struct ShaderSource {
     static constexpr int linesPerFile = 100000;
 
