@@ -122,15 +122,15 @@ Result<FileServer::Answer> FileServer::readMesh(const Message& request) {
         const MeshBlock mesh = MeshBlock::format(block->bytes(), vertices, indices);
         return MeshSpans{mesh.vertices, mesh.indices};
     };
-    auto remarks = patina::readMesh(request.texts[0], options, storage, Reporter(channel_));
-    if (!remarks) {
-        return tl::unexpected(remarks.error());
+    auto reading = patina::readMesh(request.texts[0], options, storage, Reporter(channel_));
+    if (!reading) {
+        return tl::unexpected(reading.error());
     }
     auto handle = SharedBlock::seal(std::move(*block));
     if (!handle) {
         return tl::unexpected(handle.error());
     }
-    return Answer{std::move(*remarks), std::move(*handle)};
+    return Answer{std::move(reading->remarks), std::move(*handle), std::move(reading->leftovers)};
 }
 
 Result<FileServer::Answer> FileServer::readImage(const Message& request) {
@@ -149,7 +149,7 @@ Result<FileServer::Answer> FileServer::readImage(const Message& request) {
     }
     ImageBlock::write(block->bytes(), *image);
     return SharedBlock::seal(std::move(*block)).map([](FileHandle handle) {
-        return Answer{{}, std::move(handle)};
+        return Answer{{}, std::move(handle), {}};
     });
 }
 
@@ -188,7 +188,7 @@ Result<FileServer::Answer> FileServer::encodeImage(const Channel::Delivery& requ
     }
     TextBlock::write(block->bytes(), *bytes);
     return SharedBlock::seal(std::move(*block)).map([](FileHandle handle) {
-        return Answer{{}, std::move(handle)};
+        return Answer{{}, std::move(handle), {}};
     });
 }
 

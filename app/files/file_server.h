@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <string>
+
 #include "assets/channel.h"
 #include "assets/shared_block.h"
 #include "core/error.h"
@@ -21,6 +24,7 @@ class FileServer {
     struct Answer {
         std::string remarks;
         FileHandle block;
+        std::shared_ptr<void> leftovers; ///< freed only when the client has its answer
     };
 
     Result<Answer> answer(const Channel::Delivery& request);

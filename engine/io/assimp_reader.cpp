@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <string>
 
 #include <assimp/Importer.hpp>
@@ -137,17 +138,20 @@ Error unreadable(const std::filesystem::path& file, std::string why) {
 } // namespace
 
 Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportProgress& report) {
-    Assimp::Importer importer;
-    if (!importer.IsExtensionSupported(file.extension().string())) {
+    const auto importer = std::make_shared<Assimp::Importer>();
+    if (!importer->IsExtensionSupported(file.extension().string())) {
         return tl::unexpected(Error{file.string(), 0, 0, "is not in a mesh format known here",
                                     ".obj, .gltf, .glb, .ply, .stl, .fbx, .dae, .3ds or the like"});
     }
-    importer.SetProgressHandler(new Reporter(report)); // the importer deletes it
-    const aiScene* const scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+    Reporter reporter(report);
+    importer->SetProgressHandler(&reporter);
+    const aiScene* const scene = importer->ReadFile(file.string(), aiProcess_Triangulate);
+    importer->SetProgressHandler(nullptr); // else it would delete it
     if (scene == nullptr) {
-        return tl::unexpected(unreadable(file, importer.GetErrorString()));
+        return tl::unexpected(unreadable(file, importer->GetErrorString()));
     }
     RawMesh mesh;
+    mesh.leftovers = importer;
     if (scene->mRootNode != nullptr &&
         !appendNode(mesh, *scene, *scene->mRootNode, glm::dmat4(1.0), 0)) {
         return tl::unexpected(unreadable(file, "it is too large or nested too deeply"));

@@ -41,14 +41,17 @@ Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportPro
 
 } // namespace
 
-Result<std::string> readMesh(const std::filesystem::path& file, const MeshOptions& options,
+Result<MeshReading> readMesh(const std::filesystem::path& file, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report) {
     const ReportProgress reading = [&](double done) { report(shareOfReading * done); };
+    std::shared_ptr<void> leftovers;
     return readTriangles(file, reading)
         .and_then([&](RawMesh mesh) {
             report(shareOfReading);
+            leftovers = std::move(mesh.leftovers);
             return finishMesh(std::move(mesh), options, storage);
         })
+        .map([&](std::string remarks) { return MeshReading{std::move(remarks), leftovers}; })
         .map_error([&](Error error) {
             error.file = file.string();
             return error;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "core/error.h"
@@ -11,11 +12,16 @@
 
 namespace patina {
 
+/// What there is besides the mesh itself.
+struct MeshReading {
+    std::string remarks;             ///< what had to be repaired; empty when nothing
+    std::shared_ptr<void> leftovers; ///< freeing it may take a while: hand on the mesh first
+};
+
 /// Reads every triangle of a mesh file (glTF and GLB through tinygltf, all else through Assimp)
 /// into the storage: node transforms applied, triangles without area left out, normals and
-/// tangents completed, vertices joined and ordered for the GPU's caches. Gives a sentence on what
-/// had to be repaired, empty when nothing. Errors name the file; may throw std::bad_alloc.
-Result<std::string> readMesh(const std::filesystem::path& file, const MeshOptions& options,
+/// tangents completed, vertices joined and ordered for the GPU's caches. Errors name the file; may throw std::bad_alloc.
+Result<MeshReading> readMesh(const std::filesystem::path& file, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report);
 
 } // namespace patina

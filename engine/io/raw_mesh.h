@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -21,6 +22,7 @@ struct RawMesh {
     std::vector<glm::vec2> uvs;
     std::vector<std::uint32_t> indices; ///< three per triangle, each below positions.size()
     std::size_t pointsAndLines = 0;     ///< what the file has besides triangles
+    std::shared_ptr<void> leftovers;    ///< what the reader holds; freeing it may take a while
 
     /// Moves the vertices from `first` on, and the triangles from `firstIndex` on, by an affine
     /// transform. A mirroring one reverses the winding.

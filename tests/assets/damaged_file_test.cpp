@@ -34,7 +34,8 @@ class DamagedMesh : public testing::TestWithParam<Sample> {
         const auto mesh = client_.loadMesh({file});
         if (!mesh) {
             EXPECT_EQ(mesh.error().file, file.string());
-            EXPECT_EQ(mesh.error().problem.find("seconds"), std::string::npos) << mesh.error().text();
+            EXPECT_EQ(mesh.error().problem.find("seconds"), std::string::npos)
+                << mesh.error().text();
         }
     }
 

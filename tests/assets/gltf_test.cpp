@@ -171,7 +171,8 @@ TEST(Gltf, SparseAccessorWithoutBase_StartsFromZero) {
 
 TEST(Gltf, QuantisedAndNormalised_IsScaledIntoUnitRange) {
     GlbWriter glb = squareGlb();
-    const std::vector<std::int8_t> quantised{0, 0, 0, 0, 127, 0, 0, 0, 127, 127, 0, 0, 0, 127, 0, 0};
+    const std::vector<std::int8_t> quantised{0,   0,   0, 0, 127, 0,   0, 0,
+                                             127, 127, 0, 0, 0,   127, 0, 0};
     const int view = glb.addView(quantised);
     glb.document["bufferViews"][std::size_t(view)]["byteStride"] = 4;
     const int accessor = glb.addAccessor(view, byteType, "VEC3", 4);
@@ -183,7 +184,8 @@ TEST(Gltf, QuantisedAndNormalised_IsScaledIntoUnitRange) {
 
 TEST(Gltf, QuantisedIntegers_AreTakenAsTheyAre) {
     GlbWriter glb = squareGlb();
-    const std::vector<std::uint16_t> quantised{0, 0, 0, 0, 700, 0, 0, 0, 700, 700, 0, 0, 0, 700, 0, 0};
+    const std::vector<std::uint16_t> quantised{0,   0,   0, 0, 700, 0,   0, 0,
+                                               700, 700, 0, 0, 0,   700, 0, 0};
     const int view = glb.addView(quantised);
     glb.document["bufferViews"][std::size_t(view)]["byteStride"] = 8;
     glb.primitive()["attributes"]["POSITION"] =
