@@ -43,6 +43,8 @@ class Document : public QObject {
     const Scene& scene(Side side) const;
     /// The current object's material of that side; null when there is none.
     const Material* material(Side side) const;
+    /// What a scene file of this document holds: the scene, and side B in its extras.
+    Scene sceneToSave() const;
     bool isComparing() const { return state_.second.has_value(); }
     const Catalog& catalog() const { return *catalog_; }
     std::shared_ptr<const Catalog> sharedCatalog() const { return catalog_; }

@@ -132,6 +132,10 @@ bool Document::applyPreset(const std::filesystem::path& path, Side side) {
     return true;
 }
 
+Scene Document::sceneToSave() const {
+    return withSecond(state_.scene, state_.second);
+}
+
 bool Document::mayOverwrite(const std::filesystem::path& path) {
     if (file_.readOnly && path == file_.path) {
         Q_EMIT message({path.string(), 0, 0, "the file was written by a newer version of Patina",
@@ -145,7 +149,7 @@ bool Document::saveScene(const std::filesystem::path& path) {
     if (!mayOverwrite(path)) {
         return false;
     }
-    const Result<void> written = writeScene(path, withSecond(state_.scene, state_.second));
+    const Result<void> written = writeScene(path, sceneToSave());
     if (!written) {
         Q_EMIT message(written.error());
         return false;

@@ -28,6 +28,9 @@ class FrameTimer {
     void begin();
     void end();
 
+    /// Takes in the times that have become known since, without waiting.
+    void collect();
+
     /// Of the newest frame whose time is known; 0 before the first.
     double milliseconds() const { return milliseconds_; }
 
@@ -44,8 +47,6 @@ class FrameTimer {
         gl::TimeQuery query = gl::TimeQuery::create();
         bool started = false;
     };
-
-    void collect();
 
     Method method_;
     std::array<Running, inFlight> queries_;

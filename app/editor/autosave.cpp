@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "autosave.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLockFile>
+
+#include "scene/scene_file.h"
+
+namespace patina {
+namespace {
+
+constexpr int defaultQuietMs = 2000;
+constexpr int defaultLongestMs = 15000;
+const QString sceneSuffix = QStringLiteral(".patina-scene.json");
+
+std::filesystem::path withEnding(const std::filesystem::path& stem, const char* ending) {
+    return stem.string() + ending;
+}
+
+std::filesystem::path sceneOf(const std::filesystem::path& stem) {
+    return withEnding(stem, ".patina-scene.json");
+}
+
+std::filesystem::path originOf(const std::filesystem::path& stem) {
+    return withEnding(stem, ".origin");
+}
+
+QString lockOf(const std::filesystem::path& stem) {
+    return QString::fromStdString(withEnding(stem, ".lock").string());
+}
+
+std::filesystem::path stemOf(const std::filesystem::path& scene) {
+    return scene.string().substr(0, scene.string().size() - std::size_t(sceneSuffix.size()));
+}
+
+/// A program that still runs holds its lock.
+bool isAbandoned(const std::filesystem::path& stem) {
+    QLockFile lock(lockOf(stem));
+    lock.setStaleLockTime(0);
+    return lock.tryLock(0);
+}
+
+QString read(const std::filesystem::path& path) {
+    QFile file(QString::fromStdString(path.string()));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+Result<void> write(const std::filesystem::path& stem, const Scene& scene, const std::string& file) {
+    const Result<void> origin = writeFileAtomically(originOf(stem), file);
+    return origin ? writeScene(sceneOf(stem), scene) : origin;
+}
+
+} // namespace
+
+Autosave::Autosave(Document& document, std::filesystem::path folder, QObject* parent)
+    : QObject(parent), document_(document), folder_(std::move(folder)) {
+    worker_.setMaxThreadCount(1);
+    worker_.setExpiryTimeout(1000);
+    quiet_.setSingleShot(true);
+    longest_.setSingleShot(true);
+    setIntervals(defaultQuietMs, defaultLongestMs);
+    connect(&quiet_, &QTimer::timeout, this, &Autosave::save);
+    connect(&longest_, &QTimer::timeout, this, &Autosave::save);
+    connect(&document, &Document::changed, this, &Autosave::schedule);
+}
+
+Autosave::~Autosave() {
+    worker_.waitForDone();
+}
+
+void Autosave::setIntervals(int quietMs, int longestMs) {
+    quiet_.setInterval(quietMs);
+    longest_.setInterval(longestMs);
+}
+
+void Autosave::adopt(const Recovery& recovery) {
+    if (takeStem()) {
+        std::error_code ignored; // it stays where it is and is offered again
+        std::filesystem::rename(recovery.scene, sceneOf(stem_), ignored);
+        std::filesystem::rename(originOf(stemOf(recovery.scene)), originOf(stem_), ignored);
+    }
+}
+
+void Autosave::discard() {
+    quiet_.stop();
+    longest_.stop();
+    worker_.waitForDone();
+    if (lock_) {
+        remove({sceneOf(stem_), {}, {}});
+        lock_.reset();
+    }
+}
+
+void Autosave::schedule() {
+    if (!document_.isModified()) {
+        return;
+    }
+    quiet_.start();
+    if (!longest_.isActive()) {
+        longest_.start();
+    }
+}
+
+void Autosave::save() {
+    quiet_.stop();
+    longest_.stop();
+    if (!document_.isModified()) {
+        return;
+    }
+    if (!takeStem()) {
+        Q_EMIT failed({folder_.string(), 0, 0, "unsaved work cannot be kept safe here",
+                       "a folder that can be written to"});
+        return;
+    }
+    worker_.start([this, stem = stem_, scene = document_.sceneToSave(),
+                   file = document_.file().path.string()] {
+        if (const Result<void> written = write(stem, scene, file); !written) {
+            Q_EMIT failed(written.error());
+        }
+    });
+}
+
+/// A name of its own for this program's copy, locked while the program runs.
+bool Autosave::takeStem() {
+    if (lock_) {
+        return true;
+    }
+    const QString name = QStringLiteral("%1-%2")
+                             .arg(QDateTime::currentMSecsSinceEpoch())
+                             .arg(QCoreApplication::applicationPid());
+    stem_ = folder_ / name.toStdString();
+    auto lock = std::make_unique<QLockFile>(lockOf(stem_));
+    lock->setStaleLockTime(0);
+    if (!QDir().mkpath(QString::fromStdString(folder_.string())) || !lock->tryLock(0)) {
+        return false;
+    }
+    lock_ = std::move(lock);
+    return true;
+}
+
+std::vector<Recovery> Autosave::found(const std::filesystem::path& folder) {
+    std::vector<Recovery> recoveries;
+    const QDir dir(QString::fromStdString(folder.string()));
+    for (const QFileInfo& file : dir.entryInfoList({"*" + sceneSuffix}, QDir::Files, QDir::Time)) {
+        const std::filesystem::path scene = file.absoluteFilePath().toStdString();
+        if (isAbandoned(stemOf(scene))) {
+            recoveries.push_back({scene, read(originOf(stemOf(scene))), file.lastModified()});
+        }
+    }
+    return recoveries;
+}
+
+void Autosave::remove(const Recovery& recovery) {
+    std::error_code ignored; // it is gone already
+    std::filesystem::remove(recovery.scene, ignored);
+    std::filesystem::remove(originOf(stemOf(recovery.scene)), ignored);
+}
+
+} // namespace patina

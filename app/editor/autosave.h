@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <QDateTime>
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+
+#include "document.h"
+
+class QLockFile;
+
+namespace patina {
+
+/// Work that a program which is gone had not saved.
+struct Recovery {
+    std::filesystem::path scene;
+    QString original; ///< the file it was opened from or saved to last; may be empty
+    QDateTime saved;
+};
+
+/// Keeps a copy of unsaved work on disk, a few seconds behind, so that not even a kill loses it.
+/// A lock beside each copy tells whether its program still runs.
+class Autosave : public QObject {
+    Q_OBJECT
+
+  public:
+    Autosave(Document& document, std::filesystem::path folder, QObject* parent = nullptr);
+    ~Autosave() override;
+
+    /// How long after the last change, and how long after the first one at most.
+    void setIntervals(int quietMs, int longestMs);
+
+    /// Makes what was recovered this program's copy.
+    void adopt(const Recovery& recovery);
+
+    /// Removes the copy: the work is saved, or was given up on purpose.
+    void discard();
+
+    /// What can be recovered, newest first.
+    static std::vector<Recovery> found(const std::filesystem::path& folder);
+    static void remove(const Recovery& recovery);
+
+  Q_SIGNALS:
+    void failed(patina::Error why);
+
+  private:
+    void schedule();
+    void save();
+    bool takeStem();
+
+    Document& document_;
+    std::filesystem::path folder_;
+    std::filesystem::path stem_;
+    std::unique_ptr<QLockFile> lock_;
+    QTimer quiet_;
+    QTimer longest_;
+    QThreadPool worker_;
+};
+
+} // namespace patina

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QComboBox>
+
+#include "document.h"
+
+namespace patina {
+
+/// A list of all blocks of one kind, with "Off" on top where there may be none. It shows what the
+/// document has and asks for another one; it changes nothing itself.
+class BlockChooser : public QComboBox {
+    Q_OBJECT
+
+  public:
+    enum class Off { Offered, Absent };
+
+    BlockChooser(Document& document, const QString& kind, Off off, QWidget* parent = nullptr);
+
+    /// The id of the block in use; empty for none.
+    void show(const QString& id);
+
+  Q_SIGNALS:
+    void chosen(QString id);
+
+  private:
+    void fill();
+
+    Document& document_;
+    QString kind_;
+    Off off_;
+    QString shown_;
+};
+
+/// What hovering over a block says: its summary and what it is good for.
+QString blockToolTip(const Block& block);
+
+} // namespace patina

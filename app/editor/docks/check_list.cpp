@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/check_list.h"
+
+#include <algorithm>
+
+#include <QKeyEvent>
+#include <QSignalBlocker>
+
+namespace patina {
+namespace {
+
+constexpr int fewestRows = 3;
+constexpr int mostRows = 6;
+
+} // namespace
+
+CheckList::CheckList(QWidget* parent) : QListWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setUniformItemSizes(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    connect(this, &QListWidget::currentRowChanged, this, &CheckList::chosen);
+    connect(this, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        const int index = row(item);
+        const Row before = rows_[static_cast<std::size_t>(index)];
+        const bool on = item->checkState() == Qt::Checked;
+        if (on != before.on) {
+            Q_EMIT switched(index, on);
+        } else if (item->text() != before.name) {
+            Q_EMIT renamed(index, item->text().trimmed());
+        }
+    });
+}
+
+void CheckList::setRows(const std::vector<Row>& rows, int current) {
+    const QSignalBlocker quiet(this);
+    if (rows != rows_ || count() != static_cast<int>(rows.size())) {
+        rows_ = rows;
+        clear();
+        for (const Row& row : rows) {
+            auto* item = new QListWidgetItem(row.name, this);
+            item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+            item->setCheckState(row.on ? Qt::Checked : Qt::Unchecked);
+            item->setToolTip(row.detail);
+        }
+        updateGeometry();
+    }
+    setCurrentRow(current);
+}
+
+void CheckList::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Delete && currentRow() >= 0) {
+        Q_EMIT removeWished(currentRow());
+        return;
+    }
+    QListWidget::keyPressEvent(event);
+}
+
+QSize CheckList::sizeHint() const {
+    const int rowHeight = count() > 0 ? sizeHintForRow(0) : fontMetrics().lineSpacing() + 4;
+    const int rows = std::clamp(count(), fewestRows, mostRows);
+    return {160, rows * rowHeight + 2 * frameWidth()};
+}
+
+} // namespace patina

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace patina {
+
+class Document;
+class FileActions;
+class MessageLog;
+class PresetLibrary;
+class ThumbnailMaker;
+
+/// What docks are made from. Everything in it outlives them.
+struct DockContext {
+    Document& document;
+    FileActions& files;
+    MessageLog& messages;
+    PresetLibrary& presets;
+    ThumbnailMaker& thumbnails;
+};
+
+} // namespace patina

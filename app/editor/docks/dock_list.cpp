@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/dock_list.h"
+
+#include <QCoreApplication>
+
+#include "docks/fog_dock.h"
+#include "docks/fresnel_dock.h"
+#include "docks/lights_dock.h"
+#include "docks/messages_dock.h"
+#include "docks/model_dock.h"
+#include "docks/opacity_dock.h"
+#include "docks/parameters_dock.h"
+#include "docks/presets_dock.h"
+#include "docks/scene_dock.h"
+
+namespace patina {
+namespace {
+
+template <class Widget>
+QWidget* make(const DockContext& context) {
+    return new Widget(context);
+}
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Docks", text);
+}
+
+} // namespace
+
+std::vector<DockEntry> dockList() {
+    return {
+        {"models", tr("Model"), DockPlace::LeftTop, make<ModelDock>},
+        {"presets", tr("Presets"), DockPlace::LeftBottom, make<PresetsDock>},
+        {"parameters", tr("Parameters"), DockPlace::RightTop, make<ParametersDock>},
+        {"fresnel", tr("Fresnel"), DockPlace::RightTop, make<FresnelDock>},
+        {"opacity", tr("Opacity"), DockPlace::RightTop, make<OpacityDock>},
+        {"lights", tr("Lights"), DockPlace::RightBottom, make<LightsDock>},
+        {"fog", tr("Fog"), DockPlace::RightBottom, make<FogDock>},
+        {"scene", tr("Scene"), DockPlace::RightBottom, make<SceneDock>},
+        {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},
+    };
+}
+
+} // namespace patina

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QString>
+
+#include "docks/dock_context.h"
+
+class QWidget;
+
+namespace patina {
+
+/// Where a dock stands in the layout of a first start. Docks of one place are tabs.
+enum class DockPlace { LeftTop, LeftBottom, RightTop, RightBottom, Bottom };
+
+/// One dock: its name in saved layouts, its title, its place, and how its widget is made, which
+/// happens when it is first seen.
+struct DockEntry {
+    QString name;
+    QString title;
+    DockPlace place;
+    std::function<QWidget*(const DockContext&)> make;
+};
+
+/// Every dock there is, in the order of the View menu.
+std::vector<DockEntry> dockList();
+
+} // namespace patina

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/fresnel_dock.h"
+
+#include <QLabel>
+
+#include "docks/block_chooser.h"
+#include "parameters/document_form.h"
+#include "docks/panel.h"
+
+namespace patina {
+
+FresnelDock::FresnelDock(const DockContext& context)
+    : document_(context.document),
+      chooser_(new BlockChooser(document_, "fresnel", BlockChooser::Off::Offered, this)),
+      hint_(hintLabel(this)) {
+    chooser_->setAccessibleName(tr("Kind of Fresnel term"));
+    fillPanel(this, {labelled(tr("&Kind"), chooser_), hint_},
+              new DocumentForm(document_, BlockPath::Part::Fresnel));
+    connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setFresnel(document_.activeSide(), id.toStdString());
+    });
+    connect(&document_, &Document::materialChanged, this, &FresnelDock::update);
+    connect(&document_, &Document::currentChanged, this, &FresnelDock::update);
+    connect(&document_, &Document::sceneReplaced, this, &FresnelDock::update);
+    update();
+}
+
+void FresnelDock::update() {
+    const Material* material = document_.material(document_.activeSide());
+    const bool on = material && material->fresnel.has_value();
+    chooser_->setEnabled(material != nullptr);
+    chooser_->show(on ? QString::fromStdString(material->fresnel->id) : QString());
+    const Block* model = material ? document_.catalog().find("models", material->model.id) : nullptr;
+    const bool hasSlot = model && model->slot("fresnel");
+    hint_->setText(hasSlot ? tr("The model uses it for its highlight.")
+                           : tr("Blends the shaded colour towards its tint at grazing angles."));
+}
+
+} // namespace patina

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+
+#include "docks/dock_list.h"
+
+namespace patina {
+
+/// A dock whose widget is made when it is first seen, so that tabs nobody opens cost nothing.
+class LazyDock : public QDockWidget {
+    Q_OBJECT
+
+  public:
+    LazyDock(DockEntry entry, const DockContext& context, QWidget* parent);
+
+    /// Makes the widget now.
+    void build();
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    DockEntry entry_;
+    DockContext context_;
+};
+
+} // namespace patina

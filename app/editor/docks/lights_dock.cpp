@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/lights_dock.h"
+
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+
+#include "docks/block_chooser.h"
+#include "docks/check_list.h"
+#include "parameters/document_form.h"
+#include "docks/panel.h"
+
+namespace patina {
+
+LightsDock::LightsDock(const DockContext& context)
+    : document_(context.document), list_(new CheckList(this)),
+      add_(textButton(tr("Add"), tr("Add a light"), this)),
+      remove_(textButton(tr("Remove"), tr("Remove the chosen light (Del)"), this)),
+      kinds_(new QMenu(this)),
+      kind_(new BlockChooser(document_, "lights", BlockChooser::Off::Absent, this)) {
+    add_->setMenu(kinds_);
+    add_->setPopupMode(QToolButton::InstantPopup);
+    kind_->setToolTip(tr("Kind of the chosen light"));
+    kind_->setAccessibleName(tr("Kind of light"));
+    list_->setAccessibleName(tr("Lights"));
+    fillPanel(this, {list_, rowOf({kind_, add_, remove_})},
+              new DocumentForm(document_, BlockPath::Part::Light));
+    connectList();
+    connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);
+    connect(kind_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setLightKind(document_.currentLight(), id.toStdString());
+    });
+    connect(remove_, &QToolButton::clicked, this,
+            [this] { document_.removeLight(document_.currentLight()); });
+    connect(&document_, &Document::lightsChanged, this, &LightsDock::update);
+    connect(&document_, &Document::currentChanged, this, &LightsDock::update);
+    connect(&document_, &Document::sceneReplaced, this, &LightsDock::update);
+    update();
+}
+
+void LightsDock::connectList() {
+    connect(list_, &CheckList::chosen, this, [this](int row) { document_.setCurrentLight(row); });
+    connect(list_, &CheckList::switched, this, &LightsDock::switchLight, Qt::QueuedConnection);
+    connect(list_, &CheckList::renamed, this, &LightsDock::renameLight, Qt::QueuedConnection);
+    connect(list_, &CheckList::removeWished, this, [this](int row) { document_.removeLight(row); });
+}
+
+void LightsDock::fillMenu() {
+    kinds_->clear();
+    kinds_->setToolTipsVisible(true);
+    for (const Block* light : document_.catalog().ofKind("lights")) {
+        const std::string id = light->id;
+        QAction* action = kinds_->addAction(QString::fromStdString(light->label));
+        action->setToolTip(blockToolTip(*light));
+        connect(action, &QAction::triggered, this, [this, id] {
+            document_.addLight(id);
+            document_.setCurrentLight(static_cast<int>(document_.scene().lights.size()) - 1);
+        });
+    }
+}
+
+void LightsDock::update() {
+    std::vector<CheckList::Row> rows;
+    for (const Light& light : document_.scene().lights) {
+        const Block* block = document_.catalog().find("lights", light.block.id);
+        const QString kind = QString::fromStdString(block ? block->label : light.block.id);
+        rows.push_back({light.name.empty() ? kind : QString::fromStdString(light.name), kind,
+                        light.enabled});
+    }
+    const int current = document_.currentLight();
+    list_->setRows(rows, current);
+    const bool any = current >= 0;
+    kind_->setEnabled(any);
+    remove_->setEnabled(any);
+    const auto& lights = document_.scene().lights;
+    kind_->show(any ? QString::fromStdString(lights[static_cast<std::size_t>(current)].block.id)
+                    : QString());
+}
+
+void LightsDock::switchLight(int index, bool on) {
+    Light light = document_.scene().lights.at(static_cast<std::size_t>(index));
+    light.enabled = on;
+    document_.setLight(index, light);
+}
+
+void LightsDock::renameLight(int index, const QString& name) {
+    Light light = document_.scene().lights.at(static_cast<std::size_t>(index));
+    light.name = name.toStdString();
+    document_.setLight(index, light);
+}
+
+} // namespace patina

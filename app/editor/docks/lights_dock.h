@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "docks/dock_context.h"
+
+class QMenu;
+class QToolButton;
+
+namespace patina {
+
+class BlockChooser;
+class CheckList;
+
+/// The scene's lights: add any kind, switch, rename, remove, and edit the chosen one.
+class LightsDock : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit LightsDock(const DockContext& context);
+
+  private:
+    void connectList();
+    void fillMenu();
+    void update();
+    void switchLight(int index, bool on);
+    void renameLight(int index, const QString& name);
+
+    Document& document_;
+    CheckList* list_;
+    QToolButton* add_;
+    QToolButton* remove_;
+    QMenu* kinds_;
+    BlockChooser* kind_;
+};
+
+} // namespace patina

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/model_dock.h"
+
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "docks/block_chooser.h"
+#include "docks/picture_grid.h"
+#include "document.h"
+#include "library/thumbnail_maker.h"
+
+namespace patina {
+namespace {
+
+constexpr int pictureSize = 72;
+const QString pictureGroup = QStringLiteral("model/");
+
+} // namespace
+
+ModelDock::ModelDock(const DockContext& context)
+    : document_(context.document), thumbnails_(context.thumbnails),
+      grid_(new PictureGrid(pictureSize, this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(grid_);
+    grid_->setAccessibleName(tr("Lighting models"));
+    connect(grid_, &QListWidget::itemClicked, this,
+            [this](QListWidgetItem* item) { choose(grid_->keyOf(item)); });
+    connect(grid_, &QListWidget::itemActivated, this,
+            [this](QListWidgetItem* item) { choose(grid_->keyOf(item)); });
+    connect(&thumbnails_, &ThumbnailMaker::ready, this,
+            [this](const QString& name, const QImage& picture) {
+                if (name.startsWith(pictureGroup)) {
+                    grid_->setPicture(name.mid(pictureGroup.size()), picture);
+                }
+            });
+    connect(&document_, &Document::catalogChanged, this, &ModelDock::fill);
+    connect(&document_, &Document::materialChanged, this, &ModelDock::showCurrent);
+    connect(&document_, &Document::currentChanged, this, &ModelDock::showCurrent);
+    connect(&document_, &Document::sceneReplaced, this, &ModelDock::showCurrent);
+    fill();
+}
+
+void ModelDock::fill() {
+    std::vector<PictureGrid::Entry> entries;
+    for (const Block* model : document_.catalog().ofKind("models")) {
+        const QString id = QString::fromStdString(model->id);
+        entries.push_back({id, QString::fromStdString(model->label), blockToolTip(*model), {}});
+        thumbnails_.ask(pictureGroup + id, defaultMaterial(*model));
+    }
+    grid_->setEntries(entries);
+    showCurrent();
+}
+
+void ModelDock::showCurrent() {
+    const Material* material = document_.material(document_.activeSide());
+    const QSignalBlocker quiet(grid_);
+    grid_->setCurrentItem(
+        material ? grid_->find(QString::fromStdString(material->model.id)) : nullptr);
+    grid_->setEnabled(material != nullptr);
+}
+
+void ModelDock::choose(const QString& id) {
+    const Material* material = document_.material(document_.activeSide());
+    if (material && material->model.id != id.toStdString()) {
+        document_.setModel(document_.activeSide(), id.toStdString());
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "docks/dock_context.h"
+
+namespace patina {
+
+class PictureGrid;
+
+/// All lighting models with a picture each; clicking one gives it to the active material.
+class ModelDock : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ModelDock(const DockContext& context);
+
+  private:
+    void fill();
+    void showCurrent();
+    void choose(const QString& id);
+
+    Document& document_;
+    ThumbnailMaker& thumbnails_;
+    PictureGrid* grid_;
+};
+
+} // namespace patina

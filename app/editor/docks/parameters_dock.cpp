@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/parameters_dock.h"
+
+#include <QGroupBox>
+#include <QVBoxLayout>
+
+#include "parameters/document_form.h"
+#include "docks/panel.h"
+
+namespace patina {
+
+ParametersDock::ParametersDock(const DockContext& context)
+    : document_(context.document), accuracy_(new QGroupBox(tr("Accuracy"))) {
+    accuracy_->setToolTip(tr("The same look, computed exactly or more cheaply"));
+    auto* inside = new QVBoxLayout(accuracy_);
+    inside->addWidget(new DocumentForm(document_, BlockPath::Part::Accuracy));
+    auto* both = new QWidget;
+    auto* layout = new QVBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Model));
+    layout->addWidget(accuracy_);
+    fillPanel(this, {}, both);
+    connect(&document_, &Document::materialChanged, this, &ParametersDock::update);
+    connect(&document_, &Document::currentChanged, this, &ParametersDock::update);
+    connect(&document_, &Document::sceneReplaced, this, &ParametersDock::update);
+    connect(&document_, &Document::catalogChanged, this, &ParametersDock::update);
+    update();
+}
+
+void ParametersDock::update() {
+    const Block* choices = document_.block(document_.currentPath(BlockPath::Part::Accuracy));
+    accuracy_->setVisible(choices && !choices->parameters.empty());
+}
+
+} // namespace patina

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/picture_grid.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QMimeData>
+#include <QPainter>
+#include <QScrollBar>
+#include <QUrl>
+
+namespace patina {
+namespace {
+
+constexpr int keyRole = Qt::UserRole;
+constexpr int fileRole = Qt::UserRole + 1;
+constexpr int spaceBeside = 14;
+
+/// A picture with soft corners at the screen's own resolution.
+QIcon rounded(const QImage& picture) {
+    QPixmap rounded(picture.size());
+    rounded.fill(Qt::transparent);
+    QPainter painter(&rounded);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(QBrush(picture));
+    painter.setPen(Qt::NoPen);
+    const double radius = 0.07 * picture.width();
+    painter.drawRoundedRect(rounded.rect(), radius, radius);
+    painter.end();
+    QIcon icon(rounded);
+    icon.addPixmap(rounded, QIcon::Selected); // not tinted when it is chosen
+    return icon;
+}
+
+} // namespace
+
+PictureGrid::PictureGrid(int pictureSize, QWidget* parent)
+    : QListWidget(parent), pictureSize_(pictureSize) {
+    setViewMode(QListView::IconMode);
+    setMovement(QListView::Static);
+    setResizeMode(QListView::Adjust);
+    setUniformItemSizes(true);
+    setWordWrap(true);
+    setTextElideMode(Qt::ElideRight);
+    setIconSize({pictureSize, pictureSize});
+    setFrameShape(QFrame::NoFrame);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setDragEnabled(true);
+    setDragDropMode(QAbstractItemView::DragOnly);
+}
+
+void PictureGrid::setEntries(const std::vector<Entry>& entries) {
+    const QString current = keyOf(currentItem());
+    clear();
+    for (const Entry& entry : entries) {
+        auto* item = new QListWidgetItem(entry.name, this);
+        item->setData(keyRole, entry.key);
+        item->setData(fileRole, entry.file);
+        item->setToolTip(entry.toolTip);
+        item->setIcon(pictures_.value(entry.key, QIcon(emptyPicture())));
+        if (entry.file.isEmpty()) {
+            item->setFlags(item->flags() & ~Qt::ItemIsDragEnabled);
+        }
+    }
+    if (QListWidgetItem* same = find(current)) {
+        setCurrentItem(same);
+    }
+    fitColumns();
+}
+
+void PictureGrid::setPicture(const QString& key, const QImage& picture) {
+    pictures_[key] = rounded(picture);
+    if (QListWidgetItem* item = find(key)) {
+        item->setIcon(pictures_[key]);
+    }
+}
+
+QString PictureGrid::keyOf(const QListWidgetItem* item) const {
+    return item ? item->data(keyRole).toString() : QString();
+}
+
+QString PictureGrid::fileOf(const QListWidgetItem* item) const {
+    return item ? item->data(fileRole).toString() : QString();
+}
+
+QListWidgetItem* PictureGrid::find(const QString& key) const {
+    for (int row = 0; row < count(); ++row) {
+        if (keyOf(item(row)) == key) {
+            return item(row);
+        }
+    }
+    return nullptr;
+}
+
+QMimeData* PictureGrid::mimeData(const QList<QListWidgetItem*>& items) const {
+    QList<QUrl> files;
+    for (const QListWidgetItem* item : items) {
+        files << QUrl::fromLocalFile(fileOf(item));
+    }
+    auto* dragged = new QMimeData;
+    dragged->setUrls(files);
+    return dragged;
+}
+
+void PictureGrid::resizeEvent(QResizeEvent* event) {
+    QListWidget::resizeEvent(event);
+    fitColumns();
+}
+
+void PictureGrid::changeEvent(QEvent* event) {
+    QListWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        fitColumns();
+    }
+}
+
+/// As many columns as have room, spread over the whole width so that none of it is left over.
+void PictureGrid::fitColumns() {
+    const int width = viewport()->width() - 2;
+    const int columns = std::max(1, width / (pictureSize_ + spaceBeside));
+    const int height = pictureSize_ + 2 * fontMetrics().lineSpacing() + spaceBeside;
+    setGridSize({std::max(width / columns, 1), height});
+}
+
+QPixmap PictureGrid::emptyPicture() const {
+    QPixmap empty(pictureSize_, pictureSize_);
+    empty.fill(Qt::transparent);
+    QPainter painter(&empty);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Midlight));
+    painter.drawRoundedRect(empty.rect(), 5, 5);
+    return empty;
+}
+
+} // namespace patina

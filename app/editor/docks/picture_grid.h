@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+#include <QListWidget>
+
+namespace patina {
+
+/// A grid of named pictures that fits its columns to its width. An item has a key, and may stand
+/// for a file, which can then be dragged out.
+class PictureGrid : public QListWidget {
+    Q_OBJECT
+
+  public:
+    explicit PictureGrid(int pictureSize, QWidget* parent = nullptr);
+
+    struct Entry {
+        QString key;
+        QString name;
+        QString toolTip; ///< rich text
+        QString file;    ///< empty: cannot be dragged
+    };
+
+    /// Replaces all items; pictures that are known by key stay.
+    void setEntries(const std::vector<Entry>& entries);
+    void setPicture(const QString& key, const QImage& picture);
+
+    QString keyOf(const QListWidgetItem* item) const;
+    QString fileOf(const QListWidgetItem* item) const;
+    QListWidgetItem* find(const QString& key) const;
+
+  protected:
+    QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void fitColumns();
+    QPixmap emptyPicture() const;
+
+    int pictureSize_;
+    QHash<QString, QIcon> pictures_;
+};
+
+} // namespace patina

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/presets_dock.h"
+
+#include <algorithm>
+
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "docks/panel.h"
+#include "docks/picture_grid.h"
+#include "document.h"
+#include "file_actions.h"
+#include "library/preset_library.h"
+#include "library/thumbnail_maker.h"
+#include "message_log.h"
+
+namespace patina {
+namespace {
+
+constexpr int pictureSize = 72;
+const QString pictureGroup = QStringLiteral("preset/");
+
+QString joined(const std::vector<std::string>& tags) {
+    QStringList words;
+    for (const std::string& tag : tags) {
+        words << QString::fromStdString(tag);
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+QString modelLabel(const Catalog& catalog, const Material& material) {
+    const Block* model = catalog.find("models", material.model.id);
+    return QString::fromStdString(model ? model->label : material.model.id);
+}
+
+QString toolTipOf(const PresetEntry& entry, const QString& model) {
+    const QString description = QString::fromStdString(entry.material.description);
+    const QString tags = joined(entry.material.tags);
+    QString tip = QStringLiteral("<p><b>%1</b><br>%2</p>")
+                      .arg(QString::fromStdString(entry.material.name).toHtmlEscaped(),
+                           model.toHtmlEscaped());
+    tip += description.isEmpty() ? "" : "<p>" + description.toHtmlEscaped() + "</p>";
+    tip += tags.isEmpty() ? "" : "<p>" + tags.toHtmlEscaped() + "</p>";
+    return tip + QStringLiteral("<p><i>%1</i></p>")
+                     .arg((entry.shipped ? QObject::tr("Comes with Patina")
+                                         : QString::fromStdString(entry.file.string()))
+                              .toHtmlEscaped());
+}
+
+QString nameOf(const PresetEntry& entry) {
+    return entry.material.name.empty() ? QFileInfo(QString::fromStdString(entry.file.string()))
+                                             .fileName()
+                                             .section('.', 0, 0)
+                                       : QString::fromStdString(entry.material.name);
+}
+
+} // namespace
+
+PresetsDock::PresetsDock(const DockContext& context)
+    : document_(context.document), files_(context.files), presets_(context.presets),
+      thumbnails_(context.thumbnails), search_(new QLineEdit(this)), hint_(hintLabel(this)),
+      grid_(new PictureGrid(pictureSize, this)) {
+    auto* save = textButton(tr("Save…"), tr("Save the active material as a preset of your own"),
+                            this);
+    search_->setPlaceholderText(tr("Search name, tag or model"));
+    search_->setClearButtonEnabled(true);
+    search_->setAccessibleName(tr("Search presets"));
+    grid_->setAccessibleName(tr("Presets"));
+    grid_->setContextMenuPolicy(Qt::CustomContextMenu);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 0);
+    layout->addWidget(rowOf({search_, save}));
+    layout->addWidget(hint_);
+    layout->addWidget(grid_, 1);
+    connect(save, &QToolButton::clicked, &files_, &FileActions::exportPreset);
+    connect(search_, &QLineEdit::textChanged, this, &PresetsDock::applyFilter);
+    connect(grid_, &QListWidget::itemActivated, this,
+            [this](QListWidgetItem* item) { apply(item, document_.activeSide()); });
+    connect(grid_, &QWidget::customContextMenuRequested, this, &PresetsDock::showMenu);
+    connect(&presets_, &PresetLibrary::changed, this, &PresetsDock::fill);
+    connect(&thumbnails_, &ThumbnailMaker::ready, this,
+            [this](const QString& name, const QImage& picture) {
+                if (name.startsWith(pictureGroup)) {
+                    grid_->setPicture(name.mid(pictureGroup.size()), picture);
+                }
+            });
+    fill();
+}
+
+void PresetsDock::fill() {
+    std::vector<PictureGrid::Entry> entries;
+    for (const PresetEntry& entry : presets_.entries()) {
+        const QString file = QString::fromStdString(entry.file.string());
+        const QString model = modelLabel(document_.catalog(), entry.material);
+        entries.push_back({file, nameOf(entry), toolTipOf(entry, model), file});
+        thumbnails_.ask(pictureGroup + file, entry.material);
+    }
+    grid_->setEntries(entries);
+    applyFilter();
+}
+
+void PresetsDock::applyFilter() {
+    const std::vector<PresetEntry>& entries = presets_.entries();
+    int shown = 0;
+    for (int row = 0; row < grid_->count(); ++row) {
+        const PresetEntry& entry = entries[static_cast<std::size_t>(row)];
+        const bool match =
+            matches(entry, modelLabel(document_.catalog(), entry.material), search_->text());
+        grid_->item(row)->setHidden(!match);
+        shown += match ? 1 : 0;
+    }
+    hint_->setText(entries.empty() ? tr("There are no presets yet.") : tr("No preset matches."));
+    hint_->setVisible(shown == 0);
+}
+
+void PresetsDock::showMenu(const QPoint& place) {
+    const QListWidgetItem* item = grid_->itemAt(place);
+    if (!item) {
+        return;
+    }
+    const QString file = grid_->fileOf(item);
+    const auto& entries = presets_.entries();
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const PresetEntry& e) {
+        return QString::fromStdString(e.file.string()) == file;
+    });
+    QMenu menu;
+    menu.addAction(tr("Put on side A"), this,
+                   [this, file] { document_.applyPreset(file.toStdString(), Side::A); });
+    menu.addAction(tr("Put on side B"), this,
+                   [this, file] { document_.applyPreset(file.toStdString(), Side::B); });
+    menu.addAction(tr("Open to edit this file"), this,
+                   [this, file] { files_.open({file}, document_.activeSide()); });
+    menu.addSeparator();
+    QAction* trash = menu.addAction(tr("Move to trash"), this, [this, file] { moveToTrash(file); });
+    trash->setEnabled(entry != entries.end() && !entry->shipped);
+    menu.exec(grid_->viewport()->mapToGlobal(place));
+}
+
+void PresetsDock::apply(const QListWidgetItem* item, Side side) {
+    document_.applyPreset(grid_->fileOf(item).toStdString(), side);
+}
+
+void PresetsDock::moveToTrash(const QString& file) {
+    if (QFile::moveToTrash(file)) {
+        presets_.scan();
+    } else {
+        files_.tell({file.toStdString(), 0, 0, "the file could not be moved to the trash", {}});
+    }
+}
+
+bool matches(const PresetEntry& entry, const QString& modelLabel, const QString& search) {
+    const QString text = QString::fromStdString(entry.material.name + ' ' +
+                                                entry.material.description + ' ') +
+                         joined(entry.material.tags) + ' ' + modelLabel;
+    const QStringList words = search.split(' ', Qt::SkipEmptyParts);
+    return std::all_of(words.begin(), words.end(), [&](const QString& word) {
+        return text.contains(word, Qt::CaseInsensitive);
+    });
+}
+
+} // namespace patina

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/scene_dock.h"
+
+#include <QFileInfo>
+#include <QGroupBox>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "docks/check_list.h"
+#include "parameters/document_form.h"
+#include "docks/panel.h"
+#include "file_actions.h"
+#include "scene/primitives.h"
+
+namespace patina {
+namespace {
+
+QString capitalised(const std::string& name) {
+    QString text = QString::fromStdString(name);
+    text[0] = text[0].toUpper();
+    return text;
+}
+
+QString nameOf(const Object& object) {
+    return object.name.empty() ? QFileInfo(QString::fromStdString(object.mesh)).fileName()
+                               : QString::fromStdString(object.name);
+}
+
+QGroupBox* titled(const QString& title, QWidget* content) {
+    auto* box = new QGroupBox(title);
+    auto* layout = new QVBoxLayout(box);
+    layout->addWidget(content);
+    return box;
+}
+
+} // namespace
+
+SceneDock::SceneDock(const DockContext& context)
+    : document_(context.document), files_(context.files), list_(new CheckList(this)),
+      add_(textButton(tr("Add"), tr("Add an object"), this)),
+      remove_(textButton(tr("Remove"), tr("Remove the chosen object (Del)"), this)),
+      meshes_(new QMenu(this)) {
+    add_->setMenu(meshes_);
+    add_->setPopupMode(QToolButton::InstantPopup);
+    list_->setAccessibleName(tr("Objects"));
+    auto* forms = new QWidget;
+    auto* layout = new QVBoxLayout(forms);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(titled(tr("Object"), new DocumentForm(document_, BlockPath::Part::Object)));
+    layout->addWidget(titled(tr("Scene"), new DocumentForm(document_, BlockPath::Part::Scene)));
+    auto* heading = new QLabel(tr("Objects"), this);
+    fillPanel(this, {rowOf({heading, add_, remove_}), list_}, forms);
+    connectList();
+    connect(meshes_, &QMenu::aboutToShow, this, &SceneDock::fillMenu);
+    connect(remove_, &QToolButton::clicked, this,
+            [this] { document_.removeObject(document_.currentObject()); });
+    connect(&document_, &Document::objectsChanged, this, &SceneDock::update);
+    connect(&document_, &Document::valueChanged, this, [this](const BlockPath& path) {
+        if (path.part == BlockPath::Part::Object) {
+            update();
+        }
+    });
+    connect(&document_, &Document::currentChanged, this, &SceneDock::update);
+    connect(&document_, &Document::sceneReplaced, this, &SceneDock::update);
+    update();
+}
+
+void SceneDock::connectList() {
+    connect(list_, &CheckList::chosen, this, [this](int row) { document_.setCurrentObject(row); });
+    connect(list_, &CheckList::switched, this, &SceneDock::switchObject, Qt::QueuedConnection);
+    connect(list_, &CheckList::renamed, this, &SceneDock::renameObject, Qt::QueuedConnection);
+    connect(list_, &CheckList::removeWished, this,
+            [this](int row) { document_.removeObject(row); });
+}
+
+void SceneDock::fillMenu() {
+    meshes_->clear();
+    for (const std::string& name : primitiveNames()) {
+        meshes_->addAction(capitalised(name), this, [this, name] { addBuiltin(name); });
+    }
+    meshes_->addSeparator();
+    meshes_->addAction(tr("Import mesh…"), &files_, &FileActions::importMesh);
+}
+
+void SceneDock::update() {
+    std::vector<CheckList::Row> rows;
+    for (const Object& object : document_.scene().objects) {
+        rows.push_back({nameOf(object), QString::fromStdString(object.mesh), object.visible});
+    }
+    list_->setRows(rows, document_.currentObject());
+    remove_->setEnabled(document_.currentObject() >= 0);
+}
+
+void SceneDock::addBuiltin(const std::string& name) {
+    Object object;
+    object.name = capitalised(name).toStdString();
+    object.mesh = "builtin:" + name;
+    files_.addObject(object);
+}
+
+void SceneDock::switchObject(int index, bool on) {
+    Object object = document_.scene().objects.at(static_cast<std::size_t>(index));
+    object.visible = on;
+    document_.setObject(index, object);
+}
+
+void SceneDock::renameObject(int index, const QString& name) {
+    Object object = document_.scene().objects.at(static_cast<std::size_t>(index));
+    object.name = name.toStdString();
+    document_.setObject(index, object);
+}
+
+} // namespace patina

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "docks/dock_context.h"
+
+class QMenu;
+class QToolButton;
+
+namespace patina {
+
+class CheckList;
+
+/// The scene's objects with their transforms, and what belongs to the scene as a whole.
+class SceneDock : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit SceneDock(const DockContext& context);
+
+  private:
+    void connectList();
+    void fillMenu();
+    void update();
+    void addBuiltin(const std::string& name);
+    void switchObject(int index, bool on);
+    void renameObject(int index, const QString& name);
+
+    Document& document_;
+    FileActions& files_;
+    CheckList* list_;
+    QToolButton* add_;
+    QToolButton* remove_;
+    QMenu* meshes_;
+};
+
+} // namespace patina

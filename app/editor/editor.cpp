@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include <QApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QTimer>
+
+#include "gl/driver.h"
+#include "main_window.h"
+
+namespace patina {
+namespace {
+
+void say(const QString& text) {
+    std::fprintf(stderr, "patina: %s\n", qUtf8Printable(text));
+}
+
+/// Qt ends the program itself when no display can be opened; this says it in our words.
+void explainNoDisplay(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type == QtFatalMsg) {
+        say(QStringLiteral("no display to open a window on (%1)").arg(text.section('\n', 0, 0)));
+        say(QStringLiteral("`patina render` draws without one"));
+        std::_Exit(1);
+    }
+}
+
+/// What this machine offers instead of OpenGL 4.1.
+QString foundOpenGL() {
+    QOpenGLContext context;
+    context.setFormat(QSurfaceFormat());
+    QOffscreenSurface surface;
+    surface.create();
+    if (!context.create() || !context.makeCurrent(&surface)) {
+        return QStringLiteral("no OpenGL at all");
+    }
+    return QString::fromStdString(gl::driverText());
+}
+
+/// Empty when the view can draw.
+QString whyNothingIsDrawn(const Viewport& viewport) {
+    if (!viewport.failure().isEmpty()) {
+        return viewport.failure();
+    }
+    return viewport.isValid() ? QString()
+                              : QStringLiteral("OpenGL 4.1 is needed, but this machine has %1")
+                                    .arg(foundOpenGL());
+}
+
+void tellFirstFrame() {
+    if (qEnvironmentVariableIsSet("PATINA_TIME_STARTUP")) {
+        const std::chrono::duration<double> now =
+            std::chrono::steady_clock::now().time_since_epoch();
+        say(QStringLiteral("first frame at %1 s").arg(now.count(), 0, 'f', 6));
+    }
+}
+
+/// Leaves the rest of the start to the turn after the first frame is on the screen.
+void afterFirstFrame(MainWindow& window, Viewport& viewport) {
+    QObject::connect(
+        &viewport, &QOpenGLWidget::frameSwapped, &window,
+        [&window] {
+            tellFirstFrame();
+            QTimer::singleShot(0, &window, [&window] { window.startRest(); });
+        },
+        Qt::SingleShotConnection);
+}
+
+} // namespace
+
+int runEditor(int argc, char** argv) {
+    QCoreApplication::setApplicationName("patina");
+    QCoreApplication::setOrganizationName("patina");
+    QCoreApplication::setApplicationVersion(PATINA_VERSION);
+    QSurfaceFormat::setDefaultFormat(Viewport::surfaceFormat());
+    const QtMessageHandler ordinary = qInstallMessageHandler(explainNoDisplay);
+    QApplication application(argc, argv);
+    qInstallMessageHandler(ordinary);
+    QGuiApplication::setDesktopFileName("io.github.patina.Patina");
+
+    Theme theme;
+    MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
+    window.document().openTemplate(FileActions::defaultScene());
+    window.files().open(QApplication::arguments().mid(1), Side::A);
+    Viewport& viewport = window.views().first().viewport();
+    afterFirstFrame(window, viewport);
+    window.show();
+    if (const QString why = whyNothingIsDrawn(viewport); !why.isEmpty()) {
+        say(why);
+        return 1;
+    }
+    return QApplication::exec();
+}
+
+} // namespace patina

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "file_actions.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QRegularExpression>
+
+#include "library/preset_library.h"
+
+namespace patina {
+namespace {
+
+const QString presetSuffix = QStringLiteral(".patina.json");
+const QString sceneSuffix = QStringLiteral(".patina-scene.json");
+
+QString presetFilter() {
+    return QObject::tr("Patina presets (*.patina.json)");
+}
+
+QString sceneFilter() {
+    return QObject::tr("Patina scenes (*.patina-scene.json)");
+}
+
+QString withSuffix(QString file, const QString& suffix) {
+    if (file.isEmpty() || file.endsWith(suffix)) {
+        return file;
+    }
+    return file.remove(QStringLiteral(".json")) + suffix;
+}
+
+/// A name that any file system takes.
+QString asFileName(const QString& name) {
+    QString safe = name.trimmed().toLower();
+    safe.replace(QRegularExpression(QStringLiteral("[^\\w.-]+")), QStringLiteral("-"));
+    return safe.isEmpty() ? QStringLiteral("untitled") : safe;
+}
+
+} // namespace
+
+FileActions::FileActions(Document& document, MeshLibrary& meshes, Session& session,
+                         QWidget* window)
+    : QObject(window), document_(document), meshes_(meshes), session_(session), window_(window) {
+    connect(&meshes, &MeshLibrary::loaded, this, &FileActions::meshLoaded);
+    connect(&meshes, &MeshLibrary::failed, this, &FileActions::meshFailed);
+}
+
+void FileActions::newDocument() {
+    if (mayLoseDocument()) {
+        document_.openTemplate(defaultScene());
+        Q_EMIT changesSettled();
+    }
+}
+
+bool FileActions::save() {
+    const DocumentFile& file = document_.file();
+    if (file.kind == DocumentFile::Kind::None || file.readOnly) {
+        return saveAs();
+    }
+    const bool presetIsTooSmall =
+        file.kind == DocumentFile::Kind::Preset && document_.save() && document_.isModified();
+    if (presetIsTooSmall) {
+        tell({file.path.string(), 0, 0,
+              "the preset is saved, but lights, fog, objects and side B are not part of it", 
+              "Save As with a scene file to keep them too"});
+        return true;
+    }
+    const bool saved = !document_.isModified() || document_.save();
+    if (saved) {
+        noteFile(QString::fromStdString(file.path.string()));
+        Q_EMIT changesSettled();
+    }
+    return saved;
+}
+
+bool FileActions::saveAs() {
+    const bool isPreset = document_.file().kind == DocumentFile::Kind::Preset;
+    QString filter = isPreset ? presetFilter() : sceneFilter();
+    const QString start = session_.folder("scene") + '/' + suggestedName();
+    QString file = QFileDialog::getSaveFileName(window_, tr("Save As"), start,
+                                                sceneFilter() + ";;" + presetFilter(), &filter);
+    if (file.isEmpty()) {
+        return false;
+    }
+    const bool asPreset = file.endsWith(presetSuffix) || 
+                          (!file.endsWith(sceneSuffix) && filter == presetFilter());
+    file = withSuffix(file, asPreset ? presetSuffix : sceneSuffix);
+    const bool saved = asPreset ? document_.savePreset(file.toStdString(), document_.activeSide())
+                                : document_.saveScene(file.toStdString());
+    if (saved) {
+        session_.setFolderOf("scene", file);
+        noteFile(file);
+        Q_EMIT changesSettled();
+    }
+    return saved;
+}
+
+void FileActions::askAndOpen() {
+    const QStringList files = QFileDialog::getOpenFileNames(
+        window_, tr("Open"), session_.folder("open"),
+        tr("Presets, scenes and meshes") +
+            " (*.json *.obj *.gltf *.glb *.ply *.stl *.fbx *.dae *.3ds *.blend *.off);;" +
+            tr("All files") + " (*)");
+    if (!files.isEmpty()) {
+        session_.setFolderOf("open", files.front());
+        open(files, document_.activeSide());
+    }
+}
+
+void FileActions::exportPreset() {
+    const Material* material = document_.material(document_.activeSide());
+    if (!material) {
+        return;
+    }
+    const std::filesystem::path folder = PresetLibrary::userFolder();
+    std::error_code ignored; // the dialog then starts elsewhere
+    std::filesystem::create_directories(folder, ignored);
+    const QString name = asFileName(QString::fromStdString(material->name)) + presetSuffix;
+    const QString start = QString::fromStdString((folder / name.toStdString()).string());
+    const QString file =
+        withSuffix(QFileDialog::getSaveFileName(window_, tr("Save the material as a preset"),
+                                                start, presetFilter()),
+                   presetSuffix);
+    if (!file.isEmpty() && document_.savePreset(file.toStdString(), document_.activeSide())) {
+        noteFile(file);
+    }
+}
+
+void FileActions::importMesh() {
+    const QStringList files = QFileDialog::getOpenFileNames(
+        window_, tr("Import mesh"), session_.folder("mesh"), tr("All files") + " (*)");
+    for (const QString& file : files) {
+        session_.setFolderOf("mesh", file);
+        load(file);
+    }
+}
+
+void FileActions::open(const QStringList& files, Side side) {
+    bool documentTaken = false;
+    for (const QString& file : files) {
+        if (kindOf(file) == Kind::Mesh) {
+            load(file);
+        } else if (!documentTaken) {
+            documentTaken = true;
+            openDocument(file);
+        } else if (kindOf(file) == Kind::Preset) {
+            document_.applyPreset(file.toStdString(), side == Side::A ? Side::B : Side::A);
+        }
+    }
+}
+
+void FileActions::drop(const QStringList& files, Side side) {
+    for (const QString& file : files) {
+        switch (kindOf(file)) {
+        case Kind::Preset:
+            document_.applyPreset(file.toStdString(), side);
+            break;
+        case Kind::Scene:
+            openDocument(file);
+            break;
+        case Kind::Mesh:
+            load(file);
+            break;
+        }
+    }
+}
+
+void FileActions::addObject(Object object) {
+    if (const Material* material = document_.material(Side::A)) {
+        object.material = *material;
+    } else if (const auto models = document_.catalog().ofKind("models"); !models.empty()) {
+        object.material = defaultMaterial(*models.front());
+    }
+    document_.addObject(object);
+    document_.setCurrentObject(static_cast<int>(document_.scene().objects.size()) - 1);
+    Q_EMIT objectAdded();
+}
+
+bool FileActions::mayLoseDocument() {
+    if (!document_.isModified()) {
+        return true;
+    }
+    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                         tr("Save the changes to %1?").arg(suggestedName()),
+                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    question.setInformativeText(tr("They are lost if you do not save them."));
+    question.setDefaultButton(QMessageBox::Save);
+    const int answer = question.exec();
+    if (answer == QMessageBox::Save) {
+        return save() && !document_.isModified();
+    }
+    return answer == QMessageBox::Discard;
+}
+
+FileActions::Kind FileActions::kindOf(const QString& file) {
+    if (file.endsWith(sceneSuffix, Qt::CaseInsensitive)) {
+        return Kind::Scene;
+    }
+    return file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive) ? Kind::Preset : Kind::Mesh;
+}
+
+std::filesystem::path FileActions::defaultScene() {
+    return dataFolder() / "presets" / "default.patina-scene.json";
+}
+
+void FileActions::openDocument(const QString& file) {
+    if (!mayLoseDocument()) {
+        return;
+    }
+    const bool opened = kindOf(file) == Kind::Scene ? document_.openScene(file.toStdString())
+                                                    : document_.openPreset(file.toStdString());
+    if (opened) {
+        meshes_.forgetFailures();
+        noteFile(file);
+        Q_EMIT changesSettled();
+    }
+}
+
+/// The object is added when its mesh is there; a mesh that cannot be read changes nothing.
+void FileActions::load(const QString& mesh) {
+    Object object;
+    object.name = QFileInfo(mesh).completeBaseName().toStdString();
+    object.mesh = QFileInfo(mesh).absoluteFilePath().toStdString();
+    object.fitUnitBox = true;
+    const QString file = QString::fromStdString(object.mesh);
+    wanted_[file] = object;
+    meshes_.forgetFailures();
+    meshes_.view(object);
+    if (meshes_.has(object)) {
+        meshLoaded(file);
+    }
+}
+
+void FileActions::meshLoaded(const QString& mesh) {
+    if (const auto found = wanted_.find(mesh); found != wanted_.end()) {
+        const Object object = found->second;
+        wanted_.erase(found);
+        addObject(object);
+        noteFile(mesh);
+    }
+}
+
+void FileActions::meshFailed(const QString& mesh, const Error& why) {
+    wanted_.erase(mesh);
+    tell(why);
+}
+
+void FileActions::noteFile(const QString& file) {
+    session_.addRecentFile(file);
+    Q_EMIT recentFilesChanged();
+}
+
+QString FileActions::suggestedName() const {
+    const std::filesystem::path& path = document_.file().path;
+    if (!path.empty()) {
+        return QString::fromStdString(path.filename().string());
+    }
+    return asFileName(QString::fromStdString(document_.scene().name)) + sceneSuffix;
+}
+
+} // namespace patina

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include <QObject>
+#include <QStringList>
+
+#include "document.h"
+#include "session.h"
+#include "viewport/mesh_library.h"
+
+class QWidget;
+
+namespace patina {
+
+/// What the File menu, a drop and the command line do with files: asks where to, asks before
+/// unsaved work would be lost, remembers folders and recent files.
+class FileActions : public QObject {
+    Q_OBJECT
+
+  public:
+    /// What a file is, by its name.
+    enum class Kind { Preset, Scene, Mesh };
+
+    FileActions(Document& document, MeshLibrary& meshes, Session& session, QWidget* window);
+
+    void newDocument();
+    /// True when the document was saved.
+    bool save();
+    bool saveAs();
+    void askAndOpen();
+    void exportPreset();
+    void importMesh();
+
+    /// Opens what was named on the command line or in a menu: a scene or a preset becomes the
+    /// document, a mesh an object in it.
+    void open(const QStringList& files, Side side);
+
+    /// What a drop does: a preset goes onto the side it was dropped on, undoably.
+    void drop(const QStringList& files, Side side);
+
+    /// Adds an object with a material like the current one's, and makes it current.
+    void addObject(Object object);
+
+    /// False when the user wants to go back. Saves when the user wants that.
+    bool mayLoseDocument();
+
+    void tell(const Error& message) { Q_EMIT document_.message(message); }
+
+    static Kind kindOf(const QString& file);
+
+    /// The scene that a new document starts as.
+    static std::filesystem::path defaultScene();
+
+  Q_SIGNALS:
+    void recentFilesChanged();
+    /// The document was saved, or its changes were given up on purpose.
+    void changesSettled();
+    void objectAdded();
+
+  private:
+    void openDocument(const QString& file);
+    void load(const QString& mesh);
+    void meshLoaded(const QString& mesh);
+    void meshFailed(const QString& mesh, const Error& why);
+    void noteFile(const QString& file);
+    QString askWhere(const QString& purpose, const QString& title, const QString& filter,
+                     const QString& name);
+    QString suggestedName() const;
+
+    Document& document_;
+    MeshLibrary& meshes_;
+    Session& session_;
+    QWidget* window_;
+    std::map<QString, Object> wanted_; ///< objects that wait for their mesh, by its file
+};
+
+} // namespace patina

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+
+#include "catalog/catalog.h"
+#include "material/material.h"
+
+namespace patina {
+
+/// A preset file that can be read.
+struct PresetEntry {
+    std::filesystem::path file;
+    Material material;
+    bool shipped = true;
+
+    friend bool operator==(const PresetEntry&, const PresetEntry&) = default;
+};
+
+/// The presets that ship and those in the user's folder, read in a worker thread and again when
+/// a file in one of the folders comes, goes or changes.
+class PresetLibrary : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit PresetLibrary(std::shared_ptr<const Catalog> catalog, QObject* parent = nullptr);
+    ~PresetLibrary() override;
+
+    const std::vector<PresetEntry>& entries() const { return entries_; }
+    void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    /// Reads all folders; changed() follows.
+    void scan();
+
+    static std::filesystem::path shippedFolder();
+    static std::filesystem::path userFolder();
+
+  Q_SIGNALS:
+    void changed();
+
+  private:
+    void watchFolders();
+
+    std::shared_ptr<const Catalog> catalog_;
+    std::vector<PresetEntry> entries_;
+    QFileSystemWatcher watcher_;
+    QTimer settle_;
+    QThreadPool worker_;
+};
+
+} // namespace patina

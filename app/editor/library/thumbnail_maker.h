@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+
+#include <QImage>
+#include <QObject>
+#include <QSet>
+#include <QThreadPool>
+
+#include "catalog/catalog.h"
+#include "material/material.h"
+
+namespace patina {
+
+/// Small pictures of materials in one fixed neutral scene, whatever the document shows. Drawn in a
+/// worker thread with a context of its own that lives while there is something to draw, and kept
+/// on disk until a block they are made of changes.
+class ThumbnailMaker : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Folders {
+        std::filesystem::path cache;        ///< where the pictures are kept
+        std::filesystem::path programCache; ///< shared with the views
+        std::filesystem::path scene;        ///< the scene file whose first object is shown
+    };
+
+    ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,
+                   QObject* parent = nullptr);
+    ~ThumbnailMaker() override;
+
+    /// Nothing is drawn before this: the first frame of the window comes first.
+    void start();
+    void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    /// ready() follows with the name, unless it cannot be drawn.
+    void ask(const QString& name, const Material& material);
+
+    static constexpr int pixels = 160;
+
+  Q_SIGNALS:
+    void ready(QString name, QImage picture);
+
+  private:
+    struct Job {
+        QString name;
+        Material material;
+        std::shared_ptr<const Catalog> catalog;
+    };
+
+    void wake();
+    void work();
+    bool next(Job& job);
+
+    Folders folders_;
+    std::shared_ptr<const Catalog> catalog_;
+    bool started_ = false;
+    std::mutex mutex_; ///< guards the two below, which the worker shares
+    std::deque<Job> jobs_;
+    bool working_ = false;
+    QThreadPool worker_;
+};
+
+} // namespace patina

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QScreen>
+#include <QUrl>
+
+#include "docks/lazy_dock.h"
+
+namespace patina {
+namespace {
+
+/// Goes up when docks come, go or move, so that an older layout is not forced upon them.
+constexpr int layoutVersion = 1;
+
+constexpr QSize preferredSize{1600, 1000};
+constexpr int narrowWindow = 1400;
+
+std::filesystem::path programCacheFolder() {
+    return cacheFolder() / "programs";
+}
+
+Qt::DockWidgetArea areaOf(DockPlace place) {
+    switch (place) {
+    case DockPlace::LeftTop:
+    case DockPlace::LeftBottom:
+        return Qt::LeftDockWidgetArea;
+    case DockPlace::Bottom:
+        return Qt::BottomDockWidgetArea;
+    default:
+        return Qt::RightDockWidgetArea;
+    }
+}
+
+} // namespace
+
+MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
+    : theme_(theme), document_(catalog), watcher_(catalog), presets_(catalog),
+      thumbnails_(catalog, {cacheFolder() / "thumbnails", programCacheFolder(),
+                            FileActions::defaultScene()}),
+      autosave_(document_, stateFolder() / "autosave"),
+      files_(new FileActions(document_, meshes_, session_, this)),
+      views_(new CompareArea(document_, meshes_, programCacheFolder(), this)),
+      status_(new StatusLine(document_, meshes_, messages_, this)) {
+    setAcceptDrops(true);
+    setCentralWidget(views_);
+    setStatusBar(status_);
+    makeDocks();
+    makeFileMenu();
+    makeEditMenu();
+    makeViewMenu();
+    makeHelpMenu();
+    makeToolBar();
+    connectParts();
+    messages_.setGroup("catalog", catalog->errors);
+    updateTitle();
+    restoreWindow();
+}
+
+MainWindow::~MainWindow() {
+    // The views and docks go before the parts that they look at.
+    for (const auto& [name, dock] : docks_) {
+        delete dock;
+    }
+    delete status_;
+    delete views_;
+    delete files_;
+}
+
+QDockWidget* MainWindow::dock(const QString& name) const {
+    const auto found = docks_.find(name);
+    return found == docks_.end() ? nullptr : found->second;
+}
+
+void MainWindow::startRest() {
+    watcher_.start();
+    presets_.scan();
+    thumbnails_.start();
+    theme_.followDesktop();
+    views_->first().viewport().chooseTimer();
+    offerRecovery();
+}
+
+void MainWindow::makeDocks() {
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    const DockContext context{document_, *files_, messages_, presets_, thumbnails_};
+    for (const DockEntry& entry : dockList()) {
+        auto* dock = new LazyDock(entry, context, this);
+        docks_[entry.name] = dock;
+        const auto [first, isFirst] = firstDocks_.try_emplace(entry.place, dock);
+        addDockWidget(areaOf(entry.place), dock);
+        if (!isFirst) {
+            tabifyDockWidget(first->second, dock);
+        }
+    }
+}
+
+void MainWindow::connectParts() {
+    connect(&document_, &Document::message, &messages_, &MessageLog::add);
+    connect(&autosave_, &Autosave::failed, &messages_, &MessageLog::add);
+    connect(&messages_, &MessageLog::arrived, this, &MainWindow::showMessages);
+    connect(&document_, &Document::fileChanged, this, &MainWindow::updateTitle);
+    connect(&document_, &Document::sceneReplaced, this, &MainWindow::updateTitle);
+    connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);
+    connect(files_, &FileActions::changesSettled, &autosave_, &Autosave::discard);
+    connect(views_, &CompareArea::filesDropped, files_, &FileActions::drop);
+    connect(status_, &StatusLine::messagesWished, this, [this] {
+        QDockWidget* messages = dock("messages");
+        messages->setVisible(!messages->isVisible());
+    });
+    connect(&document_, &Document::currentChanged, this,
+            [this] { status_->setViewport(&views_->active().viewport()); });
+    status_->setViewport(&views_->first().viewport());
+    const auto listen = [this](SideView* view) {
+        const QString group = "view " + letterOf(view->side());
+        connect(&view->viewport(), &Viewport::messagesDrawn, this,
+                [this, group](const Errors& errors) { messages_.setGroup(group, errors); });
+    };
+    listen(&views_->first());
+    connect(views_, &CompareArea::viewAdded, this, listen);
+    connect(&watcher_, &CatalogWatcher::changed, this,
+            [this](const std::shared_ptr<const Catalog>& catalog) {
+                document_.setCatalog(catalog);
+                presets_.setCatalog(catalog);
+                thumbnails_.setCatalog(catalog);
+                messages_.setGroup("catalog", catalog->errors);
+            });
+}
+
+/// The layout of a first start: the material's look on the left, its values on the right, the
+/// picture large in the middle.
+void MainWindow::arrangeDocks() {
+    for (const auto& [place, dock] : firstDocks_) {
+        dock->show();
+        dock->raise();
+    }
+    dock("messages")->hide();
+    const bool narrow = width() < narrowWindow;
+    const int left = narrow ? 212 : 276;
+    const int right = narrow ? 330 : 380;
+    resizeDocks({dock("models"), dock("parameters")}, {left, right}, Qt::Horizontal);
+    resizeDocks({dock("models"), dock("presets")}, {10, 11}, Qt::Vertical);
+    resizeDocks({dock("parameters"), dock("lights")}, {11, 10}, Qt::Vertical);
+}
+
+void MainWindow::restoreWindow() {
+    const QSize available = screen()->availableSize();
+    resize(preferredSize.boundedTo(available));
+    const bool known = restoreGeometry(session_.windowGeometry());
+    if (!known && available.width() < preferredSize.width()) {
+        setWindowState(Qt::WindowMaximized);
+    }
+    dock("messages")->hide();
+    arranged_ = restoreState(session_.windowLayout(), layoutVersion);
+    dock("messages")->hide();
+    theme_.setLook(session_.look());
+}
+
+bool MainWindow::event(QEvent* event) {
+    const bool handled = QMainWindow::event(event);
+    if (event->type() == QEvent::Show && !arranged_) {
+        arranged_ = true;
+        arrangeDocks();
+    }
+    return handled;
+}
+
+void MainWindow::updateTitle() {
+    const DocumentFile& file = document_.file();
+    const QString name = file.path.empty() ? tr("Untitled")
+                                           : QString::fromStdString(file.path.filename().string());
+    setWindowTitle(file.readOnly ? tr("%1[*] (read-only) – Patina").arg(name)
+                                 : tr("%1[*] – Patina").arg(name));
+    setWindowFilePath(QString::fromStdString(file.path.string()));
+    setWindowModified(document_.isModified());
+}
+
+void MainWindow::showMessages() {
+    dock("messages")->show();
+}
+
+void MainWindow::offerRecovery() {
+    const std::vector<Recovery> found = Autosave::found(stateFolder() / "autosave");
+    if (found.empty()) {
+        return;
+    }
+    const Recovery& newest = found.front();
+    auto* question = new QMessageBox(
+        QMessageBox::Question, tr("Recover unsaved work"),
+        tr("Patina did not close properly. There is unsaved work from %1.")
+            .arg(QLocale().toString(newest.saved, QLocale::ShortFormat)),
+        QMessageBox::NoButton, this);
+    question->setObjectName("recovery");
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(newest.original.isEmpty() ? tr("It was not saved to a file yet.")
+                                                           : newest.original);
+    QPushButton* take = question->addButton(tr("Recover"), QMessageBox::AcceptRole);
+    QPushButton* drop = question->addButton(tr("Discard"), QMessageBox::DestructiveRole);
+    question->addButton(tr("Ask again later"), QMessageBox::RejectRole);
+    question->setDefaultButton(take);
+    connect(take, &QPushButton::clicked, this, [this, newest] { recover(newest); });
+    connect(drop, &QPushButton::clicked, this, [this, newest] {
+        Autosave::remove(newest);
+        offerRecovery();
+    });
+    question->open();
+}
+
+void MainWindow::recover(const Recovery& recovery) {
+    if (files_->mayLoseDocument() && document_.openTemplate(recovery.scene)) {
+        autosave_.discard();
+        document_.undoStack().resetClean();
+        autosave_.adopt(recovery);
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayLoseDocument()) {
+        event->ignore();
+        return;
+    }
+    autosave_.discard();
+    session_.setWindow(saveGeometry(), saveState(layoutVersion));
+    session_.sync();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList dropped;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        dropped << url.toLocalFile();
+    }
+    dropped.removeAll(QString());
+    event->acceptProposedAction();
+    files_->drop(dropped, document_.activeSide());
+}
+
+} // namespace patina

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include <QMainWindow>
+
+#include "autosave.h"
+#include "catalog_watcher.h"
+#include "docks/dock_list.h"
+#include "document.h"
+#include "file_actions.h"
+#include "library/preset_library.h"
+#include "library/thumbnail_maker.h"
+#include "message_log.h"
+#include "session.h"
+#include "status_line.h"
+#include "theme.h"
+#include "viewport/compare_area.h"
+
+class QMenu;
+
+namespace patina {
+
+/// The editor's window. It owns the parts and connects them; what they do is theirs.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme);
+    ~MainWindow() override;
+
+    Document& document() { return document_; }
+    FileActions& files() { return *files_; }
+    CompareArea& views() { return *views_; }
+    MessageLog& messages() { return messages_; }
+    Autosave& autosave() { return autosave_; }
+    QDockWidget* dock(const QString& name) const;
+
+    /// What can wait until the first frame is on the screen: presets, thumbnails, watching, the
+    /// desktop's look, work to recover.
+    void startRest();
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool event(QEvent* event) override;
+
+  private:
+    void makeDocks();
+    void makeFileMenu();
+    void makeEditMenu();
+    void makeViewMenu();
+    void makeLookMenu(QMenu* menu);
+    void makeHelpMenu();
+    void makeToolBar();
+    void connectParts();
+    void fillRecentFiles();
+    void arrangeDocks();
+    void restoreWindow();
+    void updateTitle();
+    void offerRecovery();
+    void recover(const Recovery& recovery);
+    void showMessages();
+    void showKeys();
+    void showAbout();
+    QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,
+                 std::function<void()> what);
+
+    Theme& theme_;
+    Session session_;
+    MessageLog messages_;
+    Document document_;
+    MeshLibrary meshes_;
+    CatalogWatcher watcher_;
+    PresetLibrary presets_;
+    ThumbnailMaker thumbnails_;
+    Autosave autosave_;
+    FileActions* files_;
+    CompareArea* views_;
+    StatusLine* status_;
+    QMenu* recent_ = nullptr;
+    std::map<QString, QDockWidget*> docks_;
+    std::map<DockPlace, QDockWidget*> firstDocks_; ///< the one that is on top at each place
+    QAction* compare_ = nullptr;
+    QAction* link_ = nullptr;
+    QAction* realign_ = nullptr;
+    QAction* swap_ = nullptr;
+    bool arranged_ = false;
+};
+
+} // namespace patina

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include <QByteArray>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include "theme.h"
+
+namespace patina {
+
+/// What is remembered from one start to the next, in $XDG_CONFIG_HOME/patina/patina.conf.
+class Session {
+  public:
+    Session();
+
+    QByteArray windowGeometry() const;
+    QByteArray windowLayout() const;
+    void setWindow(const QByteArray& geometry, const QByteArray& layout);
+
+    QStringList recentFiles() const; ///< newest first, only those that exist
+    void addRecentFile(const QString& file);
+    void clearRecentFiles();
+
+    Look look() const;
+    void setLook(Look look);
+
+    /// The folder a file dialog opened in last, one for each purpose ("preset", "scene", "mesh").
+    QString folder(const QString& purpose) const;
+    void setFolderOf(const QString& purpose, const QString& file);
+
+    void sync() { settings_.sync(); }
+
+  private:
+    QSettings settings_;
+};
+
+/// $XDG_CACHE_HOME/patina, $XDG_STATE_HOME/patina and $XDG_DATA_HOME/patina.
+std::filesystem::path cacheFolder();
+std::filesystem::path stateFolder();
+std::filesystem::path userDataFolder();
+
+} // namespace patina

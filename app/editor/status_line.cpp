@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "status_line.h"
+
+#include <QFileInfo>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+namespace patina {
+namespace {
+
+/// The line is written at most this often while frames follow each other.
+constexpr int settleMs = 100;
+constexpr int progressWidth = 200;
+
+} // namespace
+
+StatusLine::StatusLine(Document& document, MeshLibrary& meshes, MessageLog& messages,
+                       QWidget* parent)
+    : QStatusBar(parent), document_(document), meshes_(meshes), messages_(messages),
+      model_(new QLabel(this)), effects_(new QLabel(this)), time_(new QLabel(this)),
+      progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
+      badge_(new QToolButton(this)) {
+    setSizeGripEnabled(false);
+    model_->setObjectName("statusModel");
+    effects_->setObjectName("statusEffects");
+    time_->setObjectName("statusTime");
+    // The list of effects gives way when the window is narrow; its tool tip has all of it.
+    effects_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    addWidget(model_);
+    addWidget(effects_, 1);
+    makeLoadingRow();
+    addPermanentWidget(time_);
+    badge_->setAutoRaise(true);
+    badge_->setObjectName("messageBadge");
+    addPermanentWidget(badge_);
+    settle_.setSingleShot(true);
+    settle_.setInterval(settleMs);
+    connect(&settle_, &QTimer::timeout, this, &StatusLine::showFrame);
+    connect(badge_, &QToolButton::clicked, this, &StatusLine::messagesWished);
+    connect(&messages_, &MessageLog::changed, this, &StatusLine::showBadge);
+    connect(&document_, &Document::currentChanged, &settle_, qOverload<>(&QTimer::start));
+    showBadge();
+}
+
+void StatusLine::makeLoadingRow() {
+    progress_->setRange(0, 100);
+    progress_->setMaximumWidth(progressWidth);
+    cancel_->setText(tr("Cancel"));
+    cancel_->setToolTip(tr("Stop reading the mesh"));
+    addPermanentWidget(progress_);
+    addPermanentWidget(cancel_);
+    hideLoading();
+    connect(cancel_, &QToolButton::clicked, &meshes_, &MeshLibrary::cancelAll);
+    connect(&meshes_, &MeshLibrary::loadingStarted, this,
+            [this](const QString& file) { showLoading(file, 0.0f); });
+    connect(&meshes_, &MeshLibrary::progressed, this, &StatusLine::showLoading);
+    connect(&meshes_, &MeshLibrary::loaded, this, &StatusLine::hideLoading);
+    connect(&meshes_, &MeshLibrary::failed, this, &StatusLine::hideLoading);
+}
+
+void StatusLine::setViewport(Viewport* viewport) {
+    if (viewport_) {
+        disconnect(viewport_, nullptr, this, nullptr);
+    }
+    viewport_ = viewport;
+    connect(viewport, &Viewport::frameDrawn, this, [this] {
+        if (!settle_.isActive()) {
+            settle_.start();
+        }
+    });
+    settle_.start();
+}
+
+void StatusLine::showFrame() {
+    const Material* material = document_.material(document_.activeSide());
+    const Block* model = material ? document_.catalog().find("models", material->model.id) : nullptr;
+    model_->setText(model      ? QString::fromStdString(model->label)
+                    : material ? tr("%1 (not installed)").arg(QString::fromStdString(
+                                     material->model.id))
+                               : tr("No object"));
+    if (!viewport_) {
+        return;
+    }
+    QStringList effects;
+    for (const std::string& effect : viewport_->report().effects) {
+        effects << QString::fromStdString(effect);
+    }
+    const QString list = effects.join(tr(", "));
+    effects_->setText(tr("In the shader: %1").arg(list));
+    effects_->setToolTip(effects.join('\n'));
+    time_->setText(viewport_->frameTime());
+    time_->setToolTip(tr("Time of the last frame of this view and how it was measured"));
+}
+
+void StatusLine::showLoading(const QString& file, float share) {
+    if (!meshes_.isLoading()) {
+        return;
+    }
+    progress_->setValue(static_cast<int>(share * 100.0f));
+    progress_->setFormat(tr("%1 %p%").arg(QFileInfo(file).fileName()));
+    progress_->show();
+    cancel_->show();
+}
+
+void StatusLine::hideLoading() {
+    if (!meshes_.isLoading()) {
+        progress_->hide();
+        cancel_->hide();
+    }
+}
+
+void StatusLine::showBadge() {
+    const int count = messages_.count();
+    badge_->setText(count == 0 ? tr("No messages") : tr("⚠ %n message(s)", nullptr, count));
+    badge_->setAccessibleName(badge_->text());
+    badge_->setToolTip(tr("Show or hide the messages"));
+}
+
+} // namespace patina

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStatusBar>
+#include <QTimer>
+
+#include "document.h"
+#include "message_log.h"
+#include "viewport/mesh_library.h"
+#include "viewport/viewport.h"
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace patina {
+
+/// The model, the effects in the shader, and the frame's time with how it was measured; what is
+/// loading; and how many messages there are.
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+
+  public:
+    StatusLine(Document& document, MeshLibrary& meshes, MessageLog& messages,
+               QWidget* parent = nullptr);
+
+    /// Whose frames are told about.
+    void setViewport(Viewport* viewport);
+
+  Q_SIGNALS:
+    void messagesWished();
+
+  private:
+    void makeLoadingRow();
+    void showFrame();
+    void showLoading(const QString& file, float share);
+    void hideLoading();
+    void showBadge();
+
+    Document& document_;
+    MeshLibrary& meshes_;
+    MessageLog& messages_;
+    Viewport* viewport_ = nullptr;
+    QTimer settle_;
+    QLabel* model_;
+    QLabel* effects_;
+    QLabel* time_;
+    QProgressBar* progress_;
+    QToolButton* cancel_;
+    QToolButton* badge_;
+};
+
+} // namespace patina

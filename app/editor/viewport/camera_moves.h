@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "core/mesh.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// The camera turned around its pivot, angles in degrees; the pitch stops at the poles.
+Camera orbited(const Camera& camera, double yaw, double pitch);
+
+/// The camera moved so that what is at the pivot's depth follows the pointer by `pixels`
+/// (x to the right, y down) in a view of `height` pixels.
+Camera panned(const Camera& camera, const glm::dvec2& pixels, double height);
+
+/// The camera with its distance multiplied; it stays within 1e-3 .. 1e5 metres.
+Camera dollied(const Camera& camera, double factor);
+
+/// The camera moved back or forth until a box in world space fills the view; the pivot is the
+/// middle of the box. `aspect` is width over height. An empty box changes nothing.
+Camera framed(const Camera& camera, const Bounds& box, double aspect);
+
+/// The camera with another pivot and the eye where it was.
+Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot);
+
+/// Unit vectors of the camera in world space.
+glm::dvec3 rightOf(const Camera& camera);
+glm::dvec3 upOf(const Camera& camera);
+
+} // namespace patina

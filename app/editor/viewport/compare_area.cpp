@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/compare_area.h"
+
+#include <utility>
+
+namespace patina {
+
+CompareArea::CompareArea(Document& document, MeshLibrary& meshes,
+                         std::filesystem::path programCache, QWidget* parent)
+    : QSplitter(Qt::Horizontal, parent), document_(document), meshes_(meshes),
+      programCache_(std::move(programCache)), home_(document.scene().camera),
+      first_(addView(Side::A)) {
+    setChildrenCollapsible(false);
+    setHandleWidth(3);
+    connect(&document, &Document::comparingChanged, this, &CompareArea::showSides);
+    connect(&document, &Document::cameraChanged, this,
+            [this] { moveCamera(Side::A, document_.scene().camera); });
+    connect(&document, &Document::sceneReplaced, this, [this] {
+        home_ = document_.scene().camera;
+        moveCamera(Side::A, home_);
+        realignCameras();
+        showSides();
+    });
+    showSides();
+}
+
+SideView& CompareArea::active() {
+    return document_.activeSide() == Side::B && second_ ? *second_ : *first_;
+}
+
+void CompareArea::setCamerasLinked(bool linked) {
+    if (linked != linked_) {
+        linked_ = linked;
+        if (linked) {
+            realignCameras();
+        }
+        Q_EMIT linkChanged(linked);
+    }
+}
+
+void CompareArea::realignCameras() {
+    if (second_) {
+        second_->viewport().setCamera(first_->viewport().camera());
+    }
+}
+
+void CompareArea::resetCamera(Side side) {
+    moveCamera(side, home_);
+}
+
+SideView* CompareArea::addView(Side side) {
+    auto* view = new SideView(document_, meshes_, side, programCache_, this);
+    addWidget(view);
+    connect(view, &SideView::cameraWished, this,
+            [this, side](const Camera& camera) { moveCamera(side, camera); });
+    connect(view, &SideView::resetWished, this, [this, side] { resetCamera(side); });
+    connect(view, &SideView::filesDropped, this,
+            [this, side](const QStringList& files) { Q_EMIT filesDropped(files, side); });
+    return view;
+}
+
+void CompareArea::showSides() {
+    const bool comparing = document_.isComparing();
+    if (comparing && !second_) {
+        second_ = addView(Side::B);
+        second_->viewport().setCamera(first_->viewport().camera());
+        setSizes({1, 1});
+        Q_EMIT viewAdded(second_);
+    }
+    first_->setTitleVisible(comparing);
+    if (second_) {
+        second_->setVisible(comparing);
+    }
+}
+
+void CompareArea::moveCamera(Side side, const Camera& camera) {
+    if (side == Side::A || linked_) {
+        first_->viewport().setCamera(camera);
+        document_.setCamera(camera);
+    }
+    if (second_ && (side == Side::B || linked_)) {
+        second_->viewport().setCamera(camera);
+    }
+}
+
+} // namespace patina

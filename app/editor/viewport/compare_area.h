@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include <QSplitter>
+
+#include "viewport/side_view.h"
+
+namespace patina {
+
+/// The middle of the window: one view, or two side by side while the document compares. Side A's
+/// camera is the document's; side B's is the same one until they are unlinked.
+class CompareArea : public QSplitter {
+    Q_OBJECT
+
+  public:
+    CompareArea(Document& document, MeshLibrary& meshes, std::filesystem::path programCache,
+                QWidget* parent = nullptr);
+
+    SideView& first() { return *first_; }
+    SideView* second() { return second_; } ///< null until it was needed once
+    SideView& active();
+
+    bool areCamerasLinked() const { return linked_; }
+    void setCamerasLinked(bool linked);
+
+    /// Side B looks from where side A does.
+    void realignCameras();
+
+    /// The camera that the scene had when it was opened.
+    void resetCamera(Side side);
+
+  Q_SIGNALS:
+    void linkChanged(bool linked);
+    void filesDropped(QStringList files, patina::Side side);
+    void viewAdded(patina::SideView* view);
+
+  private:
+    SideView* addView(Side side);
+    void showSides();
+    void moveCamera(Side side, const Camera& camera);
+
+    Document& document_;
+    MeshLibrary& meshes_;
+    std::filesystem::path programCache_;
+    Camera home_;
+    bool linked_ = true;
+    SideView* first_;
+    SideView* second_ = nullptr;
+};
+
+} // namespace patina

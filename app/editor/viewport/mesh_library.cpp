@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/mesh_library.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <QPointer>
+#include <QTimer>
+
+#include "scene/primitives.h"
+
+namespace patina {
+namespace {
+
+constexpr std::string_view builtinPrefix = "builtin:";
+constexpr int progressIntervalMs = 100;
+
+bool isBuiltin(const std::string& mesh) {
+    return mesh.starts_with(builtinPrefix);
+}
+
+void flipNormals(Mesh& mesh) {
+    for (Vertex& vertex : mesh.vertices) {
+        vertex.normal = -vertex.normal;
+    }
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
+}
+
+/// Into [-1, 1]^3, as the files process does it for meshes it reads.
+void fitUnitBox(Mesh& mesh) {
+    const glm::vec3 size = mesh.bounds.size();
+    const float longest = std::max({size.x, size.y, size.z});
+    if (mesh.bounds.empty() || !(longest > 0.0f)) {
+        return;
+    }
+    const glm::vec3 middle = mesh.bounds.center();
+    for (Vertex& vertex : mesh.vertices) {
+        vertex.position = (vertex.position - middle) * (2.0f / longest);
+    }
+    mesh.bounds = boundsOf(mesh.vertices);
+}
+
+} // namespace
+
+MeshLibrary::MeshLibrary(QObject* parent) : QObject(parent) {
+    worker_.setMaxThreadCount(1);
+    worker_.setExpiryTimeout(1000);
+}
+
+MeshLibrary::~MeshLibrary() {
+    cancelAll();
+    worker_.clear();
+    worker_.waitForDone();
+}
+
+MeshView MeshLibrary::view(const Object& object) {
+    const Key key = keyOf(object);
+    if (isBuiltin(key.mesh)) {
+        if (!builtins_.contains(key)) {
+            makeBuiltin(key);
+        }
+        return builtins_.at(key).view();
+    }
+    if (const auto found = files_.find(key); found != files_.end()) {
+        return found->second->view();
+    }
+    if (!key.mesh.empty() && !loading_.contains(key) && !failures_.contains(key)) {
+        load(key);
+    }
+    return {};
+}
+
+bool MeshLibrary::has(const Object& object) const {
+    const Key key = keyOf(object);
+    return files_.contains(key) || builtins_.contains(key);
+}
+
+void MeshLibrary::warmUp() {
+    client().warmUp();
+}
+
+void MeshLibrary::cancelAll() {
+    for (const auto& [key, progress] : loading_) {
+        progress->cancelled = true;
+    }
+}
+
+void MeshLibrary::forgetFailures() {
+    failures_.clear();
+}
+
+MeshLibrary::Key MeshLibrary::keyOf(const Object& object) {
+    return {object.mesh, object.fitUnitBox, object.flipNormals};
+}
+
+void MeshLibrary::makeBuiltin(const Key& key) {
+    Mesh& mesh = builtins_[key];
+    std::optional<Mesh> made = primitive(std::string_view(key.mesh).substr(builtinPrefix.size()));
+    if (!made) {
+        Q_EMIT failed(QString::fromStdString(key.mesh),
+                    failure("there is no built-in mesh called '" + key.mesh + "'").value());
+        return;
+    }
+    mesh = std::move(*made);
+    if (key.fitUnitBox) {
+        fitUnitBox(mesh);
+    }
+    if (key.flipNormals) {
+        flipNormals(mesh);
+    }
+}
+
+void MeshLibrary::load(const Key& key) {
+    auto progress = std::make_shared<Progress>();
+    const bool first = loading_.empty();
+    loading_[key] = progress;
+    Q_EMIT loadingStarted(QString::fromStdString(key.mesh));
+    if (first) {
+        QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportProgress);
+    }
+    // The destructor waits for the worker, so both outlive the job; its answer is queued to this
+    // object and dropped by Qt when this object is gone.
+    worker_.start([this, key, progress, &client = client()] {
+        const MeshRequest request{key.mesh, key.fitUnitBox, key.flipNormals, 1.0};
+        const Answer answer = client.loadMesh(request, progress.get());
+        QMetaObject::invokeMethod(
+            this, [this, key, answer] { finish(key, answer); }, Qt::QueuedConnection);
+    });
+}
+
+void MeshLibrary::finish(const Key& key, const Answer& answer) {
+    loading_.erase(key);
+    const QString file = QString::fromStdString(key.mesh);
+    if (answer) {
+        files_[key] = *answer;
+        Q_EMIT loaded(file);
+        return;
+    }
+    failures_[key] = answer.error();
+    Q_EMIT failed(file, answer.error());
+}
+
+void MeshLibrary::reportProgress() {
+    for (const auto& [key, progress] : loading_) {
+        Q_EMIT progressed(QString::fromStdString(key.mesh), progress->done.load());
+    }
+    if (!loading_.empty()) {
+        QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportProgress);
+    }
+}
+
+AssetClient& MeshLibrary::client() {
+    if (!client_) {
+        client_ = std::make_unique<AssetClient>();
+    }
+    return *client_;
+}
+
+} // namespace patina

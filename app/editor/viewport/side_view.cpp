@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/side_view.h"
+
+#include <algorithm>
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "viewport/camera_moves.h"
+#include "viewport/ray_cast.h"
+#include "viewport/turning.h"
+
+namespace patina {
+namespace {
+
+/// Every value of a light that turning changed, as one edit each of the same interaction.
+void storeTurned(Document& document, const BlockPath& path, const Values& before,
+                 const Values& after) {
+    for (const auto& [id, value] : after) {
+        const auto found = before.find(id);
+        if (found == before.end() || !(found->second == value)) {
+            document.setValue(path, id, value);
+        }
+    }
+}
+
+} // namespace
+
+SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
+                   const std::filesystem::path& programCache, QWidget* parent)
+    : QFrame(parent), document_(document), meshes_(meshes), side_(side), title_(new QLabel(this)),
+      viewport_(new Viewport({[this]() -> const Scene& { return document_.scene(side_); },
+                              [this](const Object& object) { return meshes_.view(object); },
+                              programCache},
+                             this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(title_);
+    layout->addWidget(viewport_, 1);
+    title_->setContentsMargins(8, 3, 8, 3);
+    title_->setTextFormat(Qt::RichText);
+    title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    viewport_->setAccessibleName(tr("View %1").arg(letterOf(side)));
+    viewport_->setCatalog(document.sharedCatalog());
+    viewport_->setCamera(document.scene().camera);
+    connectNavigation();
+    connect(&document, &Document::changed, viewport_, &Viewport::refresh);
+    connect(&document, &Document::changed, this, &SideView::updateTitle);
+    connect(&document, &Document::currentChanged, this, &SideView::updateTitle);
+    connect(&document, &Document::catalogChanged, this,
+            [this] { viewport_->setCatalog(document_.sharedCatalog()); });
+    connect(&meshes, &MeshLibrary::loaded, viewport_, &Viewport::refresh);
+    connect(viewport_, &Viewport::filesDropped, this, &SideView::filesDropped);
+    connect(viewport_, &Viewport::activated, this, [this] { document_.setActiveSide(side_); });
+    updateTitle();
+}
+
+void SideView::setTitleVisible(bool visible) {
+    title_->setVisible(visible);
+}
+
+void SideView::frameCurrentObject() {
+    const int current = document_.currentObject();
+    const Scene& scene = document_.scene(side_);
+    if (current < 0 || current >= static_cast<int>(scene.objects.size())) {
+        return;
+    }
+    const Object& object = scene.objects[static_cast<std::size_t>(current)];
+    const double aspect = double(viewport_->width()) / std::max(viewport_->height(), 1);
+    Q_EMIT cameraWished(
+        framed(viewport_->camera(), worldBounds(object, meshes_.view(object)), aspect));
+}
+
+void SideView::connectNavigation() {
+    CameraNavigation& navigation = viewport_->navigation();
+    connect(&navigation, &CameraNavigation::orbitWished, this, [this](double yaw, double pitch) {
+        Q_EMIT cameraWished(orbited(viewport_->camera(), yaw, pitch));
+    });
+    connect(&navigation, &CameraNavigation::panWished, this, [this](QPointF pixels) {
+        Q_EMIT cameraWished(
+            panned(viewport_->camera(), {pixels.x(), pixels.y()}, viewport_->height()));
+    });
+    connect(&navigation, &CameraNavigation::dollyWished, this, [this](double factor) {
+        Q_EMIT cameraWished(dollied(viewport_->camera(), factor));
+    });
+    connect(&navigation, &CameraNavigation::directionWished, this, [this](double yaw, double pitch) {
+        Camera camera = viewport_->camera();
+        camera.yaw = yaw;
+        camera.pitch = pitch;
+        Q_EMIT cameraWished(camera);
+    });
+    connect(&navigation, &CameraNavigation::objectTurnWished, this, &SideView::turnObject);
+    connect(&navigation, &CameraNavigation::lightTurnWished, this, &SideView::turnLight);
+    connect(&navigation, &CameraNavigation::dragFinished, this, &SideView::endTurn);
+    connect(&navigation, &CameraNavigation::pivotWished, this, &SideView::pivotOn);
+    connect(&navigation, &CameraNavigation::frameWished, this, &SideView::frameCurrentObject);
+    connect(&navigation, &CameraNavigation::resetWished, this, &SideView::resetWished);
+}
+
+void SideView::turnObject(double yaw, double pitch) {
+    const int current = document_.currentObject();
+    if (current < 0) {
+        return;
+    }
+    beginTurn();
+    Object object = document_.scene().objects[static_cast<std::size_t>(current)];
+    object.rotation = turnedRotation(object.rotation, viewport_->camera(), yaw, pitch);
+    document_.setObject(current, object);
+}
+
+void SideView::turnLight(double yaw, double pitch) {
+    const int index =
+        lightToTurn(document_.scene(), document_.catalog(), document_.currentLight());
+    if (index < 0) {
+        return;
+    }
+    beginTurn();
+    const Values before = document_.scene().lights[static_cast<std::size_t>(index)].block.parameters;
+    const BlockPath path{BlockPath::Part::Light, index, Side::A};
+    const Block* block = document_.block(path);
+    storeTurned(document_, path, before,
+                turnedLight(before, *block, viewport_->camera(), yaw, pitch));
+}
+
+void SideView::beginTurn() {
+    if (!turning_) {
+        turning_ = true;
+        document_.beginInteraction();
+    }
+}
+
+void SideView::endTurn() {
+    if (turning_) {
+        turning_ = false;
+        document_.endInteraction();
+    }
+}
+
+void SideView::pivotOn(QPointF place) {
+    const Ray ray = rayThrough(viewport_->camera(), {place.x(), place.y()},
+                               {viewport_->width(), viewport_->height()});
+    const auto meshes = [this](const Object& object) { return meshes_.view(object); };
+    if (const std::optional<Hit> hit = cast(ray, document_.scene(side_), meshes)) {
+        Q_EMIT cameraWished(pivotedAt(viewport_->camera(), hit->point));
+    }
+}
+
+void SideView::updateTitle() {
+    const Material* material = document_.material(side_);
+    const Block* model = material ? document_.catalog().find("models", material->model.id) : nullptr;
+    const QString modelName = model      ? QString::fromStdString(model->label)
+                              : material ? QString::fromStdString(material->model.id)
+                                         : tr("nothing selected");
+    const QString name = material ? QString::fromStdString(material->name) : QString();
+    const bool active = document_.activeSide() == side_;
+    const QString text = QStringLiteral("<b>&nbsp;%1&nbsp;</b>&nbsp; %2%3%4")
+                             .arg(letterOf(side_), modelName.toHtmlEscaped(),
+                                  name.isEmpty() ? QString() : " &ndash; " + name.toHtmlEscaped(),
+                                  active ? tr(" (being edited)") : QString());
+    if (text != title_->text()) {
+        title_->setText(text);
+        title_->setStyleSheet(QStringLiteral("color: %1; background: %2;")
+                                  .arg(active ? "#101010" : "#f0f0f0",
+                                       active ? colourOf(side_).name()
+                                              : colourOf(side_).darker(260).name()));
+        viewport_->setAccessibleDescription(tr("Shows %1 %2").arg(modelName, name));
+    }
+}
+
+QColor colourOf(Side side) {
+    return side == Side::A ? QColor(0xf0, 0xa0, 0x4b) : QColor(0x5b, 0xb6, 0xe8);
+}
+
+QString letterOf(Side side) {
+    return side == Side::A ? QStringLiteral("A") : QStringLiteral("B");
+}
+
+} // namespace patina

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include <QFrame>
+
+#include "document.h"
+#include "viewport/mesh_library.h"
+#include "viewport/viewport.h"
+
+class QLabel;
+
+namespace patina {
+
+/// One side of the comparison: a viewport under a coloured, lettered title, and what the mouse
+/// does in it to the document. The camera is not its own: it only asks for another one.
+class SideView : public QFrame {
+    Q_OBJECT
+
+  public:
+    SideView(Document& document, MeshLibrary& meshes, Side side,
+             const std::filesystem::path& programCache, QWidget* parent = nullptr);
+
+    Side side() const { return side_; }
+    Viewport& viewport() { return *viewport_; }
+    void setTitleVisible(bool visible);
+
+    /// Moves the camera so that the current object fills the view.
+    void frameCurrentObject();
+
+  Q_SIGNALS:
+    void cameraWished(patina::Camera camera);
+    void resetWished();
+    void filesDropped(QStringList files);
+
+  private:
+    void connectNavigation();
+    void turnObject(double yaw, double pitch);
+    void turnLight(double yaw, double pitch);
+    void beginTurn();
+    void endTurn();
+    void pivotOn(QPointF place);
+    void updateTitle();
+
+    Document& document_;
+    MeshLibrary& meshes_;
+    Side side_;
+    QLabel* title_;
+    Viewport* viewport_;
+    bool turning_ = false;
+};
+
+/// The colour and the letter of a side; a side is never told by its colour alone.
+QColor colourOf(Side side);
+QString letterOf(Side side);
+
+} // namespace patina

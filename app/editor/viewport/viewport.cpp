@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/viewport.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QUrl>
+
+namespace patina {
+
+Viewport::Viewport(Sources sources, QWidget* parent)
+    : QOpenGLWidget(parent), sources_(std::move(sources)) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAcceptDrops(true);
+    setMinimumSize(160, 120);
+}
+
+Viewport::~Viewport() {
+    dropRenderer();
+}
+
+QSurfaceFormat Viewport::surfaceFormat() {
+    QSurfaceFormat format;
+    format.setVersion(4, 1);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    // The renderer has buffers of its own; the widget's only takes the finished picture.
+    format.setDepthBufferSize(0);
+    format.setStencilBufferSize(0);
+    return format;
+}
+
+void Viewport::setCamera(const Camera& camera) {
+    if (!(camera == camera_)) {
+        camera_ = camera;
+        refresh();
+    }
+}
+
+void Viewport::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+    catalogIsNew_ = true;
+    refresh();
+}
+
+void Viewport::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::dropRenderer);
+    Result<std::unique_ptr<Renderer>> renderer = Renderer::create({sources_.programCache});
+    if (!renderer) {
+        failure_ = QString::fromStdString(renderer.error().text());
+        Q_EMIT failed(failure_);
+        return;
+    }
+    renderer_ = std::move(*renderer);
+    timer_.emplace(FrameTimer::Method::WallClock);
+    catalogIsNew_ = catalog_ != nullptr;
+}
+
+void Viewport::paintGL() {
+    if (!renderer_) {
+        return;
+    }
+    if (std::exchange(catalogIsNew_, false)) {
+        renderer_->setCatalog(catalog_);
+    }
+    timer_->begin();
+    const FrameReport& report = renderer_->draw(sources_.scene(), view(), sources_.meshes,
+                                                defaultFramebufferObject());
+    timer_->end();
+    ++frameCount_;
+    if (report.messages != messages_) {
+        messages_ = report.messages;
+        Q_EMIT messagesDrawn(messages_);
+    }
+    Q_EMIT frameDrawn();
+}
+
+QString Viewport::frameTime() {
+    if (frameCount_ == 0) {
+        return {};
+    }
+    makeCurrent();
+    timer_->collect();
+    doneCurrent();
+    const std::string_view method = timer_->methodText();
+    return tr("%1 ms (%2)")
+        .arg(timer_->milliseconds(), 0, 'f', 2)
+        .arg(QString::fromUtf8(method.data(), static_cast<qsizetype>(method.size())));
+}
+
+void Viewport::chooseTimer() {
+    if (!timer_) {
+        return;
+    }
+    makeCurrent();
+    const FrameTimer::Method method = trustedMethod();
+    if (method != timer_->method()) {
+        timer_.emplace(method);
+    }
+    doneCurrent();
+}
+
+const FrameReport& Viewport::report() const {
+    static const FrameReport nothing;
+    return renderer_ ? renderer_->report() : nothing;
+}
+
+View Viewport::view() const {
+    const QSize pixels = size() * devicePixelRatioF();
+    View view;
+    view.size = {std::max(pixels.width(), 1), std::max(pixels.height(), 1)};
+    view.camera = camera_;
+    return view;
+}
+
+void Viewport::dropRenderer() {
+    if (renderer_) {
+        makeCurrent();
+        timer_.reset();
+        renderer_.reset();
+        doneCurrent();
+    }
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+    Q_EMIT activated();
+    navigation_.press(*event);
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    navigation_.move(*event);
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    navigation_.release(*event);
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+    navigation_.doubleClick(*event);
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+    navigation_.wheel(*event);
+    event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+    if (!navigation_.keyPress(*event)) {
+        QOpenGLWidget::keyPressEvent(event);
+    }
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent* event) {
+    if (!navigation_.keyRelease(*event)) {
+        QOpenGLWidget::keyReleaseEvent(event);
+    }
+}
+
+void Viewport::focusOutEvent(QFocusEvent* event) {
+    navigation_.focusLost();
+    QOpenGLWidget::focusOutEvent(event);
+}
+
+void Viewport::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) {
+        event->acceptProposedAction();
+    }
+}
+
+void Viewport::dropEvent(QDropEvent* event) {
+    QStringList files;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) {
+            files << url.toLocalFile();
+        }
+    }
+    if (!files.isEmpty()) {
+        event->acceptProposedAction();
+        Q_EMIT filesDropped(files);
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QOpenGLWidget>
+
+#include "measure/frame_timer.h"
+#include "render/renderer.h"
+#include "viewport/camera_navigation.h"
+
+namespace patina {
+
+/// Shows a scene with a Renderer of its own and hands the mouse and the keys to a
+/// CameraNavigation. A frame is drawn only after refresh(), once however often that was called.
+class Viewport : public QOpenGLWidget {
+    Q_OBJECT
+
+  public:
+    using SceneSource = std::function<const Scene&()>;
+
+    struct Sources {
+        SceneSource scene;
+        MeshSource meshes;
+        std::filesystem::path programCache;
+    };
+
+    explicit Viewport(Sources sources, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    /// What a context must offer; the application's default before the first window is made.
+    static QSurfaceFormat surfaceFormat();
+
+    CameraNavigation& navigation() { return navigation_; }
+    const Camera& camera() const { return camera_; }
+    void setCamera(const Camera& camera);
+    void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    /// Something that is drawn has changed.
+    void refresh() { update(); }
+
+    int frameCount() const { return frameCount_; }
+    const FrameReport& report() const;
+
+    /// "1.3 ms (GPU timer)", or how else it was measured. Call it a moment after the frame.
+    QString frameTime();
+
+    /// Finds out how frames are best timed here, which takes some milliseconds; a clock on the
+    /// wall does until then.
+    void chooseTimer();
+
+    /// Why nothing is drawn; empty when all is well.
+    const QString& failure() const { return failure_; }
+
+  Q_SIGNALS:
+    void frameDrawn();
+    void failed(QString why);
+    void messagesDrawn(patina::Errors messages); ///< what the last frame has to say
+    void activated(); ///< it was clicked
+    void filesDropped(QStringList files);
+
+  protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void dropRenderer();
+    View view() const;
+
+    Sources sources_;
+    CameraNavigation navigation_;
+    Camera camera_;
+    std::shared_ptr<const Catalog> catalog_;
+    bool catalogIsNew_ = false;
+    std::unique_ptr<Renderer> renderer_;
+    Errors messages_; ///< of the last frame
+    std::optional<FrameTimer> timer_;
+    QString failure_;
+    int frameCount_ = 0;
+};
+
+} // namespace patina
