@@ -190,8 +190,11 @@ std::vector<Result<std::vector<double>>> EvalGpu::evaluate(std::span<const EvalC
         const auto answers = ready ? (*ready)->draw(group, catalog.roots.front().folder)
                                    : tl::unexpected(ready.error());
         for (std::size_t k = 0; k < members.size(); ++k) {
-            results[members[k]] = answers ? Result<std::vector<double>>((*answers)[k])
-                                          : tl::unexpected(answers.error());
+            if (answers) {
+                results[members[k]] = (*answers)[k];
+            } else {
+                results[members[k]] = tl::unexpected(answers.error());
+            }
         }
     }
     return results;
