@@ -80,7 +80,7 @@ int runEditor(int argc, char** argv) {
     const QtMessageHandler ordinary = qInstallMessageHandler(explainNoDisplay);
     QApplication application(argc, argv);
     qInstallMessageHandler(ordinary);
-    QGuiApplication::setDesktopFileName("io.github.patina.Patina");
+    QGuiApplication::setDesktopFileName("patina");
 
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
