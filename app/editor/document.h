@@ -148,8 +148,6 @@ class Document : public QObject {
     void connectSignals();
     void updateSecondScene(const BlockPath& path, const QString& parameterId);
     void keepCurrentInside();
-    void reconcile(Material& material, const Catalog& before) const;
-    void reconcile(BlockValues& values, std::string_view kind, const Catalog& before) const;
     void replaceState(DocumentState state, DocumentFile file);
     void tell(const Errors& messages);
     bool mayOverwrite(const std::filesystem::path& path);

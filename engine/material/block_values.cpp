@@ -16,6 +16,11 @@ std::string ownKey(const std::string& blockId, const std::string& parameterId) {
     return blockId + '/' + parameterId;
 }
 
+/// What a document holds for a value: in range, and a float.
+Value held(const Parameter& parameter, const Value& value) {
+    return roundedToFloat(conformed(parameter, value));
+}
+
 /// Moves the values of one block to another.
 class Carrier {
   public:
@@ -27,7 +32,7 @@ class Carrier {
         next.unknown = values_.unknown;
         for (const Parameter& parameter : to_.parameters) {
             if (const auto value = valueFor(parameter)) {
-                next.parameters[parameter.id] = conformed(parameter, *value);
+                next.parameters[parameter.id] = held(parameter, *value);
                 keepOriginal(parameter, *value);
             }
         }
@@ -66,7 +71,7 @@ class Carrier {
     /// has touched it since.
     bool standsFor(const Value& current, const Value& original, const Parameter& parameter) const {
         const Parameter* old = from_ == nullptr ? nullptr : from_->parameter(parameter.id);
-        return old != nullptr && current == conformed(*old, original);
+        return old != nullptr && current == held(*old, original);
     }
 
     /// The value before it is brought into range, if there is one that fits.

@@ -89,6 +89,14 @@ TEST(WithModel, ValueOutsideTheNewRange_IsBroughtIn) {
     EXPECT_EQ(get(withModel(shinyMaterial(500.0), &shiny, dull), "gloss"), Value(10.0));
 }
 
+TEST(WithModel, ValueBroughtToAnEndThatIsNoFloat_IsAFloatAndComesBackWhole) {
+    const Block tenth = block("tenth", {number("gloss", 0.1, 0.1)});
+    const Material before = shinyMaterial(500.0);
+    const Material swapped = withModel(before, &shiny, tenth);
+    EXPECT_EQ(get(swapped, "gloss"), Value(static_cast<double>(0.1f)));
+    EXPECT_EQ(get(withModel(swapped, &tenth, shiny), "gloss"), Value(500.0));
+}
+
 TEST(WithModel, ValueThatWasBroughtIn_ComesBackWhole) {
     const Material before = shinyMaterial(500.0);
     EXPECT_EQ(get(withModel(withModel(before, &shiny, dull), &dull, shiny), "gloss"), Value(500.0));
