@@ -123,7 +123,8 @@ void ParameterRow::updateFolding() {
     editor_->setVisible(!isFolded());
     QPalette colors;
     if (!isCounting_) {
-        const QColor grey = palette().color(QPalette::Disabled, QPalette::WindowText);
+        QColor grey = palette().color(QPalette::WindowText);
+        grey.setAlphaF(0.55f); // quiet, but still to be read on light and dark
         colors.setColor(QPalette::WindowText, grey);
         colors.setColor(QPalette::ButtonText, grey);
     }
