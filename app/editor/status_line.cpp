@@ -74,7 +74,8 @@ void StatusLine::setViewport(Viewport* viewport) {
 
 void StatusLine::showFrame() {
     const Material* material = document_.material(document_.activeSide());
-    const Block* model = material ? document_.catalog().find("models", material->model.id) : nullptr;
+    const Block* model =
+        material ? document_.catalog().find("models", material->model.id) : nullptr;
     model_->setText(model      ? QString::fromStdString(model->label)
                     : material ? tr("%1 (not installed)").arg(QString::fromStdString(
                                      material->model.id))

@@ -20,7 +20,8 @@ struct MeshReading {
 
 /// Reads every triangle of a mesh file (glTF and GLB through tinygltf, all else through Assimp)
 /// into the storage: node transforms applied, triangles without area left out, normals and
-/// tangents completed, vertices joined and ordered for the GPU's caches. Errors name the file; may throw std::bad_alloc.
+/// tangents completed, vertices joined and ordered for the GPU's caches. Errors name the file; may
+/// throw std::bad_alloc.
 Result<MeshReading> readMesh(const std::filesystem::path& file, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report);
 

@@ -71,10 +71,8 @@ std::string licenceOf(const SourceFile& file) {
     return licence;
 }
 
-/// Blocks and presets, wherever they lie.
 bool isGivenAway(const SourceFile& file) {
-    return ("/" + file.path).find("/shaders/") != std::string::npos ||
-           file.path.starts_with("presets/");
+    return file.path.starts_with("shaders/") || file.path.starts_with("presets/");
 }
 
 TEST(Licences, EveryFile_StatesTheOneOfItsFolder) {

@@ -46,7 +46,8 @@ QString blockToolTip(const Block& block) {
     QString tip = QStringLiteral("<p><b>%1</b></p><p>%2</p>")
                       .arg(QString::fromStdString(block.label).toHtmlEscaped(), summary);
     if (!uses.isEmpty()) {
-        tip += QStringLiteral("<p>") + QObject::tr("Good for: %1").arg(uses) + QStringLiteral("</p>");
+        tip +=
+            QStringLiteral("<p>") + QObject::tr("Good for: %1").arg(uses) + QStringLiteral("</p>");
     }
     return source.isEmpty() ? tip : tip + QStringLiteral("<p><i>%1</i></p>").arg(source);
 }

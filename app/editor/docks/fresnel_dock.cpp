@@ -30,7 +30,8 @@ void FresnelDock::update() {
     const bool on = material && material->fresnel.has_value();
     chooser_->setEnabled(material != nullptr);
     chooser_->show(on ? QString::fromStdString(material->fresnel->id) : QString());
-    const Block* model = material ? document_.catalog().find("models", material->model.id) : nullptr;
+    const Block* model =
+        material ? document_.catalog().find("models", material->model.id) : nullptr;
     const bool hasSlot = model && model->slot("fresnel");
     hint_->setText(hasSlot ? tr("The model uses it for its highlight.")
                            : tr("Blends the shaded colour towards its tint at grazing angles."));

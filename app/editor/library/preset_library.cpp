@@ -64,7 +64,8 @@ PresetLibrary::PresetLibrary(std::shared_ptr<const Catalog> catalog, QObject* pa
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     connect(&settle_, &QTimer::timeout, this, &PresetLibrary::scan);
-    connect(&watcher_, &QFileSystemWatcher::directoryChanged, &settle_, qOverload<>(&QTimer::start));
+    connect(&watcher_, &QFileSystemWatcher::directoryChanged, &settle_,
+            qOverload<>(&QTimer::start));
 }
 
 PresetLibrary::~PresetLibrary() {

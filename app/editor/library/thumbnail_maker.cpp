@@ -54,7 +54,8 @@ QImage toQImage(const Image& image) {
     QImage picture(image.width, image.height, QImage::Format_RGB888);
     const auto byte = [&](int x, int y, int channel) {
         const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width);
-        const auto at = (row + static_cast<std::size_t>(x)) * static_cast<std::size_t>(image.channels);
+        const auto at =
+            (row + static_cast<std::size_t>(x)) * static_cast<std::size_t>(image.channels);
         const float value = image.pixels[at + static_cast<std::size_t>(channel)];
         return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
     };

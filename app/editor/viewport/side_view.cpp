@@ -84,12 +84,13 @@ void SideView::connectNavigation() {
     connect(&navigation, &CameraNavigation::dollyWished, this, [this](double factor) {
         Q_EMIT cameraWished(dollied(viewport_->camera(), factor));
     });
-    connect(&navigation, &CameraNavigation::directionWished, this, [this](double yaw, double pitch) {
-        Camera camera = viewport_->camera();
-        camera.yaw = yaw;
-        camera.pitch = pitch;
-        Q_EMIT cameraWished(camera);
-    });
+    connect(&navigation, &CameraNavigation::directionWished, this,
+            [this](double yaw, double pitch) {
+                Camera camera = viewport_->camera();
+                camera.yaw = yaw;
+                camera.pitch = pitch;
+                Q_EMIT cameraWished(camera);
+            });
     connect(&navigation, &CameraNavigation::objectTurnWished, this, &SideView::turnObject);
     connect(&navigation, &CameraNavigation::lightTurnWished, this, &SideView::turnLight);
     connect(&navigation, &CameraNavigation::dragFinished, this, &SideView::endTurn);
@@ -116,7 +117,8 @@ void SideView::turnLight(double yaw, double pitch) {
         return;
     }
     beginTurn();
-    const Values before = document_.scene().lights[static_cast<std::size_t>(index)].block.parameters;
+    const Values before =
+        document_.scene().lights[static_cast<std::size_t>(index)].block.parameters;
     const BlockPath path{BlockPath::Part::Light, index, Side::A};
     const Block* block = document_.block(path);
     storeTurned(document_, path, before,
@@ -148,7 +150,8 @@ void SideView::pivotOn(QPointF place) {
 
 void SideView::updateTitle() {
     const Material* material = document_.material(side_);
-    const Block* model = material ? document_.catalog().find("models", material->model.id) : nullptr;
+    const Block* model =
+        material ? document_.catalog().find("models", material->model.id) : nullptr;
     const QString modelName = model      ? QString::fromStdString(model->label)
                               : material ? QString::fromStdString(material->model.id)
                                          : tr("nothing selected");
