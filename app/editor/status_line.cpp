@@ -13,6 +13,15 @@ namespace {
 constexpr int settleMs = 100;
 constexpr int progressWidth = 200;
 
+/// What an artist calls an effect: a block's label, or a word such as "ambient" as it is.
+QString labelOf(const std::string& effect, const Catalog& catalog) {
+    const std::size_t slash = effect.find('/');
+    const Block* block = slash == std::string::npos
+                             ? nullptr
+                             : catalog.find(effect.substr(0, slash), effect.substr(slash + 1));
+    return QString::fromStdString(block ? block->label : effect);
+}
+
 } // namespace
 
 StatusLine::StatusLine(Document& document, MeshLibrary& meshes, MessageLog& messages,
@@ -85,7 +94,7 @@ void StatusLine::showFrame() {
     }
     QStringList effects;
     for (const std::string& effect : viewport_->report().effects) {
-        effects << QString::fromStdString(effect);
+        effects << labelOf(effect, document_.catalog());
     }
     const QString list = effects.join(tr(", "));
     effects_->setText(tr("In the shader: %1").arg(list));

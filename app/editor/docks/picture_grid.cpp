@@ -39,7 +39,6 @@ PictureGrid::PictureGrid(int pictureSize, QWidget* parent)
     setViewMode(QListView::IconMode);
     setMovement(QListView::Static);
     setResizeMode(QListView::Adjust);
-    setUniformItemSizes(true);
     setWordWrap(true);
     setTextElideMode(Qt::ElideRight);
     setIconSize({pictureSize, pictureSize});
@@ -117,7 +116,9 @@ void PictureGrid::changeEvent(QEvent* event) {
 
 /// As many columns as have room, spread over the whole width so that none of it is left over.
 void PictureGrid::fitColumns() {
-    const int width = viewport()->width() - 2;
+    // The view keeps room for a scroll bar that is not there yet.
+    const int bar = verticalScrollBar()->isVisible() ? 0 : verticalScrollBar()->sizeHint().width();
+    const int width = viewport()->width() - bar - 2;
     const int columns = std::max(1, width / (pictureSize_ + spaceBeside));
     const int height = pictureSize_ + 2 * fontMetrics().lineSpacing() + spaceBeside;
     setGridSize({std::max(width / columns, 1), height});

@@ -79,22 +79,26 @@ void Viewport::paintGL() {
 }
 
 QString Viewport::frameTime() {
-    if (frameCount_ == 0) {
+    if (!timer_) {
         return {};
     }
     makeCurrent();
     timer_->collect();
     doneCurrent();
-    const std::string_view method = timer_->methodText();
-    return tr("%1 ms (%2)")
-        .arg(timer_->milliseconds(), 0, 'f', 2)
-        .arg(QString::fromUtf8(method.data(), static_cast<qsizetype>(method.size())));
+    if (timer_->milliseconds() > 0.0) {
+        const std::string_view method = timer_->methodText();
+        frameTime_ = tr("%1 ms (%2)")
+                         .arg(timer_->milliseconds(), 0, 'f', 2)
+                         .arg(QString::fromUtf8(method.data(), qsizetype(method.size())));
+    }
+    return frameTime_;
 }
 
 void Viewport::chooseTimer() {
     if (!timer_) {
         return;
     }
+    frameTime(); // of the frames so far
     makeCurrent();
     const FrameTimer::Method method = trustedMethod();
     if (method != timer_->method()) {

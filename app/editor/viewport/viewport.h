@@ -88,6 +88,7 @@ class Viewport : public QOpenGLWidget {
     std::unique_ptr<Renderer> renderer_;
     Errors messages_; ///< of the last frame
     std::optional<FrameTimer> timer_;
+    QString frameTime_; ///< the last one that was known
     QString failure_;
     int frameCount_ = 0;
 };
