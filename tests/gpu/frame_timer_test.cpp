@@ -58,9 +58,9 @@ TEST_F(FrameTimerTest, ChosenMethod_AgreesWithTheClock) {
 }
 
 TEST_F(FrameTimerTest, SoftwareDriver_IsTimedByTheClock) {
-    const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    const bool software = renderer.find("llvmpipe") != std::string::npos;
-    EXPECT_EQ(gl::isSoftware(), software) << renderer;
+    const std::string name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const bool software = name.find("llvmpipe") != std::string::npos;
+    EXPECT_EQ(gl::isSoftware(), software) << name;
     if (software) {
         EXPECT_EQ(trustedMethod(), FrameTimer::Method::WallClock);
     }
