@@ -14,7 +14,7 @@ constexpr double shortestDistance = 1e-3;
 constexpr double longestDistance = 1e5;
 
 /// Air around a framed object, as a share of its size.
-constexpr double frameMargin = 1.15;
+constexpr double frameMargin = 1.08;
 
 double halfAngle(const Camera& camera) {
     return 0.5 * glm::radians(camera.fieldOfView);
@@ -24,6 +24,14 @@ double halfAngle(const Camera& camera) {
 glm::dvec3 axis(const Camera& camera, int row) {
     const glm::dmat4 view = viewMatrix(camera);
     return {view[0][row], view[1][row], view[2][row]};
+}
+
+/// How far from the pivot the eye must be to have a place beside the pivot inside the view.
+double distanceToShow(const Camera& camera, const glm::dvec3& place, double aspect) {
+    const double tangent = std::tan(halfAngle(camera)) / frameMargin;
+    const double across = std::abs(glm::dot(place, axis(camera, 0))) / (tangent * aspect);
+    const double along = std::abs(glm::dot(place, axis(camera, 1))) / tangent;
+    return glm::dot(place, axis(camera, 2)) + std::max(across, along);
 }
 
 } // namespace
@@ -53,12 +61,16 @@ Camera framed(const Camera& camera, const Bounds& box, double aspect) {
     if (box.empty()) {
         return camera;
     }
-    const double radius = std::max(0.5 * glm::length(glm::dvec3(box.size())), shortestDistance);
-    const double narrow = std::atan(std::tan(halfAngle(camera)) * std::min(aspect, 1.0));
+    double distance = shortestDistance;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 sign{(corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5,
+                              (corner & 4) != 0 ? 0.5 : -0.5};
+        distance = std::max(distance, distanceToShow(camera, sign * glm::dvec3(box.size()), aspect));
+    }
     Camera moved = camera;
     moved.pivot = glm::dvec3(box.center());
     moved.distance = 1.0;
-    return dollied(moved, frameMargin * radius / std::sin(narrow));
+    return dollied(moved, distance);
 }
 
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot) {

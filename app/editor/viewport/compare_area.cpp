@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/compare_area.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "viewport/camera_moves.h"
 
 namespace patina {
 
@@ -17,6 +20,8 @@ CompareArea::CompareArea(Document& document, MeshLibrary& meshes,
             [this] { moveCamera(Side::A, document_.scene().camera); });
     connect(&document, &Document::sceneReplaced, this, [this] {
         home_ = document_.scene().camera;
+        comparing_ = document_.isComparing();
+        stepBack_ = 1.0;
         moveCamera(Side::A, home_);
         realignCameras();
         showSides();
@@ -70,6 +75,20 @@ void CompareArea::showSides() {
     first_->setTitleVisible(comparing);
     if (second_) {
         second_->setVisible(comparing);
+    }
+    fitNarrowViews(comparing);
+}
+
+/// Half of the area may be too narrow for what filled all of it: the camera steps back while the
+/// document compares, so that nothing is cut off.
+void CompareArea::fitNarrowViews(bool comparing) {
+    if (comparing == std::exchange(comparing_, comparing)) {
+        return;
+    }
+    const double aspect = 0.5 * width() / std::max(height(), 1);
+    stepBack_ = comparing ? std::max(1.0, 1.0 / aspect) : 1.0 / stepBack_;
+    if (stepBack_ != 1.0) {
+        moveCamera(Side::A, dollied(first_->viewport().camera(), stepBack_));
     }
 }
 

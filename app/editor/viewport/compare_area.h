@@ -39,6 +39,7 @@ class CompareArea : public QSplitter {
   private:
     SideView* addView(Side side);
     void showSides();
+    void fitNarrowViews(bool comparing);
     void moveCamera(Side side, const Camera& camera);
 
     Document& document_;
@@ -46,6 +47,8 @@ class CompareArea : public QSplitter {
     std::filesystem::path programCache_;
     Camera home_;
     bool linked_ = true;
+    bool comparing_ = false;
+    double stepBack_ = 1.0; ///< by how much comparing moved the camera away
     SideView* first_;
     SideView* second_ = nullptr;
 };

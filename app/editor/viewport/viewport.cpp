@@ -21,6 +21,9 @@ Viewport::Viewport(Sources sources, QWidget* parent)
 
 Viewport::~Viewport() {
     dropRenderer();
+    if (context()) {
+        disconnect(context(), nullptr, this, nullptr); // it goes with the base class
+    }
 }
 
 QSurfaceFormat Viewport::surfaceFormat() {
