@@ -21,9 +21,11 @@ void say(const QString& text) {
 }
 
 /// Qt ends the program itself when no display can be opened; this says it in our words.
-void explainNoDisplay(QtMsgType type, const QMessageLogContext&, const QString& text) {
+void explainNoDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type == QtFatalMsg) {
-        say(QStringLiteral("no display to open a window on (%1)").arg(text.section('\n', 0, 0)));
+        const QString display = qEnvironmentVariable("DISPLAY");
+        say(display.isEmpty() ? QStringLiteral("there is no display to open a window on")
+                              : QStringLiteral("the display %1 cannot be opened").arg(display));
         say(QStringLiteral("`patina render` draws without one"));
         std::_Exit(1);
     }

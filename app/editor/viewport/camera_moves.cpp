@@ -65,7 +65,8 @@ Camera framed(const Camera& camera, const Bounds& box, double aspect) {
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 sign{(corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5,
                               (corner & 4) != 0 ? 0.5 : -0.5};
-        distance = std::max(distance, distanceToShow(camera, sign * glm::dvec3(box.size()), aspect));
+        distance =
+            std::max(distance, distanceToShow(camera, sign * glm::dvec3(box.size()), aspect));
     }
     Camera moved = camera;
     moved.pivot = glm::dvec3(box.center());

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/camera_moves.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "viewport/ray_cast.h"
+#include "viewport/turning.h"
+
+namespace patina::tests {
+namespace {
+
+/// Rounding of a few double operations on numbers of about one.
+constexpr double tolerance = 1e-9;
+
+Bounds boxOf(const glm::vec3& lower, const glm::vec3& upper) {
+    Bounds box;
+    box.add(lower);
+    box.add(upper);
+    return box;
+}
+
+TEST(CameraMoves, OrbitPastThePole_StopsThere) {
+    EXPECT_EQ(orbited(Camera(), 0.0, 500.0).pitch, 90.0);
+}
+
+TEST(CameraMoves, Orbit_KeepsDistanceAndPivot) {
+    const Camera moved = orbited(Camera(), 33.0, 12.0);
+    EXPECT_NEAR(glm::distance(eye(moved), moved.pivot), Camera().distance, tolerance);
+}
+
+TEST(CameraMoves, DollyToNothing_KeepsAPositiveDistance) {
+    EXPECT_GT(dollied(Camera(), 0.0).distance, 0.0);
+}
+
+TEST(CameraMoves, Pan_MovesThePivotPointWithThePointer) {
+    const glm::dvec2 size{800.0, 600.0};
+    const Camera moved = panned(Camera(), {37.0, -21.0}, size.y);
+    // What was under the middle of the view is now under the place the pointer went to.
+    const Ray ray = rayThrough(moved, 0.5 * size + glm::dvec2{37.0, -21.0}, size);
+    const glm::dvec3 toPivot = Camera().pivot - ray.origin;
+    EXPECT_NEAR(glm::length(glm::cross(ray.direction, toPivot)), 0.0, tolerance);
+}
+
+TEST(CameraMoves, Frame_PutsTheBoxInTheMiddle) {
+    const Camera moved = framed(Camera(), boxOf({1.0f, 1.0f, 1.0f}, {3.0f, 3.0f, 3.0f}), 1.5);
+    EXPECT_EQ(moved.pivot, glm::dvec3(2.0));
+}
+
+TEST(CameraMoves, FrameInANarrowView_SteepensTheDistance) {
+    const Bounds box = boxOf({-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f});
+    EXPECT_GT(framed(Camera(), box, 0.5).distance, framed(Camera(), box, 1.0).distance);
+}
+
+TEST(CameraMoves, FrameOfNothing_ChangesNothing) {
+    EXPECT_EQ(framed(Camera(), Bounds(), 1.0), Camera());
+}
+
+TEST(CameraMoves, PivotElsewhere_LeavesTheEyeWhereItWas) {
+    const Camera moved = pivotedAt(Camera(), {0.4, -0.2, 0.3});
+    EXPECT_NEAR(glm::distance(eye(moved), eye(Camera())), 0.0, tolerance);
+}
+
+TEST(Turning, ObjectByNothing_KeepsItsPlacement) {
+    Object object;
+    object.rotation = {20.0, -35.0, 50.0};
+    Object same = object;
+    same.rotation = turnedRotation(object.rotation, Camera(), 0.0, 0.0);
+    const glm::dmat4 before = worldMatrix(object);
+    const glm::dmat4 after = worldMatrix(same);
+    for (int column = 0; column < 3; ++column) {
+        EXPECT_NEAR(glm::distance(before[column], after[column]), 0.0, tolerance);
+    }
+}
+
+TEST(Turning, ObjectByYaw_TurnsItsFrontTowardsTheRight) {
+    Object object;
+    object.rotation = turnedRotation({0.0, 0.0, 0.0}, Camera(), 90.0, 0.0);
+    const glm::dvec3 front(worldMatrix(object) * glm::dvec4(0.0, 0.0, 1.0, 0.0));
+    EXPECT_NEAR(glm::distance(front, glm::dvec3(1.0, 0.0, 0.0)), 0.0, tolerance);
+}
+
+TEST(RayCast, ThroughTwoSurfaces_HitsTheNearer) {
+    // Two triangles across the line of sight, one metre in front of the pivot and one behind.
+    Camera camera;
+    camera.yaw = 0.0;
+    camera.pitch = 0.0;
+    Mesh mesh;
+    for (const float z : {-1.0f, 1.0f}) {
+        for (const glm::vec3 corner :
+             {glm::vec3(-1, -1, z), glm::vec3(1, -1, z), glm::vec3(0, 2, z)}) {
+            Vertex vertex;
+            vertex.position = corner;
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+            mesh.vertices.push_back(vertex);
+        }
+    }
+    mesh.bounds = boundsOf(mesh.vertices);
+    Scene scene;
+    scene.objects.emplace_back();
+    const auto hit = cast(rayThrough(camera, {50.0, 50.0}, {100.0, 100.0}), scene,
+                          [&](const Object&) { return mesh.view(); });
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->point.z, 1.0, tolerance);
+}
+
+TEST(RayCast, AtAHiddenObject_HitsNothing) {
+    Scene scene;
+    scene.objects.emplace_back().visible = false;
+    const auto hit = cast(Ray(), scene, [](const Object&) -> MeshView {
+        ADD_FAILURE() << "the mesh of a hidden object was asked for";
+        return {};
+    });
+    EXPECT_FALSE(hit.has_value());
+}
+
+} // namespace
+} // namespace patina::tests

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <glm/geometric.hpp>
+
+#include <QMimeData>
+#include <QTest>
+
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+using Viewports = WindowFixture;
+
+constexpr int idleMs = 10000;
+
+TEST_F(Viewports, LeftAloneForTenSeconds_DrawNothing) {
+    QTest::qWait(idleMs);
+    EXPECT_EQ(newFrames(), 0);
+}
+
+TEST_F(Viewports, ManyChangesInOneTurn_DrawOneFrame) {
+    const BlockPath path = document().currentPath(BlockPath::Part::Scene);
+    for (int i = 1; i <= 50; ++i) {
+        document().setValue(path, "exposure", 0.01 * i);
+    }
+    EXPECT_EQ(newFrames(), 1);
+}
+
+TEST_F(Viewports, LeftDrag_Orbits) {
+    const Camera before = camera();
+    drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
+    EXPECT_NE(camera().yaw, before.yaw);
+    EXPECT_EQ(camera().pivot, before.pivot);
+}
+
+TEST_F(Viewports, MiddleDrag_Pans) {
+    const Camera before = camera();
+    drag(Qt::MiddleButton, Qt::NoModifier, {40, 10});
+    EXPECT_NE(camera().pivot, before.pivot);
+    EXPECT_EQ(camera().yaw, before.yaw);
+}
+
+TEST_F(Viewports, ShiftLeftDrag_Pans) {
+    const Camera before = camera();
+    drag(Qt::LeftButton, Qt::ShiftModifier, {40, 10});
+    EXPECT_NE(camera().pivot, before.pivot);
+}
+
+TEST_F(Viewports, RightDragUp_MovesNearer) {
+    const Camera before = camera();
+    drag(Qt::RightButton, Qt::NoModifier, {0, -40});
+    EXPECT_LT(camera().distance, before.distance);
+}
+
+TEST_F(Viewports, AltMiddleDrag_PansAsInMaya) {
+    const Camera before = camera();
+    drag(Qt::MiddleButton, Qt::AltModifier, {40, 0});
+    EXPECT_NE(camera().pivot, before.pivot);
+}
+
+TEST_F(Viewports, Wheel_MovesNearer) {
+    const Camera before = camera();
+    const QPointF middle = view().rect().center();
+    QWheelEvent turn(middle, view().mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view(), &turn);
+    EXPECT_LT(camera().distance, before.distance);
+}
+
+TEST_F(Viewports, KeyF_FramesTheObject) {
+    drag(Qt::MiddleButton, Qt::NoModifier, {200, 100});
+    const glm::dvec3 panned = camera().pivot;
+    QTest::keyClick(&view(), Qt::Key_F);
+    EXPECT_LT(glm::length(camera().pivot), glm::length(panned));
+}
+
+TEST_F(Viewports, KeyHome_BringsTheFirstCameraBack) {
+    const Camera before = camera();
+    drag(Qt::LeftButton, Qt::NoModifier, {40, 10});
+    QTest::keyClick(&view(), Qt::Key_Home);
+    EXPECT_EQ(camera(), before);
+}
+
+TEST_F(Viewports, DoubleClickOnTheSurface_SetsThePivotThere) {
+    const Camera before = camera();
+    const QPoint place = view().rect().center() + QPoint(30, -20);
+    QTest::mouseDClick(&view(), Qt::LeftButton, Qt::NoModifier, place);
+    EXPECT_NE(camera().pivot, before.pivot);
+    EXPECT_NEAR(glm::distance(eye(camera()), eye(before)), 0.0, 1e-9); // rounding of doubles
+}
+
+TEST_F(Viewports, CtrlLeftDrag_TurnsTheObjectInOneStep) {
+    const glm::dvec3 before = document().scene().objects[0].rotation;
+    drag(Qt::LeftButton, Qt::ControlModifier, {60, 20});
+    EXPECT_NE(document().scene().objects[0].rotation, before);
+    EXPECT_EQ(document().undoStack().count(), 1);
+}
+
+TEST_F(Viewports, KeyLAndLeftDrag_TurnsALightInOneStep) {
+    const std::vector<Light> before = document().scene().lights;
+    QTest::keyPress(&view(), Qt::Key_L);
+    drag(Qt::LeftButton, Qt::NoModifier, {60, 20});
+    QTest::keyRelease(&view(), Qt::Key_L);
+    EXPECT_NE(document().scene().lights, before);
+    EXPECT_EQ(document().undoStack().count(), 1);
+}
+
+TEST_F(Viewports, NumpadSeven_LooksFromAbove) {
+    QTest::keyClick(&view(), Qt::Key_7, Qt::KeypadModifier);
+    EXPECT_EQ(camera().pitch, 90.0);
+}
+
+TEST_F(Viewports, WhileComparing_MoveTogether) {
+    document().setComparing(true);
+    drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
+    EXPECT_EQ(secondView().camera(), camera());
+}
+
+TEST_F(Viewports, Unlinked_MoveAlone) {
+    document().setComparing(true);
+    window().views().setCamerasLinked(false);
+    const Camera before = secondView().camera();
+    drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
+    EXPECT_EQ(secondView().camera(), before);
+}
+
+TEST_F(Viewports, Realigned_LookFromTheSamePlace) {
+    document().setComparing(true);
+    window().views().setCamerasLinked(false);
+    drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
+    window().views().realignCameras();
+    EXPECT_EQ(secondView().camera(), camera());
+}
+
+TEST_F(Viewports, ClickOnB_MakesItActive) {
+    document().setComparing(true);
+    QTest::mouseClick(&secondView(), Qt::LeftButton);
+    EXPECT_EQ(document().activeSide(), Side::B);
+}
+
+TEST_F(Viewports, PresetDroppedOnB_ChangesOnlyB) {
+    document().setComparing(true);
+    QTest::qWait(0);
+    const Material before = *document().material(Side::A);
+    const std::filesystem::path preset = otherPreset(document());
+    ASSERT_FALSE(preset.empty());
+    QMimeData dragged;
+    dragged.setUrls({QUrl::fromLocalFile(QString::fromStdString(preset.string()))});
+    const QPoint middle = secondView().rect().center();
+    QDragEnterEvent enter(middle, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&secondView(), &enter);
+    QDropEvent drop(middle, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&secondView(), &drop);
+    EXPECT_EQ(*document().material(Side::A), before);
+    EXPECT_NE(document().material(Side::B)->model.id, before.model.id);
+}
+
+} // namespace
+} // namespace patina::tests

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window_fixture.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "material/preset_file.h"
+
+namespace patina::tests {
+namespace {
+
+constexpr int settleMs = 60;
+constexpr int frameLimitMs = 20000;
+
+} // namespace
+
+WindowFixture::WindowFixture() {
+    for (const char* variable :
+         {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
+        qputenv(variable, QByteArray::fromStdString((home_ / variable).string()));
+    }
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                       QString::fromStdString((home_ / "XDG_CONFIG_HOME").string()));
+    QSurfaceFormat::setDefaultFormat(Viewport::surfaceFormat());
+    open();
+}
+
+WindowFixture::~WindowFixture() {
+    close();
+}
+
+void WindowFixture::open() {
+    theme_ = std::make_unique<Theme>();
+    window_ = std::make_unique<MainWindow>(
+        std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), *theme_);
+    ASSERT_TRUE(document().openTemplate(FileActions::defaultScene()));
+    QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), frameLimitMs));
+    ASSERT_TRUE(!frames.isEmpty() || frames.wait(frameLimitMs));
+    newFrames();
+}
+
+void WindowFixture::close() {
+    window_.reset();
+    theme_.reset();
+}
+
+int WindowFixture::newFrames() {
+    QTest::qWait(settleMs);
+    const int before = framesBefore_;
+    framesBefore_ = view().frameCount();
+    return framesBefore_ - before;
+}
+
+void WindowFixture::drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint by) {
+    const QPoint middle = view().rect().center();
+    QTest::mousePress(&view(), button, modifiers, middle);
+    QMouseEvent move(QEvent::MouseMove, middle + by, view().mapToGlobal(middle + by), Qt::NoButton,
+                     button, modifiers);
+    QApplication::sendEvent(&view(), &move);
+    QTest::mouseRelease(&view(), button, modifiers, middle + by);
+}
+
+std::filesystem::path otherPreset(const Document& document) {
+    const std::string model = document.material(Side::A)->model.id;
+    for (const auto& file :
+         std::filesystem::recursive_directory_iterator(PresetLibrary::shippedFolder())) {
+        const auto reading = file.path().filename().string().ends_with(".patina.json")
+                                 ? readPreset(file.path(), document.catalog())
+                                 : tl::unexpected(Errors());
+        if (reading && reading->material.model.id != model) {
+            return file.path();
+        }
+    }
+    return {};
+}
+
+} // namespace patina::tests

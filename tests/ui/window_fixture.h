@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "main_window.h"
+#include "support/program.h"
+
+namespace patina::tests {
+
+/// The editor's window on the shipped blocks, with folders of its own for everything it keeps.
+class WindowFixture : public testing::Test {
+  protected:
+    WindowFixture();
+    ~WindowFixture() override;
+
+    void open();  ///< shows a window and waits for its first frame
+    void close(); ///< takes it away without asking
+
+    MainWindow& window() { return *window_; }
+    Document& document() { return window_->document(); }
+    Viewport& view() { return window_->views().first().viewport(); }
+    Viewport& secondView() { return window_->views().second()->viewport(); }
+    const Camera& camera() { return view().camera(); }
+
+    /// Frames drawn by the first view since the last call, after what was going on has settled.
+    int newFrames();
+
+    /// A left, middle or right drag over the middle of the first view.
+    void drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint by);
+
+    std::filesystem::path home(const std::string& name) const { return home_ / name; }
+
+  private:
+    TemporaryFolder home_;
+    std::unique_ptr<Theme> theme_;
+    std::unique_ptr<MainWindow> window_;
+    int framesBefore_ = 0;
+};
+
+/// A preset of some other model than the default scene's.
+std::filesystem::path otherPreset(const Document& document);
+
+} // namespace patina::tests

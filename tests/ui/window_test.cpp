@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDockWidget>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+
+#include "docks/picture_grid.h"
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+using Window = WindowFixture;
+
+constexpr int waitMs = 20000;
+
+/// Presses a button of the next message box, and tells whether one came.
+class Answer {
+  public:
+    explicit Answer(QMessageBox::StandardButton button) {
+        timer_.setInterval(20);
+        QObject::connect(&timer_, &QTimer::timeout, [this, button] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                asked_ = true;
+                timer_.stop();
+                box->button(button)->click();
+            }
+        });
+        timer_.start();
+    }
+
+    bool wasAsked() const { return asked_; }
+
+  private:
+    QTimer timer_;
+    bool asked_ = false;
+};
+
+void edit(Document& document) {
+    document.setValue(document.currentPath(BlockPath::Part::Scene), "exposure", 0.5);
+}
+
+bool waitUntil(const std::function<bool()>& holds) {
+    return QTest::qWaitFor(holds, waitMs);
+}
+
+QString messagesIn(MainWindow& window) {
+    return QString::fromStdString(text(window.messages().messages()));
+}
+
+TEST_F(Window, Start_IsUnmodified) {
+    EXPECT_FALSE(window().isWindowModified());
+}
+
+TEST_F(Window, Edit_MarksTheTitle) {
+    edit(document());
+    EXPECT_TRUE(window().isWindowModified());
+}
+
+TEST_F(Window, CloseWithoutEdits_AsksNothing) {
+    EXPECT_TRUE(window().QWidget::close());
+}
+
+TEST_F(Window, CloseWithUnsavedWork_Asks) {
+    edit(document());
+    const Answer answer(QMessageBox::Cancel);
+    EXPECT_FALSE(window().QWidget::close());
+    EXPECT_TRUE(answer.wasAsked());
+}
+
+TEST_F(Window, CloseAnsweredWithDiscard_Closes) {
+    edit(document());
+    const Answer answer(QMessageBox::Discard);
+    EXPECT_TRUE(window().QWidget::close());
+}
+
+TEST_F(Window, SaveIntoAFolderThatIsNotThere_SaysSoAndStaysModified) {
+    edit(document());
+    EXPECT_FALSE(document().saveScene(home("missing") / "a.patina-scene.json"));
+    EXPECT_TRUE(document().isModified());
+    EXPECT_TRUE(messagesIn(window()).contains("a.patina-scene.json"));
+}
+
+TEST_F(Window, FailedImport_SaysSoAndKeepsTheScene) {
+    const Scene before = document().scene();
+    writeFile(home("broken.obj"), "f 1 2 3\n");
+    window().files().open({QString::fromStdString(home("broken.obj").string())}, Side::A);
+    EXPECT_TRUE(waitUntil([&] { return messagesIn(window()).contains("broken.obj"); }));
+    EXPECT_EQ(document().scene(), before);
+}
+
+TEST_F(Window, DroppedMesh_BecomesAnObject) {
+    writeFile(home("triangle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    window().files().drop({QString::fromStdString(home("triangle.obj").string())}, Side::A);
+    EXPECT_TRUE(waitUntil([&] { return document().scene().objects.size() == 2; }));
+}
+
+TEST_F(Window, ShippedPresets_AppearInTheirDock) {
+    window().startRest();
+    auto* grid = window().dock("presets")->findChild<PictureGrid*>();
+    ASSERT_NE(grid, nullptr);
+    EXPECT_TRUE(waitUntil([&] { return grid->count() > 0; }));
+}
+
+TEST_F(Window, ModelInTheUsersFolder_AppearsInTheChooser) {
+    window().startRest();
+    auto* grid = window().dock("models")->findChild<PictureGrid*>();
+    const std::filesystem::path folder = home("XDG_DATA_HOME") / "patina/shaders/models";
+    std::filesystem::create_directories(folder);
+    writeFile(folder / "homemade.glsl",
+              "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+              "vec3 homemade(Directions d, Homemade p) {\n    return p.tint * d.nl;\n}\n");
+    writeFile(folder / "homemade.json", R"({
+        "id": "homemade", "version": 1, "label": "Homemade", "summary": "For tests.",
+        "applications": "Tests.", "source": "None", "doc": "For tests.",
+        "parameters": [{"id": "tint", "label": "Tint", "type": "color", "default": [1, 0, 0],
+                        "min": 0, "max": 1, "doc": "Its colour."}],
+        "claims": ["finite"]})");
+    EXPECT_TRUE(waitUntil([&] { return grid->find("homemade") != nullptr; }));
+}
+
+TEST_F(Window, ShaderThatStopsCompiling_KeepsThePictureAndNamesTheLine) {
+    const std::filesystem::path folder = home("XDG_DATA_HOME") / "patina/shaders/models";
+    std::filesystem::create_directories(folder);
+    const std::string good = "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                             "vec3 homemade(Directions d, Homemade p) {\n"
+                             "    return p.tint * d.nl;\n}\n";
+    writeFile(folder / "homemade.glsl", good);
+    writeFile(folder / "homemade.json", R"({
+        "id": "homemade", "version": 1, "label": "Homemade", "summary": "For tests.",
+        "applications": "Tests.", "source": "None", "doc": "For tests.",
+        "parameters": [{"id": "tint", "label": "Tint", "type": "color", "default": [1, 0, 0],
+                        "min": 0, "max": 1, "doc": "Its colour."}],
+        "claims": ["finite"]})");
+    close();
+    open();
+    window().startRest();
+    document().setModel(Side::A, "homemade");
+    window().dock("messages")->show(); // or its coming would make the view smaller
+    newFrames();
+    const QImage before = view().grabFramebuffer();
+    std::string broken = good;
+    broken.replace(broken.find("d.nl"), 4, "d.no");
+    writeFile(folder / "homemade.glsl", broken);
+    EXPECT_TRUE(waitUntil([&] { return messagesIn(window()).contains("homemade.glsl:4"); }))
+        << messagesIn(window()).toStdString();
+    EXPECT_EQ(view().grabFramebuffer(), before);
+}
+
+TEST_F(Window, ProgramKilledWithUnsavedWork_OffersItAtTheNextStart) {
+    const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("PATINA_TIME_STARTUP", "1");
+    program.setProcessEnvironment(environment);
+    window().hide();
+    program.start(PATINA_BINARY_DIR "/bin/patina", QStringList());
+    ASSERT_TRUE(program.waitForStarted(waitMs));
+    QByteArray said;
+    ASSERT_TRUE(waitUntil([&] {
+        said += program.readAllStandardError();
+        return said.contains("first frame");
+    })) << said.toStdString();
+    QTest::qWait(500); // the docks it shows first
+    ASSERT_EQ(QProcess::execute("xdotool",
+                                {"mousemove", "750", "450", "keydown", "ctrl", "mousedown", "1",
+                                 "mousemove", "800", "470", "mouseup", "1", "keyup", "ctrl"}),
+              0);
+    const auto isSaved = [&] {
+        return std::filesystem::exists(folder) &&
+               std::any_of(std::filesystem::directory_iterator(folder), {}, [](const auto& file) {
+                   return file.path().string().ends_with(".patina-scene.json");
+               });
+    };
+    EXPECT_TRUE(waitUntil(isSaved));
+    program.kill();
+    program.waitForFinished(waitMs);
+    window().show();
+    window().startRest();
+    auto* question = window().findChild<QMessageBox*>("recovery");
+    ASSERT_NE(question, nullptr);
+    const glm::dvec3 before = document().scene().objects[0].rotation;
+    question->defaultButton()->click();
+    EXPECT_NE(document().scene().objects[0].rotation, before);
+    EXPECT_TRUE(document().isModified());
+}
+
+TEST_F(Window, RunningProgramsWork_IsNotOffered) {
+    window().autosave().setIntervals(1, 1);
+    edit(document());
+    const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
+    ASSERT_TRUE(waitUntil(
+        [&] { return std::filesystem::exists(folder) && !std::filesystem::is_empty(folder); }));
+    QTest::qWait(200);
+    EXPECT_TRUE(Autosave::found(folder).empty());
+}
+
+TEST_F(Window, SavedWork_LeavesNoCopy) {
+    window().autosave().setIntervals(1, 1);
+    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    edit(document());
+    QTest::qWait(300);
+    ASSERT_TRUE(window().files().save());
+    int copies = 0;
+    for (const auto& file :
+         std::filesystem::directory_iterator(home("XDG_STATE_HOME") / "patina/autosave")) {
+        copies += file.path().extension() == ".json" ? 1 : 0;
+    }
+    EXPECT_EQ(copies, 0);
+}
+
+} // namespace
+} // namespace patina::tests
