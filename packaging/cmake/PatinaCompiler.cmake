@@ -23,6 +23,10 @@ if(PATINA_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
                         -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
+    # gcc 12 takes what the sanitizers add for reads of unset memory, in std::function for one.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(patina_compiler INTERFACE -Wno-maybe-uninitialized)
+    endif()
 endif()
 
 option(PATINA_FUZZ "Build patina-fuzz, which needs clang" OFF)
