@@ -79,13 +79,31 @@ class Loader {
         std::error_code status;
         for (const fs::path& folder : entriesOf(root.folder, status)) {
             std::error_code ignored;
-            if (isKindFolder(folder) && fs::is_directory(folder, ignored)) {
+            if (isKindFolder(folder) && fs::is_directory(folder, ignored) &&
+                isKnownKind(folder, root)) {
                 readKind(folder, root.shipped);
             }
         }
         if (status && root.shipped) {
             catalog_.errors.push_back(unreadable(root.folder, status));
         }
+    }
+
+    /// The kinds there are stand in the shipped folder; a user's folder of another name is a slip
+    /// of the pen that nothing else would tell.
+    bool isKnownKind(const fs::path& folder, const BlockRoot& root) {
+        const std::string kind = folder.filename().string();
+        if (root.shipped) {
+            kinds_.push_back(kind);
+            return true;
+        }
+        if (kinds_.empty() || std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end()) {
+            return true;
+        }
+        catalog_.errors.push_back({folder.string(), 0, 0,
+                                   fmt::format("\"{}\" is no kind of block", kind),
+                                   oneOf(kind, kinds_)});
+        return false;
     }
 
     void readKind(const fs::path& folder, bool shipped) {
@@ -173,6 +191,7 @@ class Loader {
     }
 
     const JsonSchema& schema_;
+    std::vector<std::string> kinds_; ///< of the shipped folders
     std::vector<Descriptor> descriptors_;
     Catalog catalog_;
 };

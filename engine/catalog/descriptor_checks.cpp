@@ -2,7 +2,9 @@
 #include "catalog/descriptor_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -42,6 +44,7 @@ class Checker {
 
     Errors run() {
         checkFiles();
+        checkSlots();
         checkParameters();
         for (std::size_t i = 0; i < block_.accuracy.size(); ++i) {
             checkAccuracy(block_.accuracy[i], fmt::format("/accuracy/{}", i));
@@ -63,10 +66,26 @@ class Checker {
             add("/id", fmt::format("the id \"{}\" is not the file's name", block_.id),
                 fmt::format("\"{}\"", stem));
         }
+        if (const std::string name = block_.id.empty() ? std::string() : functionName(block_);
+            isReservedWord(name) || name == "main") {
+            add("/id", fmt::format("the block's function would be \"{}\", which is taken", name),
+                "another id");
+        }
         std::error_code status;
         if (!std::filesystem::is_regular_file(block_.shaderFile, status)) {
             add("", "the block has no shader",
                 "a file " + block_.shaderFile.filename().string() + " beside this one");
+        }
+    }
+
+    void checkSlots() {
+        std::set<std::string> kinds;
+        for (std::size_t i = 0; i < block_.slots.size(); ++i) {
+            if (!kinds.insert(block_.slots[i].kind).second) {
+                add(fmt::format("/slots/{}/kind", i),
+                    fmt::format("there are two slots for {}", block_.slots[i].kind),
+                    "each kind once");
+            }
         }
     }
 
@@ -97,6 +116,9 @@ class Checker {
         } else if (isReservedWord(field)) {
             add(pointer + "/id", fmt::format("\"{}\" is a word of GLSL or C++", field),
                 "another id");
+        } else if (block_.slot(field) != nullptr) {
+            add(pointer + "/id", fmt::format("\"{}\" is the name of the block's slot", field),
+                "another id");
         }
     }
 
@@ -112,6 +134,8 @@ class Checker {
         checkDefault(parameter, pointer);
         checkCompiled(parameter, pointer + "/compiled");
         checkCondition(parameter, pointer + "/enabledWhen");
+        checkPhysical(parameter, pointer + "/physical");
+        checkMigrations(parameter, pointer + "/migrations");
         if (parameter.space != Space::None && parameter.type != ParameterType::Vec3) {
             add(pointer + "/space", "only a vec3 lies in a space", "no such key");
         }
@@ -135,8 +159,39 @@ class Checker {
                 fmt::format("{} <= softMin <= softMax <= {}", shown(parameter.min),
                             shown(parameter.max)));
         }
+        checkWholeRange(parameter, pointer);
         if (parameter.scale == Scale::Log && parameter.softMin <= 0.0) {
             add(pointer + "/scale", "a log slider cannot reach 0", "a softMin above 0");
+        }
+    }
+
+    /// Values travel to the shader as floats, which hold every whole number up to 2^24.
+    void checkWholeRange(const Parameter& parameter, const std::string& pointer) {
+        constexpr double largest = 1 << 24;
+        for (const auto& [key, value] :
+             {std::pair{"/min", parameter.min}, {"/max", parameter.max}}) {
+            if (parameter.type == ParameterType::Int && std::abs(value) > largest) {
+                add(pointer + key, "a float cannot hold every whole number of this size",
+                    "a number from -16777216 to 16777216");
+            }
+        }
+    }
+
+    void checkPhysical(const Parameter& parameter, const std::string& pointer) {
+        if (parameter.physical && parameter.physical->min > parameter.physical->max) {
+            add(pointer + "/min", "min is above max",
+                fmt::format("a number up to {}", shown(parameter.physical->max)));
+        }
+    }
+
+    void checkMigrations(const Parameter& parameter, const std::string& pointer) {
+        for (std::size_t i = 0; i < parameter.migrations.size(); ++i) {
+            const std::string& from = parameter.migrations[i].from;
+            if (block_.parameter(from) != nullptr) {
+                add(fmt::format("{}/{}/from", pointer, i),
+                    fmt::format("\"{}\" is the id of a parameter", from),
+                    "an id that is no longer used");
+            }
         }
     }
 
@@ -155,7 +210,8 @@ class Checker {
 
     void checkDefault(const Parameter& parameter, const std::string& pointer) {
         const Json* json = member(pointer, "default");
-        if (json == nullptr || !has(pointer + "/type")) {
+        const bool isChosen = parameter.type == ParameterType::Enum;
+        if (json == nullptr || !has(pointer + "/type") || (isChosen && parameter.values.empty())) {
             return;
         }
         const Result<Value> value = valueFromJson(parameter, *json);

@@ -55,6 +55,18 @@ TEST(Catalog, SharedAndPassesFolders_HoldNoBlocks) {
     EXPECT_EQ(text(folder.load().errors), "");
 }
 
+TEST(Catalog, UsersFolderOfNoKind_IsAMistakeThatNamesTheKinds) {
+    BlockFolder shipped;
+    BlockFolder users;
+    shipped.add("models", plainDescriptor("a"));
+    users.add("model", plainDescriptor("mine"));
+    const Catalog catalog =
+        loadCatalog(std::vector<BlockRoot>{{shipped.root(), true}, {users.root(), false}});
+    EXPECT_NE(text(catalog.errors).find("\"model\" is no kind of block; expected 'models'"),
+              std::string::npos)
+        << text(catalog.errors);
+}
+
 TEST(Catalog, UsersBlock_IsNotShipped) {
     BlockFolder folder;
     folder.add("models", plainDescriptor("mine"));

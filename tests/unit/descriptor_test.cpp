@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "catalog_fixture.h"
@@ -66,6 +68,61 @@ TEST_F(Mistakes, SeveralInOneFile_AreAllReported) {
                   "compiled, decimals, default, doc, enabledWhen, group, id, label, max, "
                   "migrations, min, physical, scale, softMax, softMin, space, step, "
                   "texture, type, unit, values\n");
+}
+
+/// One mistake per line from line 3 on; every one of them is another one.
+constexpr const char* manyMistakes = R"({
+  "id": "a", "label": "A",
+  "version": 0,
+  "labl": "A",
+  "summary": 3,
+  "claims": ["finite", "shiny"],
+  "exemptions": {"finite": "It is claimed too."},
+  "gates": ["light", "lihgt"],
+  "slots": [{"kind": "fresnel", "default": "plain"},
+    {"kind": "fresnel", "default": "other"}],
+  "parameters": [
+    {"id": "a b", "label": "A", "type": "float", "default": 0},
+    {"id": "empty", "label": "", "type": "float", "default": 0},
+    {"id": "typo", "label": "A", "type": "flaot", "default": 0},
+    {"id": "far", "label": "A", "type": "float", "default": 5},
+    {"id": "far", "label": "A", "type": "float", "default": 0},
+    {"id": "word", "label": "A", "type": "float", "default": "five"},
+    {"id": "while", "label": "A", "type": "float", "default": 0},
+    {"id": "fresnel", "label": "A", "type": "float", "default": 0},
+    {"id": "turned", "label": "A", "type": "float", "default": 0, "min": 2, "max": 1},
+    {"id": "short", "label": "A", "type": "color", "default": [1, 2]},
+    {"id": "half", "label": "A", "type": "int", "default": 1.5, "min": 0, "max": 3},
+    {"id": "wide", "label": "A", "type": "int", "default": 0, "min": 0, "max": 3e9},
+    {"id": "none", "label": "A", "type": "enum", "default": "x"},
+    {"id": "log", "label": "A", "type": "float", "default": 0, "scale": "log"},
+    {"id": "step", "label": "A", "type": "float", "default": 0, "step": 0},
+    {"id": "when", "label": "A", "type": "float", "default": 0, "enabledWhen": "nosuch > 1"},
+    {"id": "baked", "label": "A", "type": "float", "default": 0, "compiled": true},
+    {"id": "where", "label": "A", "type": "float", "default": 0, "space": "worldPoint"},
+    {"id": "warn", "label": "A", "type": "float", "default": 0, "physical": {"min": 2, "max": 1}},
+    {"id": "old", "label": "A", "type": "float", "default": 0,
+      "migrations": [{"from": "log", "until": 1}]},
+    {"id": "soft", "label": "A", "type": "float", "default": 0, "softMin": -1}
+  ]
+})";
+
+TEST_F(Mistakes, EveryKind_IsReportedAtItsLineInOneGo) {
+    folder_.addText("models", "a", manyMistakes);
+    std::set<int> lines;
+    for (const Error& error : folder_.load().errors) {
+        lines.insert(error.line);
+        EXPECT_NE(error.expected, "") << error.text();
+    }
+    const std::set<int> expected{3,  4,  5,  6,  7,  8,  10, 12, 13, 14, 15, 16, 17, 18,
+                                 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 32, 33};
+    EXPECT_EQ(lines, expected) << text(folder_.load().errors);
+}
+
+TEST_F(Mistakes, IdThatMakesAWordOfGlsl_IsOne) {
+    for (const char* id : {"float", "main", "for"}) {
+        EXPECT_NE(of(plainDescriptor(id)).find("which is taken"), std::string::npos) << id;
+    }
 }
 
 TEST_F(Mistakes, UnknownKey_SuggestsTheOneThatWasMeant) {
