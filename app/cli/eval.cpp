@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
+#include <future>
 #include <iostream>
+#include <optional>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -43,67 +47,134 @@ std::string valueLine(const EvalCase& request, std::span<const double> numbers) 
     return fmt::format("{{\"id\": {}, \"value\": {}}}\n", id, jsonList(numbers));
 }
 
-/// Answers lines in their order. Cases for the GPU are kept back, and what follows them with
-/// them, until there are many or no more lines.
+/// The answer to a line, or the case that is kept for the GPU.
+struct Answer {
+    std::string text;
+    std::optional<EvalCase> waiting;
+    bool failed = false;
+};
+
+Answer failed(const nlohmann::json& id, const Error& error) {
+    return {errorLine(id, error), {}, true};
+}
+
+Answer answered(const EvalCase& request, const Result<std::vector<double>>& numbers) {
+    if (!numbers) {
+        return failed(request.id, numbers.error());
+    }
+    if (!allFinite(*numbers)) {
+        return failed(request.id, Error{{}, 0, 0, "the result is not finite", {}});
+    }
+    return {valueLine(request, *numbers), {}, false};
+}
+
+Answer answerTo(std::string_view line, const Catalog& catalog) {
+    EvalLine read = readEvalLine(line, catalog);
+    if (!read.request) {
+        return failed(read.id, read.request.error());
+    }
+    if (read.request->gpu) {
+        return {{}, std::move(*read.request), false};
+    }
+    return answered(*read.request, evaluatedInDouble(*read.request));
+}
+
+/// Runs `work(first, last)` over parts of 0 .. count on all cores; a few are not worth a thread.
+template <class Work>
+void inParallel(std::size_t count, const Work& work) {
+    constexpr std::size_t worthAThread = 256;
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t parts = std::clamp<std::size_t>(count / worthAThread, 1, cores);
+    std::vector<std::future<void>> others;
+    for (std::size_t i = 1; i < parts; ++i) {
+        others.push_back(std::async(std::launch::async, [&work, count, parts, i] {
+            work(count * i / parts, count * (i + 1) / parts);
+        }));
+    }
+    work(0, count / parts);
+    for (std::future<void>& other : others) {
+        other.get();
+    }
+}
+
+/// Answers lines in their order, many at a time. Cases for the GPU are kept back, and what follows
+/// them with them, until there are many or no more lines.
 class Evaluation {
   public:
     explicit Evaluation(const Catalog& catalog) : catalog_(catalog) {}
 
-    void take(std::string_view line) {
-        EvalLine read = readEvalLine(line, catalog_);
-        if (read.request && read.request->gpu) {
-            answers_.emplace_back();
-            waiting_.push_back(std::move(*read.request));
-            places_.push_back(answers_.size() - 1);
-        } else {
-            answers_.push_back(read.request
-                                   ? answer(*read.request, evaluatedInDouble(*read.request))
-                                   : failed(read.id, read.request.error()));
-        }
-        if (waiting_.empty() || waiting_.size() >= enough) {
-            finish();
+    /// The answer comes with the next call of answer() or finish().
+    void take(std::string line) {
+        bytes_ += line.size();
+        lines_.push_back(std::move(line));
+        if (lines_.size() >= mostLines || bytes_ >= mostBytes) {
+            answer();
         }
     }
 
-    /// Writes everything that is known or can now be found out.
+    /// Writes what can be known without waiting for more cases.
+    void answer() {
+        const std::size_t before = answers_.size();
+        answers_.resize(before + lines_.size());
+        inParallel(lines_.size(), [this, before](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                answers_[before + i] = answerTo(lines_[i], catalog_);
+            }
+        });
+        const auto isWaiting = [](const Answer& answer) { return answer.waiting.has_value(); };
+        waiting_ +=
+            std::count_if(answers_.begin() + std::ptrdiff_t(before), answers_.end(), isWaiting);
+        lines_.clear();
+        bytes_ = 0;
+        if (waiting_ == 0 || waiting_ >= enough) {
+            write();
+        }
+    }
+
+    /// Writes everything.
     void finish() {
-        const auto results = gpu_.evaluate(waiting_, catalog_);
-        for (std::size_t i = 0; i < results.size(); ++i) {
-            answers_[places_[i]] = answer(waiting_[i], results[i]);
-        }
-        for (const std::string& line : answers_) {
-            std::cout << line;
-        }
-        answers_.clear();
-        waiting_.clear();
-        places_.clear();
+        answer();
+        write();
     }
 
     bool failedOnce() const { return failedOnce_; }
 
   private:
-    static constexpr std::size_t enough = 1u << 17; ///< GPU cases kept in memory at a time
+    static constexpr std::ptrdiff_t enough = 1 << 17;   ///< GPU cases kept in memory at a time
+    static constexpr std::size_t mostLines = 1u << 14;  ///< lines answered at a time
+    static constexpr std::size_t mostBytes = 16u << 20; ///< of them
 
-    std::string failed(const nlohmann::json& id, const Error& error) {
-        failedOnce_ = true;
-        return errorLine(id, error);
+    void write() {
+        answerWaiting();
+        for (const Answer& answer : answers_) {
+            std::cout << answer.text;
+            failedOnce_ = failedOnce_ || answer.failed;
+        }
+        answers_.clear();
     }
 
-    std::string answer(const EvalCase& request, const Result<std::vector<double>>& numbers) {
-        if (!numbers) {
-            return failed(request.id, numbers.error());
+    void answerWaiting() {
+        std::vector<EvalCase> cases;
+        std::vector<Answer*> places;
+        for (Answer& answer : answers_) {
+            if (answer.waiting) {
+                cases.push_back(std::move(*answer.waiting));
+                places.push_back(&answer);
+            }
         }
-        if (!allFinite(*numbers)) {
-            return failed(request.id, Error{{}, 0, 0, "the result is not finite", {}});
+        const auto results = gpu_.evaluate(cases, catalog_);
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            *places[i] = answered(cases[i], results[i]);
         }
-        return valueLine(request, *numbers);
+        waiting_ = 0;
     }
 
     const Catalog& catalog_;
     EvalGpu gpu_;
-    std::vector<std::string> answers_;
-    std::vector<EvalCase> waiting_;
-    std::vector<std::size_t> places_;
+    std::vector<std::string> lines_;
+    std::size_t bytes_ = 0;
+    std::vector<Answer> answers_;
+    std::ptrdiff_t waiting_ = 0;
     bool failedOnce_ = false;
 };
 
@@ -121,9 +192,10 @@ bool evaluateAll(const Catalog& catalog) {
         if (isBlank(line)) {
             continue;
         }
-        evaluation.take(line);
-        if (std::cin.rdbuf()->in_avail() <= 0) {
-            std::cout.flush(); // whoever wrote the line may be waiting for its answer
+        evaluation.take(std::move(line));
+        if (std::cin.rdbuf()->in_avail() <= 0) { // whoever wrote it may be waiting for its answer
+            evaluation.answer();
+            std::cout.flush();
         }
     }
     evaluation.finish();

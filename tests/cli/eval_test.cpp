@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <sstream>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
@@ -65,6 +68,24 @@ TEST(EvalCommand, Answers_ComeInTheOrderOfTheirLines) {
     for (int i = 0; i < 6; ++i) {
         ASSERT_TRUE(std::getline(out, line));
         EXPECT_EQ(Json::parse(line)["id"], i);
+    }
+}
+
+TEST(EvalCommand, ManyLines_AreAnsweredInTheirOrder) {
+    // More than are answered at a time, a bad one among them, shared out among all cores.
+    constexpr int count = 40000;
+    std::string lines;
+    for (int i = 0; i < count; ++i) {
+        lines += fmt::format("{{\"id\": {}, \"{}\": \"schlick\", \"cos\": {}}}\n", i,
+                             i == 23456 ? "fresnell" : "fresnel", double(i) / count);
+    }
+    std::istringstream out(evalLines(lines).out);
+    std::string line;
+    for (int i = 0; i < count; ++i) {
+        ASSERT_TRUE(std::getline(out, line)) << i;
+        const Json answer = Json::parse(line);
+        ASSERT_EQ(answer["id"], i);
+        ASSERT_EQ(answer.contains("error"), i == 23456) << line;
     }
 }
 
