@@ -87,9 +87,11 @@ bool inRange(const Parameter& parameter, const Value& value) {
     return true;
 }
 
-/// One number stands for a grey where a colour is wanted.
+/// One number stands for three where a colour or the like is wanted.
 Json asWanted(const Parameter& parameter, const Json& json) {
-    if (parameter.type == ParameterType::Color && json.is_number()) {
+    const bool three =
+        parameter.type == ParameterType::Color || parameter.type == ParameterType::Vec3;
+    if (three && json.is_number()) {
         return Json::array({json, json, json});
     }
     return json;
@@ -168,7 +170,7 @@ Result<EvalBlock> readBlock(const Catalog& catalog, const std::string& kind, con
     return EvalBlock{block, *values, *levels};
 }
 
-/// {"id": ..., "parameters": {...}}, or the id alone.
+/// {"id": ..., "parameters": {...}, "accuracy": {...}}, or the id alone.
 Result<EvalBlock> readNested(const Catalog& catalog, const std::string& kind, const Json& json) {
     const Json& id = json.is_object() ? json.value("id", Json()) : json;
     if (!id.is_string()) {
@@ -176,7 +178,8 @@ Result<EvalBlock> readNested(const Catalog& catalog, const std::string& kind, co
     }
     const Json none = Json::object();
     return readBlock(catalog, kind, id.get<std::string>(),
-                     json.is_object() ? json.value("parameters", none) : none, none);
+                     json.is_object() ? json.value("parameters", none) : none,
+                     json.is_object() ? json.value("accuracy", none) : none);
 }
 
 Result<void> readFrame(const Json& json, EvalCase& request) {

@@ -27,7 +27,7 @@ vec3 strauss(Directions d, Strauss p) {
     straussArgument(p, d.nl, d.sin2l, xl, yl);
     straussArgument(p, d.nv, d.sin2v, xv, yv);
 
-    float F = straussFresnel(xl, yl, p.kf);
+    float F = straussWeight(xl, yl, p.kf);
     float j = F * straussShadowing(yl, p.ks) * straussShadowing(yv, p.ks);
     float rn = s * s * s * passed;
     float reflected = min(1.0, rn + (rn + p.k) * j);

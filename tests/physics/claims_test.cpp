@@ -186,18 +186,34 @@ void continuousAtHorizon(const Block& block) {
     }
 }
 
+/// Of a Fresnel block: what is reflected does not fall as light gets flatter.
+void monotonic(const Block& block) {
+    HardCases hard(block);
+    for (int i = 0; i < hardCases / 100; ++i) {
+        EvalCase request = hard.next();
+        double last = 0.0;
+        for (int step = 0; step <= 100; ++step) {
+            request.number = 1.0 - 0.01 * step;
+            const double reflected = rawValue(request)[0];
+            ASSERT_GE(reflected, last - 1e-15) << described(request, {reflected}, {});
+            last = reflected;
+        }
+    }
+}
+
 struct Claim {
     const char* name;
     void (*check)(const Block&);
 };
 
-constexpr std::array<Claim, 7> claims{{{"finite", finite},
+constexpr std::array<Claim, 8> claims{{{"finite", finite},
                                        {"non_negative", nonNegative},
                                        {"reciprocal", reciprocal},
                                        {"energy_conserving", energyConserving},
                                        {"isotropic", isotropic},
                                        {"zero_below_horizon", zeroBelowHorizon},
-                                       {"continuous_at_horizon", continuousAtHorizon}}};
+                                       {"continuous_at_horizon", continuousAtHorizon},
+                                       {"monotonic", monotonic}}};
 
 bool makes(const Block& block, const std::string& claim) {
     return std::find(block.claims.begin(), block.claims.end(), claim) != block.claims.end();
@@ -246,9 +262,18 @@ TEST(Descriptors, EveryBlock_ClaimsToBeFiniteAndNotNegative) {
 TEST(Descriptors, Models_SayWhyTheyMakeNotAClaim) {
     for (const Block* model : catalog().ofKind("models")) {
         for (const Claim& claim : claims) {
+            if (claim.check == monotonic) {
+                continue; // of a reflectance alone
+            }
             EXPECT_NE(makes(*model, claim.name), model->exemptions.contains(claim.name))
                 << model->id << ' ' << claim.name;
         }
+    }
+}
+
+TEST(Descriptors, FresnelBlocks_SayWhyTheyAreNotMonotonic) {
+    for (const Block* block : catalog().ofKind("fresnel")) {
+        EXPECT_NE(makes(*block, "monotonic"), block->exemptions.contains("monotonic")) << block->id;
     }
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/fresnel.glsl"
+
+float conductorChannel(Incidence i, ConductorFresnel p, float eta, float k) {
+    if (p.reflectance == CONDUCTOR_FRESNEL_REFLECTANCE_HIGH_INDEX) {
+        return fresnelConductorHighIndex(i.c, eta / p.indexOutside, k / p.indexOutside);
+    }
+    float Rs;
+    float Rp;
+    conductorReflectances(i, p.indexOutside, eta, k, Rs, Rp);
+    return 0.5 * (Rs + Rp);
+}
+
+// Fresnel's reflectance of a metal, the mean of both polarisations, per channel.
+vec3 conductorFresnel(Incidence i, ConductorFresnel p) {
+    return vec3(conductorChannel(i, p, p.eta.x, p.k.x), conductorChannel(i, p, p.eta.y, p.k.y),
+                conductorChannel(i, p, p.eta.z, p.k.z));
+}
+
+vec3 conductorFresnelTint(ConductorFresnel p) {
+    return p.color;
+}
