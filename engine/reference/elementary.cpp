@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include <boost/math/quadrature/gauss.hpp>
+
 namespace patina::reference {
 namespace {
 
@@ -32,6 +34,10 @@ double pow1m(double d, double c, double e) {
     return std::exp(e * (c > 0.5 ? std::log1p(-d) : std::log(c)));
 }
 
+double minusLnCos(double s2, double c2) {
+    return 0.5 * std::log1p(s2 / c2);
+}
+
 // 1 - cos(a) = x / 2, so sin(a / 2)^2 = x / 4.
 double acos2(double x) {
     const double angle = 2.0 * std::asin(0.5 * std::sqrt(x));
@@ -45,6 +51,18 @@ double asinS(double z) {
 double versineOf(double a) {
     const double half = std::sin(0.5 * a);
     return 2.0 * half * half;
+}
+
+double ierfc(double a) {
+    return std::exp(-a * a) * std::numbers::inv_sqrtpi - a * std::erfc(a);
+}
+
+// With theta = u sqrt(w); e^(-7^2) is below a double's rounding.
+double gaussianShare(double w) {
+    const double m = std::sqrt(w);
+    const auto integrand = [m](double u) { return std::exp(-u * u) * std::sin(2.0 * m * u) / m; };
+    const double end = std::min(0.5 * std::numbers::pi / m, 7.0);
+    return boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0.0, end);
 }
 
 void angXY(double c, double s2, double& x, double& y) {

@@ -8,9 +8,12 @@ namespace patina::reference {
 double atanhOverZ(double w);
 double powSC(double s2, double c2, double e);
 double pow1m(double d, double c, double e);
+double minusLnCos(double s2, double c2);
 double acos2(double x);
 double asinS(double z);
 double versineOf(double a);
+double ierfc(double a);
+double gaussianShare(double w);
 void angXY(double c, double s2, double& x, double& y);
 
 } // namespace patina::reference

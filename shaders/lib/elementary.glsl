@@ -39,6 +39,15 @@ float pow1m(float d, float c, float e) {
     return exp2(-1.4426950408889634 * e * L);
 }
 
+// -ln cos(theta) from s2 : c2 = sin^2 : cos^2 on any common scale, c2 > 0; relative error 3e-7.
+float minusLnCos(float s2, float c2) {
+    float z = s2 / (s2 + 2.0 * c2);
+    if (z < 1.0 / 3.0) {
+        return z * atanhOverZ(z * z);
+    }
+    return -0.34657359027997265 * log2(max(c2 / (s2 + c2), 1e-37));
+}
+
 // acos(1 - x / 2)^2, 0 <= x <= 2: the square of an angle is analytic in its versine, the angle is
 // not; relative error 3e-7.
 float acos2(float x) {
@@ -60,6 +69,26 @@ float versineOf(float a) {
     return w * (0.4999999954247251 + w * (-0.04166663326988191 + w * (0.0013888492914353897
         + w * (-2.47843616236833e-5 + w * (2.7216673352592613e-7
         + w * -1.7729953116727984e-9)))));
+}
+
+// The integral of erfc from a to infinity, e^(-a^2)/sqrt(pi) - a erfc(a), a >= 0; the error is
+// below 4e-8 (2 a + ierfc(a)), the sum in which Smith's masking has it.
+float ierfc(float a) {
+    float x = min(a, 10.0); // 0 in float from a = 9 on
+    return 0.5641896 * exp2(-x * (2.557115786 + x * (0.8233961439 + x * (0.1211867362
+        + x * (-0.01207291036 + x * (-0.001165413965 + x * 0.0003953996219))))));
+}
+
+// The integral of e^(-theta^2 / w) sin(2 theta) over 0 .. pi/2, divided by w, 0 < w <= 1.45: how much
+// of its small-angle limit 1 a Gaussian in the angle keeps on the hemisphere; relative error 2e-7.
+// The polynomials are Dawson's integral and what of it lies past the horizon.
+float gaussianShare(float w) {
+    float whole = 0.9999999965 + w * (-0.6666663858 + w * (0.26666284 + w * (-0.07617019917
+        + w * (0.01687745022 + w * (-0.002999301924 + w * (0.0004070031202
+        + w * -3.18943214e-5))))));
+    float past = 0.2024444596 + w * (-0.1221637617 + w * (0.04057687598
+        + w * (-0.0084342209 + w * 0.000876537178)));
+    return whole + exp2(-3.5597071 / w) * w * past;
 }
 
 // The angle theta in right angles from its cosine c >= 0 and squared sine s2: x = theta / (pi/2)

@@ -15,6 +15,14 @@ Incidence incidenceOf(float c) {
     return i;
 }
 
+// The incidence of a cosine c >= 0 whose squared sine s2 is known: 1 - c = s2 / (1 + c).
+Incidence incidenceAt(float c, float s2) {
+    Incidence i;
+    i.c = min(c, 1.0);
+    i.versine = min(s2 / (1.0 + c), 1.0);
+    return i;
+}
+
 // The incidence between unit vectors a and b: 1 - a.b = |a - b|^2 / 2, which keeps every digit of
 // a small angle. More than 90 degrees counts as grazing.
 Incidence incidenceBetween(vec3 a, vec3 b) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT-0
-// Microfacet distributions D (1/sr, the integral of D cos over the hemisphere is 1) and masking.
-// sin2h : cos2h is sin^2 : cos^2 of the angle between the normal and the half vector, on any
-// common scale; alpha > 0 is the width of the distribution.
+// Microfacet distributions and their v-cavity masking. sin2h : cos2h is sin^2 : cos^2 of the angle
+// theta between the normal and the half vector, on any common scale. A D is in 1/sr and the integral
+// of D cos over the hemisphere is 1; a lobe is 1 at theta = 0.
+#include "lib/elementary.glsl"
 #include "lib/math.glsl"
 
 // Beckmann: D = exp(-tan^2 / alpha^2) / (pi alpha^2 cos^4), alpha the RMS slope.
 // Cook and Torrance, A Reflectance Model for Computer Graphics, ACM TOG 1(1), 1982, section 4, with
 // the 1/pi that their print leaves out. alpha 1e-4 .. 3. The caps only matter within 1e-15 rad of
 // the horizon, where the exponential is 0 and 1/cos^4 would otherwise make 0 x infinity.
-float beckmannD(float sin2h, float cos2h, float alpha) {
+float beckmannDistribution(float sin2h, float cos2h, float alpha) {
     float tan2 = cos2h > 1e-30 * sin2h ? sin2h / cos2h : 1e30;
     float sec2 = 1.0 + min(tan2, 1e15);
     return exp2(-1.4426950408889634 * (tan2 / (alpha * alpha))) * sec2 * sec2
@@ -18,9 +19,52 @@ float beckmannD(float sin2h, float cos2h, float alpha) {
 // Trowbridge-Reitz (GGX): D = alpha^2 / (pi (cos^2 (alpha^2 - 1) + 1)^2).
 // Trowbridge and Reitz, JOSA 65(5), 1975; Walter et al., EGSR 2007, equation 33. Written as
 // alpha^2 r^2 / pi with r = 1 / (alpha^2 cos^2 + sin^2), which only adds positive terms.
-float ggxD(float sin2h, float cos2h, float alpha) {
+float ggxDistribution(float sin2h, float cos2h, float alpha) {
     float r = (sin2h + cos2h) / (alpha * alpha * cos2h + sin2h);
     return alpha * alpha * r * r / PI;
+}
+
+// The width c3 with which the lobe (c3^2 / (cos^2 (c3^2 - 1) + 1))^2 of Trowbridge and Reitz falls
+// to a half at theta = beta: c3^2 = (cos^2 beta - 1) / (cos^2 beta - sqrt 2), 0 < beta < pi/2.
+// Blinn, SIGGRAPH 1977, distribution D3. The lobe is pi c3^2 times GGX of alpha = c3.
+float trowbridgeReitzWidth(float beta) {
+    float s = sin(beta);
+    return s * inversesqrt(s * s + 0.41421356237309505);
+}
+
+// The exponent e with which cos^e falls to a half at theta = beta, e = -ln 2 / ln cos beta,
+// 0 < beta < pi/2. Blinn 1977, distribution D1.
+float phongExponent(float beta) {
+    float s = sin(beta);
+    return 0.69314718055994531 / minusLnCos(s * s, 1.0 - s * s);
+}
+
+// Phong's lobe as a distribution: D = (e + 2) cos^e / (2 pi), e >= 0. Walter et al. 2007, equation 30.
+float cosinePowerDistribution(float sin2h, float cos2h, float e) {
+    return (e + 2.0) * powSC(sin2h, cos2h, e) / (2.0 * PI);
+}
+
+// theta^2 from nh = cos theta and the ratio of the squares, which keeps a small angle's digits.
+float squaredAngle(float sin2h, float cos2h, float nh) {
+    return acos2(min(2.0 * sin2h / ((sin2h + cos2h) * (1.0 + nh)), 2.0));
+}
+
+// The width of the Gaussian that falls to a half at theta = beta: beta / sqrt(ln 2). Blinn 1977, D2.
+float gaussianWidth(float beta) {
+    return 1.2011224087864498 * beta;
+}
+
+// The lobe e^(-(theta / width)^2), width > 0 in radians: Blinn 1977, distribution D2, which he takes
+// from Torrance and Sparrow 1967; the Gaussian of Cook and Torrance 1982, section 4.
+float gaussianLobe(float sin2h, float cos2h, float nh, float width) {
+    float inverse = 1.0 / width;
+    return exp2(-1.4426950408889634 * (squaredAngle(sin2h, cos2h, nh) * inverse) * inverse);
+}
+
+// What the Gaussian lobe is divided by to be a distribution, the integral of lobe x cos over the
+// hemisphere: pi width^2 gaussianShare(width^2); width up to 1.2.
+float gaussianNormaliser(float width) {
+    return PI * width * width * gaussianShare(width * width);
 }
 
 // Torrance and Sparrow's v-cavity masking and shadowing,

@@ -1,15 +1,99 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/directions.glsl"
 #include "lib/fresnel.glsl"
+#include "lib/gloss.glsl"
+#include "lib/masking.glsl"
 #include "lib/microfacet.glsl"
+
+// The width of the facets' slopes: the RMS slope of the Beckmann surface that is masked alike, or
+// alpha of the GGX one. The Gaussians are Beckmann's for small angles; for the power Walter et al.
+// 2007, section 5.2, take the Beckmann surface of alpha^2 = 2 / (e + 2).
+float cookTorranceWidth(CookTorrance p) {
+    float width = slopeWidth(p.roughness);
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_TROWBRIDGE_REITZ) {
+        return trowbridgeReitzWidth(width);
+    }
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_TORRANCE_SPARROW) {
+        return gaussianWidth(width);
+    }
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_PHONG) {
+        return sqrt(2.0 / (phongExponent(width) + 2.0));
+    }
+    return width;
+}
+
+bool cookTorranceIsGgx(CookTorrance p) {
+    return p.distribution == COOK_TORRANCE_DISTRIBUTION_GGX
+        || p.distribution == COOK_TORRANCE_DISTRIBUTION_TROWBRIDGE_REITZ;
+}
 
 // D in 1/sr, integral of D cos = 1.
 float cookTorranceD(Directions d, CookTorrance p) {
-    float alpha = slopeWidth(p.roughness);
-    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_GGX) {
-        return ggxD(d.sin2h, d.cos2h, alpha);
+    float width = cookTorranceWidth(p);
+    if (cookTorranceIsGgx(p)) {
+        return ggxDistribution(d.sin2h, d.cos2h, width);
     }
-    return beckmannD(d.sin2h, d.cos2h, alpha);
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_BECKMANN) {
+        return beckmannDistribution(d.sin2h, d.cos2h, width);
+    }
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_PHONG) {
+        return cosinePowerDistribution(d.sin2h, d.cos2h, phongExponent(slopeWidth(p.roughness)));
+    }
+    return gaussianLobe(d.sin2h, d.cos2h, d.nh, width) / gaussianNormaliser(width);
+}
+
+// What turns D into pi times the distribution as printed: Blinn's are 1 at the peak, and Beckmann's
+// lacks the 1/pi.
+float cookTorrancePrinted(CookTorrance p) {
+    float width = cookTorranceWidth(p);
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_TROWBRIDGE_REITZ) {
+        return PI * width * width;
+    }
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_PHONG) {
+        return 2.0 * PI / (phongExponent(slopeWidth(p.roughness)) + 2.0);
+    }
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_TORRANCE_SPARROW) {
+        return gaussianNormaliser(width);
+    }
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_BLINN_GAUSSIAN) {
+        return p.gaussianConstant * gaussianNormaliser(width);
+    }
+    return PI;
+}
+
+// c / G1 of one direction.
+float cookTorranceUnmasked(CookTorrance p, float c, float s2) {
+    float width = cookTorranceWidth(p);
+    if (p.masking == COOK_TORRANCE_MASKING_SCHLICK_SMITH) {
+        return schlickUnmasked(c, (cookTorranceIsGgx(p) ? 0.5 : 0.79788456080286536) * width);
+    }
+    if (cookTorranceIsGgx(p)) {
+        return ggxUnmasked(c, s2, width);
+    }
+    return beckmannUnmasked(c, s2, width);
+}
+
+// G / (4 n.v).
+float cookTorranceVisibility(Directions d, CookTorrance p) {
+    if (p.masking == COOK_TORRANCE_MASKING_V_CAVITY) {
+        return vCavityVisibility(d.nl, d.nv, d.nH, d.HH);
+    }
+    float Sl = cookTorranceUnmasked(p, d.nl, d.sin2l);
+    float Sv = cookTorranceUnmasked(p, d.nv, d.sin2v);
+    if (p.masking == COOK_TORRANCE_MASKING_SMITH_CORRELATED) {
+        return correlatedVisibility(d.nl, d.nv, Sl, Sv);
+    }
+    return separableVisibility(d.nl, Sl, Sv);
+}
+
+Incidence cookTorranceIncidence(Directions d, CookTorrance p) {
+    if (p.fresnelCosine == COOK_TORRANCE_FRESNEL_COSINE_LIGHT) {
+        return incidenceAt(d.nl, d.sin2l);
+    }
+    if (p.fresnelCosine == COOK_TORRANCE_FRESNEL_COSINE_VIEW) {
+        return incidenceAt(d.nv, d.sin2v);
+    }
+    return halfIncidence(d);
 }
 
 // s R_s + d R_d of Cook and Torrance 1982, section 3, with R_s = D G F / (4 (n.l)(n.v)). Their print
@@ -21,10 +105,13 @@ vec3 cookTorrance(Directions d, CookTorrance p) {
         specularShare = p.specularShare;
         diffuseShare = 1.0 - p.specularShare;
     }
+    float scale = PI;
     if (p.scale == COOK_TORRANCE_SCALE_1982) {
-        specularShare *= 4.0;
+        scale = 4.0 * cookTorrancePrinted(p);
     }
-    vec3 F = slotFresnel(halfIncidence(d), p.fresnel);
-    float lobe = PI * cookTorranceD(d, p) * vCavityVisibility(d.nl, d.nv, d.nH, d.HH);
-    return p.diffuseColor * (diffuseShare * d.nl) + p.specularColor * F * (specularShare * lobe);
+    vec3 F = slotFresnel(cookTorranceIncidence(d, p), p.fresnel);
+    float lobe = scale * cookTorranceD(d, p) * cookTorranceVisibility(d, p);
+    vec3 highlight = p.specularColor * F * (specularShare * lobe);
+    return p.diffuseColor * (diffuseShare * d.nl)
+        + glossed(highlight, p.gloss, p.glossMode == COOK_TORRANCE_GLOSS_MODE_LIMIT, d.nl);
 }

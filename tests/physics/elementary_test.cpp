@@ -62,6 +62,30 @@ TEST(Elementary, VersineOf_KeepsItsBound) {
     EXPECT_LT(worstError("versineOf", arguments), 4e-7);
 }
 
+TEST(Elementary, MinusLnCos_KeepsItsBound) {
+    const auto squares = [](double u) { return std::vector{u, 1.0 - 0.999 * u}; };
+    EXPECT_LT(worstError("minusLnCos", squares), 3e-7);
+}
+
+TEST(Elementary, Ierfc_KeepsItsBound) {
+    for (double a = 0.0; a < 12.0; a += 1e-3) {
+        const double exact = call("ierfc", {a})[0];
+        EXPECT_NEAR(approximation("ierfc", {a})[0], exact, 4e-8 * (2.0 * a + exact)) << a;
+    }
+}
+
+TEST(Elementary, GaussianShare_KeepsItsBound) {
+    const auto width = [](double u) { return std::vector{1e-9 + 1.45 * u}; };
+    EXPECT_LT(worstError("gaussianShare", width), 2e-7);
+}
+
+/// Half the integral of e^(-theta^2 / w) sin(2 theta) is that of sin(theta) cos(theta) e^(...).
+TEST(Elementary, GaussianShare_MatchesTheTabulatedIntegral) {
+    // Blinn's Gaussian of width 0.3 integrates to 0.26637406875084752 over the hemisphere.
+    EXPECT_NEAR(std::numbers::pi * 0.09 * call("gaussianShare", {0.09})[0], 0.26637406875084752,
+                1e-15);
+}
+
 TEST(Elementary, AngXY_KeepsItsBound) {
     const auto arguments = [](double u) {
         const double angle = 0.5 * std::numbers::pi * u;

@@ -1,41 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "physics_cases.h"
+#include "direction_pairs.h"
 
 namespace patina::physics {
 namespace {
-
-/// The tables have 15 digits of each value.
-constexpr double relativeRounding = 2e-13;
-
-reference::Geometry pairOfDirections(const std::string& name) {
-    const auto pair = table("lobes.json")["directions"][name];
-    return geometry(direction(pair["light"][0], pair["light"][1]),
-                    direction(pair["viewer"][0], pair["viewer"][1]));
-}
-
-/// Compares `value` with the six numbers of a row.
-template <class F>
-void expectRow(const nlohmann::json& row, F&& value) {
-    for (const auto& [name, expected] : row.items()) {
-        const double number = expected;
-        EXPECT_NEAR(value(pairOfDirections(name)), number,
-                    relativeRounding * std::abs(number) + 1e-300)
-            << "directions " << name;
-    }
-}
-
-/// The fields of Directions in their order.
-std::vector<double> projections(const reference::Geometry& g) {
-    std::vector<double> numbers;
-    for (const glm::dvec3& u : {g.n, g.t, g.b, g.l, g.v}) {
-        numbers.insert(numbers.end(), {u.x, u.y, u.z});
-    }
-    return call("directions", numbers);
-}
-
-enum Projection { nl, nv, nh, lh, lv, rv, lt, lb, vt, vb, ht, hb, sin2h, cos2h, HH, nH };
 
 TEST(Directions, SixPairs_MatchTheirDotProducts) {
     const auto data = table("lobes.json")["projections"];
@@ -69,7 +38,7 @@ TEST(BeckmannDistribution, Table_Matches) {
     const auto data = table("lobes.json")["beckmann"];
     expectRow(data["values"], [&](const reference::Geometry& g) {
         const auto p = projections(g);
-        return call("beckmann_d", {p[sin2h], p[cos2h], data["alpha"]})[0];
+        return call("beckmann_distribution", {p[sin2h], p[cos2h], data["alpha"]})[0];
     });
 }
 
@@ -77,7 +46,7 @@ TEST(GgxDistribution, Table_Matches) {
     const auto data = table("lobes.json")["ggx"];
     expectRow(data["values"], [&](const reference::Geometry& g) {
         const auto p = projections(g);
-        return call("ggx_d", {p[sin2h], p[cos2h], data["alpha"]})[0];
+        return call("ggx_distribution", {p[sin2h], p[cos2h], data["alpha"]})[0];
     });
 }
 
@@ -102,7 +71,7 @@ double cosineIntegral(const std::string& distribution, double alpha) {
 }
 
 TEST(MicrofacetDistributions, IntegratedOverTheHemisphere_GiveOne) {
-    for (const char* distribution : {"beckmannD", "ggxD"}) {
+    for (const char* distribution : {"beckmannDistribution", "ggxDistribution"}) {
         for (const double alpha : {0.02, 0.1, 0.3, 1.0}) {
             EXPECT_NEAR(cosineIntegral(distribution, alpha), 1.0, 1e-6) << distribution << alpha;
         }

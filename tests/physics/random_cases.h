@@ -16,12 +16,13 @@ class RandomCases {
 
     EvalCase next() {
         EvalCase request;
+        choices_.seed(static_cast<unsigned>(any(programs)));
         request.gpu = true;
         request.block = valuesOf(block_);
         if (!block_.slots.empty()) {
             const Slot& slot = block_.slots.front();
             const auto fillers = catalog().ofKind(slot.kind);
-            request.slot = valuesOf(*fillers[random_() % fillers.size()]);
+            request.slot = valuesOf(*fillers[choices_() % fillers.size()]);
         }
         if (block_.kind == "models") {
             placeDirections(request);
@@ -63,9 +64,9 @@ class RandomCases {
     Value valueOf(const Parameter& parameter) {
         switch (parameter.type) {
         case ParameterType::Enum:
-            return parameter.values[any(parameter.values.size())].id;
+            return parameter.values[choices_() % parameter.values.size()].id;
         case ParameterType::Bool:
-            return random_() % 2 == 0;
+            return choices_() % 2 == 0;
         case ParameterType::Int:
             return static_cast<int>(numberOf(parameter));
         case ParameterType::Color:
@@ -78,8 +79,12 @@ class RandomCases {
         }
     }
 
+    /// How many combinations of choices are drawn: each is a program of its own on the GPU.
+    static constexpr std::size_t programs = 64;
+
     const Block& block_;
     std::mt19937 random_{20251121};
+    std::mt19937 choices_;
 };
 
 /// What artists do: cosines of at least 0.05, one viewer in three near the mirror direction, and
