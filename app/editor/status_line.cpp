@@ -50,6 +50,7 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, MessageLog& mess
     connect(&messages_, &MessageLog::changed, this, &StatusLine::showBadge);
     connect(&document_, &Document::currentChanged, &settle_, qOverload<>(&QTimer::start));
     showBadge();
+    setMinimumHeight(sizeHint().height()); // what comes and goes in it does not move the views
 }
 
 void StatusLine::makeLoadingRow() {

@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "ui/window_fixture.h"
@@ -24,6 +25,27 @@ TEST_F(Viewports, ManyChangesInOneTurn_DrawOneFrame) {
         document().setValue(path, "exposure", 0.01 * i);
     }
     EXPECT_EQ(newFrames(), 1);
+}
+
+TEST_F(Viewports, OnceShown_HaveDrawnOneFrame) {
+    EXPECT_EQ(view().frameCount(), 1);
+}
+
+TEST_F(Viewports, Resized_DrawOneFrameInTheNewSize) {
+    QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    window().resize(window().size() - QSize(60, 40));
+    ASSERT_TRUE(frames.wait());
+    newFrames();
+    EXPECT_EQ(view().grabFramebuffer().size(), view().size());
+    EXPECT_EQ(frames.count(), 1);
+}
+
+TEST_F(Viewports, Repainted_KeepTheirPictureWithoutAFrame) {
+    const QImage before = view().grabFramebuffer();
+    newFrames();
+    view().update();
+    EXPECT_EQ(newFrames(), 0);
+    EXPECT_EQ(view().grabFramebuffer(), before);
 }
 
 TEST_F(Viewports, LeftDrag_Orbits) {

@@ -17,6 +17,7 @@ Viewport::Viewport(Sources sources, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
     setMinimumSize(160, 120);
+    setUpdateBehavior(PartialUpdate); // the last picture stays until there is another one
 }
 
 Viewport::~Viewport() {
@@ -34,6 +35,11 @@ QSurfaceFormat Viewport::surfaceFormat() {
     format.setDepthBufferSize(0);
     format.setStencilBufferSize(0);
     return format;
+}
+
+void Viewport::refresh() {
+    stale_ = true;
+    update();
 }
 
 void Viewport::setCamera(const Camera& camera) {
@@ -60,10 +66,19 @@ void Viewport::initializeGL() {
     renderer_ = std::move(*renderer);
     timer_.emplace(FrameTimer::Method::WallClock);
     catalogIsNew_ = catalog_ != nullptr;
+    stale_ = true;
+}
+
+/// Qt paints at once at every step of a change of layout; once after the last step is enough.
+void Viewport::resizeEvent(QResizeEvent* event) {
+    resizing_ = true;
+    QOpenGLWidget::resizeEvent(event);
+    resizing_ = false;
+    refresh();
 }
 
 void Viewport::paintGL() {
-    if (!renderer_) {
+    if (!renderer_ || resizing_ || !std::exchange(stale_, false)) {
         return;
     }
     if (std::exchange(catalogIsNew_, false)) {

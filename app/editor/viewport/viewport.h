@@ -40,7 +40,7 @@ class Viewport : public QOpenGLWidget {
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
     /// Something that is drawn has changed.
-    void refresh() { update(); }
+    void refresh();
 
     int frameCount() const { return frameCount_; }
     const FrameReport& report() const;
@@ -65,6 +65,7 @@ class Viewport : public QOpenGLWidget {
   protected:
     void initializeGL() override;
     void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -91,6 +92,8 @@ class Viewport : public QOpenGLWidget {
     QString frameTime_; ///< the last one that was known
     QString failure_;
     int frameCount_ = 0;
+    bool stale_ = true; ///< the picture is not of what would be drawn now
+    bool resizing_ = false;
 };
 
 } // namespace patina
