@@ -10,9 +10,10 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
-#include "cli/eval_gpu.h"
-#include "cli/eval_reference.h"
+#include "cli/eval_line.h"
 #include "core/number_text.h"
+#include "measure/eval_gpu.h"
+#include "measure/eval_reference.h"
 #include "reference/reference.h"
 
 namespace patina {

@@ -38,6 +38,7 @@ float perpendicular2(vec3 u, vec3 n, float nu) {
 // The geometry for unit n, t, b (orthogonal), l and v. With H = l + v, which is never normalised:
 //   tan^2 theta_h = |H - (n.H) n|^2 : (n.H)^2      1 - l.h = |l - v|^2 / 4 / (1 + l.h)
 //   1 - r.v = |2 (n.l) n - H|^2 / 2                l.h = |H| / 2
+//   r.v = 2 (n.l)(n.v) - l.v far from the mirror direction, where it is the small one
 // so small angles keep all their digits: 1 - cos is never formed from a rounded cosine.
 // l = -v has no half vector; h then counts as lying in the surface (nh = ht = hb = 0,
 // sin2h : cos2h = 1 : 0), which is where every lobe ends. Directions below the horizon are not
@@ -65,7 +66,7 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     d.versineLh = 0.25 * dot(chord, chord) / (1.0 + d.lh);
     vec3 q = 2.0 * d.nl * n - H;
     d.versineRv = 0.5 * dot(q, q);
-    d.rv = 1.0 - d.versineRv;
+    d.rv = d.versineRv < 0.5 ? 1.0 - d.versineRv : 2.0 * d.nl * d.nv - d.lv;
 
     // 1e-30 is what GPUs that flush subnormals can still divide by; |H| = 1e-15 is far below the
     // rounding of two unit vectors.

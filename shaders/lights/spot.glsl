@@ -1,23 +1,34 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/elementary.glsl"
 #include "lib/illumination.glsl"
+#include "lib/math.glsl"
+
+// The versine of the narrowest cone, 4.5e-7 rad: below that the rounding of a unit vector decides
+// what is inside.
+const float LEAST_CONE = 1e-13;
 
 // The share of a spot light that leaves it towards -l, axis the unit direction it shines in.
 // With u = 1 - cos of the angle to the axis and ui, uo those of the inner and outer angle:
 // ((uo - u) / (uo - ui))^exponent between them. Versines, because a cone of 0.1 degrees spans only
-// 26 float steps of the cosine. Equal angles: a step.
+// 26 float steps of the cosine; behind the light uo - u comes from the versines of the angles that
+// are left to 180 degrees. Equal angles: a step; an inner cone of 180 degrees is everywhere.
 float spotCone(vec3 l, vec3 axis, SpotLight p) {
-    vec3 difference = -l - axis;
-    float u = 0.5 * dot(difference, difference);
-    float uo = versineOf(p.angleOuter);
-    float ui = min(versineOf(p.angleInner), uo);
-    if (u <= ui) {
+    vec3 ahead = l + axis;
+    vec3 behind = l - axis;
+    float u = 0.5 * dot(ahead, ahead);
+    float uo = max(versineOf(p.angleOuter), LEAST_CONE);
+    float ui = min(max(versineOf(p.angleInner), LEAST_CONE), uo);
+    float inside = uo - u;
+    if (u > 1.0) {
+        inside = 0.5 * dot(behind, behind) - versineOf(max(PI - p.angleOuter, 0.0));
+    }
+    if (u <= ui || p.angleInner >= PI) {
         return 1.0;
     }
-    if (u >= uo) {
+    if (inside <= 0.0) {
         return 0.0;
     }
-    return pow1m((u - ui) / (uo - ui), (uo - u) / (uo - ui), p.falloffExponent);
+    return pow1m((u - ui) / (uo - ui), inside / (uo - ui), p.falloffExponent);
 }
 
 // At the light itself, where no direction leads to it, the point counts as straight in its beam.

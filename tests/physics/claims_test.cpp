@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "cli/eval_gpu.h"
-#include "cli/eval_reference.h"
+#include "measure/eval_gpu.h"
+#include "measure/eval_reference.h"
 #include "random_cases.h"
 
 namespace patina::physics {

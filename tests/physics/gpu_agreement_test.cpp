@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "cli/eval_gpu.h"
-#include "cli/eval_reference.h"
+#include "measure/eval_gpu.h"
+#include "measure/eval_reference.h"
 #include "random_cases.h"
 
 namespace patina::physics {

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "cli/eval_case.h"
+#include "measure/eval_case.h"
 #include "physics_cases.h"
 
 namespace patina::physics {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/eval_case.h"
+#include "measure/eval_case.h"
 #include "reference/reference.h"
 
 namespace patina {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/eval_case.h"
+#include "measure/eval_case.h"
 #include "shading/shader_source.h"
 
 namespace patina {
@@ -30,7 +30,10 @@ Result<EvalShape> evalShape(const EvalCase& request);
 Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape,
                                  const std::filesystem::path& shaders);
 
-/// The case's texels: shape.caseTexels times 4 numbers.
-std::vector<float> evalTexels(const EvalCase& request, const EvalShape& shape);
+/// The first numbers of a case's texels: where it is evaluated, or a function's arguments.
+std::vector<float> placeTexels(const EvalCase& request);
+
+/// The numbers after them: the values of the block and of what fills its slot.
+std::vector<float> valueTexels(const EvalCase& request);
 
 } // namespace patina

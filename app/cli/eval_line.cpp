@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/eval_case.h"
+#include "cli/eval_line.h"
 
 #include <algorithm>
 #include <regex>

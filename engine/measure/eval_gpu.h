@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "cli/eval_case.h"
+#include "measure/eval_case.h"
 
 namespace patina {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/eval_program.h"
+#include "measure/eval_source.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "cli/eval_reference.h"
+#include "measure/eval_reference.h"
 #include "shading/block_source.h"
 #include "shading/source_builder.h"
 
@@ -186,7 +186,7 @@ Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape
     return builder.finish();
 }
 
-std::vector<float> evalTexels(const EvalCase& request, const EvalShape& shape) {
+std::vector<float> placeTexels(const EvalCase& request) {
     std::vector<float> texels;
     switch (request.subject) {
     case Subject::Model:
@@ -203,9 +203,13 @@ std::vector<float> evalTexels(const EvalCase& request, const EvalShape& shape) {
     default:
         append(texels, {request.number, 0.0, 0.0});
     }
+    return texels;
+}
+
+std::vector<float> valueTexels(const EvalCase& request) {
+    std::vector<float> texels;
     appendValues(texels, request.block);
     appendValues(texels, request.slot);
-    texels.resize(static_cast<std::size_t>(shape.caseTexels) * 4);
     return texels;
 }
 

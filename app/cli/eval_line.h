@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "measure/eval_case.h"
+
+namespace patina {
+
+/// A case, or what is wrong with it. The id is what could be read of it.
+struct EvalLine {
+    nlohmann::json id;
+    Result<EvalCase> request;
+};
+
+/// Reads one line of what `patina eval` is given. Parameters that are not given have their
+/// defaults; one that is unknown, of the wrong type or outside its range is an error.
+EvalLine readEvalLine(std::string_view line, const Catalog& catalog);
+
+} // namespace patina

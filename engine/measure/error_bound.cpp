@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/error_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+#include <glm/trigonometric.hpp>
+
+namespace patina {
+namespace {
+
+using Subject = EvalCase::Subject;
+
+constexpr double rounding = 0x1p-24; ///< half a unit in the last place of a float near 1
+constexpr double noiseShare = 16.0;
+constexpr double roundings = 32.0;
+constexpr double flushed = 1e-30; ///< below this a device may flush intermediate results to 0
+
+/// The larger change of each number, of a move to one side and to the other; a move that leaves
+/// the numbers does not count.
+void addChange(ReferenceNumbers& noise, const ReferenceNumbers& exact, const ReferenceNumbers& up,
+               const ReferenceNumbers& down) {
+    for (std::size_t i = 0; i < noise.size(); ++i) {
+        const double changeUp = std::abs(up[i] - exact[i]);
+        const double changeDown = std::abs(down[i] - exact[i]);
+        noise[i] += std::max(std::isfinite(changeUp) ? changeUp : 0.0,
+                             std::isfinite(changeDown) ? changeDown : 0.0);
+    }
+}
+
+bool moves(const ParameterField& field) {
+    return field.parameter != nullptr && field.parameter->type != ParameterType::Enum &&
+           field.parameter->type != ParameterType::Bool &&
+           field.parameter->type != ParameterType::Int;
+}
+
+/// A value moved by its rounding, within the parameter's range.
+double moved(const Parameter& parameter, double x, double sign) {
+    const bool angle = parameter.type == ParameterType::Angle;
+    const double low = angle ? glm::radians(parameter.min) : parameter.min;
+    const double high = angle ? glm::radians(parameter.max) : parameter.max;
+    return std::clamp(x + sign * rounding * std::abs(x), low, high);
+}
+
+ReferenceNumbers larger(const ReferenceNumbers& a, const ReferenceNumbers& b) {
+    ReferenceNumbers result{};
+    std::transform(a.begin(), a.end(), b.begin(), result.begin(),
+                   [](double x, double y) { return std::max(x, y); });
+    return result;
+}
+
+/// Signs of moves of everything at once: bit i of pattern p. From a fixed generator, so that every
+/// two numbers meet with like and with unlike signs.
+double signOf(std::size_t pattern, std::size_t i) {
+    constexpr std::uint32_t patterns[] = {0x000, 0xfff, 0x5a3, 0x939, 0x6c6, 0x3f0, 0xc0f, 0xa95};
+    return (patterns[pattern] >> i & 1U) != 0 ? 1.0 : -1.0;
+}
+constexpr std::size_t signPatterns = 8;
+
+/// The numbers of a place, reachable one by one, and what moves them.
+struct Movable {
+    std::vector<double*> numbers;
+    std::vector<double> steps;
+    std::function<ReferenceNumbers()> evaluate;
+};
+
+ReferenceNumbers noiseOf(const Movable& movable, const ReferenceNumbers& exact) {
+    ReferenceNumbers sum{};
+    for (std::size_t i = 0; i < movable.numbers.size(); ++i) {
+        double& x = *movable.numbers[i];
+        const double kept = x;
+        x = kept + movable.steps[i];
+        const ReferenceNumbers up = movable.evaluate();
+        x = kept - movable.steps[i];
+        addChange(sum, exact, up, movable.evaluate());
+        x = kept;
+    }
+    std::vector<double> kept;
+    for (const double* number : movable.numbers) {
+        kept.push_back(*number);
+    }
+    for (std::size_t pattern = 0; pattern < signPatterns; ++pattern) {
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            *movable.numbers[i] = kept[i] + signOf(pattern, i) * movable.steps[i];
+        }
+        const ReferenceNumbers changed = movable.evaluate();
+        ReferenceNumbers together{};
+        addChange(together, exact, changed, changed);
+        sum = larger(sum, together);
+    }
+    return sum;
+}
+
+ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
+                            const ReferenceNumbers& exact) {
+    reference::Geometry geometry = reference::geometry(place.n, place.t, place.l, place.v);
+    Movable movable;
+    for (glm::dvec3* vector : {&geometry.l, &geometry.v, &geometry.n, &geometry.t}) {
+        for (int i = 0; i < 3; ++i) {
+            movable.numbers.push_back(&(*vector)[i]);
+        }
+    }
+    movable.steps.assign(movable.numbers.size(), rounding);
+    movable.evaluate = [&] { return bound.evaluate(geometry); };
+    return noiseOf(movable, exact);
+}
+
+ReferenceNumbers placeNoise(Subject subject, const ReferenceCase& bound, const EvalPlace& place,
+                            const ReferenceNumbers& exact) {
+    if (subject == Subject::Model) {
+        return modelNoise(bound, place, exact);
+    }
+    EvalPlace changed = place;
+    Movable movable;
+    movable.evaluate = [&] { return bound.evaluate(changed); };
+    if (subject == Subject::Light) {
+        movable.numbers = {&changed.l.x, &changed.l.y, &changed.l.z};
+    } else {
+        movable.numbers = {&changed.number};
+    }
+    for (const double* number : movable.numbers) {
+        const double size = subject == Subject::Fresnel ? 1.0 : std::abs(*number);
+        movable.steps.push_back(rounding * size);
+    }
+    return noiseOf(movable, exact);
+}
+
+void addValueNoise(ReferenceNumbers& noise, const ReferenceNumbers& exact, const Block& block,
+                   const std::vector<double>& values,
+                   const std::function<ReferenceNumbers(const std::vector<double>&)>& evaluate) {
+    std::vector<double> changed = values;
+    for (const ParameterField& field : layoutOf(block).fields) {
+        for (int i = 0; moves(field) && i < field.components; ++i) {
+            double& x = changed[field.offset + static_cast<std::size_t>(i)];
+            const double kept = x;
+            x = moved(*field.parameter, kept, 1.0);
+            const ReferenceNumbers up = evaluate(changed);
+            x = moved(*field.parameter, kept, -1.0);
+            addChange(noise, exact, up, evaluate(changed));
+            x = kept;
+        }
+    }
+}
+
+} // namespace
+
+ErrorBound::ErrorBound(const ReferenceCode& code, const EvalCase& request)
+    : code_(code), request_(request) {}
+
+double ErrorBound::floor(double exact) {
+    return roundings * rounding * std::abs(exact) + flushed;
+}
+
+ReferenceNumbers ErrorBound::at(const ReferenceCase& bound, const EvalPlace& place,
+                                const ReferenceNumbers& exact) const {
+    ReferenceNumbers noise = placeNoise(code_.subject, bound, place, exact);
+    addValueNoise(noise, exact, *request_.block.block, bound.values(),
+                  [&](const std::vector<double>& values) {
+                      return ReferenceCase(code_, values, bound.slotValues()).evaluate(place);
+                  });
+    if (code_.slot != nullptr) {
+        addValueNoise(noise, exact, *request_.slot.block, bound.slotValues(),
+                      [&](const std::vector<double>& values) {
+                          return ReferenceCase(code_, bound.values(), values).evaluate(place);
+                      });
+    }
+    ReferenceNumbers limits{};
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+        limits[i] = noiseShare * noise[i] + floor(exact[i]);
+    }
+    return limits;
+}
+
+} // namespace patina

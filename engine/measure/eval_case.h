@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "catalog/catalog.h"
+#include "catalog/parameter_layout.h"
+#include "core/error.h"
+
+namespace patina {
+
+/// A block with values, as a case names it.
+struct EvalBlock {
+    const Block* block = nullptr;
+    Values values; ///< those that were given, within their ranges and not rounded
+    AccuracyLevels accuracy;
+
+    std::vector<double> packedValues() const { return packed(*block, values, accuracy); }
+};
+
+/// Where a block is evaluated. Each kind of block reads what it is a function of.
+struct EvalPlace {
+    /// As given, of any length. A light's point is in `l`.
+    glm::dvec3 n{0.0, 0.0, 1.0};
+    glm::dvec3 t{1.0, 0.0, 0.0};
+    glm::dvec3 l{0.0};
+    glm::dvec3 v{0.0};
+    double number = 0.0; ///< the cosine of a Fresnel block, the distance of fog
+};
+
+/// One block at one place, to be evaluated on the CPU or on the graphics device; or one function of
+/// the shader library.
+struct EvalCase : EvalPlace {
+    enum class Subject { Model, Fresnel, Light, Fog, Function };
+
+    nlohmann::json id; ///< whatever tells the case from others; goes back with its answer
+    Subject subject = Subject::Model;
+    bool gpu = false;
+
+    EvalBlock block;
+    EvalBlock slot; ///< what fills the model's slot; null block when it has none
+
+    std::string function; ///< of the shader library
+    std::vector<double> arguments;
+};
+
+/// What blocks of a kind ("models") are evaluated as; nothing for a kind that has no such meaning.
+std::optional<EvalCase::Subject> subjectOfKind(std::string_view kind);
+
+/// The case as a line that `patina eval` reads, all its values included.
+nlohmann::json evalJson(const EvalCase& request);
+
+} // namespace patina

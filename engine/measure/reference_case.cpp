@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/reference_case.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+using Subject = EvalCase::Subject;
+
+/// Whether the compiled code reads its values where the catalogue of today puts them.
+bool matches(const reference::Block& code, const Block& block) {
+    const ParameterLayout layout = layoutOf(block);
+    return layout.floats == code.size &&
+           std::equal(layout.fields.begin(), layout.fields.end(), code.fields.begin(),
+                      code.fields.end(),
+                      [](const ParameterField& field, const reference::Field& compiled) {
+                          return field.name == compiled.name && field.offset == compiled.offset &&
+                                 field.components == compiled.components;
+                      });
+}
+
+Result<const reference::Block*> compiled(const Block& block) {
+    const reference::Block* code = reference::findBlock(block.kind, block.id);
+    if (code == nullptr || !matches(*code, block)) {
+        return failure(fmt::format("{} was {} this program was built", block.id,
+                                   code == nullptr ? "not there when" : "changed since"),
+                       R"("precision": "gpu", or a new build)");
+    }
+    return code;
+}
+
+ReferenceNumbers numbers(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+} // namespace
+
+Result<ReferenceCode> ReferenceCode::find(const EvalCase& request) {
+    const auto block = compiled(*request.block.block);
+    if (!block) {
+        return tl::unexpected(block.error());
+    }
+    if (request.slot.block == nullptr) {
+        return ReferenceCode{request.subject, *block, nullptr};
+    }
+    const auto slot = compiled(*request.slot.block);
+    if (!slot) {
+        return tl::unexpected(slot.error());
+    }
+    return ReferenceCode{request.subject, *block, *slot};
+}
+
+ReferenceCase::ReferenceCase(const ReferenceCode& code, std::vector<double> values,
+                             std::vector<double> slotValues)
+    : code_(code), values_(std::move(values)), slotValues_(std::move(slotValues)) {
+    if (code_.slot != nullptr) {
+        fresnel_ = reference::fresnelFunction(*code_.slot, slotValues_);
+    }
+}
+
+ReferenceNumbers ReferenceCase::evaluate(const reference::Geometry& geometry) const {
+    return numbers(reference::modelValue(*code_.block, geometry, values_, fresnel_));
+}
+
+ReferenceNumbers ReferenceCase::evaluate(const EvalPlace& place) const {
+    switch (code_.subject) {
+    case Subject::Model:
+        return evaluate(reference::geometry(place.n, place.t, place.l, place.v));
+    case Subject::Fresnel: {
+        const double c = std::clamp(place.number, 0.0, 1.0);
+        return numbers(code_.block->fresnel(c, 1.0 - c, values_));
+    }
+    case Subject::Light: {
+        const reference::Illumination light = code_.block->light(place.l, values_);
+        return {light.l.x,        light.l.y,        light.l.z,
+                light.radiance.x, light.radiance.y, light.radiance.z};
+    }
+    default:
+        return {code_.block->fog(place.number, values_)};
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/stability_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "measure/error_bound.h"
+#include "measure/eval_program.h"
+#include "measure/hard_places.h"
+#include "measure/parallel.h"
+#include "measure/sweep_cases.h"
+#include "measure/value_checks.h"
+
+namespace patina {
+namespace {
+
+std::vector<double> inFloat(std::vector<double> values) {
+    for (double& x : values) {
+        x = static_cast<double>(static_cast<float>(x));
+    }
+    return values;
+}
+
+std::vector<double> packedInFloat(const EvalBlock& block) {
+    return block.block == nullptr ? std::vector<double>() : inFloat(block.packedValues());
+}
+
+/// A step through the places that meets every one: it has no divisor in common with their number.
+std::size_t strideFor(std::size_t places) {
+    std::size_t stride = places / 3 + 1;
+    while (std::gcd(stride, places) != 1) {
+        ++stride;
+    }
+    return stride;
+}
+
+} // namespace
+
+/// One program's cases, numbered: every place with the variant's own values, then a few places with
+/// every other row of values.
+class StabilitySweep::Variant {
+  public:
+    Variant(const EvalCase& variant, const SweepOptions& options, std::size_t cases)
+        : options_(options), variant_(variant), rows_(sweepRows(variant)),
+          places_(hardPlaces(variant.subject)),
+          placesPerRow_(std::clamp<std::size_t>(cases / rows_.size(), 16, places_.size())),
+          stride_(strideFor(places_.size())), checks_(variant) {}
+
+    /// Makes what evaluates: an error when neither the CPU nor the device can.
+    Result<void> open(std::string& withoutReference) {
+        if (options_.cpu) {
+            const auto code = ReferenceCode::find(variant_);
+            code_ = code ? std::optional(*code) : std::nullopt;
+            withoutReference = code ? withoutReference : code.error().problem;
+        }
+        if (!options_.gpu) {
+            return {};
+        }
+        auto program = EvalProgram::link(variant_, options_.shaders);
+        if (!program) {
+            return tl::unexpected(program.error());
+        }
+        program_.emplace(std::move(*program));
+        return {};
+    }
+
+    bool finished() const { return done_ >= count(); }
+    double progress() const { return static_cast<double>(done_) / static_cast<double>(count()); }
+
+    Result<void> step(SweepReport& report) {
+        const std::size_t size = std::min(options_.slice, count() - done_);
+        std::vector<float> drawn;
+        if (program_) {
+            Result<std::vector<float>> read = program_->draw(texels(done_, size), size);
+            if (!read) {
+                return tl::unexpected(read.error());
+            }
+            drawn = std::move(*read);
+        }
+        std::vector<SweepReport> parts(parallelParts());
+        inParallel(size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+            examine(done_, begin, end, drawn, parts[part]);
+        });
+        for (const SweepReport& part : parts) {
+            report.add(part);
+        }
+        report.cases += size;
+        done_ += size;
+        return {};
+    }
+
+  private:
+    std::size_t count() const { return places_.size() + (rows_.size() - 1) * placesPerRow_; }
+
+    std::size_t rowOf(std::size_t i) const {
+        return i < places_.size() ? 0 : 1 + (i - places_.size()) / placesPerRow_;
+    }
+
+    const EvalPlace& placeOf(std::size_t i) const {
+        return places_[i < places_.size() ? i : (i - places_.size()) * stride_ % places_.size()];
+    }
+
+    EvalCase caseOf(std::size_t i) const {
+        EvalCase request = rows_[rowOf(i)];
+        static_cast<EvalPlace&>(request) = placeOf(i);
+        return request;
+    }
+
+    std::vector<float> texels(std::size_t from, std::size_t size) const {
+        const auto numbers = static_cast<std::size_t>(program_->shape().caseTexels) * 4;
+        std::vector<float> all;
+        all.reserve(size * numbers);
+        EvalCase request = rows_[rowOf(from)];
+        std::vector<float> values = valueTexels(request);
+        for (std::size_t i = from, row = rowOf(from); i < from + size; ++i) {
+            if (rowOf(i) != row) {
+                row = rowOf(i);
+                values = valueTexels(rows_[row]);
+            }
+            static_cast<EvalPlace&>(request) = placeOf(i);
+            const std::vector<float> place = placeTexels(request);
+            all.insert(all.end(), place.begin(), place.end());
+            all.insert(all.end(), values.begin(), values.end());
+            all.resize((i - from + 1) * numbers);
+        }
+        return all;
+    }
+
+    /// Cases from + begin .. from + end; `drawn` holds the device's numbers from case `from` on.
+    void examine(std::size_t from, std::size_t begin, std::size_t end,
+                 const std::vector<float>& drawn, SweepReport& report) const {
+        std::unique_ptr<ReferenceCase> bound;
+        std::size_t row = rows_.size();
+        for (std::size_t i = begin; i < end; ++i) {
+            if (code_ && rowOf(from + i) != row) {
+                row = rowOf(from + i);
+                bound = std::make_unique<ReferenceCase>(*code_, packedInFloat(rows_[row].block),
+                                                        packedInFloat(rows_[row].slot));
+            }
+            ReferenceNumbers device{};
+            if (!drawn.empty()) {
+                std::copy_n(drawn.begin() + static_cast<std::ptrdiff_t>(i * checks_.numbers()),
+                            checks_.numbers(), device.begin());
+            }
+            examineCase(from + i, bound.get(), drawn.empty() ? nullptr : &device, report);
+        }
+    }
+
+    void examineCase(std::size_t i, const ReferenceCase* bound, const ReferenceNumbers* device,
+                     SweepReport& report) const {
+        bool sound = true;
+        if (device != nullptr) {
+            sound = examineNumbers(i, *device, true, report);
+        }
+        if (bound == nullptr) {
+            return;
+        }
+        const ReferenceNumbers exact = bound->evaluate(placeOf(i));
+        sound = examineNumbers(i, exact, false, report) && sound;
+        if (sound && device != nullptr && options_.error) {
+            examineError(i, *bound, exact, *device, report);
+        }
+    }
+
+    bool examineNumbers(std::size_t i, const ReferenceNumbers& numbers, bool gpu,
+                        SweepReport& report) const {
+        double excess = 0.0;
+        const std::span<const double> own(numbers.data(), checks_.numbers());
+        const auto defect = checks_.check(placeOf(i), own, excess);
+        if (defect) {
+            report.add({*defect, requestOf(i, gpu), numbers, checks_.numbers(), {}, excess});
+        }
+        return !defect;
+    }
+
+    void examineError(std::size_t i, const ReferenceCase& bound, const ReferenceNumbers& exact,
+                      const ReferenceNumbers& device, SweepReport& report) const {
+        double excess = 0.0;
+        for (std::size_t k = 0; k < checks_.numbers(); ++k) {
+            excess = std::max(excess, std::abs(device[k] - exact[k]) / ErrorBound::floor(exact[k]));
+        }
+        if (excess > 1.0) {
+            const ErrorBound limit(*code_, rows_[rowOf(i)]);
+            const ReferenceNumbers limits = limit.at(bound, placeOf(i), exact);
+            excess = 0.0;
+            for (std::size_t k = 0; k < checks_.numbers(); ++k) {
+                excess = std::max(excess, std::abs(device[k] - exact[k]) / limits[k]);
+            }
+        }
+        report.largestError = std::max(report.largestError, excess);
+        if (excess > 1.0) {
+            report.add(
+                {Defect::Inaccurate, requestOf(i, true), device, checks_.numbers(), exact, excess});
+        }
+    }
+
+    EvalCase requestOf(std::size_t i, bool gpu) const {
+        EvalCase request = caseOf(i);
+        request.gpu = gpu;
+        return request;
+    }
+
+    SweepOptions options_;
+    EvalCase variant_;
+    std::vector<EvalCase> rows_;
+    std::vector<EvalPlace> places_;
+    std::size_t placesPerRow_;
+    std::size_t stride_;
+    ValueChecks checks_;
+    std::optional<ReferenceCode> code_;
+    std::optional<EvalProgram> program_;
+    std::size_t done_ = 0;
+};
+
+StabilitySweep::StabilitySweep(std::vector<EvalCase> variants, SweepOptions options)
+    : variants_(std::move(variants)), options_(std::move(options)) {}
+
+StabilitySweep::~StabilitySweep() = default;
+
+bool StabilitySweep::finished() const {
+    return current_ == nullptr && next_ >= variants_.size();
+}
+
+double StabilitySweep::progress() const {
+    if (variants_.empty()) {
+        return 1.0;
+    }
+    const double within = current_ != nullptr ? current_->progress() - 1.0 : 0.0;
+    return (static_cast<double>(next_) + within) / static_cast<double>(variants_.size());
+}
+
+void StabilitySweep::open() {
+    const EvalCase& variant = variants_[next_++];
+    current_ = std::make_unique<Variant>(variant, options_, options_.cases / variants_.size());
+    ++report_.programs;
+    if (const auto opened = current_->open(withoutReference_); !opened) {
+        report_.errors.push_back(opened.error());
+        current_.reset();
+    }
+}
+
+void StabilitySweep::step() {
+    if (current_ == nullptr) {
+        if (next_ < variants_.size()) {
+            open();
+        }
+        return;
+    }
+    if (const auto done = current_->step(report_); !done) {
+        report_.errors.push_back(done.error());
+        current_.reset();
+        return;
+    }
+    if (current_->finished()) {
+        current_.reset();
+    }
+}
+
+} // namespace patina

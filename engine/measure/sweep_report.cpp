@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/sweep_report.h"
+
+#include <algorithm>
+
+namespace patina {
+namespace {
+
+void addTally(SweepTally& tally, std::size_t count, const SweepFinding& finding) {
+    if (tally.count == 0 || finding.excess > tally.worst.excess) {
+        tally.worst = finding;
+    }
+    tally.count += count;
+}
+
+} // namespace
+
+const char* wordsFor(Defect defect) {
+    switch (defect) {
+    case Defect::NotANumber:
+        return "not a number";
+    case Defect::Infinite:
+        return "infinite";
+    case Defect::Negative:
+        return "negative";
+    case Defect::BelowHorizon:
+        return "light from below the horizon";
+    default:
+        return "further from the exact value than rounding explains";
+    }
+}
+
+void SweepReport::add(const SweepFinding& finding) {
+    addTally(defects[{finding.request.gpu, finding.defect}], 1, finding);
+}
+
+void SweepReport::add(const SweepReport& other) {
+    cases += other.cases;
+    programs += other.programs;
+    largestError = std::max(largestError, other.largestError);
+    for (const auto& [key, tally] : other.defects) {
+        addTally(defects[key], tally.count, tally.worst);
+    }
+    errors.insert(errors.end(), other.errors.begin(), other.errors.end());
+}
+
+} // namespace patina

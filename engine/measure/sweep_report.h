@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "measure/eval_case.h"
+#include "measure/reference_case.h"
+
+namespace patina {
+
+/// What can be wrong with a value.
+enum class Defect { NotANumber, Infinite, Negative, BelowHorizon, Inaccurate };
+
+/// "not a number", "negative", ...
+const char* wordsFor(Defect defect);
+
+/// One value that is wrong.
+struct SweepFinding {
+    Defect defect = Defect::NotANumber;
+    EvalCase request;         ///< with `gpu` set to where it went wrong
+    ReferenceNumbers value{}; ///< what was returned, as many numbers as the block answers
+    std::size_t numbers = 3;
+    ReferenceNumbers exact{}; ///< in double precision; Inaccurate only
+    /// How bad: |error| over its bound for Inaccurate, the size of the number for the others.
+    double excess = 0.0;
+};
+
+/// Everything of one defect in one place.
+struct SweepTally {
+    std::size_t count = 0;
+    SweepFinding worst;
+};
+
+/// What a sweep has found so far.
+struct SweepReport {
+    std::size_t cases = 0; ///< evaluated, on the CPU, the graphics device or both
+    std::size_t programs = 0;
+    double largestError = 0.0;                             ///< the largest |error| over its bound
+    std::map<std::pair<bool, Defect>, SweepTally> defects; ///< by (on the graphics device, defect)
+    Errors errors;                                         ///< why a program could not be tried
+
+    bool sound() const { return defects.empty() && errors.empty(); }
+
+    void add(const SweepFinding& finding);
+    void add(const SweepReport& other);
+};
+
+} // namespace patina
