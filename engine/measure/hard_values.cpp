@@ -18,9 +18,14 @@ double nextFloat(double x) {
 
 /// Sorted by importance; what lies outside the range is left out.
 std::vector<double> hardNumbers(const Parameter& parameter) {
-    std::vector<double> numbers{parameter.min,     parameter.max,     0.0,
-                                parameter.softMin, parameter.softMax, nextFloat(parameter.min),
-                                nextFloat(0.0)};
+    std::vector<double> numbers{parameter.min,
+                                parameter.max,
+                                0.0,
+                                parameter.softMin,
+                                parameter.softMax,
+                                nextFloat(parameter.min),
+                                nextFloat(0.0),
+                                1e-25};
     numbers.insert(numbers.end(), {nextFloat(parameter.softMin), parameter.softMin + parameter.step,
                                    parameter.softMax + parameter.step});
     numbers.insert(numbers.end(), {1.0, 1e-4, 1.0 + 1e-6, 1.5, 1e3, 1e5, 1e-3, 0.05, 10.0, 100.0,
