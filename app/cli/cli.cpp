@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <cctype>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
 
+#include "catalog/suggestion.h"
 #include "cli/command.h"
 
 namespace patina {
@@ -32,6 +34,26 @@ int answer(const CLI::App& program, const CLI::ParseError& reason) {
     return program.exit(reason, std::cout, std::cerr) == 0 ? 0 : 1;
 }
 
+std::vector<std::string> commandNames(CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands(nullptr)) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+bool isOneOf(std::string_view word, const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+/// A word that is no file is a command, if a misspelt one.
+bool looksLikeACommand(std::string_view word) {
+    const auto isLetter = [](unsigned char c) { return std::islower(c) != 0; };
+    std::error_code status;
+    return !word.empty() && std::all_of(word.begin(), word.end(), isLetter) &&
+           !std::filesystem::exists(word, status);
+}
+
 } // namespace
 
 bool isCommand(std::string_view firstArgument) {
@@ -42,16 +64,20 @@ bool isCommand(std::string_view firstArgument) {
     CLI::App program;
     int status = 0;
     addCommands(program, status);
-    const std::vector<CLI::App*> all = program.get_subcommands(nullptr);
-    return std::any_of(all.begin(), all.end(), [firstArgument](const CLI::App* command) {
-        return command->get_name() == firstArgument;
-    });
+    return isOneOf(firstArgument, commandNames(program)) || looksLikeACommand(firstArgument);
 }
 
 int runCommand(int argc, char** argv) {
     CLI::App program("", "patina");
     int status = 0;
     addCommands(program, status);
+    const std::string first = argc > 1 ? argv[1] : "";
+    const std::vector<std::string> names = commandNames(program);
+    if (looksLikeACommand(first) && !isOneOf(first, names)) {
+        std::cerr << "patina: \"" << first << "\" is no command and no file; expected "
+                  << oneOf(first, names) << '\n';
+        return 1;
+    }
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& reason) {

@@ -6,7 +6,7 @@
 namespace patina {
 
 /// True when the first argument of the program asks for the command line instead of the editor: a
-/// command, --help or --version.
+/// command (or a word that can only be one, misspelt), --help or --version.
 bool isCommand(std::string_view firstArgument);
 
 /// Runs `patina <command> ...` and gives the exit status: 0 for success, else 1. Results go to

@@ -2,8 +2,13 @@
 #include "cli/picture_options.h"
 
 #include <charconv>
+#include <cmath>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "core/number_text.h"
+#include "scene/scene_file.h"
 
 namespace patina {
 namespace {
@@ -23,6 +28,16 @@ std::string sizeFrom(const std::string& text, glm::ivec2& size) {
                : "not a size: \"" + text + "\"; expected WIDTHxHEIGHT such as 640x480";
 }
 
+double stopsIn(const std::string& text) {
+    const std::optional<double> stops = parseNumber(text);
+    if (!stops || std::abs(*stops) > mostStops) {
+        throw CLI::ValidationError("--exposure",
+                                   fmt::format("not an exposure: \"{}\"; expected stops, {} .. {}",
+                                               text, -mostStops, mostStops));
+    }
+    return *stops;
+}
+
 } // namespace
 
 void addSceneOptions(CLI::App& command, PictureOptions& options) {
@@ -34,7 +49,9 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
     command.add_option("--scene", options.scene,
                        "A scene file; the preset goes on its first object");
-    command.add_option("--exposure", options.exposure, "Stops; 1 is twice as bright");
+    command.add_option_function<std::string>(
+        "--exposure", [&options](const std::string& text) { options.exposure = stopsIn(text); },
+        "Stops; 1 is twice as bright");
 }
 
 void addSizeOption(CLI::App& command, PictureOptions& options) {

@@ -118,7 +118,7 @@ Result<void> applySet(Material& material, const std::string& assignment, const C
     const std::size_t equals = assignment.find('=');
     const std::string id = assignment.substr(0, equals);
     if (equals == std::string::npos || id.empty()) {
-        return failure(fmt::format("--set {}: there is no \"=\" in it", assignment), "id=value");
+        return failure(fmt::format("--set {}: this sets nothing", assignment), "id=value");
     }
     const std::string text = assignment.substr(equals + 1);
     const Block* model = catalog.find("models", material.model.id);

@@ -26,7 +26,6 @@ constexpr double farthest = 1e6;
 constexpr double largestScale = 1e6;
 constexpr double smallestScale = 1e-6;
 constexpr double brightest = 1e6;
-constexpr double largestExposure = 32.0;
 
 /// The number nearest to a factor that does not flatten the object.
 double usableScale(double scale) {
@@ -215,7 +214,7 @@ class SceneReader {
         reader_.read("exposure", scene().exposure);
         limit(reader_, "ambient", scene().ambient, 0.0, brightest);
         limit(reader_, "background", scene().background, 0.0, brightest);
-        limit(reader_, "exposure", scene().exposure, -largestExposure, largestExposure);
+        limit(reader_, "exposure", scene().exposure, -mostStops, mostStops);
         readToneMapping();
     }
 

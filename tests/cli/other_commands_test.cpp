@@ -21,6 +21,13 @@ TEST(Program, UnknownOption_FailsOnStandardError) {
     EXPECT_NE(outcome.err.find("--no-such-option"), std::string::npos) << outcome.err;
 }
 
+TEST(Program, MisspeltCommand_IsNotTakenForAFile) {
+    const Outcome outcome = patina({"rendr", gold});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("rendr"), std::string::npos) << outcome.err;
+}
+
 TEST(Program, Help_NamesEveryCommand) {
     const Outcome outcome = patina({"--help"});
     EXPECT_EQ(outcome.exitCode, 0);

@@ -141,6 +141,45 @@ TEST_F(RendererTest, NeutralToneMapping_KeepsABaseColour) {
     EXPECT_NEAR(pixel(capture(scene, true), 0, 0).g, 0.6652f, 0.6f / 255.0f);
 }
 
+TEST_F(RendererTest, NeutralToneMapping_FollowsThePublishedFormula) {
+    // Linear colours, and what Khronos' PBR Neutral specification makes of them, sRGB encoded.
+    const std::pair<glm::dvec3, glm::vec3> known[] = {
+        {{4.0, 2.0, 0.5}, {0.9926f, 0.8210f, 0.6519f}}, // compressed and bleached
+        {{1.0, 1.0, 1.0}, {0.9401f, 0.9401f, 0.9401f}},
+        {{0.0, 10.0, 0.0}, {0.7804f, 0.9973f, 0.7804f}},
+        {{0.05, 0.02, 0.3}, {0.1981f, 0.0323f, 0.5680f}}}; // a channel below 0.08
+    Scene scene = simpleScene();
+    scene.toneMapping = ToneMapping::KhronosNeutral;
+    for (const auto& [light, shown] : known) {
+        scene.background = light;
+        const glm::vec3 found = pixel(capture(scene, true), 0, 0);
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_NEAR(found[i], shown[i], 0.7f / 255.0f) << light[0] << ", channel " << i;
+        }
+    }
+}
+
+TEST_F(RendererTest, FourSamples_SmoothTheEdges) {
+    Scene scene = plate();
+    scene.background = glm::dvec3(0.0);
+    scene.objects[0].scale = glm::dvec3(0.5);
+    scene.camera.yaw = 50.0;
+    const auto inBetween = [&](int samples) {
+        View view = viewOf(scene);
+        view.samples = samples;
+        const Image image = *renderer->capture(scene, view, meshSource(), false);
+        const float lit = middle(image).g;
+        int count = 0;
+        for (int i = 0; i < image.width * image.height; ++i) {
+            const float value = pixel(image, i % image.width, i / image.width).g;
+            count += value > 0.1f * lit && value < 0.9f * lit ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_EQ(inBetween(1), 0);
+    EXPECT_GT(inBetween(4), 4);
+}
+
 TEST_F(RendererTest, VeryBrightLight_EndsAtTheTargetsRange) {
     Scene scene = plate();
     for (int i = 0; i < 10; ++i) {
