@@ -40,7 +40,7 @@ TEST(EvalCommand, Id_ComesBackAsItWas) {
     for (const Json& id : {Json("x \"y\""), Json(7), Json(nullptr), Json({1, 2})}) {
         Json request = facing("lambert");
         request["id"] = id;
-        EXPECT_EQ(answerTo(request)["id"], id);
+        EXPECT_EQ(answerTo(request).at("id"), id);
     }
 }
 
@@ -84,7 +84,7 @@ TEST(EvalCommand, ManyLines_AreAnsweredInTheirOrder) {
     for (int i = 0; i < count; ++i) {
         ASSERT_TRUE(std::getline(out, line)) << i;
         const Json answer = Json::parse(line);
-        ASSERT_EQ(answer["id"], i);
+        ASSERT_EQ(answer.at("id"), i);
         ASSERT_EQ(answer.contains("error"), i == 23456) << line;
     }
 }
@@ -96,27 +96,27 @@ TEST(EvalCommand, OwnFrame_TurnsTheCase) {
     request["l"] = {3, 0, 4};
     request["v"] = {1, 0, 0};
     request["parameters"] = {{"diffuse.color", {1, 1, 1}}};
-    EXPECT_NEAR(answerTo(request)["value"][0].get<double>(), 0.6, 1e-15);
+    EXPECT_NEAR(answerTo(request).at("value")[0].get<double>(), 0.6, 1e-15);
 }
 
 TEST(EvalCommand, DoublePrecision_KeepsEveryDigitOfAParameter) {
     Json request = facing("lambert");
     request["parameters"] = {{"diffuse.color", {0.1, 0.2, 0.3}}};
-    EXPECT_EQ(answerTo(request)["value"], Json({0.1, 0.2, 0.3}));
+    EXPECT_EQ(answerTo(request).at("value"), Json({0.1, 0.2, 0.3}));
 }
 
 TEST(EvalCommand, LibraryFunction_IsFoundByEitherSpelling) {
     const Json snake = answerTo({{"function", "ggx_d"}, {"arguments", {0.9, 0.3}}});
     const Json camel = answerTo({{"function", "ggxD"}, {"arguments", {0.9, 0.3}}});
-    EXPECT_EQ(snake["value"], camel["value"]);
-    EXPECT_EQ(snake["value"].size(), 1u);
+    EXPECT_EQ(snake.at("value"), camel.at("value"));
+    EXPECT_EQ(snake.at("value").size(), 1u);
 }
 
 TEST(EvalCommand, LibraryFunctionOnTheGpu_AgreesWithDouble) {
     Json request{{"function", "dielectric_reflectances"}, {"arguments", {0.5, 0.5, 1, 1.5}}};
-    const Json exact = answerTo(request)["value"];
+    const Json exact = answerTo(request).at("value");
     request["precision"] = "gpu";
-    const Json answer = answerTo(request)["value"];
+    const Json answer = answerTo(request).at("value");
     ASSERT_EQ(answer.size(), 2u);
     EXPECT_NEAR(answer[1].get<double>() / exact[1].get<double>(), 1.0, 1e-5);
 }
@@ -128,14 +128,14 @@ TEST(EvalCommand, WrongNumberOfArguments_ShowsTheSignature) {
 
 TEST(EvalCommand, Light_AnswersWithItsDirection) {
     const Json answer = answerTo({{"light", {{"id", "directional"}}}, {"x", {0, 0, 0}}});
-    EXPECT_EQ(answer["l"].size(), 3u);
-    EXPECT_EQ(answer["value"], Json({1, 1, 1}));
+    EXPECT_EQ(answer.at("l").size(), 3u);
+    EXPECT_EQ(answer.at("value"), Json({1, 1, 1}));
 }
 
 TEST(EvalCommand, Fog_AnswersWithTheShareThatIsLeft) {
     const Json answer =
         answerTo({{"fog", {{"id", "linear"}, {"parameters", {{"start", 0}}}}}, {"distance", 2.5}});
-    EXPECT_EQ(answer["value"], Json({0.75}));
+    EXPECT_EQ(answer.at("value"), Json({0.75}));
 }
 
 TEST(EvalCommand, UnknownNames_AreNamedInTheError) {
@@ -164,9 +164,9 @@ TEST(EvalCommand, Slot_IsFilledByItsDefaultOrTheGivenBlock) {
     const Json plain = answerTo(facing("cook-torrance"));
     Json request = facing("cook-torrance");
     request["fresnel"] = {{"id", "schlick"}};
-    EXPECT_EQ(answerTo(request)["value"], plain["value"]);
+    EXPECT_EQ(answerTo(request).at("value"), plain.at("value"));
     request["fresnel"] = {{"id", "schlick"}, {"parameters", {{"f0", {1, 1, 1}}}}};
-    EXPECT_NE(answerTo(request)["value"], plain["value"]);
+    EXPECT_NE(answerTo(request).at("value"), plain.at("value"));
 }
 
 } // namespace
