@@ -27,8 +27,10 @@ wanted() {
     done
 }
 
+# A library that was rebuilt for 64-bit times (Ubuntu 24.04, Debian 13) has t64 behind its name.
 debian_installed() {
-    dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed
+    { dpkg-query -W -f '${db:Status-Status}\n' "$1" "$1t64" 2>/dev/null || true; } |
+        grep -qx installed
 }
 
 debian_missing() {
