@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <epoxy/gl.h>
 #include <glm/geometric.hpp>
@@ -46,10 +47,13 @@ bool FrameDrawer::drawLinear(const Scene& scene, const View& view, const MeshSou
     report_.compiled = 0;
     report_.uploadedBuffers = 0;
     report_.drawnObjects = 0;
-    if (auto prepared = prepare(scene, view); !prepared) {
+    if (auto prepared = prepare(scene); !prepared) {
         return fail(prepared.error());
     }
     collect(scene, view, meshes);
+    if (auto fitting = target_.fit(view.size, view.samples, isDense(view)); !fitting) {
+        return fail(fitting.error());
+    }
     uploadView(view);
     choosePipelines(scene);
     target_.bind();
@@ -66,17 +70,15 @@ bool FrameDrawer::drawLinear(const Scene& scene, const View& view, const MeshSou
 
 bool FrameDrawer::fail(Error error) {
     report_.messages.assign(1, std::move(error));
+    report_.warnings = 0;
     report_.effects.clear();
     describedLost_ = -1;
     return false;
 }
 
-Result<void> FrameDrawer::prepare(const Scene& scene, const View& view) {
+Result<void> FrameDrawer::prepare(const Scene& scene) {
     if (catalog_ == nullptr) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
-    }
-    if (auto fitting = target_.fit(view.size, view.samples); !fitting) {
-        return fitting;
     }
     const int before = pipelines_.programs().compiledCount();
     auto prepared = display_.prepare(scene.toneMapping, *catalog_, pipelines_.programs());
@@ -113,6 +115,14 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
         }
         return transparent ? a.distance > b.distance : a.distance < b.distance;
     });
+}
+
+bool FrameDrawer::isDense(const View& view) const {
+    std::int64_t triangles = 0;
+    for (const Item& item : items_) {
+        triangles += item.mesh->triangles();
+    }
+    return triangles > std::int64_t(view.size.x) * view.size.y;
 }
 
 void FrameDrawer::uploadView(const View& view) {

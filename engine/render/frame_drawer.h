@@ -49,9 +49,10 @@ class FrameDrawer {
         glm::dmat4 cameraToWorld{1.0};
     };
 
-    Result<void> prepare(const Scene& scene, const View& view);
+    Result<void> prepare(const Scene& scene);
     bool fail(Error error);
     void collect(const Scene& scene, const View& view, const MeshSource& meshes);
+    bool isDense(const View& view) const; ///< more triangles than pixels
     void uploadView(const View& view);
     void choosePipelines(const Scene& scene);
     void choosePipeline(const Scene& scene, const Object& object, Slot& slot,

@@ -13,6 +13,7 @@ class GpuMesh {
     explicit GpuMesh(const MeshView& mesh);
 
     void draw() const;
+    int triangles() const { return count_ / 3; }
 
   private:
     gl::VertexArray array_ = gl::VertexArray::create();

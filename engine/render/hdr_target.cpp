@@ -37,36 +37,46 @@ void forgetErrors() {
     }
 }
 
+/// As many pixels per side as make at most `samples` per resolved pixel and fit into the limits.
+int finenessFor(glm::ivec2 size, int samples) {
+    const int most =
+        std::min(driverLimit(GL_MAX_TEXTURE_SIZE), driverLimit(GL_MAX_RENDERBUFFER_SIZE));
+    return samples >= 4 && 2 * std::max(size.x, size.y) <= most ? 2 : 1;
+}
+
 } // namespace
 
-Result<void> HdrTarget::fit(glm::ivec2 size, int samples) {
-    if (size == size_ && samples == samples_) {
+Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense) {
+    const Shape wanted{size, samples, dense ? 2 : 1};
+    if (wanted == wanted_) {
         return {};
     }
     if (auto checked = checkSize(size); !checked) {
         return checked;
     }
     *this = HdrTarget();
+    const int fineness = dense ? finenessFor(size, samples) : 1;
     const int offered = std::clamp(samples, 1, std::max(1, driverLimit(GL_MAX_SAMPLES)));
-    Result<void> built = build(size, offered);
-    if (!built && offered > 1) {
-        built = build(size, 1);
+    Result<void> built = build({size, fineness > 1 ? 1 : offered, fineness});
+    if (!built && (offered > 1 || fineness > 1)) {
+        built = build({size, 1, 1});
     }
     if (built) {
-        size_ = size;
-        samples_ = samples;
+        wanted_ = wanted;
     }
     return built;
 }
 
-Result<void> HdrTarget::build(glm::ivec2 size, int samples) {
+Result<void> HdrTarget::build(const Shape& shape) {
     forgetErrors();
-    color_ = gl::Renderbuffer::create(size, GL_RGBA16F, samples);
-    depth_ = gl::Renderbuffer::create(size, GL_DEPTH_COMPONENT32F, samples);
-    resolvedImage_ = gl::Texture::create(size, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT);
+    built_ = shape;
+    const glm::ivec2 drawn = shape.fineness * shape.size;
+    color_ = gl::Renderbuffer::create(drawn, GL_RGBA16F, shape.samples);
+    depth_ = gl::Renderbuffer::create(drawn, GL_DEPTH_COMPONENT32F, shape.samples);
+    resolvedImage_ = gl::Texture::create(shape.size, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT);
     if (glGetError() == GL_OUT_OF_MEMORY) {
-        return failure(
-            fmt::format("there is not enough graphics memory for {}x{} pixels", size.x, size.y));
+        return failure(fmt::format("there is not enough graphics memory for {}x{} pixels",
+                                   shape.size.x, shape.size.y));
     }
     framebuffer_ = gl::Framebuffer::create();
     framebuffer_.attachColor(color_);
@@ -79,14 +89,16 @@ Result<void> HdrTarget::build(glm::ivec2 size, int samples) {
 
 void HdrTarget::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    glViewport(0, 0, size_.x, size_.y);
+    glViewport(0, 0, built_.fineness * built_.size.x, built_.fineness * built_.size.y);
 }
 
 void HdrTarget::resolve() const {
+    const glm::ivec2 drawn = built_.fineness * built_.size;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolvedFramebuffer_.name());
-    glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
+    // Two to one, a linear filter reads at the corner where four pixels meet: their mean.
+    glBlitFramebuffer(0, 0, drawn.x, drawn.y, 0, 0, built_.size.x, built_.size.y,
+                      GL_COLOR_BUFFER_BIT, built_.fineness > 1 ? GL_LINEAR : GL_NEAREST);
 }
 
 } // namespace patina

@@ -8,12 +8,18 @@
 
 namespace patina {
 
-/// Where a frame is summed up: RGBA16F with MSAA and depth, and its resolved image.
+/// Where a frame is summed up: RGBA16F with several samples per pixel and depth, and its resolved
+/// image.
 class HdrTarget {
   public:
     /// Makes the target fit; nothing happens when it does already. Fewer samples are used where
     /// the driver offers fewer. The error says which sizes are possible.
-    Result<void> fit(glm::ivec2 size, int samples);
+    ///
+    /// `dense`: there are more triangles than pixels. Then each sample is a pixel of a finer image
+    /// instead of a share of one that is shaded once (MSAA): hardly two samples belong to the same
+    /// triangle, so this shades no more often, shades each at its own place, and spares software
+    /// drivers the sorting of samples, which takes them twice as long.
+    Result<void> fit(glm::ivec2 size, int samples, bool dense);
 
     /// Binds it for drawing, with its whole area as the viewport.
     void bind() const;
@@ -25,10 +31,17 @@ class HdrTarget {
     unsigned resolvedFramebuffer() const { return resolvedFramebuffer_.name(); }
 
   private:
-    Result<void> build(glm::ivec2 size, int samples);
+    struct Shape {
+        glm::ivec2 size{0};
+        int samples = 0;  ///< per pixel of the image that is drawn
+        int fineness = 1; ///< that image's pixels per side of a resolved one
+        friend bool operator==(const Shape&, const Shape&) = default;
+    };
 
-    glm::ivec2 size_{0};
-    int samples_ = 0;
+    Result<void> build(const Shape& shape);
+
+    Shape wanted_;
+    Shape built_;
     gl::Renderbuffer color_;
     gl::Renderbuffer depth_;
     gl::Framebuffer framebuffer_;
