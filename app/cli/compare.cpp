@@ -140,7 +140,8 @@ Checked<void> compare(const Options& options) {
         return tl::unexpected(sides.error());
     }
     AssetClient images;
-    images.warmUp(AssetClient::Formats::images);
+    images.warmUp(options.output.needsImageFormats() ? AssetClient::Formats::images
+                                                     : AssetClient::Formats::meshes);
     const auto drawn = draw(*sides, options, catalog);
     return drawn ? write(options, *sides, images) : drawn;
 }

@@ -8,7 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "core/color.h"
+#include "cli/command.h"
+#include "core/srgb_table.h"
 
 namespace patina {
 namespace {
@@ -49,15 +50,21 @@ Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, 
     if (!image) {
         return tl::unexpected(Errors{image.error()});
     }
-    if (!renderer_->report().messages.empty()) {
-        return tl::unexpected(renderer_->report().messages);
+    const FrameReport& frame = renderer_->report();
+    if (frame.messages.size() > frame.warnings) {
+        return tl::unexpected(frame.messages);
     }
+    report(frame.messages);
     return std::move(*image);
 }
 
 bool PictureFile::isLinear() const {
     const std::string extension = extensionOf(name);
     return extension == ".exr" || extension == ".hdr";
+}
+
+bool PictureFile::needsImageFormats() const {
+    return !isStandardOutput() && extensionOf(name) != ".png";
 }
 
 Result<void> PictureFile::check() const {
@@ -71,9 +78,11 @@ Result<void> PictureFile::check() const {
 }
 
 Image linearFromDisplay(Image display) {
+    const SrgbTable srgb;
     for (std::size_t i = 0; i < display.pixels.size(); ++i) {
         if (display.channels != 4 || i % 4 != 3) {
-            display.pixels[i] = static_cast<float>(srgbDecoded(double(display.pixels[i])));
+            const float code = std::clamp(display.pixels[i], 0.0f, 1.0f) * 255.0f + 0.5f;
+            display.pixels[i] = srgb.decoded(static_cast<std::uint8_t>(code));
         }
     }
     return display;

@@ -17,7 +17,8 @@ class PictureMaker {
   public:
     static Result<PictureMaker> create(std::shared_ptr<const Catalog> catalog);
 
-    /// With display the 8-bit display values / 255, else linear floats.
+    /// With display the 8-bit display values / 255, else linear floats. An error when the picture
+    /// is not what was asked for; what was merely left out is a warning on standard error.
     Checked<Image> draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
                         bool display);
 
@@ -36,6 +37,9 @@ struct PictureFile {
 
     /// True for formats that keep linear light.
     bool isLinear() const;
+
+    /// True where more than a PNG is written, which takes a moment to get ready for.
+    bool needsImageFormats() const;
 
     /// The error says which formats there are.
     Result<void> check() const;

@@ -39,8 +39,7 @@ Checked<void> checkRequest(const Options& options) {
 
 /// The image of the request: meshes are read while the graphics driver starts.
 Checked<Image> picture(const Options& options, const std::shared_ptr<const Catalog>& catalog,
-                       const Scene& scene) {
-    AssetClient client;
+                       const Scene& scene, AssetClient& client) {
     auto meshes = std::async(std::launch::async,
                              [&scene, &client] { return SceneMeshes::load(scene, client); });
     auto maker = PictureMaker::create(catalog);
@@ -75,6 +74,9 @@ Checked<void> render(const Options& options) {
     if (auto checked = checkRequest(options); !checked) {
         return checked;
     }
+    AssetClient files;
+    files.warmUp(options.output.needsImageFormats() ? AssetClient::Formats::images
+                                                    : AssetClient::Formats::meshes);
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     report(catalog->errors);
     const auto setup = sceneFor(options.preset, options.picture, *catalog);
@@ -82,10 +84,8 @@ Checked<void> render(const Options& options) {
         return tl::unexpected(setup.error());
     }
     report(setup->notes);
-    AssetClient images;
-    images.warmUp(AssetClient::Formats::images);
-    const auto image = picture(options, catalog, setup->scene);
-    return image ? write(options.output, *image, images) : tl::unexpected(image.error());
+    const auto image = picture(options, catalog, setup->scene, files);
+    return image ? write(options.output, *image, files) : tl::unexpected(image.error());
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include "assets/text_block.h"
 #include "io/atomic_write.h"
 #include "io/mesh_reader.h"
+#include "io/png_writer.h"
 
 namespace patina {
 namespace {
@@ -155,17 +156,19 @@ Result<FileServer::Answer> FileServer::readImage(const Message& request) {
 
 Result<std::string> FileServer::encoded(const Channel::Delivery& request,
                                         const std::string& extension) {
-    const auto codec = images_.codec();
-    if (!codec) {
-        return tl::unexpected(codec.error());
-    }
     const auto block = SharedBlock::open(duplicate(request.attachment));
     if (!block) {
         return tl::unexpected(block.error());
     }
-    return ImageBlock::checked(block->bytes()).and_then([&](const Image& image) {
-        return (*codec)->encode(extension, image);
-    });
+    const auto image = ImageBlock::checked(block->bytes());
+    if (!image) {
+        return tl::unexpected(image.error());
+    }
+    if (extension == ".png") {
+        return encodedPng(*image);
+    }
+    return images_.codec().and_then(
+        [&](const ImageCodec* codec) { return codec->encode(extension, *image); });
 }
 
 Result<FileServer::Answer> FileServer::writeImage(const Channel::Delivery& request) {

@@ -2,12 +2,16 @@
 #include "io/mesh_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <fstream>
+#include <string_view>
 #include <utility>
 
 #include "io/assimp_reader.h"
 #include "io/gltf_reader.h"
 #include "io/mesh_finisher.h"
+#include "io/obj_reader.h"
 #include "io/ply_header.h"
 
 namespace patina {
@@ -22,10 +26,29 @@ std::string formatOf(const std::filesystem::path& file) {
     return extension;
 }
 
+/// The libraries expect text that ASCII is a part of, and say odd things of any other.
+bool isUtf16Text(const std::filesystem::path& file, const std::string& format) {
+    static constexpr std::array<std::string_view, 5> textFormats = {".obj", ".gltf", ".dae", ".ply",
+                                                                    ".off"};
+    char mark[2] = {};
+    std::ifstream(file, std::ios::binary).read(mark, sizeof mark);
+    const std::string_view found(mark, sizeof mark);
+    return std::ranges::find(textFormats, format) != textFormats.end() &&
+           (found == "\xff\xfe" || found == "\xfe\xff");
+}
+
 Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportProgress& report) {
     const std::string format = formatOf(file);
+    if (isUtf16Text(file, format)) {
+        return failure("is text in UTF-16", "UTF-8, in which most programs can save it again");
+    }
     if (format == ".ply" && !hasWholePlyHeader(file)) {
         return failure("is not a PLY file, or its header is cut short");
+    }
+    if (format == ".obj") {
+        if (auto mesh = readPlainObj(file, report)) {
+            return std::move(*mesh);
+        }
     }
     if (format == ".gltf" || format == ".glb") {
         auto mesh = readGltf(file, report);

@@ -47,6 +47,7 @@ void FrameDrawer::describe(const Scene& scene) {
 void FrameDrawer::describeEffects(const Scene& scene) {
     report_.effects.clear();
     report_.messages.clear();
+    report_.warnings = 0;
     const std::uint64_t sceneKey = keys_.ofScene(scene, *catalog_);
     for (const Item& item : items_) {
         const Material& material = scene.objects[item.index].material;
@@ -61,6 +62,7 @@ void FrameDrawer::describeEffects(const Scene& scene) {
         }
     }
     if (lostLights_ > 0) {
+        report_.warnings = 1;
         report_.messages.push_back(
             {{},
              0,

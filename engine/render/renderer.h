@@ -33,6 +33,8 @@ struct FrameReport {
     int drawnObjects = 0;
     std::vector<std::string> effects; ///< the blocks in the shaders, canonical order
     Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
+    std::size_t warnings = 0; ///< so many of the messages, the last ones, say what was left out of
+                              ///< a frame that is otherwise what was asked for
 };
 
 /// Draws scenes with OpenGL 4.1 core. Made, used and destroyed with one context current.

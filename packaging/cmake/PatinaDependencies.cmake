@@ -23,6 +23,8 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
     INTERFACE_INCLUDE_DIRECTORIES "${openimageio_folders}")
 find_package(meshoptimizer REQUIRED)
 find_package(draco REQUIRED)
+find_package(tinyobjloader REQUIRED)
+find_package(PNG REQUIRED)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
 

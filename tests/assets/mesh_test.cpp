@@ -52,6 +52,14 @@ TEST(MeshFile, UnknownFormat_SaysSo) {
     EXPECT_EQ(complaintAbout("notes.txt", "hello"), "is not in a mesh format known here");
 }
 
+TEST(MeshFile, TextInUtf16_SaysSo) {
+    std::string wide("\xff\xfe", 2);
+    for (const char c : std::string(squareObj)) {
+        wide += {c, '\0'};
+    }
+    EXPECT_EQ(complaintAbout("wide.obj", wide), "is text in UTF-16");
+}
+
 TEST(MeshFile, RelativePath_IsFound) {
     const TemporaryFolder folder;
     writeFile(folder / "square.obj", squareObj);

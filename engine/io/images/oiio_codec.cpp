@@ -107,17 +107,6 @@ std::vector<float> floatsFor(const Image& image, int channels, bool premultiply)
     return floats;
 }
 
-std::vector<std::uint8_t> codesFor(const Image& image, int channels, const SrgbTable& table) {
-    const std::vector<float> floats = floatsFor(image, channels, false);
-    std::vector<std::uint8_t> codes(floats.size());
-    for (std::size_t i = 0; i < floats.size(); ++i) {
-        const float alpha = std::clamp(floats[i], 0.0f, 1.0f) * 255.0f + 0.5f;
-        codes[i] = isColor(i, channels) ? table.encoded(floats[i])
-                                        : static_cast<std::uint8_t>(alpha >= 0.0f ? alpha : 0.0f);
-    }
-    return codes;
-}
-
 OIIO::ImageSpec specFor(const Image& image, int channels, bool eightBit) {
     OIIO::ImageSpec spec(image.width, image.height, channels,
                          eightBit ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
@@ -190,8 +179,7 @@ Result<std::string> OiioCodec::encode(const std::string& extension, const Image&
         return encodeError(extension, output->geterror());
     }
     const bool written =
-        eightBit ? output->write_image(OIIO::TypeDesc::UINT8,
-                                       codesFor(image, channels, srgb_).data())
+        eightBit ? output->write_image(OIIO::TypeDesc::UINT8, srgb_.codes(image, channels).data())
                  : output->write_image(OIIO::TypeDesc::FLOAT,
                                        floatsFor(image, channels, format == ".exr").data());
     if (!written || !output->close()) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/srgb_table.h"
 #include "io/image_codec.h"
-#include "io/images/srgb_table.h"
 
 namespace patina {
 

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/images/srgb_table.h"
+#include "core/srgb_table.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/color.h"
 
 namespace patina {
+
+namespace {
+
+/// NaN gives 0.
+std::uint8_t alphaCode(float alpha) {
+    return alpha > 0.0f ? static_cast<std::uint8_t>(std::min(alpha, 1.0f) * 255.0f + 0.5f) : 0;
+}
+
+} // namespace
 
 SrgbTable::SrgbTable() {
     for (int code = 0; code < 256; ++code) {
@@ -34,6 +44,19 @@ std::uint8_t SrgbTable::encoded(float linear) const {
         ++code;
     }
     return code;
+}
+
+std::vector<std::uint8_t> SrgbTable::codes(const Image& image, int channels) const {
+    const auto from = static_cast<std::size_t>(image.channels);
+    std::vector<std::uint8_t> all;
+    all.reserve(image.pixels.size() / from * std::size_t(channels));
+    for (std::size_t i = 0; i + from <= image.pixels.size(); i += from) {
+        for (int c = 0; c < channels; ++c) {
+            const float value = image.pixels[i + (from == 1 ? 0 : std::size_t(c))];
+            all.push_back(c == 3 ? alphaCode(value) : encoded(value));
+        }
+    }
+    return all;
 }
 
 } // namespace patina

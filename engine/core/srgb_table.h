@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
+
+#include "core/image.h"
 
 namespace patina {
 
@@ -16,6 +19,10 @@ class SrgbTable {
 
     /// The code whose encoded value is nearest; below 0 and NaN give 0, above 1 gives 255.
     std::uint8_t encoded(float linear) const;
+
+    /// The image as 8-bit codes with its first `channels` channels (grey repeated); alpha, the
+    /// fourth, is not curved.
+    std::vector<std::uint8_t> codes(const Image& image, int channels) const;
 
   private:
     static constexpr int slots = 4096;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/obj_dialect.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace patina {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+/// What a line may consist of after its keyword.
+struct Statement {
+    std::string_view keyword;
+    std::string_view characters; ///< empty: any
+    std::size_t fewest = 0;      ///< words
+    std::size_t most = std::string_view::npos;
+};
+constexpr std::string_view real = "0123456789+-.eE \t\r";
+constexpr std::string_view corners = "0123456789-/ \t\r";
+constexpr std::array statements = {
+    Statement{"v", real, 3, 3},   Statement{"f", corners, 3, 3},
+    Statement{"vn", real, 3, 3},  Statement{"vt", real, 1, 3},
+    Statement{"v", real, 6, 6}, // with a colour
+    Statement{"usemtl", "", 0},   Statement{"mtllib", "", 0},
+    Statement{"o", "", 0},        Statement{"g", "", 0},
+    Statement{"s", "", 0}};
+
+std::array<bool, 256> setOf(std::string_view characters) {
+    std::array<bool, 256> set{};
+    for (const char c : characters) {
+        set[static_cast<unsigned char>(c)] = true;
+    }
+    return set;
+}
+
+bool hasOnly(std::string_view text, std::string_view characters) {
+    static const std::array<bool, 256> reals = setOf(real);
+    static const std::array<bool, 256> cornerSet = setOf(corners);
+    const auto& allowed = characters.data() == real.data() ? reals : cornerSet;
+    return characters.empty() || std::ranges::all_of(text, [&](char c) {
+               return allowed[static_cast<unsigned char>(c)];
+           });
+}
+
+std::size_t wordsIn(std::string_view text) {
+    std::size_t words = 0;
+    bool inside = false;
+    for (const char c : text) {
+        const bool blank = c == ' ' || c == '\t' || c == '\r';
+        words += !blank && !inside ? 1 : 0;
+        inside = !blank;
+    }
+    return words;
+}
+
+bool isPlainLine(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    if (line.empty() || line.front() == '#') {
+        return true;
+    }
+    const std::string_view keyword = line.substr(0, line.find_first_of(blanks));
+    const std::string_view rest = line.substr(keyword.size());
+    return std::ranges::any_of(statements, [&](const Statement& statement) {
+        if (statement.keyword != keyword || !hasOnly(rest, statement.characters)) {
+            return false;
+        }
+        const std::size_t words = wordsIn(rest);
+        return words >= statement.fewest && words <= statement.most;
+    });
+}
+
+} // namespace
+
+bool isPlainObj(std::string_view text) {
+    if (text.find('\\') != std::string_view::npos || text.find('\0') != std::string_view::npos) {
+        return false;
+    }
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find('\n'), text.size());
+        if (!isPlainLine(text.substr(0, length))) {
+            return false;
+        }
+        text.remove_prefix(std::min(length + 1, text.size()));
+    }
+    return true;
+}
+
+} // namespace patina

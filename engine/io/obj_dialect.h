@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace patina {
+
+/// True when an OBJ file's text has nothing but points, texture coordinates, normals and
+/// triangles, all in plain decimal numbers, and names of groups and materials.
+bool isPlainObj(std::string_view text);
+
+} // namespace patina
