@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `patina-files`: reads and writes foreign file formats for `patina`, in a process of its own.
+#include <csignal>
 #include <cstdio>
 
 #include <sys/socket.h>
@@ -14,6 +15,8 @@ int main() {
         std::fputs("patina-files is started by patina and is of no use alone\n", stderr);
         return 2;
     }
+    // A file over the allowed size is then an error of the call that writes it.
+    std::signal(SIGXFSZ, SIG_IGN);
     // Not run to the end of main: the libraries' own clean-up has nothing to save.
     ::_exit(patina::FileServer(patina::Channel(patina::FileHandle(STDIN_FILENO))).run());
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include <sys/resource.h>
+
 #include <gtest/gtest.h>
 
 #include "assets/asset_client.h"
@@ -120,6 +122,31 @@ TEST(ImageFile, FolderThatCannotBeWritten_SaysSo) {
     const auto saved = client.saveImage("/proc/a.png", gradient(4, 4, 3));
     ASSERT_FALSE(saved);
     EXPECT_TRUE(saved.error().problem.starts_with("cannot be written: "));
+}
+
+/// A files process that may write no file of more than 4 KiB, as on a disk that is full.
+void startOnFullDisk(AssetClient& client) {
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{4096, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    const TemporaryFolder folder;
+    writeFile(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_TRUE(client.loadMesh({folder / "a.obj"}));
+    ::setrlimit(RLIMIT_FSIZE, &before);
+}
+
+TEST(ImageFile, FullDisk_KeepsTheOldFileAndLeavesNoOther) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.exr", "old");
+    AssetClient client;
+    startOnFullDisk(client);
+    const auto saved = client.saveImage(folder / "a.exr", gradient(256, 256, 3));
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().problem, "cannot be written: File too large");
+    EXPECT_EQ(readFile(folder / "a.exr"), "old");
+    const auto entries = std::filesystem::directory_iterator(folder.path());
+    EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
 }
 
 TEST(ImageFile, ThatCannotBeReplaced_IsIntact) {
