@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/number_box.h"
 
-#include <cmath>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -15,26 +15,16 @@ namespace patina {
 
 namespace {
 
-constexpr double wheelNotch = 120; // QWheelEvent::angleDelta of one notch
-constexpr double pageSteps = 10.0;
-constexpr double fine = 0.1;
 const QColor wrong(196, 64, 48); // readable on light and dark
 
 } // namespace
 
 NumberBox::NumberBox(int decimals, const QString& unit, QWidget* parent)
-    : QLineEdit(parent), decimals_(decimals), unit_(unit),
+    : ValueBox(parent), decimals_(decimals), unit_(unit),
       shown_(QString::fromStdString(shownUnit(unit.toStdString()))) {
-    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    setContextMenuPolicy(Qt::NoContextMenu); // the row has one
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setMaxLength(64);
     updateMargins();
     connect(this, &QLineEdit::textEdited, this, &NumberBox::markWhetherValid);
-    connect(this, &QLineEdit::returnPressed, this, [this] {
-        commit();
-        selectAll();
-    });
     showValue();
 }
 
@@ -81,47 +71,13 @@ void NumberBox::markWhetherValid() {
     setPalette(colors);
 }
 
-/// Ctrl+Z is the document's, except while there is typing to take back.
-bool NumberBox::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
-        const auto* press = static_cast<QKeyEvent*>(event);
-        if (press->matches(QKeySequence::Undo) || press->matches(QKeySequence::Redo)) {
-            event->ignore();
-            return false;
-        }
-    }
-    return QLineEdit::event(event);
-}
-
 void NumberBox::keyPressEvent(QKeyEvent* event) {
-    const double finer = event->modifiers() & Qt::ShiftModifier ? fine : 1.0;
-    switch (event->key()) {
-    case Qt::Key_Up:
+    if (const std::optional<double> steps = stepsOf(*event)) {
         commit();
-        Q_EMIT stepped(finer);
+        Q_EMIT stepped(*steps);
         return;
-    case Qt::Key_Down:
-        commit();
-        Q_EMIT stepped(-finer);
-        return;
-    case Qt::Key_PageUp:
-        commit();
-        Q_EMIT stepped(pageSteps);
-        return;
-    case Qt::Key_PageDown:
-        commit();
-        Q_EMIT stepped(-pageSteps);
-        return;
-    case Qt::Key_Escape:
-        if (isModified()) {
-            showValue();
-            return;
-        }
-        event->ignore();
-        return;
-    default:
-        QLineEdit::keyPressEvent(event);
     }
+    ValueBox::keyPressEvent(event);
 }
 
 void NumberBox::wheelEvent(QWheelEvent* event) {
@@ -129,42 +85,31 @@ void NumberBox::wheelEvent(QWheelEvent* event) {
         event->ignore();
         return;
     }
-    wheelRest_ += event->angleDelta().y() / wheelNotch;
-    const double notches = std::trunc(wheelRest_);
-    wheelRest_ -= notches;
-    if (notches != 0.0) {
+    if (const double steps = wheel_.take(*event); steps != 0.0) {
         commit();
-        Q_EMIT stepped(notches * (event->modifiers() & Qt::ShiftModifier ? fine : 1.0));
+        Q_EMIT stepped(steps);
     }
     event->accept();
 }
 
 void NumberBox::focusInEvent(QFocusEvent* event) {
-    QLineEdit::focusInEvent(event);
+    ValueBox::focusInEvent(event);
     if (!isModified()) {
         showValue();
     }
     selectOnRelease_ = event->reason() == Qt::MouseFocusReason;
 }
 
-void NumberBox::focusOutEvent(QFocusEvent* event) {
-    QLineEdit::focusOutEvent(event);
-    if (event->reason() != Qt::PopupFocusReason) {
-        commit();
-        showValue();
-    }
-}
-
 /// The first click selects all, so that typing replaces; a second one places the cursor.
 void NumberBox::mouseReleaseEvent(QMouseEvent* event) {
-    QLineEdit::mouseReleaseEvent(event);
+    ValueBox::mouseReleaseEvent(event);
     if (std::exchange(selectOnRelease_, false) && !hasSelectedText()) {
         selectAll();
     }
 }
 
 void NumberBox::changeEvent(QEvent* event) {
-    QLineEdit::changeEvent(event);
+    ValueBox::changeEvent(event);
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
         updateMargins();
         updateGeometry();
@@ -176,14 +121,8 @@ void NumberBox::updateMargins() {
     setTextMargins(0, 0, unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(shown_) + gap, 0);
 }
 
-QSize NumberBox::sizeHint() const {
-    const QSize line = QLineEdit::sizeHint();
-    // Room for "-0.0001" and "1000000" beside the longest usual unit, the same in every row.
-    return {fontMetrics().horizontalAdvance(QStringLiteral("-0.0000 deg")) + 20, line.height()};
-}
-
 void NumberBox::paintEvent(QPaintEvent* event) {
-    QLineEdit::paintEvent(event);
+    ValueBox::paintEvent(event);
     if (!unit_.isEmpty()) {
         QPainter painter(this);
         QColor color = palette().color(QPalette::WindowText);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QLineEdit>
+#include "parameters/steps.h"
+#include "parameters/value_box.h"
 
 namespace patina {
 
 /// A field for one number. It shows few digits and, once it is edited, all of them; what is not
 /// touched is never rounded. Enter or leaving it asks for the number that was typed.
-class NumberBox : public QLineEdit {
+class NumberBox : public ValueBox {
     Q_OBJECT
 
   public:
@@ -16,26 +17,21 @@ class NumberBox : public QLineEdit {
     void setValue(double value);
     double value() const { return value_; }
 
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
-
   Q_SIGNALS:
     void typed(double value);
     void stepped(double steps);
 
   protected:
-    bool event(QEvent* event) override;
+    void commit() override;
+    void showValue() override;
     void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    void showValue();
-    void commit();
     void markWhetherValid();
     void updateMargins();
 
@@ -44,7 +40,7 @@ class NumberBox : public QLineEdit {
     QString unit_;  ///< as the descriptor has it, which is what typed units convert to
     QString shown_; ///< as people write it
     bool selectOnRelease_ = false;
-    double wheelRest_ = 0.0;
+    WheelSteps wheel_;
 };
 
 } // namespace patina

@@ -14,14 +14,6 @@
 
 namespace patina {
 
-namespace {
-
-constexpr double fine = 0.1;       // share of the mouse's way that a Shift drag goes
-constexpr double pageSteps = 10.0; // steps of PageUp and PageDown
-constexpr double wheelNotch = 120; // QWheelEvent::angleDelta of one notch
-
-} // namespace
-
 ValueSlider::ValueSlider(QWidget* parent) : QWidget(parent) {
     installValueSliderAccessibility();
     setFocusPolicy(Qt::StrongFocus);
@@ -105,16 +97,14 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
     }
     const double way = shareAt(event->position().x()) - shareAt(lastPixel_);
     lastPixel_ = event->position().x();
-    const bool isFine = event->modifiers() & Qt::ShiftModifier;
-    share_ += way * (isFine ? fine : 1.0);
+    share_ += way * fineness(event->modifiers());
     moveTo(share_, event->modifiers());
 }
 
 void ValueSlider::moveTo(double share, Qt::KeyboardModifiers modifiers) {
     const double inside = std::clamp(share, 0.0, 1.0);
     const double pixel = 1.0 / length();
-    const bool isFine = modifiers & Qt::ShiftModifier;
-    const double tidy = range_.tidyValueAt(inside, isFine ? pixel * fine : pixel);
+    const double tidy = range_.tidyValueAt(inside, pixel * fineness(modifiers));
     const double wanted =
         modifiers & Qt::ControlModifier ? range_.snapped(range_.valueAt(inside)) : tidy;
     if (wanted != value_) {
@@ -161,8 +151,11 @@ bool ValueSlider::event(QEvent* event) {
 }
 
 void ValueSlider::keyPressEvent(QKeyEvent* event) {
-    const double finer = event->modifiers() & Qt::ShiftModifier ? fine : 1.0;
-    const double forward = isRightToLeft() ? -1.0 : 1.0;
+    const double forward = (isRightToLeft() ? -1.0 : 1.0) * fineness(event->modifiers());
+    if (const std::optional<double> steps = stepsOf(*event)) {
+        Q_EMIT stepped(*steps);
+        return;
+    }
     switch (event->key()) {
     case Qt::Key_Escape:
         if (!cancelDrag()) {
@@ -170,22 +163,10 @@ void ValueSlider::keyPressEvent(QKeyEvent* event) {
         }
         return;
     case Qt::Key_Right:
-        Q_EMIT stepped(forward * finer);
+        Q_EMIT stepped(forward);
         return;
     case Qt::Key_Left:
-        Q_EMIT stepped(-forward * finer);
-        return;
-    case Qt::Key_Up:
-        Q_EMIT stepped(finer);
-        return;
-    case Qt::Key_Down:
-        Q_EMIT stepped(-finer);
-        return;
-    case Qt::Key_PageUp:
-        Q_EMIT stepped(pageSteps);
-        return;
-    case Qt::Key_PageDown:
-        Q_EMIT stepped(-pageSteps);
+        Q_EMIT stepped(-forward);
         return;
     case Qt::Key_Home:
         Q_EMIT jumped(range_.softMin());
@@ -204,18 +185,15 @@ void ValueSlider::wheelEvent(QWheelEvent* event) {
         event->ignore();
         return;
     }
-    wheelRest_ += event->angleDelta().y() / wheelNotch;
-    const double notches = std::trunc(wheelRest_);
-    wheelRest_ -= notches;
-    if (notches != 0.0) {
-        Q_EMIT stepped(notches * (event->modifiers() & Qt::ShiftModifier ? fine : 1.0));
+    if (const double steps = wheel_.take(*event); steps != 0.0) {
+        Q_EMIT stepped(steps);
     }
     event->accept();
 }
 
 void ValueSlider::focusInEvent(QFocusEvent* event) {
     QWidget::focusInEvent(event);
-    wheelRest_ = 0.0;
+    wheel_.forget();
     update();
 }
 

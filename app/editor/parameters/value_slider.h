@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "parameters/slider_range.h"
+#include "parameters/steps.h"
 
 namespace patina {
 
@@ -64,7 +65,7 @@ class ValueSlider : public QWidget {
     double startValue_ = 0.0; ///< where Esc goes back to
     double share_ = 0.0;      ///< of the drag, not rounded to what was asked for
     double lastPixel_ = 0.0;
-    double wheelRest_ = 0.0;
+    WheelSteps wheel_;
 };
 
 } // namespace patina
