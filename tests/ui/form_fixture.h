@@ -10,6 +10,7 @@
 #include "parameters/number_box.h"
 #include "parameters/parameter_editor.h"
 #include "parameters/parameter_row.h"
+#include "parameters/scrub_label.h"
 #include "parameters/value_slider.h"
 #include "ui/fixtures.h"
 

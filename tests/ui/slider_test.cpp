@@ -9,6 +9,7 @@ namespace patina::tests {
 
 using Slider = Form;
 using Number = Form;
+using Label = Form;
 
 TEST_F(Slider, Drag_IsOneStep) {
     drag(slider("roughness"), 0.5, 0.8);
@@ -141,6 +142,79 @@ TEST_F(Slider, RowThatGoesWhileKeysRest_EndsTheInteraction) {
     EXPECT_TRUE(document.isInteracting());
     document.setModel(Side::A, "second");
     EXPECT_FALSE(document.isInteracting());
+}
+
+/// Drags a row's label sideways in small moves.
+void scrub(QWidget* label, int pixels, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    const QPoint start(4, label->height() / 2);
+    QTest::mousePress(label, Qt::LeftButton, modifiers, start);
+    constexpr int moves = 6;
+    for (int i = 1; i <= moves; ++i) {
+        const QPoint place = start + QPoint(pixels * i / moves, 0);
+        QMouseEvent move(QEvent::MouseMove, place, label->mapToGlobal(place), Qt::NoButton,
+                         Qt::LeftButton, modifiers);
+        QApplication::sendEvent(label, &move);
+    }
+}
+
+void release(QWidget* label) {
+    QTest::mouseRelease(label, Qt::LeftButton);
+}
+
+TEST_F(Label, DraggedSideways_ChangesTheNumberInOneStep) {
+    scrub(row("roughness").label(), 60);
+    release(row("roughness").label());
+    EXPECT_NEAR(fixture.number("roughness"), 0.7, 0.005); // 60 of the 300 pixels of the range
+    EXPECT_EQ(fixture.steps(), 1);
+}
+
+TEST_F(Label, DraggedWithShift_IsTenTimesFiner) {
+    scrub(row("roughness").label(), 60, Qt::ShiftModifier);
+    release(row("roughness").label());
+    EXPECT_NEAR(fixture.number("roughness"), 0.52, 0.001);
+}
+
+TEST_F(Label, DraggedWithControl_SnapsToSteps) {
+    scrub(row("tilt").label(), 37, Qt::ControlModifier);
+    release(row("tilt").label());
+    EXPECT_EQ(fixture.number("tilt"), std::round(fixture.number("tilt")));
+}
+
+TEST_F(Label, DraggedPastTheSlidersEnd_GoesOnAndWidensIt) {
+    scrub(row("roughness").label(), 600);
+    release(row("roughness").label());
+    EXPECT_NEAR(fixture.number("roughness"), 2.5, 0.01);
+    EXPECT_GE(slider("roughness")->range().upper(), 2.5);
+}
+
+TEST_F(Label, DraggedFarPastTheHardRange_StopsAtIt) {
+    scrub(row("roughness").label(), 60000);
+    release(row("roughness").label());
+    EXPECT_EQ(fixture.number("roughness"), 10.0);
+}
+
+TEST_F(Label, EscapeDuringADrag_LeavesNoStep) {
+    scrub(row("roughness").label(), 60);
+    EXPECT_NE(fixture.number("roughness"), 0.5);
+    QTest::keyClick(row("roughness").label(), Qt::Key_Escape);
+    EXPECT_EQ(fixture.number("roughness"), 0.5);
+    EXPECT_EQ(fixture.steps(), 0);
+    release(row("roughness").label());
+}
+
+TEST_F(Label, Clicked_ChangesNothing) {
+    QTest::mouseClick(row("roughness").label(), Qt::LeftButton);
+    EXPECT_EQ(fixture.steps(), 0);
+}
+
+TEST_F(Label, OfAWholeNumber_StaysWhole) {
+    scrub(row("samples").label(), 41);
+    release(row("samples").label());
+    EXPECT_TRUE(std::holds_alternative<int>(fixture.value("samples")));
+}
+
+TEST_F(Label, OfAChoice_IsNoHandle) {
+    EXPECT_NE(row("mode").label()->cursor().shape(), Qt::SizeHorCursor);
 }
 
 TEST_F(Number, UndoInAnUntouchedBox_IsTheDocuments) {

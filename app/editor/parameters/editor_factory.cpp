@@ -4,8 +4,7 @@
 #include "parameters/bool_editor.h"
 #include "parameters/color_editor.h"
 #include "parameters/enum_editor.h"
-#include "parameters/float_editor.h"
-#include "parameters/int_editor.h"
+#include "parameters/number_editor.h"
 #include "parameters/texture_editor.h"
 #include "parameters/vector_editor.h"
 
@@ -13,8 +12,6 @@ namespace patina {
 
 ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent) {
     switch (parameter.type) {
-    case ParameterType::Int:
-        return new IntEditor(parameter, parent);
     case ParameterType::Bool:
         return new BoolEditor(parameter, parent);
     case ParameterType::Color:
@@ -27,7 +24,7 @@ ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent) {
     case ParameterType::Texture:
         return new TextureEditor(parameter, parent);
     default:
-        return new FloatEditor(parameter, parent);
+        return new NumberEditor(parameter, parent);
     }
 }
 

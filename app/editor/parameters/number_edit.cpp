@@ -7,12 +7,15 @@
 #include <QHBoxLayout>
 
 #include "parameters/number_box.h"
+#include "parameters/scrub_label.h"
+#include "parameters/steps.h"
 #include "parameters/value_slider.h"
 
 namespace patina {
 
 namespace {
 
+constexpr double scrubPixels = 300.0; // from one end of the soft range to the other
 constexpr int restMilliseconds = 400; // longer than a slow key repeat, shorter than a thought
 
 } // namespace
@@ -51,7 +54,8 @@ NumberEdit::NumberEdit(const Parameter& parameter, double defaultValue, const QS
 void NumberEdit::present(double value) {
     value_ = value;
     SliderRange range = range_;
-    if (static_cast<float>(value) == static_cast<float>(defaultValue_) && !slider_->isDragging()) {
+    if (static_cast<float>(value) == static_cast<float>(defaultValue_) && !slider_->isDragging() &&
+        !isScrubbing_) {
         range.reset();
     }
     range.widenFor(value);
@@ -81,6 +85,39 @@ void NumberEdit::step(double steps) {
     const double whole =
         steps < 0.0 ? std::min(-1.0, std::round(steps)) : std::max(1.0, std::round(steps));
     ask(range_.stepped(value_, isWhole ? whole : steps));
+}
+
+void NumberEdit::scrubWith(ScrubLabel& label) {
+    label.setDraggable();
+    connect(&label, &ScrubLabel::scrubBegan, this, &NumberEdit::beginScrub);
+    connect(&label, &ScrubLabel::scrubbed, this, &NumberEdit::scrub);
+    connect(&label, &ScrubLabel::scrubCancelled, this, [this] { ask(scrubStart_); });
+    connect(&label, &ScrubLabel::scrubEnded, this, &NumberEdit::endScrub);
+}
+
+void NumberEdit::beginScrub() {
+    finishStepping();
+    isScrubbing_ = true;
+    scrubRange_ = range_;
+    scrubStart_ = value_;
+    scrubPosition_ = range_.positionOf(value_);
+    Q_EMIT interactionBegan();
+}
+
+void NumberEdit::scrub(double pixels, Qt::KeyboardModifiers modifiers) {
+    const double pixel = fineness(modifiers) / scrubPixels;
+    const double position = scrubPosition_ + pixels * pixel;
+    if (scrubRange_.isInHardRange(position)) {
+        scrubPosition_ = position; // or the way back from the end would be as long as the way there
+    }
+    const double number = scrubRange_.continuedValueAt(position, pixel);
+    ask(modifiers & Qt::ControlModifier ? scrubRange_.nearestStep(number) : number);
+}
+
+void NumberEdit::endScrub() {
+    isScrubbing_ = false;
+    Q_EMIT interactionEnded();
+    present(value_);
 }
 
 void NumberEdit::hideEvent(QHideEvent* event) {

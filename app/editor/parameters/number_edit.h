@@ -10,6 +10,7 @@
 namespace patina {
 
 class NumberBox;
+class ScrubLabel;
 class ValueSlider;
 
 /// A slider and a number box for one number. Whatever way a number is changed, it goes through
@@ -27,6 +28,9 @@ class NumberEdit : public QWidget {
     ValueSlider* slider() const { return slider_; }
     NumberBox* box() const { return box_; }
 
+    /// Dragging the label changes the number, as far as the hard range.
+    void scrubWith(ScrubLabel& label);
+
   Q_SIGNALS:
     void interactionBegan();
     void edited(double value);
@@ -38,12 +42,19 @@ class NumberEdit : public QWidget {
   private:
     void ask(double wanted);
     void step(double steps);
+    void beginScrub();
+    void scrub(double pixels, Qt::KeyboardModifiers modifiers);
+    void endScrub();
     void finishStepping();
 
     Parameter parameter_;
     double defaultValue_;
     double value_ = 0.0;
     SliderRange range_;
+    SliderRange scrubRange_; ///< as it was when the drag began, so that its speed does not change
+    double scrubPosition_ = 0.0;
+    double scrubStart_ = 0.0; ///< where Esc goes back to
+    bool isScrubbing_ = false;
     ValueSlider* slider_;
     NumberBox* box_;
     QTimer stepping_; ///< a held key or a turned wheel is one interaction until it rests

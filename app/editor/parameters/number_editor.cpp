@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "parameters/float_editor.h"
+#include "parameters/number_editor.h"
+
+#include <cmath>
 
 #include <QHBoxLayout>
 
@@ -8,26 +10,44 @@
 
 namespace patina {
 
-FloatEditor::FloatEditor(const Parameter& parameter, QWidget* parent)
+namespace {
+
+double numberOf(const Value& value) {
+    const int* whole = std::get_if<int>(&value);
+    return whole ? *whole : std::get<double>(value);
+}
+
+} // namespace
+
+NumberEditor::NumberEditor(const Parameter& parameter, QWidget* parent)
     : ParameterEditor(parameter, parent),
-      number_(new NumberEdit(parameter, std::get<double>(parameter.defaultValue), name(), this)) {
+      number_(new NumberEdit(parameter, numberOf(parameter.defaultValue), name(), this)) {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(number_);
     connect(number_, &NumberEdit::interactionBegan, this, &ParameterEditor::interactionBegan);
     connect(number_, &NumberEdit::interactionEnded, this, &ParameterEditor::interactionEnded);
     connect(number_, &NumberEdit::edited, this,
-            [this](double wanted) { Q_EMIT edited(Value(wanted)); });
+            [this](double wanted) { Q_EMIT edited(valueOf(wanted)); });
 }
 
-void FloatEditor::present(const Value& value) {
-    if (const double* number = std::get_if<double>(&value)) {
-        number_->present(*number);
+Value NumberEditor::valueOf(double number) const {
+    const bool isWhole = parameter().type == ParameterType::Int;
+    return isWhole ? Value(static_cast<int>(std::lround(number))) : Value(number);
+}
+
+void NumberEditor::present(const Value& value) {
+    if (std::holds_alternative<int>(value) || std::holds_alternative<double>(value)) {
+        number_->present(numberOf(value));
     }
 }
 
-QWidget* FloatEditor::focusTarget() {
+QWidget* NumberEditor::focusTarget() {
     return number_->slider();
+}
+
+void NumberEditor::scrubWith(ScrubLabel& label) {
+    number_->scrubWith(label);
 }
 
 } // namespace patina

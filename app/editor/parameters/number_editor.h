@@ -7,17 +7,20 @@ namespace patina {
 
 class NumberEdit;
 
-/// A slider and a box for a float or an angle in degrees.
-class FloatEditor : public ParameterEditor {
+/// A slider and a box for a float, a whole number or an angle in degrees.
+class NumberEditor : public ParameterEditor {
     Q_OBJECT
 
   public:
-    FloatEditor(const Parameter& parameter, QWidget* parent);
+    NumberEditor(const Parameter& parameter, QWidget* parent);
 
     void present(const Value& value) override;
     QWidget* focusTarget() override;
+    void scrubWith(ScrubLabel& label) override;
 
   private:
+    Value valueOf(double number) const;
+
     NumberEdit* number_;
 };
 

@@ -7,6 +7,8 @@
 
 namespace patina {
 
+class ScrubLabel;
+
 /// Shows one parameter's value and asks for changes; the document decides and the answer comes
 /// back through present(). One small subclass per parameter type.
 class ParameterEditor : public QWidget {
@@ -23,6 +25,9 @@ class ParameterEditor : public QWidget {
 
     /// What takes the focus when the row's label is activated.
     virtual QWidget* focusTarget() = 0;
+
+    /// Lets the row's label change the value by dragging, where there is one number to change.
+    virtual void scrubWith(ScrubLabel&) {}
 
   Q_SIGNALS:
     void interactionBegan();

@@ -7,7 +7,6 @@
 #include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
@@ -15,6 +14,7 @@
 #include "parameters/editor_factory.h"
 #include "parameters/parameter_text.h"
 #include "parameters/reset_mark.h"
+#include "parameters/scrub_label.h"
 #include "parameters/value_text.h"
 #include "parameters/warning_mark.h"
 
@@ -22,7 +22,7 @@ namespace patina {
 
 ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), editor_(makeEditor(parameter, this)),
-      label_(new QLabel(QString::fromStdString(parameter.label), this)),
+      label_(new ScrubLabel(QString::fromStdString(parameter.label), this)),
       foldButton_(new QToolButton(this)), warning_(new WarningMark(this)),
       resetMark_(new ResetMark(this)), value_(parameter.defaultValue) {
     makeLayout();
@@ -55,6 +55,7 @@ void ParameterRow::makeLayout() {
     line->addWidget(warning_, 0, Qt::AlignTop);
     line->addWidget(resetMark_, 0, Qt::AlignTop);
     label_->setWordWrap(true);
+    editor_->scrubWith(*label_);
     foldButton_->setAutoRaise(true);
     foldButton_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     foldButton_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);

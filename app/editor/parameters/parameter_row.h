@@ -7,13 +7,13 @@
 
 #include "catalog/parameter.h"
 
-class QLabel;
 class QToolButton;
 
 namespace patina {
 
 class ParameterEditor;
 class ResetMark;
+class ScrubLabel;
 class WarningMark;
 
 /// One line of a form: label, editor, and the marks of an unusual and of a changed value. While
@@ -26,7 +26,7 @@ class ParameterRow : public QWidget {
 
     const Parameter& parameter() const;
     ParameterEditor* editor() const { return editor_; }
-    QLabel* label() const { return label_; }
+    ScrubLabel* label() const { return label_; }
     QToolButton* foldButton() const { return foldButton_; }
     bool isCounting() const { return isCounting_; }
     bool isFolded() const;
@@ -61,7 +61,7 @@ class ParameterRow : public QWidget {
     void updateSummary();
 
     ParameterEditor* editor_;
-    QLabel* label_;
+    ScrubLabel* label_;
     QToolButton* foldButton_;
     WarningMark* warning_;
     ResetMark* resetMark_;

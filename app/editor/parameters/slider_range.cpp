@@ -54,13 +54,21 @@ double SliderRange::positionOf(double value) const {
     return std::log1p((inside - lower_) / knee) / std::log1p((upper_ - lower_) / knee);
 }
 
-double SliderRange::valueAt(double position) const {
-    const double share = std::clamp(position, 0.0, 1.0);
+double SliderRange::continued(double position) const {
     if (scale_ == Scale::Linear) {
-        return lower_ + share * (upper_ - lower_);
+        return lower_ + position * (upper_ - lower_);
     }
     const double knee = kneeOfLog();
-    return lower_ + knee * std::expm1(share * std::log1p((upper_ - lower_) / knee));
+    return lower_ + knee * std::expm1(position * std::log1p((upper_ - lower_) / knee));
+}
+
+double SliderRange::valueAt(double position) const {
+    return continued(std::clamp(position, 0.0, 1.0));
+}
+
+double SliderRange::tidied(double value, double change) const {
+    const int exponent = static_cast<int>(std::floor(std::log10(change)));
+    return rounded(value, isWhole_ ? std::max(exponent, 0) : exponent);
 }
 
 double SliderRange::tidyValueAt(double position, double span) const {
@@ -69,8 +77,23 @@ double SliderRange::tidyValueAt(double position, double span) const {
     if (position <= 0.0 || position >= 1.0 || !(change > 0.0)) {
         return isWhole_ ? std::round(value) : value;
     }
-    const int exponent = static_cast<int>(std::floor(std::log10(change)));
-    return std::clamp(rounded(value, isWhole_ ? std::max(exponent, 0) : exponent), lower_, upper_);
+    return std::clamp(tidied(value, change), lower_, upper_);
+}
+
+bool SliderRange::isInHardRange(double position) const {
+    const double value = continued(position);
+    return value >= min_ && value <= max_;
+}
+
+double SliderRange::continuedValueAt(double position, double span) const {
+    const double value = std::clamp(continued(position), min_, max_);
+    const double change = std::abs(continued(position + span) - continued(position - span)) / 2.0;
+    const bool canRound = std::isfinite(change) && change > 0.0 && isInHardRange(position);
+    return canRound ? std::clamp(tidied(value, change), min_, max_) : value;
+}
+
+double SliderRange::nearestStep(double value) const {
+    return stepped(std::round(value / step_) * step_, 0.0);
 }
 
 double SliderRange::snapped(double value) const {

@@ -32,6 +32,11 @@ class SliderRange {
     /// slider's length, such as one pixel), so that a drag gives numbers a person would type.
     double tidyValueAt(double position, double span) const;
 
+    /// Like tidyValueAt, but positions go on past both ends as far as the hard range.
+    double continuedValueAt(double position, double span) const;
+    bool isInHardRange(double position) const;
+
+    double nearestStep(double value) const; ///< a multiple of the step, inside the hard range
     double snapped(double value) const; ///< to the next multiple of the step, inside the slider
     double stepped(double value, double steps) const; ///< steps further, inside the hard range
 
@@ -39,6 +44,8 @@ class SliderRange {
 
   private:
     double kneeOfLog() const;
+    double continued(double position) const;
+    double tidied(double value, double change) const;
 
     double lower_ = 0.0;
     double upper_ = 1.0;

@@ -2,9 +2,9 @@
 #include "parameters/vector_editor.h"
 
 #include <QGridLayout>
-#include <QLabel>
 
 #include "parameters/number_edit.h"
+#include "parameters/scrub_label.h"
 #include "parameters/value_slider.h"
 
 namespace patina {
@@ -34,7 +34,8 @@ VectorEditor::VectorEditor(const Parameter& parameter, QWidget* parent)
         const QString axis = QStringLiteral("xyz").mid(i, 1);
         auto* number = new NumberEdit(parameter, defaults[static_cast<std::size_t>(i)],
                                       name() + QLatin1Char(' ') + axis, this);
-        auto* letter = new QLabel(axis, this);
+        auto* letter = new ScrubLabel(axis, this);
+        number->scrubWith(*letter);
         letter->setBuddy(number->slider());
         grid->addWidget(letter, i, 0);
         grid->addWidget(number, i, 1);
