@@ -5,12 +5,14 @@
 
 #include "parameters/color_picker.h"
 #include "parameters/color_swatch.h"
+#include "parameters/eyedropper.h"
 #include "parameters/hex_box.h"
 
 namespace patina {
 
 ColorEditor::ColorEditor(const Parameter& parameter, QWidget* parent)
-    : ParameterEditor(parameter, parent), swatch_(new ColorSwatch(this)), hex_(new HexBox(this)) {
+    : ParameterEditor(parameter, parent), swatch_(new ColorSwatch(this)), hex_(new HexBox(this)),
+      eyedropper_(new Eyedropper(swatch_)) {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(6);
@@ -19,8 +21,10 @@ ColorEditor::ColorEditor(const Parameter& parameter, QWidget* parent)
     swatch_->setAccessibleName(name());
     hex_->setAccessibleName(tr("%1, sRGB hex").arg(name()));
     connect(swatch_, &QAbstractButton::clicked, this, &ColorEditor::openPicker);
-    connect(hex_, &HexBox::typed, this,
-            [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
+    const auto ask = [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); };
+    connect(hex_, &HexBox::typed, this, ask);
+    connect(eyedropper_, &Eyedropper::hovered, this, ask);
+    connect(eyedropper_, &Eyedropper::finished, this, &ColorEditor::endPicking);
 }
 
 void ColorEditor::present(const Value& value) {
@@ -34,16 +38,38 @@ void ColorEditor::present(const Value& value) {
     }
 }
 
+void ColorEditor::makePicker() {
+    picker_ = new ColorPicker(parameter(), this);
+    connect(picker_, &ColorPicker::interactionBegan, this, &ParameterEditor::interactionBegan);
+    connect(picker_, &ColorPicker::interactionEnded, this, &ParameterEditor::interactionEnded);
+    connect(picker_, &ColorPicker::eyedropperWished, this, &ColorEditor::pickFromScreen);
+    connect(picker_, &ColorPicker::edited, this,
+            [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
+}
+
 void ColorEditor::openPicker() {
     if (!picker_) {
-        picker_ = new ColorPicker(parameter(), this);
-        connect(picker_, &ColorPicker::interactionBegan, this, &ParameterEditor::interactionBegan);
-        connect(picker_, &ColorPicker::interactionEnded, this, &ParameterEditor::interactionEnded);
-        connect(picker_, &ColorPicker::edited, this,
-                [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
+        makePicker();
     }
     picker_->present(color_);
     picker_->openAt(*swatch_);
+}
+
+void ColorEditor::pickFromScreen() {
+    picker_->hide();
+    colorBefore_ = color_;
+    Q_EMIT interactionBegan();
+    eyedropper_->start();
+}
+
+void ColorEditor::endPicking(bool taken) {
+    if (!taken) {
+        Q_EMIT edited(Value(colorBefore_));
+    }
+    Q_EMIT interactionEnded();
+    if (swatch_->isVisible()) {
+        openPicker();
+    }
 }
 
 QWidget* ColorEditor::focusTarget() {

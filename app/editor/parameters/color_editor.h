@@ -7,6 +7,7 @@ namespace patina {
 
 class ColorPicker;
 class ColorSwatch;
+class Eyedropper;
 class HexBox;
 
 /// A swatch that opens a picker, and the colour's sRGB hex.
@@ -21,11 +22,16 @@ class ColorEditor : public ParameterEditor {
 
   private:
     void openPicker();
+    void makePicker();
+    void pickFromScreen();
+    void endPicking(bool taken);
 
     glm::dvec3 color_{0.0};
     ColorSwatch* swatch_;
     HexBox* hex_;
     ColorPicker* picker_ = nullptr; ///< made when it is first opened
+    Eyedropper* eyedropper_;
+    glm::dvec3 colorBefore_{0.0}; ///< what giving up the picking goes back to
 };
 
 } // namespace patina

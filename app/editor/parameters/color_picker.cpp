@@ -6,6 +6,7 @@
 #include <QColor>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QScreen>
 #include <QVBoxLayout>
 
@@ -14,6 +15,7 @@
 #include "parameters/hex_box.h"
 #include "parameters/number_edit.h"
 #include "parameters/number_format.h"
+#include "parameters/scrub_label.h"
 #include "parameters/value_slider.h"
 
 namespace patina {
@@ -78,7 +80,10 @@ QWidget* ColorPicker::makeNumbers(const Parameter& parameter) {
         const auto place = static_cast<std::size_t>(i);
         auto* number = new NumberEdit(component, defaults[i], names[place], panel);
         numbers_[place] = number;
-        form->addRow(names[place], number);
+        auto* label = new ScrubLabel(names[place], panel);
+        label->setBuddy(number->slider());
+        number->scrubWith(*label);
+        form->addRow(label, number);
         connect(number, &NumberEdit::interactionBegan, this, &ColorPicker::interactionBegan);
         connect(number, &NumberEdit::interactionEnded, this, &ColorPicker::interactionEnded);
         connect(number, &NumberEdit::edited, this, [this, i](double wanted) {
@@ -88,6 +93,11 @@ QWidget* ColorPicker::makeNumbers(const Parameter& parameter) {
         });
     }
     form->addRow(tr("sRGB hex"), hex_);
+    auto* pick = new QPushButton(tr("&Pick from the picture or the screen"), panel);
+    pick->setToolTip(tr("Click where the colour is; Esc gives up. In a view it is the light before "
+                        "exposure and tone mapping."));
+    form->addRow(pick);
+    connect(pick, &QPushButton::clicked, this, &ColorPicker::eyedropperWished);
     return panel;
 }
 

@@ -34,6 +34,8 @@ class ColorPicker : public QFrame {
     void interactionBegan();
     void edited(const glm::dvec3& linear);
     void interactionEnded();
+    /// A colour is to be taken from the screen, without the popup in the way.
+    void eyedropperWished();
 
   protected:
     void hideEvent(QHideEvent* event) override;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/image.h"
+
+namespace patina {
+
+/// A widget that knows the colours it shows better than the screen does.
+class ColorSource {
+  public:
+    virtual ~ColorSource() = default;
+
+    /// What the widget shows as linear light, at the screen's own resolution; empty when there is
+    /// nothing.
+    virtual Image linearPicture() = 0;
+};
+
+} // namespace patina
