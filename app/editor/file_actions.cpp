@@ -84,7 +84,11 @@ bool FileActions::saveAs() {
     }
     const bool asPreset = file.endsWith(presetSuffix) || 
                           (!file.endsWith(sceneSuffix) && filter == presetFilter());
+    const QString asked = file;
     file = withSuffix(file, asPreset ? presetSuffix : sceneSuffix);
+    if (!mayReplace(asked, file)) {
+        return false;
+    }
     const bool saved = asPreset ? document_.savePreset(file.toStdString(), document_.activeSide())
                                 : document_.saveScene(file.toStdString());
     if (saved) {
@@ -117,13 +121,23 @@ void FileActions::exportPreset() {
     std::filesystem::create_directories(folder, ignored);
     const QString name = asFileName(QString::fromStdString(material->name)) + presetSuffix;
     const QString start = QString::fromStdString((folder / name.toStdString()).string());
-    const QString file =
-        withSuffix(QFileDialog::getSaveFileName(window_, tr("Save the material as a preset"),
-                                                start, presetFilter()),
-                   presetSuffix);
-    if (!file.isEmpty() && document_.savePreset(file.toStdString(), document_.activeSide())) {
+    const QString asked = QFileDialog::getSaveFileName(
+        window_, tr("Save the material as a preset"), start, presetFilter());
+    const QString file = withSuffix(asked, presetSuffix);
+    if (!file.isEmpty() && mayReplace(asked, file) &&
+        document_.savePreset(file.toStdString(), document_.activeSide())) {
         noteFile(file);
     }
+}
+
+/// The dialog asked about the name that was typed, not about the one with its ending.
+bool FileActions::mayReplace(const QString& asked, const QString& file) {
+    return file == asked || !QFileInfo::exists(file) ||
+           QMessageBox::warning(window_, tr("Save"),
+                                tr("%1 already exists. Replace it?")
+                                    .arg(QFileInfo(file).fileName()),
+                                QMessageBox::Yes | QMessageBox::No,
+                                QMessageBox::No) == QMessageBox::Yes;
 }
 
 void FileActions::importMesh() {
@@ -154,6 +168,7 @@ void FileActions::drop(const QStringList& files, Side side) {
         switch (kindOf(file)) {
         case Kind::Preset:
             document_.applyPreset(file.toStdString(), side);
+            document_.setActiveSide(side); // what was put there is what is worked on next
             break;
         case Kind::Scene:
             openDocument(file);
@@ -180,8 +195,10 @@ bool FileActions::mayLoseDocument() {
     if (!document_.isModified()) {
         return true;
     }
+    const bool isNamed = !document_.file().path.empty();
     QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
-                         tr("Save the changes to %1?").arg(suggestedName()),
+                         tr("Save the changes to %1?").arg(isNamed ? suggestedName()
+                                                                   : tr("the untitled scene")),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
     question.setInformativeText(tr("They are lost if you do not save them."));
     question.setDefaultButton(QMessageBox::Save);

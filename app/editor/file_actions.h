@@ -66,8 +66,7 @@ class FileActions : public QObject {
     void meshLoaded(const QString& mesh);
     void meshFailed(const QString& mesh, const Error& why);
     void noteFile(const QString& file);
-    QString askWhere(const QString& purpose, const QString& title, const QString& filter,
-                     const QString& name);
+    bool mayReplace(const QString& asked, const QString& file);
     QString suggestedName() const;
 
     Document& document_;
