@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <glm/geometric.hpp>
 
+#include <QAbstractItemView>
+#include <QDockWidget>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
@@ -127,6 +129,17 @@ TEST_F(Viewports, KeyLAndLeftDrag_TurnsALightInOneStep) {
     EXPECT_EQ(document().undoStack().count(), 1);
 }
 
+TEST_F(Viewports, KeyLOverTheViewWithTheFocusElsewhere_TurnsALight) {
+    const std::vector<Light> before = document().scene().lights;
+    auto* elsewhere = window().dock("lights")->findChild<QAbstractItemView*>();
+    elsewhere->setFocus();
+    QEnterEvent enter(view().rect().center(), view().rect().center(), view().rect().center());
+    QApplication::sendEvent(&view(), &enter);
+    QTest::keyPress(elsewhere, Qt::Key_L);
+    drag(Qt::LeftButton, Qt::NoModifier, {60, 20});
+    EXPECT_NE(document().scene().lights, before);
+}
+
 TEST_F(Viewports, NumpadSeven_LooksFromAbove) {
     QTest::keyClick(&view(), Qt::Key_7, Qt::KeypadModifier);
     EXPECT_EQ(camera().pitch, 90.0);
@@ -175,6 +188,7 @@ TEST_F(Viewports, PresetDroppedOnB_ChangesOnlyB) {
     QApplication::sendEvent(&secondView(), &drop);
     EXPECT_EQ(*document().material(Side::A), before);
     EXPECT_NE(document().material(Side::B)->model.id, before.model.id);
+    EXPECT_EQ(document().activeSide(), Side::B);
 }
 
 } // namespace

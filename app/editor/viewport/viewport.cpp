@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <QApplication>
 #include <QDragEnterEvent>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -96,6 +98,18 @@ void Viewport::paintGL() {
     Q_EMIT frameDrawn();
 }
 
+Image Viewport::linearPicture() {
+    if (!renderer_) {
+        return {};
+    }
+    Scene unexposed = sources_.scene();
+    unexposed.exposure = 0.0;
+    makeCurrent();
+    Result<Image> picture = renderer_->capture(unexposed, view(), sources_.meshes, false);
+    doneCurrent();
+    return picture ? std::move(*picture) : Image();
+}
+
 QString Viewport::frameTime() {
     if (!timer_) {
         return {};
@@ -184,6 +198,33 @@ void Viewport::keyReleaseEvent(QKeyEvent* event) {
 void Viewport::focusOutEvent(QFocusEvent* event) {
     navigation_.focusLost();
     QOpenGLWidget::focusOutEvent(event);
+}
+
+/// The key of the light works wherever the pointer is, also before a click brings the focus here.
+void Viewport::enterEvent(QEnterEvent* event) {
+    qApp->installEventFilter(this);
+    QOpenGLWidget::enterEvent(event);
+}
+
+void Viewport::leaveEvent(QEvent* event) {
+    qApp->removeEventFilter(this);
+    QOpenGLWidget::leaveEvent(event);
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+    const bool isElsewhere = watched->isWidgetType() && watched != this &&
+                             !qobject_cast<QLineEdit*>(watched) &&
+                             static_cast<QWidget*>(watched)->window() == window();
+    if (!isKey || !isElsewhere) {
+        return QOpenGLWidget::eventFilter(watched, event);
+    }
+    const auto& key = *static_cast<QKeyEvent*>(event);
+    if (key.key() != Qt::Key_L || key.modifiers() != Qt::NoModifier) {
+        return QOpenGLWidget::eventFilter(watched, event);
+    }
+    return event->type() == QEvent::KeyPress ? navigation_.keyPress(key)
+                                             : navigation_.keyRelease(key);
 }
 
 void Viewport::dragEnterEvent(QDragEnterEvent* event) {

@@ -9,6 +9,7 @@
 #include <QOpenGLWidget>
 
 #include "measure/frame_timer.h"
+#include "parameters/color_source.h"
 #include "render/renderer.h"
 #include "viewport/camera_navigation.h"
 
@@ -16,7 +17,7 @@ namespace patina {
 
 /// Shows a scene with a Renderer of its own and hands the mouse and the keys to a
 /// CameraNavigation. A frame is drawn only after refresh(), once however often that was called.
-class Viewport : public QOpenGLWidget {
+class Viewport : public QOpenGLWidget, public ColorSource {
     Q_OBJECT
 
   public:
@@ -44,6 +45,9 @@ class Viewport : public QOpenGLWidget {
 
     int frameCount() const { return frameCount_; }
     const FrameReport& report() const;
+
+    /// The picture before exposure and tone mapping.
+    Image linearPicture() override;
 
     /// "1.3 ms (GPU timer)", or how else it was measured. Call it a moment after the frame.
     QString frameTime();
@@ -74,6 +78,9 @@ class Viewport : public QOpenGLWidget {
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
