@@ -7,7 +7,7 @@
 namespace patina {
 
 ParameterSection::ParameterSection(const QString& title, bool isFolded, QWidget* parent)
-    : QWidget(parent), header_(new QToolButton(this)), body_(new QWidget(this)),
+    : QWidget(parent), title_(title), header_(new QToolButton(this)), body_(new QWidget(this)),
       rows_(new QVBoxLayout(body_)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
@@ -21,6 +21,8 @@ ParameterSection::ParameterSection(const QString& title, bool isFolded, QWidget*
     bold.setBold(true);
     header_->setFont(bold);
     header_->setText(title);
+    header_->setToolTip(title);
+    header_->setMinimumWidth(1); // a long title is cut, not the rows beside it
     header_->setAutoRaise(true);
     header_->setFocusPolicy(Qt::StrongFocus);
     header_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); // easy to hit
@@ -30,8 +32,16 @@ ParameterSection::ParameterSection(const QString& title, bool isFolded, QWidget*
     setFolded(isFolded);
 }
 
-QString ParameterSection::title() const {
-    return header_->text();
+void ParameterSection::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showTitle();
+}
+
+/// As much of the title as has room beside the arrow.
+void ParameterSection::showTitle() {
+    const int arrow = header_->iconSize().width() + 4 * header_->fontMetrics().averageCharWidth();
+    const int room = width() - arrow;
+    header_->setText(header_->fontMetrics().elidedText(title_, Qt::ElideRight, room));
 }
 
 void ParameterSection::setFolded(bool isFolded) {

@@ -15,7 +15,7 @@ class ParameterSection : public QWidget {
   public:
     ParameterSection(const QString& title, bool isFolded, QWidget* parent);
 
-    QString title() const;
+    const QString& title() const { return title_; }
     bool isFolded() const { return isFolded_; }
     void setFolded(bool isFolded);
     QToolButton* header() const { return header_; }
@@ -24,7 +24,13 @@ class ParameterSection : public QWidget {
   Q_SIGNALS:
     void folded(bool isFolded);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void showTitle();
+
+    QString title_;
     bool isFolded_ = false;
     QToolButton* header_;
     QWidget* body_;
