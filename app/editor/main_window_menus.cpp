@@ -43,7 +43,9 @@ void MainWindow::makeFileMenu() {
 void MainWindow::fillRecentFiles() {
     recent_->clear();
     for (const QString& file : session_.recentFiles()) {
-        QAction* action = recent_->addAction(QFileInfo(file).fileName(), this, [this, file] {
+        // A single & would underline the letter after it.
+        const QString name = QFileInfo(file).fileName().replace('&', QLatin1String("&&"));
+        QAction* action = recent_->addAction(name, this, [this, file] {
             files_->open({file}, document_.activeSide());
         });
         action->setToolTip(file);
@@ -170,7 +172,10 @@ void MainWindow::showKeys() {
         row(tr("L and left drag"), tr("turn the key light")) +
         row(tr("Double click"), tr("turn about that point of the surface")) +
         row(tr("F"), tr("frame the object")) + row(tr("Home"), tr("reset the view")) +
-        row(tr("1, 3, 7 of the number pad"), tr("from the front, the right, above")) + "</table>";
+        row(tr("1, 3, 7 of the number pad"), tr("from the front, the right, above")) +
+        row(tr("Drag on a slider or a name"), tr("change it; Shift: finer, Ctrl: steps")) +
+        row(tr("Arrows, Page Up, Page Down"), tr("one step, ten steps")) +
+        row(tr("Backspace, double click on a name"), tr("back to the default")) + "</table>";
     QMessageBox::information(this, tr("Mouse and Keys"), table);
 }
 

@@ -123,7 +123,9 @@ void StatusLine::hideLoading() {
 
 void StatusLine::showBadge() {
     const int count = messages_.count();
-    badge_->setText(count == 0 ? tr("No messages") : tr("⚠ %n message(s)", nullptr, count));
+    badge_->setText(count == 0   ? tr("No messages")
+                    : count == 1 ? tr("⚠ 1 message")
+                                 : tr("⚠ %1 messages").arg(count));
     badge_->setAccessibleName(badge_->text());
     badge_->setToolTip(tr("Show or hide the messages"));
 }
