@@ -50,6 +50,11 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
 }
 
+/// Mesa follows "no matching function" with a line for each overload, indented.
+bool isOverload(const Error& error) {
+    return error.problem.starts_with("  ");
+}
+
 } // namespace
 
 Errors compileErrors(std::string_view log, const ShaderSource& source) {
@@ -57,7 +62,8 @@ Errors compileErrors(std::string_view log, const ShaderSource& source) {
     std::string_view rest = log;
     while (!rest.empty()) {
         const std::size_t end = rest.find('\n');
-        if (auto error = errorOf(trimmed(rest.substr(0, end)), source)) {
+        auto error = errorOf(trimmed(rest.substr(0, end)), source);
+        if (error && !isOverload(*error)) {
             errors.push_back(std::move(*error));
         }
         rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);

@@ -71,6 +71,14 @@ TEST(CompileErrors, MesaLog_NamesFileLineAndColumn) {
     EXPECT_EQ(firstOf("2:7(12): error: `x' undeclared\n"), "models/b.glsl:7:12: `x' undeclared");
 }
 
+TEST(CompileErrors, OverloadsThatMesaLists_AreLeftOut) {
+    const Errors errors = compileErrors("2:7(12): error: no matching function for call to `max()'\n"
+                                        "2:7(12): error:    float max(float, float)\n"
+                                        "2:7(12): error:    vec2 max(vec2, vec2)\n",
+                                        twoFiles());
+    EXPECT_EQ(errors.size(), 1U);
+}
+
 /// Mesa gives 0 instead of the file's number for errors inside expressions.
 TEST(CompileErrors, LostFileNumber_IsFoundInTheLine) {
     EXPECT_EQ(firstOf("0:200007(12): error: `x' undeclared\n"),
