@@ -10,6 +10,7 @@
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
 #include "core/number_text.h"
+#include "material/material.h"
 
 namespace patina {
 namespace {
@@ -200,8 +201,12 @@ Result<void> readSlot(const Json& json, const Catalog& catalog, EvalCase& reques
         return {};
     }
     const Slot& slot = request.block.block->slots.front();
-    const Result<EvalBlock> filled =
-        readNested(catalog, slot.kind, json.value(slot.kind, Json(slot.defaultBlock)));
+    const Json usual = slot.defaultBlock.empty() ? Json() : Json(slot.defaultBlock);
+    const Json wanted = json.value(slot.kind, usual);
+    if (wanted.is_null()) {
+        return {};
+    }
+    const Result<EvalBlock> filled = readNested(catalog, slot.kind, wanted);
     if (!filled) {
         return at(slot.kind, filled.error());
     }
@@ -210,9 +215,9 @@ Result<void> readSlot(const Json& json, const Catalog& catalog, EvalCase& reques
 }
 
 Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase request) {
-    if (const auto keys =
-            checkKeys(json, {"model", "parameters", "accuracy", "fresnel", "l", "v", "n", "t"});
-        !keys) {
+    std::vector<std::string> known{"model", "parameters", "accuracy", "l", "v", "n", "t"};
+    known.insert(known.end(), partKinds.begin(), partKinds.end());
+    if (const auto keys = checkKeys(json, known); !keys) {
         return tl::unexpected(keys.error());
     }
     if (!json["model"].is_string()) {
@@ -232,6 +237,19 @@ Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase re
         }
     }
     return request;
+}
+
+/// A block of a slot that is a function of directions as a model is.
+Result<EvalCase> readSurfacePart(const Json& json, const Catalog& catalog, EvalCase request,
+                                 const std::string& kind) {
+    const auto keys = checkKeys(json, {kind, "l", "v", "n", "t"});
+    const Result<EvalBlock> block = readNested(catalog, kind, json[kind]);
+    if (!keys || !block) {
+        return tl::unexpected(keys ? block.error() : keys.error());
+    }
+    request.block = *block;
+    const Result<void> frame = readFrame(json, request);
+    return frame ? Result<EvalCase>(request) : tl::unexpected(frame.error());
 }
 
 /// A block that is a function of a number or of a point.
@@ -295,6 +313,9 @@ Result<EvalCase> readCase(const Json& json, const Catalog& catalog) {
         request.subject = Subject::Function;
         return readFunction(json, request);
     }
+    if (json.contains("specular")) {
+        return readSurfacePart(json, catalog, request, "specular");
+    }
     struct Alone {
         const char* key;
         const char* kind;
@@ -308,7 +329,7 @@ Result<EvalCase> readCase(const Json& json, const Catalog& catalog) {
             return readAlone(json, catalog, request, alone.key, alone.kind);
         }
     }
-    return failure("nothing to evaluate", "a model, fresnel, light, fog or function");
+    return failure("nothing to evaluate", "a model, fresnel, specular, light, fog or function");
 }
 
 /// The id in a line that is no JSON, so that its error still finds its way back.

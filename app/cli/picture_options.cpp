@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/number_text.h"
+#include "material/material.h"
 #include "scene/scene_file.h"
 
 namespace patina {
@@ -42,7 +43,12 @@ double stopsIn(const std::string& text) {
 
 void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--model", options.model, "A lighting model's id instead of a preset");
-    command.add_option("--fresnel", options.fresnel, "A Fresnel block's id");
+    for (const std::string_view kind : partKinds) {
+        command.add_option_function<std::string>(
+            fmt::format("--{}", kind),
+            [&options, key = std::string(kind)](const std::string& id) { options.parts[key] = id; },
+            fmt::format("A {} block's id", kind));
+    }
     command.add_option("--set", options.sets, "A parameter's value, as id=value; repeatable")
         ->type_size(1)
         ->allow_extra_args(false);

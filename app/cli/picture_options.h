@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ namespace patina {
 /// What the commands that draw have in common.
 struct PictureOptions {
     std::string model;             ///< id; empty: from the preset
-    std::string fresnel;           ///< id; empty: from the preset
+    std::map<std::string, std::string> parts; ///< kind -> id, of what the material chooses
     std::vector<std::string> sets; ///< "id=value"
     std::string mesh;              ///< a file or "builtin:<name>"; empty: the scene's
     std::string scene;             ///< a file; empty: the shipped default scene
@@ -24,7 +25,7 @@ struct PictureOptions {
     glm::ivec2 size{512, 512};
 };
 
-/// --scene, --mesh, --set, --model, --fresnel, --exposure.
+/// --scene, --mesh, --set, --model, --fresnel, --specular, --exposure.
 void addSceneOptions(CLI::App& command, PictureOptions& options);
 
 /// --size.

@@ -53,6 +53,19 @@ Result<const Block*> knownBlock(const Catalog& catalog, const std::string& kind,
     return failure(fmt::format("{}: no block \"{}\" is known", kind, id), known);
 }
 
+/// Another block of a kind beside the model; values that both have carry over.
+Result<bool> choosePart(Material& material, const std::string& kind, const std::string& id,
+                        const Catalog& catalog) {
+    const auto block = knownBlock(catalog, kind, id);
+    if (!block) {
+        return tl::unexpected(block.error());
+    }
+    const BlockValues* held = material.part(kind);
+    const Block* before = held == nullptr ? nullptr : catalog.find(kind, held->id);
+    material = withPart(material, kind, before, *block);
+    return true;
+}
+
 Result<void> chooseBlocks(Material& material, const PictureOptions& options,
                           const Catalog& catalog) {
     if (!options.model.empty()) {
@@ -62,18 +75,16 @@ Result<void> chooseBlocks(Material& material, const PictureOptions& options,
         }
         material = defaultMaterial(**model);
     }
-    if (!options.fresnel.empty()) {
-        const auto block = knownBlock(catalog, "fresnel", options.fresnel);
-        if (!block) {
-            return tl::unexpected(block.error());
+    for (const auto& [kind, id] : options.parts) {
+        if (auto chosen = choosePart(material, kind, id, catalog); !chosen) {
+            return tl::unexpected(chosen.error());
         }
-        material = withFresnel(material, nullptr, *block);
     }
     return {};
 }
 
 /// Sets a parameter of a block; false when the block has none of this id.
-Result<bool> setIn(const Block* block, BlockValues& values, const std::string& id,
+Result<bool> setIn(const Block* block, BlockValues* values, const std::string& id,
                    const std::string& text) {
     const Parameter* parameter = block == nullptr ? nullptr : block->parameter(id);
     if (parameter == nullptr) {
@@ -83,7 +94,7 @@ Result<bool> setIn(const Block* block, BlockValues& values, const std::string& i
     if (!value) {
         return tl::unexpected(value.error());
     }
-    values.parameters[id] = *value;
+    values->parameters[id] = *value;
     return true;
 }
 
@@ -114,6 +125,28 @@ Result<bool> setLevel(Material& material, const Block* model, const std::string&
     return failure(fmt::format("{}: \"{}\" is not a level of it", id, text), known);
 }
 
+/// "<kind>" chooses a part, "<kind>.<id>" or the id alone sets one of its parameters.
+Result<bool> setInParts(Material& material, const std::string& id, const std::string& text,
+                        const Catalog& catalog) {
+    for (const std::string_view kind : partKinds) {
+        if (id == kind) {
+            return choosePart(material, id, text, catalog);
+        }
+        BlockValues* part = material.part(kind);
+        const Block* block = part == nullptr ? nullptr : catalog.find(kind, part->id);
+        const bool named = id.starts_with(std::string(kind) + '.');
+        Result<bool> done =
+            named ? setIn(block, part, id.substr(kind.size() + 1), text) : Result<bool>(false);
+        if (done && !*done) {
+            done = setIn(block, part, id, text);
+        }
+        if (!done || *done) {
+            return done;
+        }
+    }
+    return false;
+}
+
 Result<void> applySet(Material& material, const std::string& assignment, const Catalog& catalog) {
     const std::size_t equals = assignment.find('=');
     const std::string id = assignment.substr(0, equals);
@@ -122,15 +155,13 @@ Result<void> applySet(Material& material, const std::string& assignment, const C
     }
     const std::string text = assignment.substr(equals + 1);
     const Block* model = catalog.find("models", material.model.id);
-    const Block* fresnel =
-        material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr;
     Result<bool> done =
-        id == "opacity" ? setOpacity(material, text) : setIn(model, material.model, id, text);
+        id == "opacity" ? setOpacity(material, text) : setIn(model, &material.model, id, text);
     if (done && !*done) {
         done = setLevel(material, model, id, text);
     }
-    if (done && !*done && fresnel != nullptr) {
-        done = setIn(fresnel, *material.fresnel, id, text);
+    if (done && !*done) {
+        done = setInParts(material, id, text, catalog);
     }
     if (!done) {
         return tl::unexpected(done.error());

@@ -68,7 +68,7 @@ void Document::updateSecondScene(const BlockPath& path, const QString& parameter
     const std::optional<Value> stored = storedValue(state_, path, id);
     const bool isOfMaterial =
         materialAt(state_, path.index, path.side) &&
-        (path.part == BlockPath::Part::Model || path.part == BlockPath::Part::Fresnel ||
+        (path.part == BlockPath::Part::Model || !partKind(path.part).empty() ||
          path.part == BlockPath::Part::Accuracy || path.part == BlockPath::Part::Material);
     if (!stored || (isOfMaterial && path.side == Side::A && path.index == currentObject_)) {
         return; // side B does not show it
@@ -139,16 +139,16 @@ BlockPath Document::currentPath(BlockPath::Part part) const {
 
 namespace {
 
-const char* kindOf(BlockPath::Part part) {
+std::string_view kindOf(BlockPath::Part part) {
     switch (part) {
     case BlockPath::Part::Model:
         return "models";
-    case BlockPath::Part::Fresnel:
-        return "fresnel";
     case BlockPath::Part::Light:
         return "lights";
-    default:
+    case BlockPath::Part::Fog:
         return "fog";
+    default:
+        return partKind(part);
     }
 }
 

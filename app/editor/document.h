@@ -74,9 +74,9 @@ class Document : public QObject {
     void endInteraction(int token = 0);
     bool isInteracting() const { return interaction_ != 0; }
 
-    // Materials. Empty ids turn the Fresnel block or the fog off.
+    // Materials. Empty ids turn a part of the material or the fog off.
     void setModel(Side side, std::string_view modelId);
-    void setFresnel(Side side, std::string_view blockId);
+    void setPart(Side side, BlockPath::Part part, std::string_view blockId);
     void replaceMaterial(Side side, const Material& material, const QString& label);
     /// Starts comparing with a material, changes it, or stops (nullopt).
     void setSecondMaterial(std::optional<Material> material);
@@ -124,7 +124,7 @@ class Document : public QObject {
     /// Anything that is drawn changed. Comes with every signal below but the last four.
     void changed();
     void valueChanged(const patina::BlockPath& path, const QString& parameterId);
-    /// Another model, Fresnel block or whole material: the form's rows may differ.
+    /// Another model, part or whole material: the form's rows may differ.
     void materialChanged(int object, patina::Side side);
     void fogReplaced();
     /// The list of lights: added, removed, renamed, switched, another kind.

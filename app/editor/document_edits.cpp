@@ -2,10 +2,10 @@
 // Edits of a document that are more than one value.
 #include "commands/compare_command.h"
 #include "commands/fog_command.h"
-#include "commands/fresnel_command.h"
 #include "commands/light_command.h"
 #include "commands/model_command.h"
 #include "commands/object_command.h"
+#include "commands/part_command.h"
 #include "document.h"
 
 namespace patina {
@@ -56,14 +56,16 @@ void Document::setModel(Side side, std::string_view modelId) {
     }
 }
 
-void Document::setFresnel(Side side, std::string_view blockId) {
+void Document::setPart(Side side, BlockPath::Part part, std::string_view blockId) {
     const Material* held = material(side);
-    const Block* wanted = blockId.empty() ? nullptr : catalog_->find("fresnel", blockId);
-    if (!held || (!wanted && !blockId.empty())) {
+    const std::string_view kind = partKind(part);
+    const Block* wanted = blockId.empty() ? nullptr : catalog_->find(kind, blockId);
+    if (!held || kind.empty() || (!wanted && !blockId.empty())) {
         return;
     }
-    if ((held->fresnel ? held->fresnel->id : std::string()) != blockId) {
-        undoStack_.push(new FresnelCommand(*this, {currentObject_, side}, wanted));
+    const BlockValues* current = held->part(kind);
+    if ((current ? current->id : std::string()) != blockId) {
+        undoStack_.push(new PartCommand(*this, {currentObject_, side}, part, wanted));
     }
 }
 

@@ -41,10 +41,8 @@ auto findBlockValues(State& state, const BlockPath& path) -> decltype(pointer(st
     if (material && path.part == BlockPath::Part::Model) {
         return &material->model;
     }
-    if (material && path.part == BlockPath::Part::Fresnel) {
-        return pointer(material->fresnel);
-    }
-    return nullptr;
+    const std::string_view kind = partKind(path.part);
+    return material && !kind.empty() ? material->part(kind) : nullptr;
 }
 
 std::optional<Value> storedLevel(const Material& material, std::string_view choice) {
@@ -58,6 +56,17 @@ std::optional<Value> storedInBlock(const BlockValues& block, std::string_view pa
 }
 
 } // namespace
+
+std::string_view partKind(BlockPath::Part part) {
+    switch (part) {
+    case BlockPath::Part::Fresnel:
+        return "fresnel";
+    case BlockPath::Part::Specular:
+        return "specular";
+    default:
+        return {};
+    }
+}
 
 const Material* materialAt(const DocumentState& state, int object, Side side) {
     return findMaterial(state, object, side);

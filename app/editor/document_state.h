@@ -25,6 +25,7 @@ struct BlockPath {
     enum class Part {
         Model,    ///< the material's lighting model
         Fresnel,  ///< the material's Fresnel block
+        Specular, ///< the material's highlight, for models that leave it open
         Accuracy, ///< the accuracy levels of the model
         Material, ///< what every material has: its opacity
         Light,    ///< the values of a light
@@ -38,6 +39,9 @@ struct BlockPath {
 
     friend bool operator==(const BlockPath&, const BlockPath&) = default;
 };
+
+/// The kind of block that a part of a material is beside the model; empty for the other parts.
+std::string_view partKind(BlockPath::Part part);
 
 /// The material a path lies in; null when the object or side B is not there.
 const Material* materialAt(const DocumentState& state, int object, Side side);

@@ -21,17 +21,18 @@ struct AccuracyChoice {
     friend bool operator==(const AccuracyChoice&, const AccuracyChoice&) = default;
 };
 
-/// A kind of block that this block calls (a microfacet model calls a Fresnel block).
+/// A kind of block that this block calls (a microfacet model calls a Fresnel block). A slot without
+/// a default may stay empty: the block's call is then not in the shader.
 struct Slot {
     std::string kind;         ///< folder name of the kind, e.g. "fresnel"
-    std::string defaultBlock; ///< id of the block that fills the slot when nothing is chosen
+    std::string defaultBlock; ///< id of what fills it when nothing is chosen; empty: nothing does
 
     friend bool operator==(const Slot&, const Slot&) = default;
 };
 
 /// A lighting model, Fresnel term, light, fog, ...: a descriptor and a GLSL file with one stem.
 struct Block {
-    std::string kind; ///< the folder: "models", "fresnel", "lights", "fog"
+    std::string kind; ///< the folder: "models", "fresnel", "specular", "lights", "fog"
     std::string id;   ///< the stem of both files
     int version = 1;
     std::string label;

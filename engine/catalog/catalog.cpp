@@ -171,6 +171,9 @@ class Loader {
         bool complete = true;
         for (std::size_t i = 0; i < descriptor.block.slots.size(); ++i) {
             const Slot& slot = descriptor.block.slots[i];
+            if (slot.defaultBlock.empty()) {
+                continue;
+            }
             const std::vector<std::string> ids = idsOfKind(slot.kind);
             if (std::find(ids.begin(), ids.end(), slot.defaultBlock) == ids.end()) {
                 complete = false;

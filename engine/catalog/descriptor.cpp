@@ -185,6 +185,7 @@ Parameter parameterFrom(const Fields& fields) {
     fields.readEach("values", parameter.values, enumValueFrom);
     parameter.compiled = compiledFrom(fields);
     fields.read("space", spaceWords, parameter.space);
+    fields.read("emission", parameter.emission);
     parameter.textureChannels = channelsFrom(fields, parameter.type);
     parameter.physical = physicalFrom(fields);
     fields.readEach("migrations", parameter.migrations, migrationFrom);

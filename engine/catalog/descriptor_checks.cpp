@@ -139,6 +139,9 @@ class Checker {
         if (parameter.space != Space::None && parameter.type != ParameterType::Vec3) {
             add(pointer + "/space", "only a vec3 lies in a space", "no such key");
         }
+        if (parameter.emission && parameter.type != ParameterType::Color) {
+            add(pointer + "/emission", "only a colour can be emitted", "no such key");
+        }
     }
 
     void checkRange(const Parameter& parameter, const std::string& pointer) {

@@ -36,7 +36,11 @@ Json accuracyJson(const AccuracyChoice& choice) {
 }
 
 Json slotJson(const Slot& slot) {
-    return {{"kind", slot.kind}, {"default", slot.defaultBlock}};
+    Json json{{"kind", slot.kind}};
+    if (!slot.defaultBlock.empty()) {
+        json["default"] = slot.defaultBlock;
+    }
+    return json;
 }
 
 Json migrationJson(const Migration& migration) {
@@ -74,6 +78,7 @@ Json parameterJson(const Parameter& parameter) {
               {"enabledWhen", parameter.enabledWhen},
               {"compiled", compiledJson(parameter.compiled)},
               {"space", wordFor(spaceWords, parameter.space)},
+              {"emission", parameter.emission},
               {"texture", parameter.textureChannels},
               {"migrations", arrayOf(parameter.migrations, migrationJson)}};
     if (hasRange(parameter.type)) {

@@ -75,6 +75,7 @@ struct Parameter {
     std::vector<EnumValue> values; ///< enum only
     Compiled compiled = Compiled::No;
     Space space = Space::None;
+    bool emission = false; ///< a colour that is added once per pixel, whatever the light
     std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not
     std::optional<PhysicalRange> physical;
     std::vector<Migration> migrations;

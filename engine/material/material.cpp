@@ -8,8 +8,6 @@
 namespace patina {
 namespace {
 
-constexpr const char* fresnelPool = "fresnel"; ///< member of `parked`: values of Fresnel blocks
-
 /// Every choice of the block gets a level, the exact one where none fits.
 void completeAccuracy(const Block& block, AccuracyLevels& accuracy) {
     for (const AccuracyChoice& choice : block.accuracy) {
@@ -22,24 +20,35 @@ void completeAccuracy(const Block& block, AccuracyLevels& accuracy) {
     }
 }
 
-/// The values of Fresnel blocks are parked by themselves: their ids may be a model's, too.
-nlohmann::json takeFresnelPool(nlohmann::json& parked) {
-    const auto found = parked.find(fresnelPool);
+/// The values of parts are parked by themselves, in a member of their kind's name: their ids may be
+/// a model's, too.
+nlohmann::json takePool(nlohmann::json& parked, std::string_view kind) {
+    const auto found = parked.find(kind);
     if (found == parked.end() || !found->is_object()) {
         return nlohmann::json::object();
     }
     nlohmann::json pool = std::move(*found);
-    parked.erase(fresnelPool);
+    parked.erase(found);
     return pool;
 }
 
-void putFresnelPool(nlohmann::json pool, nlohmann::json& parked) {
+void putPool(nlohmann::json pool, nlohmann::json& parked, std::string_view kind) {
     if (!pool.empty()) {
-        parked[fresnelPool] = std::move(pool);
+        parked[std::string(kind)] = std::move(pool);
     }
 }
 
 } // namespace
+
+const BlockValues* Material::part(std::string_view kind) const {
+    const auto found = parts.find(kind);
+    return found == parts.end() ? nullptr : &found->second;
+}
+
+BlockValues* Material::part(std::string_view kind) {
+    const auto found = parts.find(kind);
+    return found == parts.end() ? nullptr : &found->second;
+}
 
 Material defaultMaterial(const Block& model) {
     Material material;
@@ -51,25 +60,32 @@ Material defaultMaterial(const Block& model) {
 
 Material withModel(const Material& material, const Block* oldModel, const Block& newModel) {
     Material next = material;
-    nlohmann::json pool = takeFresnelPool(next.parked);
+    std::array<nlohmann::json, partKinds.size()> pools;
+    for (std::size_t i = 0; i < pools.size(); ++i) {
+        pools[i] = takePool(next.parked, partKinds[i]);
+    }
     next.model = carriedOver(material.model, oldModel, newModel, next.parked);
-    putFresnelPool(std::move(pool), next.parked);
+    for (std::size_t i = 0; i < pools.size(); ++i) {
+        putPool(std::move(pools[i]), next.parked, partKinds[i]);
+    }
     completeAccuracy(newModel, next.accuracy);
     return next;
 }
 
-Material withFresnel(const Material& material, const Block* oldBlock, const Block* newBlock) {
+Material withPart(const Material& material, std::string_view kind, const Block* oldBlock,
+                  const Block* newBlock) {
     Material next = material;
-    nlohmann::json pool = takeFresnelPool(next.parked);
-    const BlockValues current = material.fresnel.value_or(BlockValues{});
+    nlohmann::json pool = takePool(next.parked, kind);
+    const BlockValues* held = material.part(kind);
+    const BlockValues current = held == nullptr ? BlockValues{} : *held;
     if (newBlock != nullptr) {
-        next.fresnel = carriedOver(current, oldBlock, *newBlock, pool);
+        next.parts[std::string(kind)] = carriedOver(current, oldBlock, *newBlock, pool);
         completeAccuracy(*newBlock, next.accuracy);
     } else {
         park(current.parameters, pool);
-        next.fresnel.reset();
+        next.parts.erase(std::string(kind));
     }
-    putFresnelPool(std::move(pool), next.parked);
+    putPool(std::move(pool), next.parked, kind);
     return next;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <array>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -23,6 +25,10 @@ struct BlockValues {
     friend bool operator==(const BlockValues&, const BlockValues&) = default;
 };
 
+/// The kinds of block that a material chooses beside its model, each under its own key in a preset:
+/// they fill the model's slots.
+inline constexpr std::array<std::string_view, 2> partKinds{"fresnel", "specular"};
+
 /// A lighting model with parameter values: the thing an artist makes, and what a preset holds.
 struct Material {
     std::string name;
@@ -31,13 +37,17 @@ struct Material {
     std::string license;
     std::vector<std::string> tags;
     BlockValues model;
-    std::optional<BlockValues> fresnel; ///< absent: off
-    double opacity = 1.0;               ///< 0 .. 1
+    std::map<std::string, BlockValues, std::less<>> parts; ///< by kind; absent: off
+    double opacity = 1.0;                                  ///< 0 .. 1
     AccuracyLevels accuracy;
     nlohmann::json textures = nlohmann::json::object(); ///< as read; kept whole
     nlohmann::json parked = nlohmann::json::object();   ///< values the current blocks do not use
     nlohmann::json extras = nlohmann::json::object();
     nlohmann::json unknown = nlohmann::json::object();  ///< unknown top-level keys, written back
+
+    /// What is chosen of a kind; null where nothing is.
+    const BlockValues* part(std::string_view kind) const;
+    BlockValues* part(std::string_view kind);
 
     friend bool operator==(const Material&, const Material&) = default;
 };
@@ -49,7 +59,8 @@ Material defaultMaterial(const Block& model);
 /// over, the others are parked; parked values that the new model knows come back.
 Material withModel(const Material& material, const Block* oldModel, const Block& newModel);
 
-/// The same for the Fresnel block; nullptr turns it off and parks its values.
-Material withFresnel(const Material& material, const Block* oldBlock, const Block* newBlock);
+/// The same for a part; nullptr turns it off and parks its values.
+Material withPart(const Material& material, std::string_view kind, const Block* oldBlock,
+                  const Block* newBlock);
 
 } // namespace patina

@@ -28,7 +28,7 @@ class PresetReader {
         readTexts();
         readKept();
         readModel();
-        readFresnel();
+        readParts();
         readOpacity();
         readAccuracy();
         checkTextures();
@@ -78,14 +78,17 @@ class PresetReader {
         }
     }
 
-    void readFresnel() {
-        const Json* fresnel = reader_.find("fresnel");
-        if (fresnel == nullptr || fresnel->is_null()) {
-            return;
+    void readParts() {
+        for (const std::string_view kind : partKinds) {
+            const std::string key(kind);
+            const Json* part = reader_.find(key);
+            if (part != nullptr && !part->is_null()) {
+                JsonReader block = reader_.child(key);
+                BlockValues& values = material().parts[key];
+                values = blocks_.read(block, kind);
+                values.unknown.update(block.unknown());
+            }
         }
-        JsonReader block = reader_.child("fresnel");
-        material().fresnel = blocks_.read(block, "fresnel");
-        material().fresnel->unknown.update(block.unknown());
     }
 
     void readOpacity() {
@@ -105,12 +108,12 @@ class PresetReader {
             levels.read(choice, material().accuracy[choice]);
         }
         completeLevels("models", material().model.id);
-        if (material().fresnel) {
-            completeLevels("fresnel", material().fresnel->id);
+        for (const auto& [kind, values] : material().parts) {
+            completeLevels(kind, values.id);
         }
     }
 
-    void completeLevels(const char* kind, const std::string& id) {
+    void completeLevels(const std::string& kind, const std::string& id) {
         const Block* block = blocks_.catalog.find(kind, id);
         if (block == nullptr) {
             return;
@@ -184,7 +187,10 @@ nlohmann::json toJson(const Material& material) {
     json["tags"] = material.tags;
     json["model"] = modelJson(material.model);
     json["parameters"] = parametersJson(material.model);
-    json["fresnel"] = material.fresnel ? toJson(*material.fresnel) : Json();
+    json["fresnel"] = Json(); // a preset always says whether it has one
+    for (const auto& [kind, values] : material.parts) {
+        json[kind] = toJson(values);
+    }
     json["opacity"] = material.opacity;
     json["accuracy"] = material.accuracy;
     json["textures"] = material.textures;

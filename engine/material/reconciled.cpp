@@ -25,11 +25,10 @@ Material reconciled(const Material& material, const Catalog& before, const Catal
     if (const Block* model = after.find("models", material.model.id)) {
         next = withModel(next, before.find("models", material.model.id), *model);
     }
-    if (!material.fresnel) {
-        return next;
-    }
-    if (const Block* fresnel = after.find("fresnel", material.fresnel->id)) {
-        next = withFresnel(next, before.find("fresnel", material.fresnel->id), fresnel);
+    for (const auto& [kind, values] : material.parts) {
+        if (const Block* block = after.find(kind, values.id)) {
+            next = withPart(next, kind, before.find(kind, values.id), block);
+        }
     }
     return next;
 }

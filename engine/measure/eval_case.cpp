@@ -30,9 +30,16 @@ Json nested(const EvalBlock& block) {
 }
 
 Json modelJson(const EvalCase& request) {
-    Json json{{"model", request.block.block->id}, {"parameters", parametersOf(request.block)},
-              {"n", numbers(request.n)},          {"t", numbers(request.t)},
-              {"l", numbers(request.l)},          {"v", numbers(request.v)}};
+    Json json{{"n", numbers(request.n)},
+              {"t", numbers(request.t)},
+              {"l", numbers(request.l)},
+              {"v", numbers(request.v)}};
+    if (request.block.block->kind != "models") {
+        json[request.block.block->kind] = nested(request.block);
+        return json;
+    }
+    json["model"] = request.block.block->id;
+    json["parameters"] = parametersOf(request.block);
     if (!request.block.accuracy.empty()) {
         json["accuracy"] = request.block.accuracy;
     }
@@ -61,6 +68,7 @@ Json subjectJson(const EvalCase& request) {
 
 std::optional<Subject> subjectOfKind(std::string_view kind) {
     constexpr std::pair<std::string_view, Subject> kinds[] = {{"models", Subject::Model},
+                                                              {"specular", Subject::Model},
                                                               {"fresnel", Subject::Fresnel},
                                                               {"lights", Subject::Light},
                                                               {"fog", Subject::Fog}};

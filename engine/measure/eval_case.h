@@ -39,7 +39,7 @@ struct EvalCase : EvalPlace {
     enum class Subject { Model, Fresnel, Light, Fog, Function };
 
     nlohmann::json id; ///< whatever tells the case from others; goes back with its answer
-    Subject subject = Subject::Model;
+    Subject subject = Subject::Model; ///< Model: any block that is a function of directions
     bool gpu = false;
 
     EvalBlock block;

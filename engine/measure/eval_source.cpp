@@ -72,26 +72,26 @@ std::string header(const EvalShape& shape) {
                        shape.caseTexels, shape.resultPixels, evalWidth, evalWidth);
 }
 
-void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::string& function) {
+void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::string& function,
+                   std::span<const SlotFill> slots) {
     const std::vector<CompiledValue> compiled = compiledValues(block);
     builder.add(constantsSource(*block.block));
     builder.add(structSource(*block.block));
-    builder.add(unpackSource(*block.block, {function, compiled}));
+    builder.add(unpackSource(*block.block, {function, compiled, slots}));
 }
 
-/// The block that fills the model's slot, and the names by which the model knows it.
-void addSlot(SourceBuilder& builder, const EvalBlock& slot) {
-    const std::string structure = slotStructName(slot.block->kind);
-    builder.addFile("lib/incidence.glsl");
-    builder.add(constantsSource(*slot.block));
-    builder.add(structSource(*slot.block));
-    builder.add(fmt::format("#define {} {}\n", structure, structName(*slot.block)));
-    const std::vector<CompiledValue> compiled = compiledValues(slot);
-    builder.add(unpackSource(*slot.block, {"unpack" + structure, compiled}));
-    builder.addFile(slot.block->shaderFile);
-    builder.add(fmt::format("vec3 {}(Incidence i, {} p) {{\n    return {}(i, p);\n}}\n",
-                            slotFunctionName(slot.block->kind), structure,
-                            functionName(*slot.block)));
+/// What fills the model's slots, under the names by which the model knows it.
+void addSlots(SourceBuilder& builder, const EvalCase& request) {
+    for (const Slot& slot : request.block.block->slots) {
+        const EvalBlock& filler = request.slot;
+        if (filler.block == nullptr || filler.block->kind != slot.kind) {
+            builder.add(emptySlotSource(slot.kind));
+            continue;
+        }
+        addParameters(builder, filler, "unpack" + slotStructName(slot.kind), {});
+        builder.addFile(filler.block->shaderFile);
+        builder.add(slotNamesSource(*filler.block));
+    }
 }
 
 bool hasGate(const Block& block, const char* gate) {
@@ -100,10 +100,12 @@ bool hasGate(const Block& block, const char* gate) {
 
 void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
     const Block& block = *request.block.block;
+    addSlots(builder, request);
+    std::vector<SlotFill> filled;
     if (request.slot.block != nullptr) {
-        addSlot(builder, request.slot);
+        filled.push_back({request.slot.block->kind, vec4Count(*request.slot.block)});
     }
-    addParameters(builder, request.block, "unpackEvaluated");
+    addParameters(builder, request.block, "unpackEvaluated", filled);
     builder.addFile(block.shaderFile);
     builder.add(fmt::format("#define EVALUATED_BLOCK {}\n#define LIGHT_GATE {}\n"
                             "#define VIEW_GATE {}\n",

@@ -57,12 +57,12 @@ ReferenceCase::ReferenceCase(const ReferenceCode& code, std::vector<double> valu
                              std::vector<double> slotValues)
     : code_(code), values_(std::move(values)), slotValues_(std::move(slotValues)) {
     if (code_.slot != nullptr) {
-        fresnel_ = reference::fresnelFunction(*code_.slot, slotValues_);
+        filler_ = {code_.slot, slotValues_};
     }
 }
 
 ReferenceNumbers ReferenceCase::evaluate(const reference::Geometry& geometry) const {
-    return numbers(reference::modelValue(*code_.block, geometry, values_, fresnel_));
+    return numbers(reference::modelValue(*code_.block, geometry, values_, {&filler_, 1}));
 }
 
 ReferenceNumbers ReferenceCase::evaluate(const EvalPlace& place) const {

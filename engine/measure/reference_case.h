@@ -43,7 +43,7 @@ class ReferenceCase {
     ReferenceCode code_;
     std::vector<double> values_;
     std::vector<double> slotValues_;
-    reference::FresnelFunction fresnel_;
+    reference::Filler filler_;
 };
 
 } // namespace patina

@@ -86,6 +86,9 @@ std::vector<EvalBlock> fillers(const Catalog& catalog, const Block& block) {
     if (block.slots.empty()) {
         return all;
     }
+    if (block.slots.front().defaultBlock.empty()) {
+        all.emplace_back(); // the slot may stay empty
+    }
     for (const Block* filler : catalog.ofKind(block.slots.front().kind)) {
         for (const auto& row : pairwiseRows(compiledCounts(*filler))) {
             all.push_back(chosen(*filler, row));
@@ -232,12 +235,16 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) 
     variant.block = valued(*model, material.model, material.accuracy);
     if (!model->slots.empty()) {
         const Slot& slot = model->slots.front();
-        const std::string id = material.fresnel ? material.fresnel->id : slot.defaultBlock;
+        const BlockValues* part = material.part(slot.kind);
+        const std::string id = part != nullptr ? part->id : slot.defaultBlock;
         const Block* filler = catalog.find(slot.kind, id);
-        if (filler == nullptr) {
+        if (filler == nullptr && !id.empty()) {
             return failure(fmt::format("there is no {} block \"{}\"", slot.kind, id));
         }
-        variant.slot = valued(*filler, material.fresnel.value_or(BlockValues()), material.accuracy);
+        if (filler != nullptr) {
+            variant.slot =
+                valued(*filler, part != nullptr ? *part : BlockValues(), material.accuracy);
+        }
     }
     return variant;
 }

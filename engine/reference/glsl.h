@@ -62,10 +62,24 @@ using glm::step;
 using glm::tan;
 using glm::transpose;
 
-/// What fills a model's slot of kind "fresnel".
-struct FresnelSlot {
-    const FresnelFunction* function = nullptr;
+/// What fills a model's slot of one kind, and where it is lit and seen from.
+struct FilledSlot {
+    const Filler* filler = nullptr;
+    const Geometry* geometry = nullptr;
 };
+
+using FresnelSlot = FilledSlot;
+using SpecularSlot = FilledSlot;
+
+/// The slot of a kind among what fills a model's slots.
+inline FilledSlot filledSlot(Fillers fillers, std::string_view kind, const Geometry& geometry) {
+    for (const Filler& filler : fillers) {
+        if (filler.block != nullptr && filler.block->kind == kind) {
+            return {&filler, &geometry};
+        }
+    }
+    return {nullptr, &geometry};
+}
 
 } // namespace patina::reference
 

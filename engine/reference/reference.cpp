@@ -47,22 +47,16 @@ const Block* findBlock(std::string_view kind, std::string_view id) {
 }
 
 glm::dvec3 modelValue(const Block& model, const Geometry& geometry, Parameters parameters,
-                      const FresnelFunction& fresnel) {
+                      Fillers fillers) {
     const bool lit = !model.lightGate || glm::dot(geometry.n, geometry.l) > 0.0;
     const bool seen = !model.viewGate || glm::dot(geometry.n, geometry.v) > 0.0;
-    return lit && seen ? model.model(geometry, parameters, fresnel) : glm::dvec3(0.0);
+    return lit && seen ? model.model(geometry, parameters, fillers) : glm::dvec3(0.0);
 }
 
 glm::dvec3 shade(const Block& model, const Geometry& geometry, Parameters parameters,
-                 const FresnelFunction& fresnel) {
-    const glm::dvec3 value = modelValue(model, geometry, parameters, fresnel);
+                 Fillers fillers) {
+    const glm::dvec3 value = modelValue(model, geometry, parameters, fillers);
     return {cut(value.x), cut(value.y), cut(value.z)};
-}
-
-FresnelFunction fresnelFunction(const Block& fresnel, Parameters parameters) {
-    return [&fresnel, parameters](double c, double versine) {
-        return fresnel.fresnel(c, versine, parameters);
-    };
 }
 
 // Where capitals do not follow the words ("pow_sc" is powSC) the letters alone decide.

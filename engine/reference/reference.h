@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <string_view>
 
@@ -11,9 +10,6 @@
 /// The shading code of shaders/ compiled for the CPU in double precision: what the GPU's answers
 /// are held against. Nothing else in the program compiles a block.
 namespace patina::reference {
-
-/// Reflectance per channel as a function of a cosine and its versine 1 - c: what fills a slot.
-using FresnelFunction = std::function<glm::dvec3(double c, double versine)>;
 
 /// The values of a block, packed by the catalogue's ParameterLayout.
 using Parameters = std::span<const double>;
@@ -48,6 +44,17 @@ struct Field {
     friend bool operator==(const Field&, const Field&) = default;
 };
 
+struct Block;
+
+/// A compiled block with its values: what fills a slot.
+struct Filler {
+    const Block* block = nullptr;
+    Parameters parameters; ///< block->size numbers, which must outlive it
+};
+
+/// What fills a model's slots, in any order: at most one of each kind. A slot without one is black.
+using Fillers = std::span<const Filler>;
+
 /// A compiled block. Of the functions, those of its kind are set.
 struct Block {
     std::string_view kind;
@@ -57,7 +64,8 @@ struct Block {
     bool lightGate = true;
     bool viewGate = true;
 
-    glm::dvec3 (*model)(const Geometry&, Parameters, const FresnelFunction&) = nullptr;
+    /// Models, and what their slots of kind "specular" call.
+    glm::dvec3 (*model)(const Geometry&, Parameters, Fillers) = nullptr;
     glm::dvec3 (*fresnel)(double c, double versine, Parameters) = nullptr;
     glm::dvec3 (*tint)(Parameters) = nullptr;
     Illumination (*light)(const glm::dvec3& x, Parameters) = nullptr;
@@ -72,16 +80,13 @@ std::span<const Block> blocks();
 const Block* findBlock(std::string_view kind, std::string_view id);
 
 /// What the model's function returns, with the gates its descriptor names and not yet cut at 0:
-/// pi f cos(theta_l). Empty `fresnel`: nothing is reflected. `parameters` holds model.size numbers.
+/// pi f cos(theta_l). `parameters` holds model.size numbers.
 glm::dvec3 modelValue(const Block& model, const Geometry& geometry, Parameters parameters,
-                      const FresnelFunction& fresnel);
+                      Fillers fillers = {});
 
 /// modelValue cut at 0 from below, as lights are summed. A NaN stays one.
 glm::dvec3 shade(const Block& model, const Geometry& geometry, Parameters parameters,
-                 const FresnelFunction& fresnel);
-
-/// A Fresnel block as a function; `parameters` must outlive it.
-FresnelFunction fresnelFunction(const Block& fresnel, Parameters parameters);
+                 Fillers fillers = {});
 
 /// A function of shaders/lib/ called with plain numbers: a vec3 argument is three of them, a
 /// struct its fields in order; out parameters are results after the returned value.

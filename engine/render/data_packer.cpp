@@ -51,12 +51,11 @@ void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& 
              cameraToWorld);
 }
 
-/// Values for a Fresnel place: the material's when it is the material's block.
-const Values& fresnelValues(const BlockPlace& place, const Material& material) {
+/// Values for the place of a part: the material's when it is the material's block.
+const Values& partValues(const BlockPlace& place, const Material& material) {
     static const Values none;
-    const bool own = material.fresnel && place.block->kind == "fresnel" &&
-                     place.block->id == material.fresnel->id;
-    return own ? material.fresnel->parameters : none;
+    const BlockValues* part = material.part(place.block->kind);
+    return part != nullptr && part->id == place.block->id ? part->parameters : none;
 }
 
 void packRows(std::span<glm::vec4> out, int first, const glm::dmat4& matrix) {
@@ -106,10 +105,10 @@ void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object
                   cameraToWorld);
     }
     for (const BlockPlace& slot : pipeline.object.slots) {
-        packPlace(out, slot, fresnelValues(slot, material), material.accuracy, cameraToWorld);
+        packPlace(out, slot, partValues(slot, material), material.accuracy, cameraToWorld);
     }
     if (pipeline.object.blend) {
-        packPlace(out, *pipeline.object.blend, fresnelValues(*pipeline.object.blend, material),
+        packPlace(out, *pipeline.object.blend, partValues(*pipeline.object.blend, material),
                   material.accuracy, cameraToWorld);
     }
 }

@@ -92,7 +92,34 @@ std::string defineName(const ParameterField& field, const UnpackRequest& request
     return fmt::format("COMPILED_{}_{}", constantCase(owner), constantCase(field.name));
 }
 
+std::string unpackSlots(const Block& block, const UnpackRequest& request) {
+    std::string out;
+    int place = vec4Count(block);
+    for (const Slot& slot : block.slots) {
+        const auto fill = std::find_if(request.slots.begin(), request.slots.end(),
+                                       [&slot](const SlotFill& f) { return f.kind == slot.kind; });
+        if (fill == request.slots.end()) {
+            fmt::format_to(std::back_inserter(out), "    p.{}.unused = 0.0;\n", slot.kind);
+            continue;
+        }
+        fmt::format_to(std::back_inserter(out), "    p.{} = unpack{}(base + {});\n", slot.kind,
+                       slotStructName(slot.kind), place);
+        place += fill->vec4s;
+    }
+    return out;
+}
+
 } // namespace
+
+std::string emptySlotSource(std::string_view kind) {
+    return fmt::format("struct {} {{\n    float unused;\n}};\n#define {}(at, slot) vec3(0.0)\n",
+                       slotStructName(kind), slotFunctionName(kind));
+}
+
+std::string slotNamesSource(const Block& block) {
+    return fmt::format("#define {} {}\n#define {} {}\n", slotStructName(block.kind),
+                       structName(block), slotFunctionName(block.kind), functionName(block));
+}
 
 std::string constantCase(std::string_view name) {
     std::string out;
@@ -160,11 +187,7 @@ std::string unpackSource(const Block& block, const UnpackRequest& request) {
                            compiledText(block, field, *compiled));
         }
     }
-    std::size_t place = layout.floats / 4;
-    for (const Slot& slot : block.slots) {
-        fmt::format_to(std::back_inserter(body), "    p.{} = unpack{}(base + {});\n", slot.kind,
-                       slotStructName(slot.kind), place);
-    }
+    body += unpackSlots(block, request);
     std::string out = fmt::format("{}{} {}(int base) {{\n    {} p;\n", defines, structName(block),
                                   request.function, structName(block));
     for (std::size_t i = 0; i < layout.floats / 4; ++i) {

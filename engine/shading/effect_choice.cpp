@@ -87,4 +87,19 @@ bool hasFresnelSlot(const Block& model) {
     return model.slot("fresnel") != nullptr;
 }
 
+SlotChoice slotChoice(const Slot& slot, const Material& material, const Catalog& catalog) {
+    static const Values none;
+    const BlockValues* part = material.part(slot.kind);
+    const Block* chosen = part == nullptr ? nullptr : catalog.find(slot.kind, part->id);
+    if (chosen != nullptr) {
+        return {chosen, &part->parameters, true};
+    }
+    return {slot.defaultBlock.empty() ? nullptr : catalog.find(slot.kind, slot.defaultBlock), &none,
+            false};
+}
+
+bool isEmitted(const Parameter& parameter, const Values& values) {
+    return parameter.emission && !notPositive(givenValue(parameter, values));
+}
+
 } // namespace patina

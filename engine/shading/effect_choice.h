@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "catalog/catalog.h"
 #include "catalog/parameter_layout.h"
 #include "material/material.h"
 #include "scene/scene.h"
@@ -30,7 +31,19 @@ std::size_t compiledState(const Parameter& parameter, const Values& values);
 bool canShine(const Light& light, const Block& block);
 bool canHide(const BlockValues& fog, const Block& block);
 
-/// The Fresnel block that works in the model's slot, or on the sum; see EffectSet.
+/// Whether the model calls a Fresnel block itself; else one blends the sum, see EffectSet.
 bool hasFresnelSlot(const Block& model);
+
+/// The block that fills a model's slot, and its values: the material's part of that kind, else the
+/// slot's default with its own defaults. A null block: the slot stays empty.
+struct SlotChoice {
+    const Block* block = nullptr;
+    const Values* values = nullptr;
+    bool chosen = false; ///< by the material
+};
+SlotChoice slotChoice(const Slot& slot, const Material& material, const Catalog& catalog);
+
+/// Whether the block's parameter is a colour that is emitted and not black.
+bool isEmitted(const Parameter& parameter, const Values& values);
 
 } // namespace patina

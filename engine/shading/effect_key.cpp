@@ -44,6 +44,21 @@ void addBlock(Hash& hash, const Block& block, const Values& values, const Accura
     }
 }
 
+void addModel(Hash& hash, const Block& model, const Material& material, const Catalog& catalog) {
+    addBlock(hash, model, material.model.parameters, material.accuracy);
+    for (const Slot& slot : model.slots) {
+        const SlotChoice choice = slotChoice(slot, material, catalog);
+        if (choice.block != nullptr) {
+            addBlock(hash, *choice.block, *choice.values, material.accuracy);
+        }
+    }
+    for (const Parameter& parameter : model.parameters) {
+        if (parameter.emission) {
+            hash.add(isEmitted(parameter, material.model.parameters) ? 1 : 0);
+        }
+    }
+}
+
 } // namespace
 
 std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog) {
@@ -78,24 +93,15 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog) {
 }
 
 std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& catalog) {
-    static const Values none;
     Hash hash;
     const Block* model = catalog.find("models", material.model.id);
-    const Block* chosen =
-        material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr;
     if (model != nullptr) {
-        addBlock(hash, *model, material.model.parameters, material.accuracy);
-        for (const Slot& slot : model->slots) {
-            const bool own = slot.kind == "fresnel" && chosen != nullptr;
-            const Block* block = own ? chosen : catalog.find(slot.kind, slot.defaultBlock);
-            if (block != nullptr) {
-                addBlock(hash, *block, own ? material.fresnel->parameters : none,
-                         material.accuracy);
-            }
-        }
+        addModel(hash, *model, material, catalog);
     }
-    if (chosen != nullptr && (model == nullptr || !hasFresnelSlot(*model))) {
-        addBlock(hash, *chosen, material.fresnel->parameters, material.accuracy);
+    const BlockValues* part = material.part("fresnel");
+    const Block* fresnel = part == nullptr ? nullptr : catalog.find("fresnel", part->id);
+    if (fresnel != nullptr && (model == nullptr || !hasFresnelSlot(*model))) {
+        addBlock(hash, *fresnel, part->parameters, material.accuracy);
     }
     hash.add(material.opacity < 1.0 ? 1 : 0);
     return hash.value();

@@ -108,26 +108,39 @@ void addFog(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     }
 }
 
-const Block* fresnelBlock(const Material& material, const Catalog& catalog) {
-    return material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr;
+const char* reasonOf(const SlotChoice& choice) {
+    return choice.chosen ? "The model calls the block that the material chooses."
+                         : "The model calls a block of this kind and the material chooses none.";
 }
 
-/// The block in a slot: the material's Fresnel block in a slot of its kind, else the default.
-void fillSlot(EffectSet& set, const Slot& slot, const Material& material, const Catalog& catalog) {
-    const Block* chosen = slot.kind == "fresnel" ? fresnelBlock(material, catalog) : nullptr;
-    const Block* block = chosen != nullptr ? chosen : catalog.find(slot.kind, slot.defaultBlock);
-    if (block == nullptr) {
+/// False when the slot needs a block that the catalogue lacks.
+bool fillSlot(EffectSet& set, const Slot& slot, const Material& material, const Catalog& catalog) {
+    const SlotChoice choice = slotChoice(slot, material, catalog);
+    const BlockValues* part = material.part(slot.kind);
+    if (part != nullptr && !choice.chosen) {
+        set.leftOut.push_back(
+            {slot.kind, fmt::format("No block \"{}\" is known for the model's slot.", part->id)});
+    }
+    if (choice.block != nullptr) {
+        set.slots.push_back(
+            useOf(*choice.block, *choice.values, material.accuracy, reasonOf(choice)));
+        return true;
+    }
+    if (!slot.defaultBlock.empty()) {
         set.leftOut.push_back(
             {slot.kind,
              fmt::format("No block \"{}\" is known for the model's slot.", slot.defaultBlock)});
-        return;
     }
-    const std::string reason = chosen != nullptr ? "The model calls the material's Fresnel term."
-                                                 : "The model calls a term of this kind and the "
-                                                   "material chooses none.";
-    static const Values none;
-    set.slots.push_back(useOf(*block, chosen != nullptr ? material.fresnel->parameters : none,
-                              material.accuracy, reason));
+    return slot.defaultBlock.empty();
+}
+
+/// What the material chooses and the model does not call, but for what blends the sum.
+void nameUnusedParts(EffectSet& set, const Block& model, const Material& material) {
+    for (const auto& [kind, values] : material.parts) {
+        if (model.slot(kind) == nullptr && kind != "fresnel") {
+            set.leftOut.push_back({kind + '/' + values.id, "The model has no slot for it."});
+        }
+    }
 }
 
 void addModel(EffectSet& set, const Material& material, const Catalog& catalog) {
@@ -138,12 +151,19 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
                                                         material.model.id)});
         return;
     }
+    bool whole = true;
     for (const Slot& slot : model->slots) {
-        fillSlot(set, slot, material, catalog);
+        whole = fillSlot(set, slot, material, catalog) && whole;
     }
-    if (set.slots.size() != model->slots.size()) {
+    if (!whole) {
         set.slots.clear();
         return;
+    }
+    nameUnusedParts(set, *model, material);
+    for (const Parameter& parameter : model->parameters) {
+        if (isEmitted(parameter, material.model.parameters)) {
+            set.emission.push_back(parameter.id);
+        }
     }
     set.model =
         useOf(*model, material.model.parameters, material.accuracy, "The material's model.");
@@ -151,16 +171,17 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
 }
 
 void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) {
-    if (!material.fresnel || set.fresnelMode == FresnelMode::Slot) {
+    const BlockValues* part = material.part("fresnel");
+    if (part == nullptr || set.fresnelMode == FresnelMode::Slot) {
         return;
     }
-    if (const Block* block = fresnelBlock(material, catalog)) {
+    if (const Block* block = catalog.find("fresnel", part->id)) {
         set.fresnelMode = FresnelMode::Blend;
-        set.blend = useOf(*block, material.fresnel->parameters, material.accuracy,
+        set.blend = useOf(*block, part->parameters, material.accuracy,
                           "The material has a Fresnel term and the model has no slot for it.");
     } else {
-        set.leftOut.push_back({"the Fresnel term", fmt::format("No Fresnel term \"{}\" is known.",
-                                                               material.fresnel->id)});
+        set.leftOut.push_back(
+            {"the Fresnel term", fmt::format("No Fresnel term \"{}\" is known.", part->id)});
     }
 }
 
@@ -209,6 +230,9 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
     }
     if (set.scene.ambient) {
         lines.push_back({"ambient", {}, "The scene's ambient colour is not black."});
+    }
+    for (const std::string& color : set.emission) {
+        lines.push_back({"emission", color, "The surface glows by itself: the colour is not black."});
     }
     if (set.blend) {
         lines.push_back(lineOf(*set.blend));

@@ -70,6 +70,7 @@ struct EffectSet {
     FresnelMode fresnelMode = FresnelMode::None;
     std::vector<BlockUse> slots;   ///< what fills the model's slots, in the descriptor's order
     std::optional<BlockUse> blend; ///< the Fresnel block of FresnelMode::Blend
+    std::vector<std::string> emission; ///< the model's colours that are emitted and not black
     bool opacity = false;
     SceneEffects scene;
     std::vector<LeftOut> leftOut;

@@ -39,6 +39,7 @@ void SurfaceWriter::write() {
         writeModel();
         writeLights();
         writeAmbient();
+        writeEmission();
     } else {
         out_.addFile("passes/stand_in.glsl");
         main_ += "    shaded = standIn(s);\n";
@@ -79,16 +80,22 @@ void SurfaceWriter::writeSlots() {
         const Block& block = *object_.slots[i].block;
         const std::string slot = slotStructName(block.kind);
         writeBlock(block);
-        out_.add(fmt::format("#define {} {}\n#define {} {}\n", slot, structName(block),
-                             slotFunctionName(block.kind), functionName(block)));
+        out_.add(slotNamesSource(block));
         writeUnpack(block, set_.slots[i], "unpack" + slot);
+        filled_.push_back({block.kind, object_.slots[i].vec4s()});
+    }
+    for (const Slot& slot : object_.model->block->slots) {
+        if (std::none_of(filled_.begin(), filled_.end(),
+                         [&slot](const SlotFill& fill) { return fill.kind == slot.kind; })) {
+            out_.add(emptySlotSource(slot.kind));
+        }
     }
 }
 
 void SurfaceWriter::writeModel() {
     const Block& model = *object_.model->block;
     writeBlock(model);
-    writeUnpack(model, *set_.model, "unpackModel");
+    out_.add(unpackSource(model, {"unpackModel", set_.model->compiled, filled_}));
     out_.add(fmt::format("#define Model {}\n#define shadeModel {}\n#define IS_DARK(d) ({})\n",
                          structName(model), functionName(model), gateSource(model)));
     main_ += fmt::format("    Model model = unpackModel({});\n", object_.model->first);
@@ -130,6 +137,13 @@ void SurfaceWriter::writeAmbient() {
         out_.addFile("passes/ambient.glsl");
         main_ += fmt::format("    shaded += sceneData[{}].rgb * ambientShare(s, model);\n",
                              SceneLayout::ambient);
+    }
+}
+
+/// Once per pixel, whatever the number of lights.
+void SurfaceWriter::writeEmission() {
+    for (const std::string& color : set_.emission) {
+        main_ += fmt::format("    shaded += model.{};\n", fieldName(color));
     }
 }
 

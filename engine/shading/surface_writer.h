@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "shading/block_source.h"
 #include "shading/data_layout.h"
 #include "shading/effect_set.h"
 #include "shading/source_builder.h"
@@ -26,6 +27,7 @@ class SurfaceWriter {
     void writeLights();
     void writeLightGroup(std::size_t index);
     void writeAmbient();
+    void writeEmission();
     void writeBlend();
     void writeFog();
     void writeOpacity();
@@ -39,6 +41,7 @@ class SurfaceWriter {
     const ObjectLayout& object_;
     const SceneLayout& scene_;
     std::vector<const Block*> written_;
+    std::vector<SlotFill> filled_;
     std::string main_;
     std::string alpha_ = "1.0";
 };

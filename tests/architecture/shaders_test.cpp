@@ -12,7 +12,7 @@ namespace {
 
 /// What a kind adds to the names of its blocks (ARCHITECTURE.md, "Names").
 const std::map<std::string, std::string> kindWords = {
-    {"models", ""}, {"fresnel", "Fresnel"}, {"lights", "Light"}, {"fog", "Fog"}};
+    {"models", ""}, {"fresnel", "Fresnel"}, {"specular", "Specular"}, {"lights", "Light"}, {"fog", "Fog"}};
 
 std::string pascalCase(const std::string& id) {
     std::string name;
@@ -37,7 +37,7 @@ std::string structNameOf(const SourceFile& file) {
 }
 
 std::vector<SourceFile> blockShaders() {
-    return filesUnder({"shaders/models", "shaders/fresnel", "shaders/lights", "shaders/fog"},
+    return filesUnder({"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog"},
                       {".glsl"});
 }
 

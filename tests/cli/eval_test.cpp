@@ -160,6 +160,25 @@ TEST(EvalCommand, ZeroVector_IsAnError) {
     EXPECT_NE(errorOf(request).find("v "), std::string::npos);
 }
 
+TEST(EvalCommand, OpenSlot_IsEmptyOrFilledByTheGivenBlock) {
+    const Json plain = answerTo(facing("lambert"));
+    Json request = facing("lambert");
+    request["specular"] = nullptr;
+    EXPECT_EQ(answerTo(request)["value"], plain["value"]);
+    request["specular"] = {{"id", "phong"}, {"parameters", {{"specular.color", {1, 0, 0}}}}};
+    for (const char* precision : {"double", "gpu"}) {
+        request["precision"] = precision;
+        const Json value = answerTo(request)["value"];
+        EXPECT_NEAR(value[0].get<double>(), plain["value"][0].get<double>() + 1.0, 1e-6);
+        EXPECT_NEAR(value[1].get<double>(), plain["value"][1].get<double>(), 1e-6);
+    }
+}
+
+TEST(EvalCommand, HighlightAlone_IsEvaluated) {
+    const Json request = {{"specular", {{"id", "gaussian"}}}, {"l", {0, 0, 1}}, {"v", {0, 0, 1}}};
+    EXPECT_EQ(answerTo(request)["value"][0], 0.5);
+}
+
 TEST(EvalCommand, Slot_IsFilledByItsDefaultOrTheGivenBlock) {
     const Json plain = answerTo(facing("cook-torrance"));
     Json request = facing("cook-torrance");

@@ -34,6 +34,20 @@ TEST(RenderCommand, Preset_WritesNothingElse) {
     EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
+TEST(RenderCommand, Highlight_IsChosenAndSet) {
+    const auto picture = [](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"render", "--model", "lambert", "--size", "32x32", "-o",
+                                           "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return patina(arguments).out;
+    };
+    const std::string matte = picture({});
+    const std::string glossy = picture({"--specular", "phong"});
+    EXPECT_NE(glossy, matte);
+    EXPECT_EQ(picture({"--set", "specular=phong"}), glossy);
+    EXPECT_NE(picture({"--specular", "phong", "--set", "specular.shininess=3"}), glossy);
+}
+
 TEST(RenderCommand, Size_IsThePicturesSize) {
     const std::string png = patina({"render", gold, "--size", "64x48", "-o", "-"}).out;
     EXPECT_EQ(std::pair(pngNumber(png, 16), pngNumber(png, 20)), std::pair(64, 48));

@@ -67,7 +67,7 @@ TEST_F(EffectSetTest, FogWithoutDensity_IsLeftOut) {
 
 TEST_F(EffectSetTest, ModelWithSlot_TakesTheMaterialsFresnel) {
     Material metal = material("cook-torrance");
-    metal.fresnel = block("fresnel", "dielectric");
+    metal.parts["fresnel"] = block("fresnel", "dielectric");
     const EffectSet set = effectSet(metal, {}, catalog());
     ASSERT_EQ(set.slots.size(), 1u);
     EXPECT_EQ(set.slots[0].id, "dielectric");
@@ -80,15 +80,43 @@ TEST_F(EffectSetTest, EmptySlot_TakesTheDefaultBlock) {
     EXPECT_EQ(set.slots[0].id, catalog().find("models", "cook-torrance")->slots[0].defaultBlock);
 }
 
+TEST_F(EffectSetTest, OpenSlot_StaysEmptyUntilSomethingIsChosen) {
+    Material matte = material("lambert");
+    EXPECT_TRUE(effectSet(matte, {}, catalog()).slots.empty());
+    matte.parts["specular"] = block("specular", "gaussian");
+    const EffectSet set = effectSet(matte, {}, catalog());
+    ASSERT_EQ(set.slots.size(), 1u);
+    EXPECT_EQ(set.slots[0].id, "gaussian");
+}
+
+TEST_F(EffectSetTest, PartWithoutASlot_IsNamedAsLeftOut) {
+    Material shiny = material("phong");
+    shiny.parts["specular"] = block("specular", "gaussian");
+    const EffectSet set = effectSet(shiny, {}, catalog());
+    EXPECT_TRUE(set.slots.empty());
+    ASSERT_EQ(set.leftOut.size(), 1u);
+    EXPECT_EQ(set.leftOut[0].what, "specular/gaussian");
+}
+
+TEST_F(EffectSetTest, Emission_IsInOnlyWhereItIsNotBlack) {
+    Material glowing = material("lambert");
+    EXPECT_TRUE(effectSet(glowing, {}, catalog()).emission.empty());
+    const std::uint64_t before = EffectKey::ofMaterial(glowing, catalog());
+    glowing.model.parameters["emissive.color"] = glm::dvec3(0.0, 0.2, 0.0);
+    EXPECT_EQ(effectSet(glowing, {}, catalog()).emission,
+              std::vector<std::string>{"emissive.color"});
+    EXPECT_NE(EffectKey::ofMaterial(glowing, catalog()), before);
+}
+
 TEST_F(EffectSetTest, ModelWithoutSlot_IsBlended) {
     Material matte = material("lambert");
-    matte.fresnel = block("fresnel", "schlick");
+    matte.parts["fresnel"] = block("fresnel", "schlick");
     EXPECT_EQ(effectSet(matte, {}, catalog()).fresnelMode, FresnelMode::Blend);
 }
 
 TEST_F(EffectSetTest, EveryEffect_HasAReason) {
     Material glass = material("strauss");
-    glass.fresnel = block("fresnel", "schlick");
+    glass.parts["fresnel"] = block("fresnel", "schlick");
     glass.opacity = 0.5;
     Scene scene;
     scene.lights = {light("point")};

@@ -50,7 +50,7 @@ const std::vector<Effect>& effects() {
          [](Material&, Scene& scene) { scene.fog = EffectWordTest::of("fog", "exponential"); }},
         {"Fresnel", std::regex("fresnel"),
          [](Material& material, Scene&) {
-             material.fresnel = EffectWordTest::of("fresnel", "schlick");
+             material.parts["fresnel"] = EffectWordTest::of("fresnel", "schlick");
          }},
         {"Opacity", std::regex("opacity"),
          [](Material& material, Scene&) { material.opacity = 0.5; }},
@@ -93,6 +93,27 @@ class ProgramSourceTest : public ShadingTest {};
 
 TEST_F(ProgramSourceTest, NoLights_NoWordOfLight) {
     EXPECT_EQ(lower(fragment(material("lambert"), {})).find("light"), std::string::npos);
+}
+
+TEST_F(ProgramSourceTest, EmptySlot_NoLobeInTheSource) {
+    Scene scene;
+    scene.lights = {light("point")};
+    Material matte = material("lambert");
+    EXPECT_EQ(lower(fragment(matte, scene)).find("lobe"), std::string::npos);
+    matte.parts["specular"] = block("specular", "phong");
+    EXPECT_NE(lower(fragment(matte, scene)).find("phonglobe"), std::string::npos);
+}
+
+TEST_F(ProgramSourceTest, Emission_IsAddedOnceForAllLights) {
+    Scene scene;
+    scene.lights = {light("point"), light("head")};
+    Material glowing = material("lambert");
+    EXPECT_EQ(fragment(glowing, scene).find("model.emissiveColor"), std::string::npos);
+    glowing.model.parameters["emissive.color"] = glm::dvec3(0.1);
+    const std::string source = fragment(glowing, scene);
+    const std::size_t first = source.find("shaded += model.emissiveColor");
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(source.find("model.emissiveColor", first + 30), std::string::npos);
 }
 
 TEST_F(ProgramSourceTest, AnotherLightOfTheKind_SameText) {

@@ -92,8 +92,8 @@ TEST_F(RendererTest, LinearFogHalfWay_MixesHalf) {
 
 TEST_F(RendererTest, FresnelWithoutSlot_BlendsByItsReflectance) {
     Scene scene = plate();
-    scene.objects[0].material.fresnel = block("fresnel", "schlick");
-    Values& values = scene.objects[0].material.fresnel->parameters;
+    scene.objects[0].material.parts["fresnel"] = block("fresnel", "schlick");
+    Values& values = scene.objects[0].material.parts["fresnel"].parameters;
     values["f0"] = glm::dvec3(0.5);
     values["color"] = glm::dvec3(0.0);
     EXPECT_NEAR(middle(capture(scene)).g, 0.5f, 2e-3f);

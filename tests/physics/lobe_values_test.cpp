@@ -91,8 +91,7 @@ void expectMicrofacetBrdf(const std::string& scale, const std::string& column) {
     const Subject fresnel("fresnel", "schlick", {{"f0", glm::dvec3(0.04)}});
     const Subject model = cookTorrance(scale);
     expectRow(table("lobes.json")["microfacet"][column], [&](const reference::Geometry& g) {
-        const auto F = reference::fresnelFunction(*fresnel.code, fresnel.parameters);
-        return model.shade(g, F).x / (std::numbers::pi * g.l.z);
+        return model.shade(g, fresnel.filler()).x / (std::numbers::pi * g.l.z);
     });
 }
 

@@ -57,9 +57,10 @@ struct Subject {
     }
 
     glm::dvec3 shade(const reference::Geometry& geometry,
-                     const reference::FresnelFunction& fresnel = {}) const {
-        return reference::shade(*code, geometry, parameters, fresnel);
+                     const reference::Filler& slot = {}) const {
+        return reference::shade(*code, geometry, parameters, {&slot, 1});
     }
+    reference::Filler filler() const { return {code, parameters}; }
     double reflectance(double c) const { return code->fresnel(c, 1.0 - c, parameters).x; }
 };
 

@@ -22,9 +22,13 @@ class RandomCases {
         if (!block_.slots.empty()) {
             const Slot& slot = block_.slots.front();
             const auto fillers = catalog().ofKind(slot.kind);
-            request.slot = valuesOf(*fillers[choices_() % fillers.size()]);
+            const bool mayStayEmpty = slot.defaultBlock.empty();
+            const std::size_t chosen = choices_() % (fillers.size() + (mayStayEmpty ? 1 : 0));
+            if (chosen < fillers.size() && (fillsOptionalSlots_ || !mayStayEmpty)) {
+                request.slot = valuesOf(*fillers[chosen]);
+            }
         }
-        if (block_.kind == "models") {
+        if (block_.kind == "models" || block_.kind == "specular") {
             placeDirections(request);
         } else if (block_.kind == "fresnel") {
             request.subject = EvalCase::Subject::Fresnel;
@@ -38,6 +42,9 @@ class RandomCases {
         }
         return request;
     }
+
+    /// What a model claims it claims by itself; what may be put into its slot makes its own claims.
+    void leaveOptionalSlotsEmpty() { fillsOptionalSlots_ = false; }
 
   protected:
     virtual void placeDirections(EvalCase& request) = 0;
@@ -83,6 +90,7 @@ class RandomCases {
     static constexpr std::size_t programs = 64;
 
     const Block& block_;
+    bool fillsOptionalSlots_ = true;
     std::mt19937 random_{20251121};
     std::mt19937 choices_;
 };

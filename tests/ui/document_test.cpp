@@ -41,7 +41,7 @@ TEST_F(DocumentEdit, Parameter_UndoesAndRedoes) {
 }
 
 TEST_F(DocumentEdit, EveryPart_UndoesAndRedoes) {
-    document.setFresnel(Side::A, "rim");
+    document.setPart(Side::A, Part::Fresnel, "rim");
     document.setFog("mist");
     document.setValue(document.currentPath(Part::Fresnel), "f0", 0.5);
     document.setValue(document.currentPath(Part::Fog), "density", 0.5);
@@ -50,6 +50,13 @@ TEST_F(DocumentEdit, EveryPart_UndoesAndRedoes) {
     document.setValue(document.currentPath(Part::Object), "translation", glm::dvec3(1, 2, 3));
     document.setValue(document.currentPath(Part::Scene), "exposure", 1.0);
     EXPECT_EQ(fixture.steps(), 8);
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
+TEST_F(DocumentEdit, Highlight_UndoesAndRedoes) {
+    document.setPart(Side::A, Part::Specular, "spark");
+    document.setValue(document.currentPath(Part::Specular), "size", 0.25);
+    EXPECT_EQ(fixture.steps(), 2);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
 

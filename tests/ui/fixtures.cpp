@@ -41,6 +41,7 @@ const char* const firstModel = R"({
 const char* const secondModel = R"({
   "id": "second", "version": 1, "label": "Second", "summary": "For tests.",
   "applications": "Tests.", "source": "None", "doc": "For tests.",
+  "slots": [{"kind": "specular"}],
   "parameters": [
     {"id": "diffuse.color", "label": "Base colour", "type": "color",
      "default": [0.5, 0.4, 0.3], "min": 0, "max": 1, "doc": "The colour of the surface.",
@@ -57,6 +58,16 @@ const char* const fresnelBlock = R"({
   "parameters": [
     {"id": "f0", "label": "Facing", "type": "float", "default": 0.04, "min": 0, "max": 1,
      "step": 0.01, "doc": "How much is mirrored."}
+  ],
+  "claims": ["finite"]
+})";
+
+const char* const highlightBlock = R"({
+  "id": "spark", "version": 1, "label": "Spark", "summary": "For tests.",
+  "applications": "Tests.", "source": "None", "doc": "For tests.",
+  "parameters": [
+    {"id": "size", "label": "Size", "type": "float", "default": 0.5, "min": 0, "max": 1,
+     "step": 0.01, "doc": "How large it is."}
   ],
   "claims": ["finite"]
 })";
@@ -102,10 +113,13 @@ FixtureBlocks::FixtureBlocks() {
     write("models", "first", firstModel,
           "vec3 first(Directions d, First p) {\n    return p.diffuseColor * d.nl;\n}\n");
     write("models", "second", secondModel,
-          "vec3 second(Directions d, Second p) {\n    return p.diffuseColor * d.nl;\n}\n");
+          "vec3 second(Directions d, Second p) {\n"
+          "    return p.diffuseColor * d.nl + slotSpecular(d, p.specular);\n}\n");
     write("fresnel", "rim", fresnelBlock,
           "vec3 rimFresnel(Incidence i, RimFresnel p) {\n    return vec3(p.f0);\n}\n"
           "vec3 rimFresnelTint(RimFresnel p) {\n    return vec3(1.0);\n}\n");
+    write("specular", "spark", highlightBlock,
+          "vec3 sparkSpecular(Directions d, SparkSpecular p) {\n    return vec3(p.size);\n}\n");
     write("lights", "lamp", lampBlock, "");
     write("lights", "sun", sunBlock, "");
     write("fog", "mist", mistBlock, "");

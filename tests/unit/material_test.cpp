@@ -159,23 +159,32 @@ TEST(WithModel, EverythingElse_Stays) {
     EXPECT_EQ(swapped, material);
 }
 
-TEST(WithFresnel, On_HasTheDefaults) {
-    const Material on = withFresnel(defaultMaterial(matte), nullptr, &shiny);
-    EXPECT_EQ(on.fresnel->parameters, defaultValues(shiny));
+TEST(WithPart, On_HasTheDefaults) {
+    const Material on = withPart(defaultMaterial(matte), "fresnel", nullptr, &shiny);
+    EXPECT_EQ(on.part("fresnel")->parameters, defaultValues(shiny));
 }
 
-TEST(WithFresnel, OffAndOnAgain_IsTheSameMaterial) {
-    Material material = withFresnel(defaultMaterial(matte), nullptr, &shiny);
-    material.fresnel->parameters["gloss"] = 0.125;
-    const Material off = withFresnel(material, &shiny, nullptr);
-    EXPECT_FALSE(off.fresnel);
-    EXPECT_EQ(withFresnel(off, nullptr, &shiny), material);
+TEST(WithPart, OffAndOnAgain_IsTheSameMaterial) {
+    Material material = withPart(defaultMaterial(matte), "fresnel", nullptr, &shiny);
+    material.part("fresnel")->parameters["gloss"] = 0.125;
+    const Material off = withPart(material, "fresnel", &shiny, nullptr);
+    EXPECT_EQ(off.part("fresnel"), nullptr);
+    EXPECT_EQ(withPart(off, "fresnel", nullptr, &shiny), material);
 }
 
-TEST(WithFresnel, ParkedValues_AreNotTheModels) {
-    Material material = withFresnel(defaultMaterial(matte), nullptr, &shiny);
-    material.fresnel->parameters["gloss"] = 0.125;
-    const Material off = withFresnel(material, &shiny, nullptr);
+TEST(WithPart, Kinds_DoNotMix) {
+    const Material one = withPart(defaultMaterial(matte), "fresnel", nullptr, &shiny);
+    Material both = withPart(one, "specular", nullptr, &shiny);
+    both.part("specular")->parameters["gloss"] = 0.25;
+    const Material off = withPart(both, "specular", &shiny, nullptr);
+    EXPECT_EQ(off.part("fresnel")->parameters, defaultValues(shiny));
+    EXPECT_EQ(withPart(off, "specular", nullptr, &shiny), both);
+}
+
+TEST(WithPart, ParkedValues_AreNotTheModels) {
+    Material material = withPart(defaultMaterial(matte), "fresnel", nullptr, &shiny);
+    material.part("fresnel")->parameters["gloss"] = 0.125;
+    const Material off = withPart(material, "fresnel", &shiny, nullptr);
     EXPECT_EQ(get(withModel(off, &matte, shiny), "gloss"), Value(0.5));
 }
 

@@ -242,13 +242,18 @@ TEST(ReadPreset, MissingLevel_IsExact) {
 }
 
 TEST(ReadPreset, NoFresnel_IsOff) {
-    EXPECT_FALSE(reading({{"fresnel", nullptr}})->material.fresnel);
+    EXPECT_EQ(reading({{"fresnel", nullptr}})->material.part("fresnel"), nullptr);
 }
 
 TEST(ReadPreset, Fresnel_HasItsValues) {
     const Material material =
         reading({{"fresnel", {{"id", "coat"}, {"parameters", {{"gloss", 0.125}}}}}})->material;
-    EXPECT_EQ(material.fresnel->parameters, (Values{{"gloss", 0.125}}));
+    EXPECT_EQ(material.part("fresnel")->parameters, (Values{{"gloss", 0.125}}));
+}
+
+TEST(ReadPreset, UnknownHighlight_IsWrittenBackAsItCame) {
+    const json highlight = {{"id", "not-here"}, {"version", 3}, {"parameters", {{"size", 0.25}}}};
+    EXPECT_EQ(toJson(reading({{"specular", highlight}})->material)["specular"], highlight);
 }
 
 TEST(ReadPreset, OpacityAboveOne_IsBroughtInWithANote) {

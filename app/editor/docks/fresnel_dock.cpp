@@ -17,7 +17,7 @@ FresnelDock::FresnelDock(const DockContext& context)
     fillPanel(this, {labelled(tr("&Kind"), chooser_), hint_},
               new DocumentForm(document_, BlockPath::Part::Fresnel));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setFresnel(document_.activeSide(), id.toStdString());
+        document_.setPart(document_.activeSide(), BlockPath::Part::Fresnel, id.toStdString());
     });
     connect(&document_, &Document::materialChanged, this, &FresnelDock::update);
     connect(&document_, &Document::currentChanged, this, &FresnelDock::update);
@@ -27,9 +27,9 @@ FresnelDock::FresnelDock(const DockContext& context)
 
 void FresnelDock::update() {
     const Material* material = document_.material(document_.activeSide());
-    const bool on = material && material->fresnel.has_value();
+    const BlockValues* part = material ? material->part("fresnel") : nullptr;
     chooser_->setEnabled(material != nullptr);
-    chooser_->show(on ? QString::fromStdString(material->fresnel->id) : QString());
+    chooser_->show(part ? QString::fromStdString(part->id) : QString());
     const Block* model =
         material ? document_.catalog().find("models", material->model.id) : nullptr;
     const bool hasSlot = model && model->slot("fresnel");

@@ -6,6 +6,7 @@
 
 #include "parameters/document_form.h"
 #include "docks/panel.h"
+#include "docks/slot_panel.h"
 
 namespace patina {
 
@@ -18,6 +19,7 @@ ParametersDock::ParametersDock(const DockContext& context)
     auto* layout = new QVBoxLayout(both);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(new DocumentForm(document_, BlockPath::Part::Model));
+    layout->addWidget(new SlotPanel(document_, BlockPath::Part::Specular, tr("Highlight")));
     layout->addWidget(accuracy_);
     fillPanel(this, {}, both);
     connect(&document_, &Document::materialChanged, this, &ParametersDock::update);

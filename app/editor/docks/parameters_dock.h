@@ -9,7 +9,7 @@ class QGroupBox;
 
 namespace patina {
 
-/// The values of the active material's model, and below them its accuracy choices.
+/// The values of the active material's model, what fills its open slot, and its accuracy choices.
 class ParametersDock : public QWidget {
     Q_OBJECT
 

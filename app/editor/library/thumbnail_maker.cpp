@@ -44,7 +44,9 @@ QString fileOf(const ThumbnailMaker::Folders& folders, const Material& material,
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(QByteArray::fromStdString(toJson(material).dump()));
     addBlock(hash, catalog.find("models", material.model.id));
-    addBlock(hash, material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr);
+    for (const auto& [kind, values] : material.parts) {
+        addBlock(hash, catalog.find(kind, values.id));
+    }
     addFile(hash, folders.scene);
     return QString::fromStdString(folders.cache.string()) +
            QStringLiteral("/%1-%2.png").arg(pictureVersion).arg(hash.result().toHex());

@@ -24,6 +24,17 @@ std::string constantCase(std::string_view name) {
     return result;
 }
 
+std::string capitalised(std::string_view word) {
+    std::string result(word);
+    result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(result.front())));
+    return result;
+}
+
+/// Blocks that are functions of Directions.
+bool isSurface(std::string_view kind) {
+    return kind == "models" || kind == "specular";
+}
+
 const std::vector<EnumValue>* choicesOf(const ParameterField& field) {
     if (field.choice != nullptr) {
         return &field.choice->values;
@@ -84,11 +95,7 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
         unpacked += unpackedField(field);
     }
     for (const Slot& slot : block.slots) {
-        fields += fmt::format(
-            "    {}Slot {};\n",
-            static_cast<char>(std::toupper(static_cast<unsigned char>(slot.kind.front()))) +
-                slot.kind.substr(1),
-            slot.kind);
+        fields += fmt::format("    {}Slot {};\n", capitalised(slot.kind), slot.kind);
     }
     return fmt::format("{0}\nstruct {1} {{\n{2}}};\n\n"
                        "{1} unpack([[maybe_unused]] Parameters data) {{\n    {1} p;\n{3}"
@@ -96,23 +103,45 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
                        constantLines, structName(block), fields, unpacked);
 }
 
-/// What a model calls to use its slot; stands after the library because it needs Incidence.
-constexpr std::string_view slotCode =
-    "vec3 slotFresnel(Incidence i, FresnelSlot slot) {\n"
-    "    return slot.function != nullptr && *slot.function ? (*slot.function)(i.c, i.versine)\n"
-    "                                                      : vec3(0.0);\n}\n";
+/// How the blocks of a kind are called from a slot.
+struct SlotCall {
+    std::string_view kind;
+    std::string_view argument; ///< as the model's GLSL passes it
+    std::string_view call;     ///< of the compiled block
+};
+constexpr SlotCall slotCalls[] = {
+    {"fresnel", "Incidence i", "fresnel(i.c, i.versine, slot.filler->parameters)"},
+    {"specular", "Directions", "model(*slot.geometry, slot.filler->parameters, {})"},
+};
+
+/// What a model calls to use its slots; stands after the library because it needs its structs.
+std::string slotCode(const Block& block) {
+    std::string code;
+    for (const SlotCall& slot : slotCalls) {
+        if (block.slot(slot.kind) != nullptr) {
+            const std::string word = capitalised(slot.kind);
+            code += fmt::format("vec3 slot{0}({1}, {0}Slot slot) {{\n"
+                                "    return slot.filler == nullptr ? vec3(0.0)\n"
+                                "                                  : slot.filler->block->{2};\n}}\n",
+                                word, slot.argument, slot.call);
+        }
+    }
+    return code;
+}
 
 /// The functions that the table points at, by kind; {0} is the block's function.
 std::string entryFunctions(const Block& block) {
     const std::string name = functionName(block);
-    if (block.kind == "models") {
-        const char* slot =
-            block.slot("fresnel") != nullptr ? "    p.fresnel.function = &slot;\n" : "";
+    if (isSurface(block.kind)) {
+        std::string slots;
+        for (const Slot& slot : block.slots) {
+            slots += fmt::format("    p.{0} = filledSlot(fillers, \"{0}\", g);\n", slot.kind);
+        }
         return fmt::format("vec3 callModel(const Geometry& g, Parameters data,\n"
-                           "               [[maybe_unused]] const FresnelFunction& slot) {{\n"
+                           "               [[maybe_unused]] Fillers fillers) {{\n"
                            "    {} p = unpack(data);\n{}"
                            "    return {}(directions(g.n, g.t, g.b, g.l, g.v), p);\n}}\n",
-                           structName(block), slot, name);
+                           structName(block), slots, name);
     }
     if (block.kind == "fresnel") {
         return fmt::format("vec3 callFresnel(double c, double versine, Parameters data) {{\n"
@@ -134,7 +163,7 @@ std::string entryFunctions(const Block& block) {
 }
 
 std::string entryAssignments(const std::string& kind) {
-    if (kind == "models") {
+    if (isSurface(kind)) {
         return "    block.model = &callModel;\n";
     }
     if (kind == "fresnel") {
@@ -195,7 +224,7 @@ std::string blockSource(const Block& block, const GlslLines& lines) {
                        "{2}{3}\n{4}\n#line 1 \"generated\"\n{5}\n{6}\n"
                        "}} // namespace patina::reference::{0}\n",
                        unitScope(block), asCpp(library),
-                       block.slot("fresnel") != nullptr ? slotCode : "", structCode(block, layout),
+                       slotCode(block), structCode(block, layout),
                        asCpp(code), entryFunctions(block), entry(block, layout));
 }
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/slot_panel.h"
+
+#include <QVBoxLayout>
+
+#include "docks/block_chooser.h"
+#include "docks/panel.h"
+#include "document.h"
+#include "parameters/document_form.h"
+
+namespace patina {
+
+SlotPanel::SlotPanel(Document& document, BlockPath::Part part, const QString& title,
+                     QWidget* parent)
+    : QGroupBox(title, parent), document_(document), part_(part),
+      chooser_(new BlockChooser(document, QString::fromUtf8(partKind(part).data()),
+                                BlockChooser::Off::Offered, this)) {
+    chooser_->setAccessibleName(title);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(labelled(tr("&Kind"), chooser_));
+    layout->addWidget(new DocumentForm(document_, part));
+    connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setPart(document_.activeSide(), part_, id.toStdString());
+    });
+    connect(&document_, &Document::materialChanged, this, &SlotPanel::update);
+    connect(&document_, &Document::currentChanged, this, &SlotPanel::update);
+    connect(&document_, &Document::sceneReplaced, this, &SlotPanel::update);
+    connect(&document_, &Document::catalogChanged, this, &SlotPanel::update);
+    update();
+}
+
+void SlotPanel::update() {
+    const Material* material = document_.material(document_.activeSide());
+    const Block* model =
+        material ? document_.catalog().find("models", material->model.id) : nullptr;
+    const BlockValues* part = material ? material->part(partKind(part_)) : nullptr;
+    chooser_->show(part ? QString::fromStdString(part->id) : QString());
+    setVisible(model && model->slot(partKind(part_)));
+}
+
+} // namespace patina

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT-0
+// Highlights that are functions of one angle, 1 in their middle.
+#include "lib/elementary.glsl"
+#include "lib/math.glsl"
+
+// (r.v)^e, e >= 0, from rv = r.v and versineRv = 1 - r.v; 0 where r.v <= 0, also for e = 0.
+// B. T. Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975.
+float phongLobe(float versineRv, float rv, float e) {
+    return pow1m(versineRv, rv, e);
+}
+
+// (n.h)^e, e >= 0, from sin2h : cos2h, the squared sine and cosine of the angle between n and h, and
+// the sign of nH = n.(l + v); 0 where n.h <= 0, also for e = 0.
+// J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977.
+float blinnLobe(float sin2h, float cos2h, float nH, float e) {
+    float lobe = powSC(sin2h, cos2h, e);
+    return nH > 0.0 ? lobe : 0.0;
+}
+
+// t / (m - m t + t), t = r.v, m >= 0; 0 where t <= 0. Written as t / (t + m (1 - t)), which only
+// adds positive terms. C. Schlick, A Fast Alternative to Phong's Specular Model, Graphics Gems IV,
+// 1994.
+float schlickLobe(float versineRv, float rv, float m) {
+    return rv > 0.0 ? rv / (rv + m * versineRv) : 0.0;
+}
+
+// exp(-(theta_h / m)^2), theta_h the angle between n and h, m its width in radians; 0 where
+// n.h <= 0. m -> 0 is 1 where h = n and else 0; 1e-18 keeps 1 / m^2 finite.
+// R. L. Cook and K. E. Torrance, ACM TOG 1(1), 1982, section 4 (Blinn's Gaussian, 1977).
+float gaussianLobe(float sin2h, float cos2h, float nH, float m) {
+    if (!(nH > 0.0)) {
+        return 0.0;
+    }
+    float s2 = sin2h / (sin2h + cos2h);
+    float c = sqrt(cos2h / (sin2h + cos2h));
+    float narrow = 1.0 / max(m, 1e-18);
+    return exp2(-1.4426950408889634 * (acos2(2.0 * s2 / (1.0 + c)) * narrow) * narrow);
+}
+
+// The factor pi (e + 2) / (2 pi) that makes the integral of (r.v)^e (n.l) / pi one when the light
+// is at the normal. R. Lewis, Making Shaders More Physically Plausible, CGF 13(2), 1994.
+float phongNormalisation(float e) {
+    return 0.5 * (e + 2.0);
+}
+
+// The same for (n.h)^e: pi (e + 2)(e + 4) / (8 pi (2^(-e/2) + e)). Exact; the common (e + 8)/8 is up
+// to 7.5 % above it (near e = 8). e >= 0.
+float blinnNormalisation(float e) {
+    return (e + 2.0) * (e + 4.0) / (8.0 * (exp2(-0.5 * e) + e));
+}
