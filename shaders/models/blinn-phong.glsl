@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/directions.glsl"
-#include "lib/elementary.glsl"
+#include "lib/gloss.glsl"
+#include "lib/lobes.glsl"
 
-// pi times the factor that makes the integral of (n.h)^e (n.l) one at normal incidence,
-//   (e + 2)(e + 4) / (8 (2^(-e/2) + e)).
-// Exact; the common (e + 8)/8 is up to 7.5 % above it (near e = 8). e >= 0.
-float blinnNormalisation(float e) {
-    return (e + 2.0) * (e + 4.0) / (8.0 * (exp2(-0.5 * e) + e));
-}
-
-// The lobe (n.h)^e of Blinn 1977.
+// The lobe (n.h)^e of Blinn 1977, 0 behind the surface as the function `lit` of Cg and HLSL has it,
+// or the power alone, which a light behind the surface can still set off.
 vec3 blinnPhong(Directions d, BlinnPhong p) {
-    float lobe = powSC(d.sin2h, d.cos2h, p.shininess);
-    if (!(d.nH > 0.0)) {
-        lobe = 0.0; // the viewer is further below the horizon than the light is above it
+    float nl = max(d.nl, 0.0);
+    float lobe = blinnLobe(d.sin2h, d.cos2h, d.nH, p.shininess);
+    if (p.gating == BLINN_PHONG_GATING_LIT && !(d.nl > 0.0)) {
+        lobe = 0.0;
     }
+    float white = 1.0;
     if (p.normalisation == BLINN_PHONG_NORMALISATION_NORMALISED) {
-        lobe *= blinnNormalisation(p.shininess) * d.nl;
+        lobe *= blinnNormalisation(p.shininess) * nl;
+        white = nl;
     }
-    return p.diffuseColor * d.nl + p.specularColor * lobe;
+    bool limits = p.glossMode == BLINN_PHONG_GLOSS_MODE_LIMIT;
+    return p.diffuseColor * nl + glossed(p.specularColor * lobe, p.gloss, limits, white);
 }

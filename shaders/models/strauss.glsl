@@ -2,6 +2,9 @@
 #include "lib/directions.glsl"
 #include "lib/elementary.glsl"
 #include "lib/fresnel.glsl"
+#include "lib/gloss.glsl"
+#include "lib/lobes.glsl"
+#include "lib/microfacet.glsl"
 
 // The argument x of Strauss's F and G, 0 at the normal and 1 at the horizon, and y = 1 - x. It is
 // the angle in right angles: with it F(0) = 0 and G(0) = 1, as the paper requires.
@@ -12,6 +15,21 @@ void straussArgument(Strauss p, float c, float s2, OUT(float) x, OUT(float) y) {
     } else {
         angXY(c, s2, x, y);
     }
+}
+
+// The highlight of smoothness s, 1 in its middle: the paper's own, or a microfacet distribution over
+// its value at the normal. (r.v)^e is about (n.h)^(4 e), and cos^e about Beckmann's distribution
+// with 2 / alpha^2 = e + 2, so alpha^2 = 1 / (2 e + 1) = (1 - s) / (7 - s) for e = 3 / (1 - s).
+float straussLobe(Directions d, Strauss p) {
+    float rough = 1.0 - p.smoothness;
+    float alpha = slopeWidth(sqrt(rough / (6.0 + rough)));
+    if (p.lobe == STRAUSS_LOBE_BECKMANN) {
+        return PI * alpha * alpha * beckmannD(d.sin2h, d.cos2h, alpha);
+    }
+    if (p.lobe == STRAUSS_LOBE_GGX) {
+        return PI * alpha * alpha * ggxD(d.sin2h, d.cos2h, alpha);
+    }
+    return phongLobe(d.versineRv, d.rv, 3.0 / max(rough, 1e-30));
 }
 
 // Strauss 1990. The exponent 3 / (1 - s) of a perfect mirror is kept finite at 3e30: the lobe is
@@ -31,9 +49,10 @@ vec3 strauss(Directions d, Strauss p) {
     float j = F * straussShadowing(yl, p.ks) * straussShadowing(yv, p.ks);
     float rn = s * s * s * passed;
     float reflected = min(1.0, rn + (rn + p.k) * j);
-    float lobe = pow1m(d.versineRv, d.rv, 3.0 / max(1.0 - s, 1e-30));
 
     vec3 highlight = mix(p.specularColor, p.diffuseColor, p.metalness * (1.0 - F));
     float diffuse = d.nl * (1.0 - p.metalness * s) * rough3 * passed;
-    return p.diffuseColor * diffuse + highlight * (lobe * reflected);
+    bool limits = p.glossMode == STRAUSS_GLOSS_MODE_LIMIT;
+    return p.diffuseColor * diffuse
+        + glossed(highlight * (straussLobe(d, p) * reflected), p.gloss, limits, 1.0);
 }
