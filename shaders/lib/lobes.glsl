@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Highlights that are functions of one angle, 1 in their middle.
 #include "lib/elementary.glsl"
-#include "lib/math.glsl"
+#include "lib/microfacet.glsl"
 
 // (r.v)^e, e >= 0, from rv = r.v and versineRv = 1 - r.v; 0 where r.v <= 0, also for e = 0.
 // B. T. Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975.
@@ -24,17 +24,14 @@ float schlickLobe(float versineRv, float rv, float m) {
     return rv > 0.0 ? rv / (rv + m * versineRv) : 0.0;
 }
 
-// exp(-(theta_h / m)^2), theta_h the angle between n and h, m its width in radians; 0 where
+// exp(-(theta_h / m)^2), theta_h the angle between n and h, m >= 0 its width in radians; 0 where
 // n.h <= 0. m -> 0 is 1 where h = n and else 0; 1e-18 keeps 1 / m^2 finite.
 // R. L. Cook and K. E. Torrance, ACM TOG 1(1), 1982, section 4 (Blinn's Gaussian, 1977).
-float gaussianLobe(float sin2h, float cos2h, float nH, float m) {
+float gaussianHighlight(float sin2h, float cos2h, float nH, float m) {
     if (!(nH > 0.0)) {
         return 0.0;
     }
-    float s2 = sin2h / (sin2h + cos2h);
-    float c = sqrt(cos2h / (sin2h + cos2h));
-    float narrow = 1.0 / max(m, 1e-18);
-    return exp2(-1.4426950408889634 * (acos2(2.0 * s2 / (1.0 + c)) * narrow) * narrow);
+    return gaussianLobe(sin2h, cos2h, sqrt(cos2h / (sin2h + cos2h)), max(m, 1e-18));
 }
 
 // The factor pi (e + 2) / (2 pi) that makes the integral of (r.v)^e (n.l) / pi one when the light

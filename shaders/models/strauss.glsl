@@ -24,10 +24,10 @@ float straussLobe(Directions d, Strauss p) {
     float rough = 1.0 - p.smoothness;
     float alpha = slopeWidth(sqrt(rough / (6.0 + rough)));
     if (p.lobe == STRAUSS_LOBE_BECKMANN) {
-        return PI * alpha * alpha * beckmannD(d.sin2h, d.cos2h, alpha);
+        return PI * alpha * alpha * beckmannDistribution(d.sin2h, d.cos2h, alpha);
     }
     if (p.lobe == STRAUSS_LOBE_GGX) {
-        return PI * alpha * alpha * ggxD(d.sin2h, d.cos2h, alpha);
+        return PI * alpha * alpha * ggxDistribution(d.sin2h, d.cos2h, alpha);
     }
     return phongLobe(d.versineRv, d.rv, 3.0 / max(rough, 1e-30));
 }

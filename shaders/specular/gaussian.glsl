@@ -4,6 +4,6 @@
 #include "lib/lobes.glsl"
 
 vec3 gaussianSpecular(Directions d, GaussianSpecular p) {
-    vec3 lobe = p.specularColor * gaussianLobe(d.sin2h, d.cos2h, d.nH, p.width);
+    vec3 lobe = p.specularColor * gaussianHighlight(d.sin2h, d.cos2h, d.nH, p.width);
     return glossed(lobe, p.gloss, p.glossMode == GAUSSIAN_SPECULAR_GLOSS_MODE_LIMIT, 1.0);
 }
