@@ -2,11 +2,14 @@
 #include "lib/directions.glsl"
 #include "lib/elementary.glsl"
 
-// 0 below -w/2 and 1 above w/2, smooth between. An edge is never narrower than 0.001: a harder one
-// is a jump, on which a rounding of n.l would decide between two colours.
-float toonStep(float x, float softness) {
-    float t = clamp(x / max(softness, 1e-3) + 0.5, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
+// The share of `above` where x is above an edge as wide as `softness`, and of `below` under it; each
+// share by itself, so that neither is a difference. An edge is never narrower than 0.001: a harder
+// one is a jump, on which a rounding of n.l would decide between two colours.
+vec3 toonEdge(float x, float softness, vec3 below, vec3 above) {
+    float place = x / max(softness, 1e-3);
+    float t = clamp(0.5 + place, 0.0, 1.0);
+    float u = clamp(0.5 - place, 0.0, 1.0);
+    return u * u * (3.0 - 2.0 * u) * below + t * t * (3.0 - 2.0 * t) * above;
 }
 
 // n.l - edge; near the normal as (1 - edge) - (1 - n.l), which keeps its digits.
@@ -14,23 +17,24 @@ float toonLead(Directions d, float edge) {
     return d.nl > 0.5 ? (1.0 - edge) - d.sin2l / (1.0 + d.nl) : d.nl - edge;
 }
 
-// 1 inside the spot around the mirror direction, by the ratio of the versines of its angle and of
-// `size`, in radians. No spot at size 0.
-float toonSpot(Directions d, float size, float softness) {
-    float radius = versineOf(size);
+// Inside the spot around the mirror direction its colour, by the ratio of the versines of the angle
+// and of `size`, in radians. No spot at size 0.
+vec3 toonSpot(Directions d, Toon p) {
+    float radius = versineOf(p.spotSize);
     if (!(radius > 1e-12) || !(d.nl > 0.0)) {
-        return 0.0;
+        return vec3(0.0);
     }
-    return toonStep(1.0 - min(d.versineRv / radius, 1e6), softness);
+    float inside = 1.0 - min(d.versineRv / radius, 1e6);
+    return toonEdge(inside, p.softness, vec3(0.0), p.gloss * p.specularColor);
 }
 
 // Two or three flat tones by n.l, per fragment. A. Lake et al., Stylized Rendering Techniques for
 // Scalable Real-Time 3D Animation, NPAR 2000, section 3, with soft edges and a spot.
 vec3 toon(Directions d, Toon p) {
-    vec3 tone = mix(p.shadowColor, p.diffuseColor, toonStep(toonLead(d, p.threshold), p.softness));
+    vec3 tone = toonEdge(toonLead(d, p.threshold), p.softness, p.shadowColor, p.diffuseColor);
     if (p.tones == TOON_TONES_THREE) {
         float brightAt = max(p.brightThreshold, p.threshold);
-        tone = mix(tone, p.brightColor, toonStep(toonLead(d, brightAt), p.softness));
+        tone = toonEdge(toonLead(d, brightAt), p.softness, tone, p.brightColor);
     }
-    return tone + p.specularColor * (p.gloss * toonSpot(d, p.spotSize, p.softness));
+    return tone + toonSpot(d, p);
 }
