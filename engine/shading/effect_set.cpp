@@ -232,7 +232,8 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
         lines.push_back({"ambient", {}, "The scene's ambient colour is not black."});
     }
     for (const std::string& color : set.emission) {
-        lines.push_back({"emission", color, "The surface glows by itself: the colour is not black."});
+        lines.push_back(
+            {"emission", color, "The surface glows by itself: the colour is not black."});
     }
     if (set.blend) {
         lines.push_back(lineOf(*set.blend));

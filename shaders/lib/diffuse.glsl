@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-// Matte reflection of rough surfaces, as pi f cos(theta_l) of a white surface unless a function says
-// otherwise. No angle is ever made: with q = l.v - (n.l)(n.v),
+// Matte reflection of rough surfaces, as pi f cos(theta_l) of a white surface unless a function
+// says otherwise. No angle is ever made: with q = l.v - (n.l)(n.v),
 //   cos(dphi) sin(theta_l) sin(theta_v) = q.
 #include "lib/directions.glsl"
 #include "lib/elementary.glsl"
@@ -23,8 +23,8 @@ float orenNayarQualitative(Directions d, float sigma2, float offset) {
 
 // The complete model of the same paper (equations 27 to 29) without interreflection, divided by
 // n.l; and in `bounce` the factor of 0.17 rho (n.l) of its interreflection. May be negative where
-// both directions graze on opposite sides: the published fit is. xa >= xb are the angles in units of
-// a right angle. sin a - xb^3 is 1 - xb^3 - (1 - sin a) where a is steep: neither digit is lost.
+// both directions graze on opposite sides: the published fit is. xa >= xb are the angles in units
+// of a right angle. sin a - xb^3 is 1 - xb^3 - (1 - sin a) where a is steep: neither digit is lost.
 float orenNayarFull(Directions d, float sigma2, OUT(float) bounce) {
     float xl;
     float yl;
@@ -87,8 +87,8 @@ float eonLoss(float c, float s2) {
         - (2.0 / 3.0) * s * c * (1.0 + s + s2) / (1.0 + s);
 }
 
-// The light that leaves after more than one bounce for the albedo rho (the same paper, equation 17):
-// rho_ms (1 - E_l)(1 - E_v) / (1 - E_avg), rho_ms = rho^2 E_avg / (1 - rho (1 - E_avg)).
+// The light that leaves after more than one bounce for the albedo rho (the same paper, equation
+// 17): rho_ms (1 - E_l)(1 - E_v) / (1 - E_avg), rho_ms = rho^2 E_avg / (1 - rho (1 - E_avg)).
 vec3 eonBounces(Directions d, float r, vec3 rho) {
     float A = 1.0 / (1.0 + FUJII_FALL * r);
     float average = A * (1.0 + EON_AVERAGE_FALL * r);

@@ -17,9 +17,10 @@ void straussArgument(Strauss p, float c, float s2, OUT(float) x, OUT(float) y) {
     }
 }
 
-// The highlight of smoothness s, 1 in its middle: the paper's own, or a microfacet distribution over
-// its value at the normal. (r.v)^e is about (n.h)^(4 e), and cos^e about Beckmann's distribution
-// with 2 / alpha^2 = e + 2, so alpha^2 = 1 / (2 e + 1) = (1 - s) / (7 - s) for e = 3 / (1 - s).
+// The highlight of smoothness s, 1 in its middle: the paper's own, or a microfacet distribution
+// over its value at the normal. (r.v)^e is about (n.h)^(4 e), and cos^e about Beckmann's
+// distribution with 2 / alpha^2 = e + 2, so alpha^2 = 1 / (2 e + 1) = (1 - s) / (7 - s) for e = 3 /
+// (1 - s).
 float straussLobe(Directions d, Strauss p) {
     float rough = 1.0 - p.smoothness;
     float alpha = slopeWidth(sqrt(rough / (6.0 + rough)));

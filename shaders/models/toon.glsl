@@ -2,9 +2,9 @@
 #include "lib/directions.glsl"
 #include "lib/elementary.glsl"
 
-// The share of `above` where x is above an edge as wide as `softness`, and of `below` under it; each
-// share by itself, so that neither is a difference. An edge is never narrower than 0.001: a harder
-// one is a jump, on which a rounding of n.l would decide between two colours.
+// The share of `above` where x is above an edge as wide as `softness`, and of `below` under it;
+// each share by itself, so that neither is a difference. An edge is never narrower than 0.001: a
+// harder one is a jump, on which a rounding of n.l would decide between two colours.
 vec3 toonEdge(float x, float softness, vec3 below, vec3 above) {
     float place = x / max(softness, 1e-3);
     float t = clamp(0.5 + place, 0.0, 1.0);

@@ -11,8 +11,11 @@ namespace patina::tests {
 namespace {
 
 /// What a kind adds to the names of its blocks (ARCHITECTURE.md, "Names").
-const std::map<std::string, std::string> kindWords = {
-    {"models", ""}, {"fresnel", "Fresnel"}, {"specular", "Specular"}, {"lights", "Light"}, {"fog", "Fog"}};
+const std::map<std::string, std::string> kindWords = {{"models", ""},
+                                                      {"fresnel", "Fresnel"},
+                                                      {"specular", "Specular"},
+                                                      {"lights", "Light"},
+                                                      {"fog", "Fog"}};
 
 std::string pascalCase(const std::string& id) {
     std::string name;
@@ -37,8 +40,9 @@ std::string structNameOf(const SourceFile& file) {
 }
 
 std::vector<SourceFile> blockShaders() {
-    return filesUnder({"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog"},
-                      {".glsl"});
+    return filesUnder(
+        {"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog"},
+        {".glsl"});
 }
 
 TEST(Blocks, Folders_AreKnownKinds) {

@@ -31,7 +31,8 @@ class ModelTable : public testing::TestWithParam<nlohmann::json> {};
 
 TEST_P(ModelTable, SixPairsOfDirections_MatchTheFormula) {
     const nlohmann::json& row = GetParam();
-    const Block* block = catalog().find(row["kind"].get<std::string>(), row["id"].get<std::string>());
+    const Block* block =
+        catalog().find(row["kind"].get<std::string>(), row["id"].get<std::string>());
     ASSERT_NE(block, nullptr);
     const Subject subject(block->kind, block->id, valuesFrom(*block, row["parameters"]));
     for (const auto& [name, pair] : table("models.json")["directions"].items()) {
@@ -43,7 +44,9 @@ TEST_P(ModelTable, SixPairsOfDirections_MatchTheFormula) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryRow, ModelTable, testing::ValuesIn(table("models.json")["rows"]),
-                         [](const auto& row) { return row.param["name"].template get<std::string>(); });
+                         [](const auto& row) {
+                             return row.param["name"].template get<std::string>();
+                         });
 
 /// Directions all over the hemisphere.
 std::vector<reference::Geometry> manyPairs() {
@@ -59,13 +62,13 @@ std::vector<reference::Geometry> manyPairs() {
 }
 
 Subject orenNayar(const std::string& form, double roughness, double albedo) {
-    return Subject("models", "oren-nayar",
-                   {{"diffuse.color", glm::dvec3(albedo)},
-                    {"roughness", roughness},
-                    {"form", form}});
+    return Subject(
+        "models", "oren-nayar",
+        {{"diffuse.color", glm::dvec3(albedo)}, {"roughness", roughness}, {"form", form}});
 }
 
-/// The albedo of one bounce of Fujii's model, from acos as the paper of EON prints it (equation 14).
+/// The albedo of one bounce of Fujii's model, from acos as the paper of EON prints it (equation
+/// 14).
 double oneBounceAlbedo(double c, double r) {
     const double pi = std::numbers::pi;
     const double A = 1.0 / (1.0 + (0.5 - 2.0 / (3.0 * pi)) * r);
@@ -259,10 +262,9 @@ TEST(SpecularSlot, Filled_AddsItsHighlight) {
 }
 
 TEST(SpecularSlot, Limited_HasAPlateau) {
-    const Subject lobe("specular", "blinn-phong",
-                       {{"specular.color", white},
-                        {"gloss", 0.25},
-                        {"gloss.mode", std::string("limit")}});
+    const Subject lobe(
+        "specular", "blinn-phong",
+        {{"specular.color", white}, {"gloss", 0.25}, {"gloss.mode", std::string("limit")}});
     EXPECT_EQ(lobe.shade(geometry(direction(30, 0), direction(30, 180))).x, 0.25);
 }
 

@@ -120,10 +120,11 @@ std::string slotCode(const Block& block) {
     for (const SlotCall& slot : slotCalls) {
         if (block.slot(slot.kind) != nullptr) {
             const std::string word = capitalised(slot.kind);
-            code += fmt::format("vec3 slot{0}({1}, {0}Slot slot) {{\n"
-                                "    return slot.filler == nullptr ? vec3(0.0)\n"
-                                "                                  : slot.filler->block->{2};\n}}\n",
-                                word, slot.argument, slot.call);
+            code +=
+                fmt::format("vec3 slot{0}({1}, {0}Slot slot) {{\n"
+                            "    return slot.filler == nullptr ? vec3(0.0)\n"
+                            "                                  : slot.filler->block->{2};\n}}\n",
+                            word, slot.argument, slot.call);
         }
     }
     return code;
@@ -223,8 +224,7 @@ std::string blockSource(const Block& block, const GlslLines& lines) {
                        "namespace patina::reference::{0} {{\n\n{1}\n#line 1 \"generated\"\n"
                        "{2}{3}\n{4}\n#line 1 \"generated\"\n{5}\n{6}\n"
                        "}} // namespace patina::reference::{0}\n",
-                       unitScope(block), asCpp(library),
-                       slotCode(block), structCode(block, layout),
+                       unitScope(block), asCpp(library), slotCode(block), structCode(block, layout),
                        asCpp(code), entryFunctions(block), entry(block, layout));
 }
 
