@@ -249,6 +249,18 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) 
     return variant;
 }
 
+std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material) {
+    const Block* model = catalog.find("models", material.model.id);
+    const Block* block = material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr;
+    if (block == nullptr || (model != nullptr && model->slot(block->kind) != nullptr)) {
+        return std::nullopt;
+    }
+    EvalCase variant;
+    variant.subject = EvalCase::Subject::Fresnel;
+    variant.block = valued(*block, *material.fresnel, material.accuracy);
+    return variant;
+}
+
 std::vector<EvalCase> sweepRows(const EvalCase& variant) {
     const std::vector<Factor> factors = factorsOf(variant);
     std::vector<std::size_t> counts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "material/material.h"
@@ -15,6 +16,9 @@ std::vector<EvalCase> sweepVariants(const Catalog& catalog, const Block& block);
 
 /// The one program of a material, with its values. A block that is missing is an error.
 Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material);
+
+/// A material's Fresnel block alone, where it is blended over a model that has no slot for it.
+std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material);
 
 /// The variant itself and then with hard values of its parameters and of what fills its slot, such
 /// that every two values meet; what is compiled stays.

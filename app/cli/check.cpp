@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "catalog/json_text.h"
+#include "catalog/suggestion.h"
+#include "cli/command.h"
+#include "gl/headless_context.h"
+#include "material/preset_file.h"
+#include "measure/finding_text.h"
+#include "measure/stability_sweep.h"
+#include "measure/sweep_cases.h"
+
+namespace patina {
+namespace {
+
+struct Options {
+    std::string subject;
+    std::size_t cases = 300000;
+    bool json = false;
+};
+
+/// Set by Ctrl-C; the sweep then ends after its slice.
+std::atomic<bool> interrupted{false};
+
+void interrupt(int) {
+    interrupted = true;
+}
+
+Errors oneError(Error error) {
+    return {std::move(error)};
+}
+
+/// Blocks of that id, or of that "kind/id"; the same id may be a model and something else.
+std::vector<const Block*> blocksNamed(const Catalog& catalog, const std::string& name) {
+    std::vector<const Block*> found;
+    for (const Block& block : catalog.blocks) {
+        const bool named = block.id == name || block.kind + '/' + block.id == name;
+        if (named && subjectOfKind(block.kind)) {
+            found.push_back(&block);
+        }
+    }
+    return found;
+}
+
+Checked<std::vector<EvalCase>> variantsOfBlocks(const Catalog& catalog, const std::string& name) {
+    std::vector<EvalCase> variants;
+    for (const Block* block : blocksNamed(catalog, name)) {
+        const std::vector<EvalCase> own = sweepVariants(catalog, *block);
+        variants.insert(variants.end(), own.begin(), own.end());
+    }
+    if (variants.empty()) {
+        std::vector<std::string> ids;
+        for (const Block* model : catalog.ofKind("models")) {
+            ids.push_back(model->id);
+        }
+        return tl::unexpected(oneError(
+            failure(fmt::format("\"{}\" is neither a preset nor a block", name), oneOf(name, ids))
+                .value()));
+    }
+    return variants;
+}
+
+/// A material's model as it is set, and its Fresnel block where the model has no slot for it.
+Checked<std::vector<EvalCase>> variantsOfPreset(const Catalog& catalog, const std::string& file) {
+    const auto reading = readPreset(file, catalog);
+    if (!reading) {
+        return tl::unexpected(reading.error());
+    }
+    report(reading->notes);
+    const Result<EvalCase> variant = sweepVariant(catalog, reading->material);
+    if (!variant) {
+        return tl::unexpected(oneError(variant.error()));
+    }
+    std::vector<EvalCase> variants{*variant};
+    if (const auto blend = blendVariant(catalog, reading->material)) {
+        variants.push_back(*blend);
+    }
+    return variants;
+}
+
+Checked<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const std::string& subject) {
+    std::error_code ignored; // what cannot be looked at is no file
+    const bool file =
+        std::filesystem::is_regular_file(subject, ignored) || subject.ends_with(".json");
+    return file ? variantsOfPreset(catalog, subject) : variantsOfBlocks(catalog, subject);
+}
+
+/// A line that is written over; only where somebody watches.
+class ProgressLine {
+  public:
+    void show(const StabilitySweep& sweep) {
+        if (terminal_) {
+            std::cerr << fmt::format("\r{:3.0f} %  {} cases ", 100.0 * sweep.progress(),
+                                     sweep.report().cases)
+                      << std::flush;
+        }
+    }
+    ~ProgressLine() {
+        if (terminal_) {
+            std::cerr << "\r\033[K" << std::flush;
+        }
+    }
+
+  private:
+    bool terminal_ = isatty(STDERR_FILENO) == 1;
+};
+
+void runSweep(StabilitySweep& sweep) {
+    ProgressLine line;
+    interrupted = false;
+    const auto before = std::signal(SIGINT, interrupt);
+    while (!sweep.finished() && !interrupted) {
+        sweep.step();
+        line.show(sweep);
+    }
+    std::signal(SIGINT, before);
+}
+
+void printFinding(const SweepTally& tally, bool gpu, Defect defect) {
+    const std::string programs = variantText(tally.worst.request);
+    std::cout << fmt::format("{} {}: {} cases{}\n  worst: {}\n  {}\n  {}\n", wordsFor(defect),
+                             precisionText(gpu), tally.count,
+                             programs.empty() ? "" : ", the worst with " + programs,
+                             placeText(tally.worst.request), amountText(tally.worst),
+                             evalJson(tally.worst.request).dump());
+}
+
+void printReport(const SweepReport& report) {
+    for (const auto& [key, tally] : report.defects) {
+        printFinding(tally, key.first, key.second);
+    }
+    for (const Error& error : report.errors) {
+        std::cout << error.text() << '\n';
+    }
+    std::cout << fmt::format("{} cases in {} programs: {}\n", report.cases, report.programs,
+                             report.sound() ? "nothing breaks" : "see above");
+}
+
+void print(const StabilitySweep& sweep, const Options& options) {
+    if (!options.json) {
+        printReport(sweep.report());
+        return;
+    }
+    nlohmann::json json = toJson(sweep.report());
+    json["subject"] = options.subject;
+    json["finished"] = sweep.finished();
+    json["withoutDouble"] = sweep.withoutReference();
+    std::cout << writeJson(json);
+}
+
+/// What could not be looked at, on standard error.
+void remark(const StabilitySweep& sweep, const SweepOptions& how) {
+    if (!sweep.withoutReference().empty()) {
+        std::cerr << "not checked in double precision: " << sweep.withoutReference() << '\n';
+    }
+    if (!how.gpu) {
+        std::cerr << "not checked on the graphics device: there is none\n";
+    }
+    if (!sweep.finished()) {
+        std::cerr << fmt::format("stopped after {} cases\n", sweep.report().cases);
+    }
+}
+
+Checked<bool> check(const Options& options) {
+    const Catalog catalog = loadCatalog(standardBlockRoots());
+    report(catalog.errors);
+    const auto variants = variantsOf(catalog, options.subject);
+    if (!variants) {
+        return tl::unexpected(variants.error());
+    }
+    const auto context = gl::HeadlessContext::create();
+    if (!context) {
+        report({context.error()});
+    }
+    SweepOptions how;
+    how.gpu = context.has_value();
+    how.cases = options.cases;
+    how.shaders = catalog.roots.front().folder;
+    StabilitySweep sweep(*variants, how);
+    runSweep(sweep);
+    print(sweep, options);
+    remark(sweep, how);
+    return sweep.finished() && sweep.report().sound();
+}
+
+} // namespace
+
+void addCheck(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "check", "Evaluate a preset or a block where formulas break, on the graphics device and\n"
+                 "in double precision; the status is 1 when a value is not finite, negative or\n"
+                 "inaccurate. Each finding comes as a line for `patina eval`");
+    auto options = std::make_shared<Options>();
+    command
+        ->add_option("subject", options->subject, "A preset, or the id of a model or other block")
+        ->required();
+    command->add_option("--cases", options->cases, "About how many cases to evaluate")
+        ->check(CLI::Range(1UL, 100000000UL))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options, &status] {
+        const auto sound = check(*options);
+        status = sound && *sound ? 0 : 1;
+        if (!sound) {
+            report(sound.error());
+        }
+    });
+}
+
+} // namespace patina
