@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every block of the catalogue at every hard case, in double precision and in the real shader.
-#include <algorithm>
-#include <array>
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -9,25 +7,10 @@
 #include "gl/headless_context.h"
 #include "measure/stability_sweep.h"
 #include "measure/sweep_cases.h"
+#include "stability_cases.h"
 
-namespace patina {
+namespace patina::stability {
 namespace {
-
-const Catalog& catalog() {
-    static const Catalog loaded = loadCatalog(
-        std::array{BlockRoot{std::filesystem::path(PATINA_SOURCE_DIR) / "shaders", true}});
-    return loaded;
-}
-
-std::vector<const Block*> evaluatedBlocks() {
-    std::vector<const Block*> blocks;
-    for (const Block& block : catalog().blocks) {
-        if (subjectOfKind(block.kind)) {
-            blocks.push_back(&block);
-        }
-    }
-    return blocks;
-}
 
 std::string described(const SweepReport& report) {
     std::string text = patina::text(report.errors);
@@ -80,13 +63,7 @@ TEST(StabilitySweep, OfAllBlocks_HasTwoMillionCases) {
     EXPECT_GE(cases, 2000000U);
 }
 
-std::string nameOf(const testing::TestParamInfo<const Block*>& tested) {
-    std::string name = tested.param->kind + '_' + tested.param->id;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(EveryBlock, EveryHardCase, testing::ValuesIn(evaluatedBlocks()), nameOf);
 
 } // namespace
-} // namespace patina
+} // namespace patina::stability

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/patina_program.h"
+
+namespace patina::tests {
+namespace {
+
+/// A user's folder with a model of two files whose body is `body`.
+class CheckCommand : public testing::Test {
+  protected:
+    void writeModel(const std::string& body) {
+        writeFile(data_ / "patina/shaders/models/tried.json", R"({
+            "id": "tried", "version": 1, "label": "Tried", "summary": "A test.",
+            "applications": "None.", "source": "None.",
+            "parameters": [{"id": "width", "label": "Width", "doc": "A width.", "type": "float",
+                            "default": 0.5, "min": 0.0, "max": 1.0, "step": 0.01}],
+            "claims": ["finite", "non_negative", "zero_below_horizon"]})");
+        writeFile(data_ / "patina/shaders/models/tried.glsl",
+                  "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                  "vec3 tried(Directions d, Tried p) {\n    return " +
+                      body + ";\n}\n");
+    }
+
+    Outcome run(std::vector<std::string> arguments, std::string input = {}) {
+        return patina(Start{.arguments = std::move(arguments),
+                            .environment = {{"XDG_DATA_HOME", data_.path()}},
+                            .input = std::move(input)});
+    }
+
+    nlohmann::json checkedJson() {
+        return nlohmann::json::parse(run({"check", "tried", "--json", "--cases", "20000"}).out);
+    }
+
+    TemporaryFolder data_;
+};
+
+TEST_F(CheckCommand, SoundPreset_Succeeds) {
+    const Outcome outcome =
+        run({"check", shipped("presets/cook-torrance/gold.patina.json"), "--cases", "20000"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("nothing breaks"), std::string::npos);
+}
+
+TEST_F(CheckCommand, UnknownSubject_SaysWhatThereIs) {
+    const Outcome outcome = run({"check", "lambrt"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("lambert"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CheckCommand, ModelWithoutDoubleCode_SaysSo) {
+    writeModel("vec3(d.nl * p.width)");
+    const Outcome outcome = run({"check", "tried", "--cases", "20000"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.out;
+    EXPECT_NE(outcome.err.find("not checked in double precision"), std::string::npos);
+}
+
+TEST_F(CheckCommand, ModelThatIsNoNumberAtGrazing_Fails) {
+    writeModel("vec3(sqrt(d.nl - 1e-5))");
+    EXPECT_EQ(run({"check", "tried", "--cases", "20000"}).exitCode, 1);
+    const nlohmann::json found = checkedJson();
+    ASSERT_EQ(found["defects"].size(), 1u) << found;
+    EXPECT_EQ(found["defects"][0]["what"], "not a number");
+    EXPECT_LE(found["defects"][0]["worst"]["case"]["l"][2].get<double>(), 1.1e-5);
+}
+
+TEST_F(CheckCommand, ModelThatIsNoNumberAtTheEndOfAParameter_Fails) {
+    writeModel("d.nl * normalize(vec3(p.width))");
+    const nlohmann::json found = checkedJson();
+    ASSERT_EQ(found["defects"].size(), 1u) << found;
+    EXPECT_EQ(found["defects"][0]["what"], "not a number");
+    EXPECT_EQ(found["defects"][0]["worst"]["case"]["parameters"]["width"], 0.0);
+}
+
+TEST_F(CheckCommand, NegativeValue_IsFoundThoughTheEngineCutsIt) {
+    writeModel("vec3(d.nl - p.width)");
+    const nlohmann::json found = checkedJson();
+    ASSERT_EQ(found["defects"].size(), 1u) << found;
+    EXPECT_EQ(found["defects"][0]["what"], "negative");
+}
+
+TEST_F(CheckCommand, WorstCase_IsALineForEval) {
+    writeModel("vec3(sqrt(d.nl - 1e-5))");
+    const std::string line = checkedJson()["defects"][0]["worst"]["case"].dump() + "\n";
+    const Outcome outcome = run({"eval"}, line);
+    EXPECT_NE(outcome.out.find("not finite"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckCommand, ModelThatDoesNotCompile_Fails) {
+    writeModel("vec3(d.nosuch)");
+    const Outcome outcome = run({"check", "tried", "--cases", "20000"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.out.find("tried.glsl:4"), std::string::npos) << outcome.out;
+}
+
+} // namespace
+} // namespace patina::tests

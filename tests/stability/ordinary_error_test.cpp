@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the shader loses against double precision where nothing is hard.
+#include <cmath>
+#include <fstream>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "measure/eval_gpu.h"
+#include "measure/hard_places.h"
+#include "measure/reference_case.h"
+#include "measure/sweep_cases.h"
+#include "stability_cases.h"
+
+namespace patina::stability {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t placesPerRow = 250;
+constexpr std::size_t casesPerBlock = 100000;
+constexpr double smallestJudged = 1e-6;
+
+const Json& bounds() {
+    static const Json read = [] {
+        std::ifstream stream(std::filesystem::path(PATINA_SOURCE_DIR) /
+                             "tests/stability/data/ordinary_error.json");
+        return Json::parse(stream);
+    }();
+    return read;
+}
+
+bool lists(const char* list, const std::string& id) {
+    const Json& ids = bounds().at(list);
+    return std::find(ids.begin(), ids.end(), Json(id)) != ids.end();
+}
+
+/// The bound of the relative error for a set of values: the sharpest lobe decides.
+double boundOf(const EvalBlock& block) {
+    const bool diffuse = lists("diffuse", block.block->id);
+    double growth = 0.0;
+    for (const auto& [id, value] : block.values) {
+        const auto* x = std::get_if<double>(&value);
+        if (x == nullptr) {
+            continue;
+        }
+        if (lists("exponents", id)) {
+            growth = std::max(growth, 3e-7 * std::sqrt(*x));
+        }
+        if (lists("smoothnesses", id)) {
+            growth = std::max(growth, 3e-7 * std::sqrt(3.0 / std::max(1.0 - *x, 1e-30)));
+        }
+        if (lists("widths", id) && !diffuse) {
+            growth = std::max(growth, 5e-7 / std::max(*x, 1e-4));
+        }
+    }
+    return diffuse && growth == 0.0 ? 1.5e-6 : 3e-6 + growth;
+}
+
+std::vector<EvalCase> ordinaryCases(const EvalCase& variant, std::size_t rows) {
+    const auto places = ordinaryPlaces(variant.subject, rows * placesPerRow);
+    std::vector<EvalCase> cases;
+    for (const EvalCase& row : ordinaryRows(variant, rows)) {
+        for (std::size_t i = 0; i < placesPerRow; ++i) {
+            EvalCase& next = cases.emplace_back(row);
+            static_cast<EvalPlace&>(next) = places[cases.size() - 1];
+        }
+    }
+    return cases;
+}
+
+std::vector<double> inFloat(const EvalBlock& block) {
+    std::vector<double> values =
+        block.block == nullptr ? std::vector<double>() : block.packedValues();
+    std::transform(values.begin(), values.end(), values.begin(),
+                   [](double x) { return static_cast<double>(static_cast<float>(x)); });
+    return values;
+}
+
+/// The errors of all channels over their bounds.
+std::vector<double> shares(const std::vector<EvalCase>& cases, EvalGpu& gpu) {
+    const auto answers = gpu.evaluate(cases, catalog());
+    const auto code = ReferenceCode::find(cases.front());
+    std::vector<double> result;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (!answers[i] || !code) {
+            ADD_FAILURE() << (answers[i] ? code.error() : answers[i].error()).text();
+            return result;
+        }
+        const ReferenceCase bound(*code, inFloat(cases[i].block), inFloat(cases[i].slot));
+        const ReferenceNumbers exact = bound.evaluate(cases[i]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double size = std::max(exact[k], smallestJudged);
+            result.push_back(std::abs((*answers[i])[k] - exact[k]) / size /
+                             boundOf(cases[i].block));
+        }
+    }
+    return result;
+}
+
+double percentile99(std::vector<double> numbers) {
+    const auto place = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() * 99 / 100);
+    std::nth_element(numbers.begin(), place, numbers.end());
+    return *place;
+}
+
+class OrdinaryError : public testing::TestWithParam<const Block*> {};
+
+TEST_P(OrdinaryError, NinetyNineOfAHundred_KeepTheirBound) {
+    const std::vector<EvalCase> variants = sweepVariants(catalog(), *GetParam());
+    const std::size_t rows =
+        std::clamp<std::size_t>(casesPerBlock / placesPerRow / variants.size(), 8, 100);
+    EvalGpu gpu;
+    double worst = 0.0;
+    for (const EvalCase& variant : variants) {
+        const double share = percentile99(shares(ordinaryCases(variant, rows), gpu));
+        worst = std::max(worst, share);
+        EXPECT_LE(share, 1.0) << "of the bound, with " << variantText(variant);
+    }
+    std::cout << "99 of 100 are within " << worst << " of the bound\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryModel, OrdinaryError, testing::ValuesIn(catalog().ofKind("models")),
+                         nameOf);
+
+} // namespace
+} // namespace patina::stability
