@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "cli/eval_case.h"
-#include "cli/eval_gpu.h"
-#include "cli/eval_reference.h"
+#include "cli/eval_line.h"
+#include "measure/eval_gpu.h"
+#include "measure/eval_reference.h"
 #include "physics_cases.h"
 
 namespace patina::physics {
