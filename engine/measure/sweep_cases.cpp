@@ -251,13 +251,14 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) 
 
 std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material) {
     const Block* model = catalog.find("models", material.model.id);
-    const Block* block = material.fresnel ? catalog.find("fresnel", material.fresnel->id) : nullptr;
+    const BlockValues* part = material.part("fresnel");
+    const Block* block = part != nullptr ? catalog.find("fresnel", part->id) : nullptr;
     if (block == nullptr || (model != nullptr && model->slot(block->kind) != nullptr)) {
         return std::nullopt;
     }
     EvalCase variant;
     variant.subject = EvalCase::Subject::Fresnel;
-    variant.block = valued(*block, *material.fresnel, material.accuracy);
+    variant.block = valued(*block, *part, material.accuracy);
     return variant;
 }
 
