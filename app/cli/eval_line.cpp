@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/fills.h"
 #include "catalog/json_text.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
@@ -131,6 +132,7 @@ Result<Values> readValues(const Block& block, const Json& json) {
         }
         values.emplace(id, *read);
     }
+    fillGaps(block, values);
     return values;
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene_setup.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "catalog/fills.h"
 #include "cli/value_text.h"
 #include "core/number_text.h"
 #include "material/preset_file.h"
@@ -94,7 +97,9 @@ Result<bool> setIn(const Block* block, BlockValues* values, const std::string& i
     if (!value) {
         return tl::unexpected(value.error());
     }
-    values->parameters[id] = *value;
+    for (const auto& [changed, held] : afterEdit(*block, values->parameters, *parameter, *value)) {
+        values->parameters.insert_or_assign(changed, held);
+    }
     return true;
 }
 
@@ -174,6 +179,33 @@ Result<void> applySet(Material& material, const std::string& assignment, const C
     return {};
 }
 
+bool isShorthandIn(const Block* block, std::string_view id) {
+    const Parameter* parameter = block == nullptr ? nullptr : block->parameter(id);
+    return parameter != nullptr && isShorthand(*parameter);
+}
+
+bool isShorthandSet(Material& material, std::string_view id, const Catalog& catalog) {
+    if (isShorthandIn(catalog.find("models", material.model.id), id)) {
+        return true;
+    }
+    return std::any_of(std::begin(partKinds), std::end(partKinds), [&](std::string_view kind) {
+        const BlockValues* part = material.part(kind);
+        const bool named = id.starts_with(std::string(kind) + '.');
+        return part != nullptr &&
+               isShorthandIn(catalog.find(kind, part->id), named ? id.substr(kind.size() + 1) : id);
+    });
+}
+
+/// The assignments, those first that set several values at once: one given for a single value
+/// wins wherever it stands.
+std::vector<std::string> inOrder(std::vector<std::string> sets, Material& material,
+                                 const Catalog& catalog) {
+    std::stable_partition(sets.begin(), sets.end(), [&](const std::string& assignment) {
+        return isShorthandSet(material, assignment.substr(0, assignment.find('=')), catalog);
+    });
+    return sets;
+}
+
 void useMesh(Object& object, const std::string& mesh) {
     object.mesh = mesh;
     object.fitUnitBox = !mesh.starts_with(builtin);
@@ -202,7 +234,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
     if (auto model = knownBlock(catalog, "models", object.material.model.id); !model) {
         return tl::unexpected(oneError(model.error()));
     }
-    for (const std::string& assignment : options.sets) {
+    for (const std::string& assignment : inOrder(options.sets, object.material, catalog)) {
         if (auto applied = applySet(object.material, assignment, catalog); !applied) {
             return tl::unexpected(oneError(applied.error()));
         }

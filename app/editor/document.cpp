@@ -182,7 +182,7 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
     }
     const Value after = roundedToFloat(conformed(*parameter, wanted));
     if (after != value(path, *parameter)) {
-        undoStack_.push(new ParameterCommand(*this, path, *parameter, after));
+        undoStack_.push(new ParameterCommand(*this, path, *described, *parameter, after));
     }
 }
 

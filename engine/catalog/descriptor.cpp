@@ -206,6 +206,33 @@ std::map<std::string, std::string> exemptionsFrom(const Fields& fields) {
     return exemptions;
 }
 
+/// What a choice sets, as values of the parameters it names; mistakes are the checker's.
+Values fillsFrom(const Block& block, const Json& choice) {
+    Values fills;
+    const Json* json = Fields(choice).find("fills");
+    if (json == nullptr || !json->is_object()) {
+        return fills;
+    }
+    for (const auto& [id, value] : json->items()) {
+        const Parameter* filled = block.parameter(id);
+        if (const auto read =
+                filled == nullptr ? Result<Value>(failure("")) : valueFromJson(*filled, value)) {
+            fills.emplace(id, *read);
+        }
+    }
+    return fills;
+}
+
+/// Needs all parameters: a choice may set one that stands after it.
+void readFills(Block& block, const Json& document) {
+    for (std::size_t i = 0; i < block.parameters.size(); ++i) {
+        std::vector<EnumValue>& values = block.parameters[i].values;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            values[k].fills = fillsFrom(block, document["parameters"][i]["values"][k]);
+        }
+    }
+}
+
 Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
     Block block;
     block.kind = path.parent_path().filename().string();
@@ -236,7 +263,9 @@ Checked<Descriptor> readDescriptor(const std::filesystem::path& path, const Json
         return tl::unexpected(Errors{document.error()});
     }
     Errors errors = schema.check(*document);
-    Descriptor descriptor{blockFrom(path, Fields(document->value)), std::move(*document)};
+    Block block = blockFrom(path, Fields(document->value));
+    readFills(block, document->value);
+    Descriptor descriptor{std::move(block), std::move(*document)};
     const Errors more = descriptorMistakes(descriptor);
     errors.insert(errors.end(), more.begin(), more.end());
     if (!errors.empty()) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "catalog/expression.h"
+#include "catalog/fill_checks.h"
 #include "catalog/reserved_words.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
@@ -321,7 +322,10 @@ class Checker {
 } // namespace
 
 Errors descriptorMistakes(const Descriptor& descriptor) {
-    return Checker(descriptor).run();
+    Errors errors = Checker(descriptor).run();
+    const Errors more = fillMistakes(descriptor);
+    errors.insert(errors.end(), more.begin(), more.end());
+    return errors;
 }
 
 } // namespace patina

@@ -19,7 +19,11 @@ Json arrayOf(const std::vector<T>& items, Make make) {
 }
 
 Json choiceJson(const EnumValue& value) {
-    return {{"id", value.id}, {"label", value.label}, {"doc", value.doc}};
+    Json json{{"id", value.id}, {"label", value.label}, {"doc", value.doc}};
+    for (const auto& [id, filled] : value.fills) {
+        json["fills"][id] = toJson(filled);
+    }
+    return json;
 }
 
 Json levelJson(const EnumValue& value) {

@@ -32,6 +32,7 @@ struct EnumValue {
     std::string label;
     std::string doc;
     bool exact = false; ///< accuracy choices only: the level the others are measured against
+    Values fills{};     ///< parameters of the same block that choosing this sets; see fills.h
 
     friend bool operator==(const EnumValue&, const EnumValue&) = default;
 };

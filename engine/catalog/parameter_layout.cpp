@@ -5,6 +5,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "catalog/fills.h"
+
 namespace patina {
 namespace {
 
@@ -68,7 +70,8 @@ double levelOf(const AccuracyChoice& choice, const AccuracyLevels& levels) {
 ParameterLayout layoutOf(const Block& block) {
     ParameterLayout layout;
     for (const Parameter& parameter : block.parameters) {
-        if (const int components = componentCount(parameter.type); components > 0) {
+        const int components = componentCount(parameter.type);
+        if (components > 0 && !isShorthand(parameter)) {
             append(layout, {&parameter, nullptr, fieldName(parameter.id), 0, components});
         }
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "catalog/fills.h"
 #include "catalog/value_json.h"
 
 namespace patina {
@@ -37,6 +38,7 @@ class Carrier {
             }
         }
         parkTheRest();
+        settleShorthands(to_, next.parameters);
         return next;
     }
 

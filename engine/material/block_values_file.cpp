@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/fills.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
 
@@ -54,9 +55,7 @@ class ValuesReader {
     }
 
     void read(const Block& block) {
-        for (const Parameter& parameter : block.parameters) {
-            values_.parameters[parameter.id] = valueOf(parameter);
-        }
+        readKnown(block);
         std::vector<std::string> ids;
         for (const Parameter& parameter : block.parameters) {
             ids.push_back(parameter.id);
@@ -82,6 +81,23 @@ class ValuesReader {
 
     void keepUnknown(const std::string& id, const Json& json) {
         values_.unknown["parameters"][id] = json;
+    }
+
+    /// The block's parameters. A choice that sets others sets those that the file does not have.
+    void readKnown(const Block& block) {
+        Values given;
+        for (const Parameter& parameter : block.parameters) {
+            const Value value = valueOf(parameter);
+            values_.parameters[parameter.id] = value;
+            if (reader_.has(idInFile(parameter))) {
+                given.emplace(parameter.id, value);
+            }
+        }
+        fillGaps(block, given);
+        for (const auto& [id, value] : given) {
+            values_.parameters[id] = roundedToFloat(value);
+        }
+        settleShorthands(block, values_.parameters);
     }
 
     /// The id under which the file has the parameter: its own, or one it had when the file was

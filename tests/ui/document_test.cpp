@@ -40,6 +40,67 @@ TEST_F(DocumentEdit, Parameter_UndoesAndRedoes) {
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
 
+/// A document whose Fresnel block has a choice that sets two other values.
+struct ShorthandEdit : testing::Test {
+    FixtureBlocks blocks;
+    std::unique_ptr<Document> document;
+
+    void SetUp() override {
+        blocks.add("fresnel", "alloy", R"({
+  "id": "alloy", "version": 1, "label": "Alloy", "summary": "For tests.",
+  "parameters": [
+    {"id": "a", "label": "A", "type": "float", "default": 0.1},
+    {"id": "b", "label": "B", "type": "float", "default": 0.2},
+    {"id": "sort", "label": "Sort", "type": "enum", "default": "one", "values": [
+      {"id": "one", "label": "One", "fills": {"a": 0.1, "b": 0.2}},
+      {"id": "two", "label": "Two", "fills": {"a": 0.5, "b": 0.6}},
+      {"id": "custom", "label": "Your own"}]}
+  ],
+  "claims": ["finite"]
+})",
+                   "vec3 alloyFresnel(Incidence i, AlloyFresnel p) {\n    return vec3(p.a);\n}\n"
+                   "vec3 alloyFresnelTint(AlloyFresnel p) {\n    return vec3(p.b);\n}\n");
+        document = std::make_unique<Document>(blocks.catalog());
+        document->startFrom(fixtureScene(*blocks.catalog()));
+        document->setFresnel(Side::A, "alloy");
+    }
+    BlockPath path() const { return document->currentPath(Part::Fresnel); }
+    Value value(const char* id) const {
+        return document->value(path(), *document->block(path())->parameter(id));
+    }
+};
+
+TEST_F(ShorthandEdit, Choosing_SetsAllInOneStep) {
+    const int steps = document->undoStack().count();
+    document->setValue(path(), "sort", std::string("two"));
+    EXPECT_EQ(value("a"), roundedToFloat(0.5));
+    EXPECT_EQ(value("b"), roundedToFloat(0.6));
+    EXPECT_EQ(document->undoStack().count(), steps + 1);
+    document->undoStack().undo();
+    EXPECT_EQ(value("a"), roundedToFloat(0.1));
+    EXPECT_EQ(value("sort"), Value(std::string("one")));
+}
+
+TEST_F(ShorthandEdit, TypingAValue_IsOnesOwnAndUndoesTogether) {
+    document->setValue(path(), "a", 0.3);
+    EXPECT_EQ(value("sort"), Value(std::string("custom")));
+    document->undoStack().undo();
+    EXPECT_EQ(value("sort"), Value(std::string("one")));
+    document->undoStack().redo();
+    EXPECT_EQ(value("sort"), Value(std::string("custom")));
+}
+
+TEST_F(ShorthandEdit, DraggingAValue_StaysOnesOwnAfterRedo) {
+    const int token = document->beginInteraction();
+    document->setValue(path(), "a", 0.3);
+    document->setValue(path(), "a", 0.4);
+    document->endInteraction(token);
+    document->undoStack().undo();
+    document->undoStack().redo();
+    EXPECT_EQ(value("a"), roundedToFloat(0.4));
+    EXPECT_EQ(value("sort"), Value(std::string("custom")));
+}
+
 TEST_F(DocumentEdit, EveryPart_UndoesAndRedoes) {
     document.setPart(Side::A, Part::Fresnel, "rim");
     document.setFog("mist");

@@ -334,5 +334,47 @@ TEST(DescriptorJson, OfABlock_IsADescriptorOfTheSameBlock) {
     EXPECT_EQ(folder.load(), before);
 }
 
+/// A descriptor whose second parameter is shorthand for the first.
+json shorthandDescriptor() {
+    json descriptor = plainDescriptor("a");
+    descriptor["parameters"].push_back(
+        {{"id", "kind"},
+         {"label", "Kind"},
+         {"type", "enum"},
+         {"default", "matt"},
+         {"values",
+          {{{"id", "matt"}, {"label", "Matt"}, {"fills", {{"gloss", 0.5}}}},
+           {{"id", "shiny"}, {"label", "Shiny"}, {"fills", {{"gloss", 1.0}}}},
+           {{"id", "custom"}, {"label", "Your own"}}}}});
+    return descriptor;
+}
+
+TEST_F(Mistakes, ChoicesThatSetAnotherParameter_AreNone) {
+    EXPECT_EQ(of(shorthandDescriptor()), "");
+}
+
+TEST_F(Mistakes, WhatAChoiceSets_IsAllChecked) {
+    json descriptor = shorthandDescriptor();
+    json& parameter = descriptor["parameters"][1];
+    parameter["compiled"] = true;
+    parameter["default"] = "shiny";
+    parameter["values"][0]["fills"] = {{"gloss", "much"}, {"glos", 1.0}};
+    parameter["values"][1]["fills"] = {{"gloss", 2.0}};
+    const std::string messages = of(descriptor);
+    for (const char* expected :
+         {"'glos' is no other parameter of this block", "the value is outside the range of 'gloss'",
+          "a choice that sets other parameters is in no shader",
+          "another choice sets 'glos', this one does not",
+          "the default choice sets values that are not the defaults"}) {
+        EXPECT_NE(messages.find(expected), std::string::npos) << expected << "\n" << messages;
+    }
+}
+
+TEST_F(Mistakes, NoChoiceForOnesOwnValues_IsFound) {
+    json descriptor = shorthandDescriptor();
+    descriptor["parameters"][1]["values"].erase(2);
+    EXPECT_NE(of(descriptor).find("every choice sets other parameters"), std::string::npos);
+}
+
 } // namespace
 } // namespace patina

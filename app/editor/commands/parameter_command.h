@@ -13,14 +13,17 @@ struct ParameterTarget {
     friend bool operator==(const ParameterTarget&, const ParameterTarget&) = default;
 };
 
-/// Changes one value of a model, Fresnel block, light, fog, object or of the scene.
-class ParameterCommand : public ChangeCommand<ParameterTarget, Value> {
+/// Changes one value of a model, Fresnel block, light, fog, object or of the scene, and those that
+/// it decides with it.
+class ParameterCommand : public ChangeCommand<ParameterTarget, Values> {
   public:
-    ParameterCommand(Document& document, const BlockPath& path, const Parameter& parameter,
-                     const Value& after);
+    ParameterCommand(Document& document, const BlockPath& path, const Block& block,
+                     const Parameter& parameter, const Value& after);
 
   private:
-    void apply(const Value& value) override;
+    ParameterCommand(Document& document, const BlockPath& path, const Parameter& parameter,
+                     const Values& held, const Values& after);
+    void apply(const Values& values) override;
 };
 
 } // namespace patina

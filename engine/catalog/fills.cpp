@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/fills.h"
+
+#include <algorithm>
+
+namespace patina {
+namespace {
+
+const EnumValue* choiceOf(const Parameter& parameter, const Value& value) {
+    const auto* id = std::get_if<std::string>(&value);
+    const auto found =
+        std::find_if(parameter.values.begin(), parameter.values.end(),
+                     [id](const EnumValue& choice) { return id != nullptr && choice.id == *id; });
+    return found == parameter.values.end() ? nullptr : &*found;
+}
+
+const Value& valueIn(const Values& values, const Parameter& parameter) {
+    const auto found = values.find(parameter.id);
+    return found == values.end() ? parameter.defaultValue : found->second;
+}
+
+/// Whether the choice sets nothing, or what it sets is so.
+bool tellsTheTruth(const Block& block, const Values& values, const EnumValue* choice) {
+    return choice == nullptr ||
+           std::all_of(choice->fills.begin(), choice->fills.end(), [&](const auto& fill) {
+               const Parameter* filled = block.parameter(fill.first);
+               return filled == nullptr ||
+                      roundedToFloat(valueIn(values, *filled)) == roundedToFloat(fill.second);
+           });
+}
+
+/// The choice of a shorthand that agrees with the values.
+Value settled(const Block& block, const Values& values, const Parameter& shorthand) {
+    const Value& chosen = valueIn(values, shorthand);
+    if (tellsTheTruth(block, values, choiceOf(shorthand, chosen))) {
+        return chosen;
+    }
+    const auto own = std::find_if(shorthand.values.begin(), shorthand.values.end(),
+                                  [](const EnumValue& choice) { return choice.fills.empty(); });
+    return own == shorthand.values.end() ? chosen : Value(own->id);
+}
+
+bool fills(const Parameter& shorthand, std::string_view id) {
+    return std::any_of(shorthand.values.begin(), shorthand.values.end(),
+                       [id](const EnumValue& choice) { return choice.fills.contains(id); });
+}
+
+/// What a choice sets, and the values of today for what only its siblings set.
+void addFilled(const Block& block, const Values& values, const Parameter& shorthand,
+               Values& after) {
+    if (const EnumValue* choice = choiceOf(shorthand, after.at(shorthand.id))) {
+        for (const auto& [id, value] : choice->fills) {
+            after.insert_or_assign(id, roundedToFloat(value));
+        }
+    }
+    for (const Parameter& parameter : block.parameters) {
+        if (fills(shorthand, parameter.id)) {
+            after.try_emplace(parameter.id, valueIn(values, parameter));
+        }
+    }
+}
+
+} // namespace
+
+bool isShorthand(const Parameter& parameter) {
+    return std::any_of(parameter.values.begin(), parameter.values.end(),
+                       [](const EnumValue& choice) { return !choice.fills.empty(); });
+}
+
+Values afterEdit(const Block& block, const Values& values, const Parameter& parameter,
+                 const Value& wanted) {
+    Values after{{parameter.id, wanted}};
+    if (isShorthand(parameter)) {
+        addFilled(block, values, parameter, after);
+        return after;
+    }
+    for (const Parameter& shorthand : block.parameters) {
+        if (fills(shorthand, parameter.id)) {
+            Values all = values;
+            all.insert_or_assign(parameter.id, wanted);
+            after.insert_or_assign(shorthand.id, settled(block, all, shorthand));
+        }
+    }
+    return after;
+}
+
+void fillGaps(const Block& block, Values& given) {
+    for (const Parameter& parameter : block.parameters) {
+        const auto chosen = given.find(parameter.id);
+        const EnumValue* choice =
+            chosen == given.end() ? nullptr : choiceOf(parameter, chosen->second);
+        if (choice != nullptr) {
+            given.insert(choice->fills.begin(), choice->fills.end());
+        }
+    }
+}
+
+void settleShorthands(const Block& block, Values& values) {
+    for (const Parameter& parameter : block.parameters) {
+        if (isShorthand(parameter)) {
+            values.insert_or_assign(parameter.id, settled(block, values, parameter));
+        }
+    }
+}
+
+} // namespace patina

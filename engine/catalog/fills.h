@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/block.h"
+
+namespace patina {
+
+/// An enum may be shorthand: choosing one of its values sets other parameters of the block (see
+/// EnumValue::fills), and a choice without fills stands for values of one's own. The functions here
+/// keep choice and values telling the same. Such an enum never reaches a shader.
+
+/// Whether any choice of the parameter sets other parameters.
+bool isShorthand(const Parameter& parameter);
+
+/// Every value that setting `parameter` to `wanted` decides: its own; for a shorthand all that its
+/// choices may set; for a parameter that a shorthand sets, the shorthand, which turns to its choice
+/// without fills unless all it sets is as it says. Values that are missing count as their defaults.
+Values afterEdit(const Block& block, const Values& values, const Parameter& parameter,
+                 const Value& wanted);
+
+/// Adds what the given shorthands set and `given` does not have: a value that is given beside a
+/// choice wins.
+void fillGaps(const Block& block, Values& given);
+
+/// Turns each shorthand that does not say what is set to its choice without fills.
+void settleShorthands(const Block& block, Values& values);
+
+} // namespace patina
