@@ -71,4 +71,41 @@ void angXY(double c, double s2, double& x, double& y) {
     y = rightAngles * std::atan2(c, s);
 }
 
+double atanhExcess(double w) {
+    if (w > 0.01) {
+        return atanhOverZ(w) - 1.0;
+    }
+    double sum = 0.0;
+    for (int n = 19; n >= 3; n -= 2) {
+        sum = w * (sum + 1.0 / n);
+    }
+    return sum;
+}
+
+double erfcOf(double a) {
+    return std::erfc(a);
+}
+
+// The same start as in the shader, then until nothing changes.
+double lambertW(double x) {
+    const double L = std::log(std::max(x, 2.72));
+    double w = x < 2.72 ? x / (1.0 + x) : L - std::log(L);
+    for (int i = 0; i < 8; ++i) {
+        w -= (w - x * std::exp(-w)) / (w + 1.0);
+    }
+    return w;
+}
+
+// From the gamma function while its digits last, then the series.
+double stirlingError(double m) {
+    if (m < 16.0) {
+        constexpr double halfLog2Pi = 0.91893853320467274178;
+        return std::lgamma(m + 1.0) - ((m + 0.5) * std::log(m) - m + halfLog2Pi);
+    }
+    const double w = 1.0 / (m * m);
+    return (1.0 / 12.0 +
+            w * (-1.0 / 360.0 + w * (1.0 / 1260.0 + w * (-1.0 / 1680.0 + w / 1188.0)))) /
+           m;
+}
+
 } // namespace patina::reference

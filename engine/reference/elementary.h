@@ -14,6 +14,10 @@ double asinS(double z);
 double versineOf(double a);
 double ierfc(double a);
 double gaussianShare(double w);
+double atanhExcess(double w);
+double erfcOf(double a);
+double lambertW(double x);
+double stirlingError(double m);
 void angXY(double c, double s2, double& x, double& y);
 
 } // namespace patina::reference

@@ -103,3 +103,45 @@ void angXY(float c, float s2, OUT(float) x, OUT(float) y) {
         y = 1.0 - x;
     }
 }
+
+// atanh(z) / z - 1 from w = z^2, 0 <= w <= 1/9: w / 3 + w^2 / 5 + ..., with its own digits where w
+// is small; relative error 6e-6.
+float atanhExcess(float w) {
+    return w * (0.3333316082 + w * (0.2001229762 + w * (0.1398257887 + w * 0.1407888918)));
+}
+
+// erfc(a), a >= 0: t P(t) e^(-a^2) with t = 1 / (1 + a / 2); relative error 4e-8, and that of exp2.
+float erfcOf(float a) {
+    float x = min(a, 10.0); // 0 in float from a = 10 on
+    float t = 1.0 / (1.0 + 0.5 * x);
+    float P = 0.28209479965 + t * (0.28209286733 + t * (0.24691356122 + t * (0.17494859632
+        + t * (0.095827199393 + t * (-0.067958275314 + t * (0.15188517963
+        + t * (-0.48247476051 + t * (0.5168995401 + t * (-0.24558003628
+        + t * 0.045351336624)))))))));
+    return t * P * exp2(-1.4426950408889634 * x * x);
+}
+
+// Lambert's W, the w >= 0 of w e^w = x, x >= 0, by Newton's method from x / (1 + x), or from
+// ln x - ln ln x for large x; relative error 2e-6.
+float lambertW(float x) {
+    float L = 0.69314718055994531 * log2(max(x, 2.72));
+    float w = x < 2.72 ? x / (1.0 + x) : L - 0.69314718055994531 * log2(L);
+    for (int i = 0; i < 4; ++i) {
+        w -= (w - x * exp2(-1.4426950408889634 * w)) / (w + 1.0);
+    }
+    return w;
+}
+
+// What Stirling's formula lacks, ln m! - ((m + 1/2) ln m - m + ln(2 pi) / 2), for whole m >= 1;
+// the error is below 3e-8.
+float stirlingError(float m) {
+    float w = 1.0 / (m * m);
+    float series = (1.0 / 12.0 + w * (-1.0 / 360.0 + w * (1.0 / 1260.0 - w / 1680.0))) / m;
+    if (m < 1.5) {
+        return 0.0810614668;
+    }
+    if (m < 2.5) {
+        return 0.0413406960;
+    }
+    return m < 3.5 ? 0.0276779257 : series;
+}

@@ -105,6 +105,33 @@ TEST(Elementary, PowersOfCosines_KeepTheirBoundForEveryExponent) {
     }
 }
 
+TEST(Elementary, AtanhExcess_KeepsItsBound) {
+    EXPECT_LT(worstError("atanhExcess", [](double u) { return std::vector{u / 9.0}; }), 6e-6);
+}
+
+TEST(Elementary, ErfcOf_KeepsItsBound) {
+    EXPECT_LT(worstError("erfcOf", [](double u) { return std::vector{8.0 * u}; }), 4e-8);
+}
+
+TEST(Elementary, LambertW_KeepsItsBound) {
+    const auto arguments = [](double u) { return std::vector{std::pow(10.0, 60.0 * u - 30.0)}; };
+    EXPECT_LT(worstError("lambertW", arguments), 2e-6);
+}
+
+TEST(Elementary, LambertW_SolvesItsEquation) {
+    for (const double x : {1e-12, 1e-3, 0.5, 2.7, 2.8, 100.0, 1e15}) {
+        const double w = call("lambertW", {x})[0];
+        EXPECT_NEAR(w * std::exp(w) / x, 1.0, 1e-13 * (1.0 + w)) << x;
+    }
+}
+
+TEST(Elementary, StirlingError_KeepsItsBound) {
+    for (double m = 1.0; m < 1000.0; m += 1.0) {
+        EXPECT_NEAR(approximation("stirlingError", {m})[0], call("stirlingError", {m})[0], 3e-8)
+            << m;
+    }
+}
+
 TEST(Elementary, PowersBelowTheHorizon_AreZeroEvenForExponentZero) {
     EXPECT_EQ(call("pow1m", {1.5, -0.5, 0.0})[0], 0.0);
     EXPECT_EQ(call("powSC", {1.0, 0.0, 0.0})[0], 0.0);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/directions.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/wave.glsl"
+
+// The directional diffuse part of one wavelength without |F|^2, times pi (n.l):
+//   G S D / (n.v), D = pi^2 tau^2 / (4 lambda^2) sum_m g^m e^-g / (m! m) e^(-x / m)
+// with x = (pi tau / lambda)^2 |H - (n.H) n|^2 and g = (2 pi sigma / lambda (n.H))^2. For ordinary
+// light the paper's G is (H.H / n.H)^2; it is multiplied into g, whose (n.H)^2 it cancels.
+float heTorranceDiffuse(Directions d, HeTorrance p, float sigma2, float wavelength, float g) {
+    float q = sqr(PI * p.tau / wavelength);
+    float x = q * d.sin2h;
+    float series = 0.0;
+    if (p.series == HE_TORRANCE_SERIES_FULL) {
+        series = waveSeries(g, x, 64, 9.0);
+    } else if (p.series == HE_TORRANCE_SERIES_MEDIUM) {
+        series = waveSeries(g, x, 24, 5.0);
+    } else {
+        series = waveSeries(g, x, 10, 3.3);
+    }
+    return sqr(d.HH * 2.0 * PI / wavelength) * sigma2 * 0.25 * q * series;
+}
+
+// The mirror part, e^-g of the light, spread over the disc that the light is seen as: a cone in
+// 1 - r.v of the whole 1 that falls to 0 at `size`. (n.l) / (n.v) is shared between the two so that
+// the part stays reciprocal; the paper's Delta / d omega.
+float heTorranceMirror(Directions d, float size, float g) {
+    float lobe = max(1.0 - d.versineRv / size, 0.0) / size;
+    return exp2(-1.4426950408889634 * g) * lobe * 2.0 * d.nl / d.nH;
+}
+
+// rho_sp + rho_dd + rho_ud of He, Torrance, Sillion and Greenberg 1991, unpolarised.
+vec3 heTorrance(Directions d, HeTorrance p) {
+    float Kl = roughnessLoss(d.nl, d.sin2l, p.sigma0, p.tau);
+    float Kv = roughnessLoss(d.nv, d.sin2v, p.sigma0, p.tau);
+    float sigma2 = p.sigma0 * p.sigma0 * effectiveRoughness2(Kl, Kv);
+    float Sl = d.nl * waveShadowing(d.nl, d.sin2l, p.sigma0, p.tau);
+    float Sv = waveShadowing(d.nv, d.sin2v, p.sigma0, p.tau);
+    // The mirror part is a Dirac delta under a smaller light; 0.01 degrees is the least.
+    float size = versineOf(max(p.lightRadius, 1.7453293e-4));
+    vec3 F = slotFresnel(halfIncidence(d), p.fresnel);
+    vec3 sum = p.diffuseColor * d.nl;
+    for (int i = 0; i < 3; ++i) {
+        float g = sqr(2.0 * PI * d.nH / p.wavelengths[i]) * sigma2;
+        sum[i] += F[i] * Sl * Sv * heTorranceDiffuse(d, p, sigma2, p.wavelengths[i], g);
+        if (p.lightRadius > 0.0) {
+            sum[i] += F[i] * Sl * (Sv * d.nv) * heTorranceMirror(d, size, g);
+        }
+    }
+    return sum;
+}
