@@ -19,8 +19,9 @@ float beckmannUnmasked(float c, float s2, float alpha) {
 }
 
 // Schlick's rational stand-in: S = c (1 - k) + k, 0 <= k <= 1.
-// Schlick, An Inexpensive BRDF Model for Physically-based Rendering, CGF 13(3), 1994; k = alpha sqrt(2 / pi)
-// for Beckmann, alpha / 2 for GGX (Karis, Real Shading in Unreal Engine 4, SIGGRAPH 2013 course).
+// Schlick, An Inexpensive BRDF Model for Physically-based Rendering, CGF 13(3), 1994; k = alpha
+// sqrt(2 / pi) for Beckmann, alpha / 2 for GGX (Karis, Real Shading in Unreal Engine 4, SIGGRAPH
+// 2013 course).
 float schlickUnmasked(float c, float k) {
     return c + k * (1.0 - c);
 }
@@ -31,7 +32,8 @@ float separableVisibility(float nl, float Sl, float Sv) {
 }
 
 // G / (4 n.v) with G = 1 / (1 + Lambda(l) + Lambda(v)): the deeper a point lies, the more it is
-// hidden from both. Ross, Dion and Potvin, JOSA A 22(11), 2005; Heitz, JCGT 3(2), 2014, equation 99.
+// hidden from both. Ross, Dion and Potvin, JOSA A 22(11), 2005; Heitz, JCGT 3(2), 2014, equation
+// 99.
 float correlatedVisibility(float nl, float nv, float Sl, float Sv) {
     return 0.25 * nl / (nv * Sl + nl * (Sv - nv));
 }

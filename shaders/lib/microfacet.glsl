@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Microfacet distributions and their v-cavity masking. sin2h : cos2h is sin^2 : cos^2 of the angle
-// theta between the normal and the half vector, on any common scale. A D is in 1/sr and the integral
-// of D cos over the hemisphere is 1; a lobe is 1 at theta = 0.
+// theta between the normal and the half vector, on any common scale. A D is in 1/sr and the
+// integral of D cos over the hemisphere is 1; a lobe is 1 at theta = 0.
 #include "lib/elementary.glsl"
 #include "lib/math.glsl"
 
@@ -36,10 +36,11 @@ float trowbridgeReitzWidth(float beta) {
 // 0 < beta < pi/2. Blinn 1977, distribution D1.
 float phongExponent(float beta) {
     float s = sin(beta);
-    return 0.69314718055994531 / minusLnCos(s * s, 1.0 - s * s);
+    return 0.69314718055994531 / (s * s * minusLnCosBySin2(s * s, 1.0 - s * s));
 }
 
-// Phong's lobe as a distribution: D = (e + 2) cos^e / (2 pi), e >= 0. Walter et al. 2007, equation 30.
+// Phong's lobe as a distribution: D = (e + 2) cos^e / (2 pi), e >= 0. Walter et al. 2007, equation
+// 30.
 float cosinePowerDistribution(float sin2h, float cos2h, float e) {
     return (e + 2.0) * powSC(sin2h, cos2h, e) / (2.0 * PI);
 }
@@ -49,13 +50,14 @@ float squaredAngle(float sin2h, float cos2h, float nh) {
     return acos2(min(2.0 * sin2h / ((sin2h + cos2h) * (1.0 + nh)), 2.0));
 }
 
-// The width of the Gaussian that falls to a half at theta = beta: beta / sqrt(ln 2). Blinn 1977, D2.
+// The width of the Gaussian that falls to a half at theta = beta: beta / sqrt(ln 2). Blinn 1977,
+// D2.
 float gaussianWidth(float beta) {
     return 1.2011224087864498 * beta;
 }
 
-// The lobe e^(-(theta / width)^2), width > 0 in radians: Blinn 1977, distribution D2, which he takes
-// from Torrance and Sparrow 1967; the Gaussian of Cook and Torrance 1982, section 4.
+// The lobe e^(-(theta / width)^2), width > 0 in radians: Blinn 1977, distribution D2, which he
+// takes from Torrance and Sparrow 1967; the Gaussian of Cook and Torrance 1982, section 4.
 float gaussianLobe(float sin2h, float cos2h, float nh, float width) {
     float inverse = 1.0 / width;
     return exp2(-1.4426950408889634 * (squaredAngle(sin2h, cos2h, nh) * inverse) * inverse);

@@ -22,7 +22,8 @@ float ggxD(float nh, float alpha) {
     return ggxDistribution(sineSquared(nh), cosineSquared(nh), slopeWidth(alpha));
 }
 
-// Trowbridge and Reitz as Blinn 1977 prints it (D3): (c3^2 / ((n.h)^2 (c3^2 - 1) + 1))^2, 1 at n = h.
+// Trowbridge and Reitz as Blinn 1977 prints it (D3): (c3^2 / ((n.h)^2 (c3^2 - 1) + 1))^2, 1 at n =
+// h.
 float trowbridgeReitzD(float nh, float c3) {
     float alpha = slopeWidth(c3);
     return PI * alpha * alpha * ggxDistribution(sineSquared(nh), cosineSquared(nh), alpha);

@@ -62,9 +62,9 @@ TEST(Elementary, VersineOf_KeepsItsBound) {
     EXPECT_LT(worstError("versineOf", arguments), 4e-7);
 }
 
-TEST(Elementary, MinusLnCos_KeepsItsBound) {
+TEST(Elementary, MinusLnCosBySin2_KeepsItsBound) {
     const auto squares = [](double u) { return std::vector{u, 1.0 - 0.999 * u}; };
-    EXPECT_LT(worstError("minusLnCos", squares), 3e-7);
+    EXPECT_LT(worstError("minusLnCosBySin2", squares), 3e-7);
 }
 
 TEST(Elementary, Ierfc_KeepsItsBound) {
@@ -84,6 +84,12 @@ TEST(Elementary, GaussianShare_MatchesTheTabulatedIntegral) {
     // Blinn's Gaussian of width 0.3 integrates to 0.26637406875084752 over the hemisphere.
     EXPECT_NEAR(std::numbers::pi * 0.09 * call("gaussianShare", {0.09})[0], 0.26637406875084752,
                 1e-15);
+}
+
+TEST(Elementary, AngleOf_KeepsItsBound) {
+    const auto angle = [](double u) { return 0.5 * std::numbers::pi * u; };
+    const auto unit = [&](double u) { return std::vector{std::sin(angle(u)), std::cos(angle(u))}; };
+    EXPECT_LT(worstError("angleOf", unit), 2e-8);
 }
 
 TEST(Elementary, AngXY_KeepsItsBound) {
@@ -129,6 +135,14 @@ TEST(Elementary, StirlingError_KeepsItsBound) {
     for (double m = 1.0; m < 1000.0; m += 1.0) {
         EXPECT_NEAR(approximation("stirlingError", {m})[0], call("stirlingError", {m})[0], 3e-8)
             << m;
+    }
+}
+
+TEST(Elementary, PowNear1_KeepsItsBoundOnBothSides) {
+    for (const double e : {0.0, 1.0, 25.0}) {
+        const auto around = [](double u) { return 2.9 * u - 1.9; };
+        const auto versine = [&](double u) { return std::vector{around(u), 1.0 - around(u), e}; };
+        EXPECT_LT(worstError("powNear1", versine), 2e-6 + 2e-7 * e) << "exponent " << e;
     }
 }
 

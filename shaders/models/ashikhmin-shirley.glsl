@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/anisotropy.glsl"
+#include "lib/elementary.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/gloss.glsl"
+
+// 1 - (1 - y)^5 for y = 0 .. 1, multiplied out so that a small y keeps its digits.
+float ashikhminShirleyRise(float y) {
+    return y * (5.0 - y * (10.0 - y * (10.0 - y * (5.0 - y))));
+}
+
+// (n.h)^(nu cos^2 phi + nv sin^2 phi) sqrt((nu + 1)(nv + 1)) with phi the azimuth of h. The
+// exponent is (nu (H.t)^2 + nv (H.b)^2) / sin^2 on the scale of H, and -ln cos / sin^2 has a limit
+// at h = n.
+float ashikhminShirleyLobe(Directions d, AshikhminShirley p) {
+    Directions g = alongGrain(d, p.tangentAngle);
+    float weight = p.shininessX * sqr(g.lt + g.vt) + p.shininessY * sqr(g.lb + g.vb);
+    return exp2(-1.4426950408889634 * weight * minusLnCosBySin2(d.sin2h, d.cos2h))
+        * sqrt((p.shininessX + 1.0) * (p.shininessY + 1.0));
+}
+
+// Ashikhmin and Shirley 2000, equations 4 and 5, with F the slot's reflectance at h.l and Rs that
+// facing the surface; pi f cos theta_l. 28/23 is the exact normaliser of the diffuse part.
+vec3 ashikhminShirley(Directions d, AshikhminShirley p) {
+    vec3 F = slotFresnel(halfIncidence(d), p.fresnel);
+    float lobe = 0.125 * ashikhminShirleyLobe(d, p) * (d.nl / max(d.nl, d.nv))
+        / max(d.lh, 1e-20);
+    vec3 diffuse = p.diffuseColor * d.nl;
+    if (p.diffuseKind == ASHIKHMIN_SHIRLEY_DIFFUSE_KIND_COUPLED) {
+        vec3 Rs = p.specularColor * slotFresnel(incidenceOf(1.0), p.fresnel);
+        float rise = ashikhminShirleyRise(0.5 * d.nl) * ashikhminShirleyRise(0.5 * d.nv);
+        diffuse *= (vec3(1.0) - Rs) * (1.2173913043478261 * rise);
+    }
+    vec3 highlight = p.specularColor * F * lobe;
+    return diffuse
+        + glossed(highlight, p.gloss, p.glossMode == ASHIKHMIN_SHIRLEY_GLOSS_MODE_LIMIT, d.nl);
+}
