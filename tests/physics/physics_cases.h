@@ -64,6 +64,11 @@ struct Subject {
     double reflectance(double c) const { return code->fresnel(c, 1.0 - c, parameters).x; }
 };
 
+/// What fills a model's slot so that it reflects f0 facing the surface, rising by Schlick's power.
+inline Subject schlickFrom(double f0) {
+    return Subject("fresnel", "schlick", {{"f0", glm::dvec3(f0)}});
+}
+
 /// The results of a function of the shader library.
 inline std::vector<double> call(const std::string& name, const std::vector<double>& arguments) {
     const reference::Function* function = reference::findFunction(name);
