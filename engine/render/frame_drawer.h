@@ -30,6 +30,7 @@ class FrameDrawer {
 
     unsigned linearFramebuffer() const { return target_.resolvedFramebuffer(); }
     const FrameReport& report() const { return report_; }
+    GpuMeshStore& meshStore() { return meshes_; }
 
   private:
     /// What is kept of an object from frame to frame, by its place in the scene.

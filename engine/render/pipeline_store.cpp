@@ -33,7 +33,7 @@ const PipelineStore::Entry& PipelineStore::find(const Key& key, const Material& 
 
 PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneKey) {
     auto pipeline = std::make_shared<Pipeline>();
-    const auto source = surfaceProgram(effects, *catalog_);
+    const auto source = surfaceProgram(effects, *catalog_, output_);
     if (!source) {
         return {nullptr, source.error()};
     }

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "render/pipeline.h"
 #include "shading/program_cache.h"
+#include "shading/surface_output.h"
 
 namespace patina {
 
@@ -19,8 +20,9 @@ class PipelineStore {
         Errors errors;
     };
 
-    explicit PipelineStore(std::filesystem::path programCache)
-        : programs_(std::move(programCache)) {}
+    explicit PipelineStore(std::filesystem::path programCache,
+                           SurfaceOutput output = SurfaceOutput::Picture)
+        : programs_(std::move(programCache)), output_(output) {}
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
@@ -41,6 +43,7 @@ class PipelineStore {
 
     std::shared_ptr<const Catalog> catalog_;
     ProgramCache programs_;
+    SurfaceOutput output_;
     std::map<Key, Entry> entries_;
 };
 

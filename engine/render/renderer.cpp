@@ -6,12 +6,42 @@
 #include "gl/driver.h"
 #include "render/capture_image.h"
 #include "render/frame_drawer.h"
+#include "render/inspection_drawer.h"
 
 namespace patina {
 
 class Renderer::Implementation : public FrameDrawer {
   public:
-    using FrameDrawer::FrameDrawer;
+    explicit Implementation(const std::filesystem::path& programCache)
+        : FrameDrawer(programCache), programCache_(programCache) {}
+
+    void setCatalog(std::shared_ptr<const Catalog> catalog) {
+        catalog_ = catalog;
+        FrameDrawer::setCatalog(std::move(catalog));
+        if (inspection_) {
+            inspection_->setCatalog(catalog_);
+        }
+    }
+
+    /// Made when it is first asked for.
+    InspectionDrawer& inspection() {
+        if (!inspection_) {
+            inspection_ = std::make_unique<InspectionDrawer>(programCache_, meshStore());
+            inspection_->setCatalog(catalog_);
+        }
+        return *inspection_;
+    }
+
+    void endInspection() { inspection_.reset(); }
+
+    const FrameReport& lastReport() const {
+        return inspection_ ? inspection_->report() : FrameDrawer::report();
+    }
+
+  private:
+    std::filesystem::path programCache_;
+    std::shared_ptr<const Catalog> catalog_;
+    std::unique_ptr<InspectionDrawer> inspection_;
 };
 
 Renderer::Renderer() = default;
@@ -32,6 +62,7 @@ void Renderer::setCatalog(std::shared_ptr<const Catalog> catalog) {
 
 const FrameReport& Renderer::draw(const Scene& scene, const View& view, const MeshSource& meshes,
                                   unsigned framebuffer) {
+    implementation_->endInspection();
     if (implementation_->drawLinear(scene, view, meshes)) {
         implementation_->show(scene, view, framebuffer);
     }
@@ -50,8 +81,34 @@ Result<Image> Renderer::capture(const Scene& scene, const View& view, const Mesh
         view.size, [&](unsigned framebuffer) { implementation_->show(scene, view, framebuffer); });
 }
 
+const FrameReport& Renderer::drawInspection(const Scene& scene, const View& view,
+                                            const MeshSource& meshes, unsigned framebuffer) {
+    InspectionDrawer& inspection = implementation_->inspection();
+    if (inspection.drawLinear(scene, view, meshes)) {
+        inspection.show(scene, view, framebuffer);
+    }
+    return inspection.report();
+}
+
+Result<Image> Renderer::captureInspection(const Scene& scene, const View& view,
+                                          const MeshSource& meshes, bool display) {
+    InspectionDrawer& inspection = implementation_->inspection();
+    if (auto drawn = inspection.drawLinear(scene, view, meshes); !drawn) {
+        return tl::unexpected(drawn.error());
+    }
+    if (!display) {
+        return readLinear(inspection.linearFramebuffer(), view.size, 0.0);
+    }
+    return readDisplay(view.size, [&](unsigned target) { inspection.show(scene, view, target); });
+}
+
+Result<std::optional<PixelProbe>> Renderer::probe(const Scene& scene, const View& view,
+                                                  const MeshSource& meshes, glm::ivec2 pixel) {
+    return implementation_->inspection().probe(scene, view, meshes, pixel);
+}
+
 const FrameReport& Renderer::report() const {
-    return implementation_->report();
+    return implementation_->lastReport();
 }
 
 } // namespace patina

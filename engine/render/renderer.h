@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 #include "core/image.h"
 #include "core/mesh.h"
+#include "render/pixel_probe.h"
 #include "scene/scene.h"
 
 namespace patina {
@@ -60,6 +62,22 @@ class Renderer {
     /// 8-bit display values / 255 when `display` is true.
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                           bool display);
+
+    /// The numerical check: the frame in muted grey with patterns where a number is not finite or
+    /// negative before anything cuts it, or where the surface sends out more than arrives. A
+    /// program of its own; draw() gives back what it took.
+    const FrameReport& drawInspection(const Scene& scene, const View& view,
+                                      const MeshSource& meshes, unsigned framebuffer);
+
+    /// The same frame as drawInspection() shows it, or as it is before that: luminance in red,
+    /// PixelDefect in green.
+    Result<Image> captureInspection(const Scene& scene, const View& view, const MeshSource& meshes,
+                                    bool display);
+
+    /// The numbers of one pixel of that frame, (0, 0) at the top left; nothing where there is no
+    /// object. Draws only that pixel.
+    Result<std::optional<PixelProbe>> probe(const Scene& scene, const View& view,
+                                            const MeshSource& meshes, glm::ivec2 pixel);
 
     /// Of the last draw or capture.
     const FrameReport& report() const;

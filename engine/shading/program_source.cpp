@@ -38,16 +38,18 @@ std::string ProgramSource::hash() const {
     return boost::uuids::to_string(generate(vertex.text + '\0' + fragment.text));
 }
 
-Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog) {
+Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
+                                      SurfaceOutput output) {
     const ObjectLayout layout = objectLayout(set, catalog);
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
     vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
-    vertex.addFile("passes/surface.vert");
+    vertex.addFile(output == SurfaceOutput::AlbedoTable ? "passes/screen.vert"
+                                                        : "passes/surface.vert");
 
     SourceBuilder fragment(shaderRoot(catalog));
     fragment.add(prelude);
-    SurfaceWriter(fragment, set, layout, sceneLayout(set.scene, catalog)).write();
+    SurfaceWriter(fragment, set, layout, sceneLayout(set.scene, catalog)).write(output);
     return joined(vertex, fragment);
 }
 

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "shading/effect_set.h"
 #include "shading/shader_source.h"
+#include "shading/surface_output.h"
 
 namespace patina {
 
@@ -20,8 +21,10 @@ struct ProgramSource {
 };
 
 /// The program that draws surfaces with exactly these effects, in canonical order: what is not in
-/// the set is not in the text. Errors name files that could not be read.
-Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog);
+/// the set is not in the text. Errors name files that could not be read. A set without a model has
+/// no table of albedos.
+Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
+                                      SurfaceOutput output = SurfaceOutput::Picture);
 
 /// A program made of files of the shader folder alone.
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,

@@ -10,6 +10,12 @@
 namespace patina {
 namespace {
 
+/// The body of the loop over lights; {} is a light's Illumination.
+constexpr const char* litSource = "        sum += lit(s, {}, p);\n";
+constexpr const char* inspectedLitSource =
+    "        Illumination light = inspectedLight({});\n        sum += lit(s, light, p);\n"
+    "        noteLight(s, light);\n";
+
 bool hasGate(const Block& model, std::string_view gate) {
     return std::find(model.gates.begin(), model.gates.end(), gate) != model.gates.end();
 }
@@ -32,7 +38,16 @@ SurfaceWriter::SurfaceWriter(SourceBuilder& out, const EffectSet& set, const Obj
                              const SceneLayout& scene)
     : out_(out), set_(set), object_(object), scene_(scene) {}
 
-void SurfaceWriter::write() {
+void SurfaceWriter::write(SurfaceOutput output) {
+    output_ = output;
+    if (output == SurfaceOutput::AlbedoTable) {
+        writeAlbedoTable();
+    } else {
+        writeSurface();
+    }
+}
+
+void SurfaceWriter::writeSurface() {
     writeFrame();
     if (object_.model) {
         writeSlots();
@@ -54,7 +69,34 @@ void SurfaceWriter::writeFrame() {
     out_.add(fmt::format("#define OBJECT_VEC4S {}\n#define SCENE_VEC4S {}\n", object_.vec4s,
                          SceneLayout::capacity));
     out_.addFile("passes/surface.glsl");
+    if (isInspected()) {
+        out_.addFile("passes/inspection.glsl");
+    }
     readFrom("objectData");
+}
+
+/// The model alone.
+void SurfaceWriter::writeAlbedoTable() {
+    out_.add(fmt::format("#define OBJECT_VEC4S {}\n", object_.vec4s));
+    for (const char* file : {"passes/blocks.glsl", "lib/directions.glsl", "lib/math.glsl"}) {
+        out_.addFile(file);
+    }
+    readFrom("objectData");
+    writeSlots();
+    writeModel();
+    const AlbedoTableShape shape = albedoTableShape(*object_.model->block);
+    out_.add(fmt::format("#define TABLE_WIDTH {}\n#define TABLE_HEIGHT {}\n#define SECTORS {}\n",
+                         shape.size.x, shape.size.y, shape.sectors));
+    out_.addFile("passes/albedo_table.glsl");
+    out_.add("void main() {\n" + main_ + "    storeAlbedo(model);\n}\n");
+}
+
+/// What a probe can read, as a statement of main behind the one that made it.
+void SurfaceWriter::noteTerm(const std::string& term, const std::string& value,
+                             const std::string& detail) {
+    if (isInspected()) {
+        main_ += fmt::format("    noteTerm(TERM_{}, {}, {});\n", term, value, detail);
+    }
 }
 
 void SurfaceWriter::readFrom(const std::string& array) {
@@ -96,8 +138,13 @@ void SurfaceWriter::writeModel() {
     const Block& model = *object_.model->block;
     writeBlock(model);
     out_.add(unpackSource(model, {"unpackModel", set_.model->compiled, filled_}));
-    out_.add(fmt::format("#define Model {}\n#define shadeModel {}\n#define IS_DARK(d) ({})\n",
-                         structName(model), functionName(model), gateSource(model)));
+    out_.add(fmt::format("#define Model {}\n#define {} {}\n#define IS_DARK(d) ({})\n",
+                         structName(model), isInspected() ? "modelValue" : "shadeModel",
+                         functionName(model), gateSource(model)));
+    if (isInspected()) {
+        out_.addFile("passes/inspected_model.glsl");
+        out_.add("#define shadeModel inspectedModel\n");
+    }
     main_ += fmt::format("    Model model = unpackModel({});\n", object_.model->first);
 }
 
@@ -118,17 +165,20 @@ void SurfaceWriter::writeLightGroup(std::size_t index) {
     writeBlock(*group.block);
     writeUnpack(*group.block, set_.scene.lights[index].block,
                 fmt::format("unpack{}{}", type, index));
+    const std::string arrives = fmt::format("{}(s.x, source)", functionName(*group.block));
     out_.add(fmt::format("vec3 from{0}{1}(Surface s, Model p) {{\n"
                          "    vec3 sum = vec3(0.0);\n"
                          "    int count = int(sceneData[{2}].x);\n"
                          "    int first = int(sceneData[{2}].y);\n"
                          "    for (int i = 0; i < count; ++i) {{\n"
                          "        {0} source = unpack{0}{1}(first + i * {3});\n"
-                         "        sum += lit(s, {4}(s.x, source), p);\n"
+                         "{4}"
                          "    }}\n"
                          "    return sum;\n"
                          "}}\n",
-                         type, index, group.first, group.vec4s(), functionName(*group.block)));
+                         type, index, group.first, group.vec4s(),
+                         fmt::format(fmt::runtime(isInspected() ? inspectedLitSource : litSource),
+                                     arrives)));
     main_ += fmt::format("    shaded += from{}{}(s, model);\n", type, index);
 }
 
@@ -137,6 +187,8 @@ void SurfaceWriter::writeAmbient() {
         out_.addFile("passes/ambient.glsl");
         main_ += fmt::format("    shaded += sceneData[{}].rgb * ambientShare(s, model);\n",
                              SceneLayout::ambient);
+        noteTerm("AMBIENT", fmt::format("sceneData[{}].rgb * modelled", SceneLayout::ambient),
+                 "0.0");
     }
 }
 
@@ -144,6 +196,7 @@ void SurfaceWriter::writeAmbient() {
 void SurfaceWriter::writeEmission() {
     for (const std::string& color : set_.emission) {
         main_ += fmt::format("    shaded += model.{};\n", fieldName(color));
+        noteTerm("EMISSION", "model." + fieldName(color), "0.0");
     }
 }
 
@@ -156,11 +209,13 @@ void SurfaceWriter::writeBlend() {
     writeBlock(block);
     writeUnpack(block, *set_.blend, "unpackBlend");
     const std::string function = functionName(block);
-    out_.add(fmt::format("#define Blend {}\n#define blendShare {}\n#define blendTint {}Tint\n",
-                         structName(block), function, function));
+    const char* share = isInspected() ? "blendShare(i, p) lookedShare({}(i, p))" : "blendShare {}";
+    out_.add(fmt::format("#define Blend {}\n#define {}\n#define blendTint {}Tint\n",
+                         structName(block), fmt::format(fmt::runtime(share), function), function));
     out_.addFile("passes/fresnel_blend.glsl");
     main_ += fmt::format("    shaded = fresnelBlended(s, shaded, unpackBlend({}));\n",
                          object_.blend->first);
+    noteTerm("BLENDED", "shaded", "share");
 }
 
 void SurfaceWriter::writeFog() {
@@ -172,10 +227,12 @@ void SurfaceWriter::writeFog() {
     writeBlock(block);
     writeUnpack(block, *set_.scene.fog, "unpackFog");
     const std::string function = functionName(block);
-    out_.add(fmt::format("#define Fog {}\n#define fogShare {}\n#define fogColor {}Color\n",
-                         structName(block), function, function));
+    const char* share = isInspected() ? "fogShare(x, p) lookedShare({}(x, p))" : "fogShare {}";
+    out_.add(fmt::format("#define Fog {}\n#define {}\n#define fogColor {}Color\n",
+                         structName(block), fmt::format(fmt::runtime(share), function), function));
     out_.addFile("passes/fog.glsl");
     main_ += fmt::format("    shaded = fogged(s, shaded, unpackFog({}));\n", scene_.fog->first);
+    noteTerm("FOGGED", "shaded", "share");
 }
 
 void SurfaceWriter::writeOpacity() {
@@ -186,10 +243,14 @@ void SurfaceWriter::writeOpacity() {
 }
 
 void SurfaceWriter::writeMain() {
+    const char* albedo = object_.model ? "albedoAt(s)" : "vec4(0.0)";
+    const std::string store =
+        isInspected() ? fmt::format("storeInspected(s, shaded, {}, {})", albedo, alpha_)
+                      : fmt::format("store(shaded, {})", alpha_);
     out_.add(
         fmt::format("void main() {{\n    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
-                    "{}    store(shaded, {});\n}}\n",
-                    main_, alpha_));
+                    "{}    {};\n}}\n",
+                    main_, store));
 }
 
 } // namespace patina

@@ -8,19 +8,23 @@
 #include "shading/data_layout.h"
 #include "shading/effect_set.h"
 #include "shading/source_builder.h"
+#include "shading/surface_output.h"
 
 namespace patina {
 
 /// Writes the fragment stage that draws surfaces: each effect adds its declarations, then its
-/// statement in main. Nothing is written for an effect that is not in the set.
+/// statement in main. Nothing is written for an effect that is not in the set, and nothing of the
+/// inspection into the program of a picture.
 class SurfaceWriter {
   public:
     SurfaceWriter(SourceBuilder& out, const EffectSet& set, const ObjectLayout& object,
                   const SceneLayout& scene);
 
-    void write();
+    void write(SurfaceOutput output = SurfaceOutput::Picture);
 
   private:
+    void writeSurface();
+    void writeAlbedoTable();
     void writeFrame();
     void writeSlots();
     void writeModel();
@@ -35,11 +39,14 @@ class SurfaceWriter {
     void writeBlock(const Block& block);
     void writeUnpack(const Block& block, const BlockUse& use, const std::string& function);
     void readFrom(const std::string& array);
+    bool isInspected() const { return output_ == SurfaceOutput::Inspection; }
+    void noteTerm(const std::string& term, const std::string& value, const std::string& detail);
 
     SourceBuilder& out_;
     const EffectSet& set_;
     const ObjectLayout& object_;
     const SceneLayout& scene_;
+    SurfaceOutput output_ = SurfaceOutput::Picture;
     std::vector<const Block*> written_;
     std::vector<SlotFill> filled_;
     std::string main_;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "catalog/block.h"
+
+namespace patina {
+
+/// What a program writes that is made from a set of effects.
+enum class SurfaceOutput {
+    Picture,     ///< the light that the surface sends to the viewer
+    Inspection,  ///< its luminance, what is wrong with its numbers, and the numbers themselves
+    AlbedoTable, ///< the model's albedo by the viewer's direction, without mesh, lights or fog
+};
+
+/// How finely a table of albedos is made.
+struct AlbedoTableShape {
+    glm::ivec2 size{24, 16}; ///< roots of n.v, azimuths of the viewer
+    int sectors = 48;        ///< directions of light in each ring around the mirror direction
+
+    friend bool operator==(const AlbedoTableShape&, const AlbedoTableShape&) = default;
+};
+
+/// A model that claims to be isotropic has one azimuth and needs fewer directions.
+AlbedoTableShape albedoTableShape(const Block& model);
+
+} // namespace patina

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT-0
+// The model between lit.glsl or ambient.glsl and its own function, here modelValue.
+#include "passes/inspection.glsl"
+#include "lib/illumination.glsl"
+
+uniform sampler2D albedoTable;
+
+vec3 inspectedModel(Directions d, Model p) {
+    modelled = modelValue(d, p);
+    lookAt(modelled);
+    return modelled;
+}
+
+// How much of a uniform white sky the surface sends to the viewer, from the table that
+// albedo_table.glsl fills: across, the root of n.v; up, the viewer's azimuth from the tangent.
+vec4 albedoAt(Surface s) {
+    float azimuth = atan(dot(s.v, s.b), dot(s.v, s.t)) / (2.0 * PI);
+    return vec4(texture(albedoTable, vec2(safeSqrt(dot(s.n, s.v)), azimuth)).rgb, 1.0);
+}
+
+Illumination inspectedLight(Illumination light) {
+    lookAt(light.radiance);
+    lookAt(abs(light.l));
+    modelled = vec3(0.0);
+    return light;
+}
+
+// A light's own share, as the model returned it.
+void noteLight(Surface s, Illumination light) {
+    vec3 arrived = light.radiance * modelled;
+    lookAt(arrived);
+    noteTerm(lightTerm, arrived, dot(s.n, light.l));
+    ++lightTerm;
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT-0
+// The numerical check: every number of a pixel is looked at as it was computed, before anything
+// cuts or clamps it. Only programs of that view contain this file.
+
+// What a pixel shows when nothing is wrong is 0; of several defects the last one is shown.
+const float ABOVE_ONE = 1.0;
+const float NEGATIVE = 2.0;
+const float INFINITE = 3.0;
+const float NO_NUMBER = 4.0;
+
+// The share by which the estimate of the albedo may be off.
+const float ALBEDO_DOUBT = 0.02;
+
+// The terms of a pixel that a probe reads, in windows of this many from `firstTerm` on: first
+// those below, then one for each light in the order of the program.
+const int WINDOW = 7;
+const int TERM_NORMAL = 0;   // w: n.v
+const int TERM_ALBEDO = 1;   // w: 1 where there is one
+const int TERM_AMBIENT = 2;
+const int TERM_EMISSION = 3;
+const int TERM_BLENDED = 4;  // w: the reflectance that blends (green)
+const int TERM_FOGGED = 5;   // w: the share of the surface's colour that is left
+const int TERM_STORED = 6;   // w: opacity
+const int TERM_LIGHT = 7;    // w: n.l
+
+uniform int firstTerm;
+uniform float objectNumber; // what the pixel shows, from 1 on
+
+layout(location = 1) out vec4 storedTerms[7];
+
+float defect = 0.0;
+vec4 terms[WINDOW];
+int lightTerm = TERM_LIGHT;
+vec3 modelled = vec3(0.0); // what the model returned last
+float share = 1.0;         // what was blended with last
+
+// From the bits: compilers may take a comparison with a number for always true.
+float defectOf(float x) {
+    uint magnitude = floatBitsToUint(x) & 0x7fffffffu;
+    if (magnitude >= 0x7f800000u) {
+        return magnitude > 0x7f800000u ? NO_NUMBER : INFINITE;
+    }
+    return x < 0.0 ? NEGATIVE : 0.0;
+}
+
+void lookAt(vec3 value) {
+    defect = max(defect, max(max(defectOf(value.r), defectOf(value.g)), defectOf(value.b)));
+}
+
+void noteTerm(int index, vec3 value, float detail) {
+    int place = index - firstTerm;
+    if (place >= 0 && place < WINDOW) {
+        terms[place] += vec4(value, detail);
+    }
+}
+
+vec3 lookedShare(vec3 x) {
+    lookAt(x);
+    share = x.g;
+    return x;
+}
+
+float lookedShare(float x) {
+    lookAt(vec3(x));
+    share = x;
+    return x;
+}
+
+float shownGrey(vec3 color) {
+    return storable(dot(color, vec3(0.2126, 0.7152, 0.0722)));
+}
+
+// Red: the picture's luminance; green: the defect; blue: the object. Nothing of it is blended or averaged.
+void storeInspected(Surface s, vec3 color, vec4 albedo, float alpha) {
+    lookAt(color);
+    if (defect == 0.0 && max(max(albedo.r, albedo.g), albedo.b) > 1.0 + ALBEDO_DOUBT) {
+        defect = ABOVE_ONE;
+    }
+    noteTerm(TERM_NORMAL, s.n, dot(s.n, s.v));
+    noteTerm(TERM_ALBEDO, albedo.rgb, albedo.a);
+    noteTerm(TERM_STORED, color, alpha);
+    storedColor = vec4(shownGrey(color), defect, objectNumber, 1.0);
+    for (int i = 0; i < WINDOW; ++i) {
+        storedTerms[i] = terms[i];
+    }
+}

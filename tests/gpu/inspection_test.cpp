@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numerical check: models that break in one way each, seen pixel by pixel.
+#include <cmath>
+
+#include "gpu_fixture.h"
+#include "shading/program_source.h"
+#include "support/program.h"
+
+namespace patina {
+namespace {
+
+using tests::TemporaryFolder;
+using tests::writeFile;
+
+class InspectionTest : public GpuTest {
+  protected:
+    /// A user's model whose value is the expression `value`, in terms of `d`.
+    void makeModel(const std::string& value) {
+        writeFile(folder_ / "models/broken-test.json", R"({
+  "id": "broken-test", "version": 1, "label": "Broken", "summary": "s", "applications": "a",
+  "source": "a test", "doc": "d",
+  "parameters": [
+    {"id": "zero", "label": "Zero", "type": "float", "default": 0, "min": 0, "max": 1,
+     "softMin": 0, "softMax": 1, "step": 0.01, "decimals": 2, "group": "g", "doc": "d"}
+  ],
+  "claims": []
+})");
+        writeFile(folder_ / "models/broken-test.glsl",
+                  "// SPDX-License-Identifier: MIT-0\n"
+                  "vec3 brokenTest(Directions d, BrokenTest p) {\n    return vec3(" +
+                      value + ");\n}\n");
+        const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true},
+                               BlockRoot{folder_.path(), false}};
+        catalog = std::make_shared<const Catalog>(loadCatalog(roots));
+        ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
+        makeRenderer();
+    }
+
+    Image inspected(const Scene& scene, bool display = false) {
+        auto image =
+            renderer->captureInspection(scene, viewOf(scene, size), meshSource(), display);
+        EXPECT_TRUE(image) << (image ? "" : image.error().text());
+        return image ? *image : Image();
+    }
+
+    PixelDefect defectAt(const Image& image, int x, int y) {
+        return static_cast<PixelDefect>(std::lround(pixel(image, x, y).g));
+    }
+
+    PixelDefect defectInTheMiddle(const std::string& value) {
+        makeModel(value);
+        return defectAt(inspected(simpleScene("broken-test")), size / 2, size / 2);
+    }
+
+    std::optional<PixelProbe> probe(const Scene& scene, glm::ivec2 place) {
+        auto found = renderer->probe(scene, viewOf(scene, size), meshSource(), place);
+        EXPECT_TRUE(found) << (found ? "" : found.error().text());
+        return found ? *found : std::nullopt;
+    }
+
+    /// The leftmost place of the middle row that shows the sphere.
+    int edge(const Scene& scene) {
+        int x = 0;
+        while (x < size / 2 && !probe(scene, {x, size / 2})) {
+            ++x;
+        }
+        return x;
+    }
+
+    static constexpr int size = 65;
+    static constexpr glm::ivec2 center{size / 2, size / 2};
+    TemporaryFolder folder_;
+};
+
+/// The square root of something that is negative near the outline only.
+constexpr const char* brokenAtGrazing = "sqrt(d.nv - 0.3 + p.zero)";
+
+TEST_F(InspectionTest, NotANumberAtGrazing_IsFoundThere) {
+    makeModel(brokenAtGrazing);
+    const Scene scene = simpleScene("broken-test");
+    EXPECT_EQ(defectAt(inspected(scene), edge(scene), size / 2), PixelDefect::NotANumber);
+}
+
+TEST_F(InspectionTest, NotANumberAtGrazing_IsNotFoundElsewhere) {
+    makeModel(brokenAtGrazing);
+    const PixelDefect found =
+        defectAt(inspected(simpleScene("broken-test")), size / 2, size / 2);
+    EXPECT_NE(found, PixelDefect::NotANumber);
+}
+
+TEST_F(InspectionTest, NotANumber_IsPaintedInColour) {
+    makeModel(brokenAtGrazing);
+    const Scene scene = simpleScene("broken-test");
+    const glm::vec3 shown = pixel(inspected(scene, true), edge(scene), size / 2);
+    EXPECT_GT(std::abs(shown.r - shown.g), 0.2f);
+}
+
+TEST_F(InspectionTest, SoundPixels_AreGrey) {
+    makeRenderer();
+    const glm::vec3 shown = middle(inspected(simpleScene(), true));
+    EXPECT_EQ(shown.r, shown.g);
+    EXPECT_EQ(shown.g, shown.b);
+}
+
+TEST_F(InspectionTest, NegativeValue_IsFoundBeforeItIsCut) {
+    EXPECT_EQ(defectInTheMiddle("-0.001 - p.zero"), PixelDefect::Negative);
+}
+
+TEST_F(InspectionTest, InfiniteValue_IsFoundBeforeItIsCut) {
+    EXPECT_EQ(defectInTheMiddle("1.0 / p.zero"), PixelDefect::Infinite);
+}
+
+TEST_F(InspectionTest, MoreLightThanArrives_IsFound) {
+    EXPECT_EQ(defectInTheMiddle("1.1 * d.nl"), PixelDefect::AboveOne);
+}
+
+TEST_F(InspectionTest, AsMuchLightAsArrives_IsSound) {
+    EXPECT_EQ(defectInTheMiddle("d.nl"), PixelDefect::None);
+}
+
+TEST_F(InspectionTest, Albedo_IsTheShareOfAWhiteSky) {
+    makeModel("0.5 * d.nl");
+    const auto found = probe(simpleScene("broken-test"), center);
+    ASSERT_TRUE(found && found->albedo);
+    EXPECT_NEAR(found->albedo->r, 0.5f, 0.005f);
+}
+
+/// Phong's lobe with (n + 2) / 2 has the albedo 1 along the normal; seen from there its integral
+/// over the hemisphere is exact.
+TEST_F(InspectionTest, AlbedoOfANarrowLobe_IsExactToTwoPercent) {
+    makeModel("5001.0 * pow(max(1.0 - d.versineRv, 0.0), 10000.0)");
+    const auto found = probe(simpleScene("broken-test"), center);
+    ASSERT_TRUE(found && found->albedo);
+    EXPECT_NEAR(found->albedo->r, 1.0f, 0.02f);
+}
+
+TEST_F(InspectionTest, ProbeBesideTheObject_FindsNothing) {
+    makeRenderer();
+    EXPECT_FALSE(probe(simpleScene(), {0, 0}));
+}
+
+TEST_F(InspectionTest, ProbeInTheMiddle_SeesTheNormal) {
+    makeRenderer();
+    const auto found = probe(simpleScene(), center);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->normal.z, 1.0f, 0.01f);
+    EXPECT_NEAR(found->nv, 1.0f, 0.01f);
+}
+
+TEST_F(InspectionTest, ProbedColour_IsThatOfThePicture) {
+    makeRenderer();
+    Scene scene = simpleScene("cook-torrance");
+    scene.ambient = glm::dvec3(0.1);
+    scene.fog = block("fog", "exponential");
+    const auto found = probe(scene, center);
+    ASSERT_TRUE(found);
+    const glm::vec3 drawn = middle(capture(scene, false, size));
+    EXPECT_NEAR(found->color.r, drawn.r, 2e-3f * drawn.r); // a half float has 11 bits, MSAA 4 places
+}
+
+TEST_F(InspectionTest, ProbedTermsOfManyLights_AddUpToTheColour) {
+    makeRenderer();
+    Scene scene = simpleScene();
+    for (int i = 0; i < 9; ++i) {
+        scene.lights.push_back(sun({0.1 * i, 0.0, -1.0}));
+    }
+    const auto found = probe(scene, center);
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->lights.size(), 10U);
+    float sum = 0.0f;
+    for (const LightShare& share : found->lights) {
+        sum += share.value.r;
+    }
+    EXPECT_NEAR(sum, found->color.r, 1e-5f * sum); // ten additions
+}
+
+TEST_F(InspectionTest, ProbedValue_IsTheOneBeforeItIsCut) {
+    makeModel("-0.5 - p.zero");
+    const auto found = probe(simpleScene("broken-test"), center);
+    ASSERT_TRUE(found && !found->lights.empty());
+    EXPECT_FLOAT_EQ(found->lights.front().value.r, -0.5f);
+}
+
+TEST_F(InspectionTest, TermsThatAreNotInTheProgram_AreNotProbed) {
+    makeRenderer();
+    const auto found = probe(simpleScene(), center);
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->ambient || found->emission || found->blended || found->fogged);
+}
+
+TEST_F(InspectionTest, PictureAfterwards_IsTheSame) {
+    makeRenderer();
+    const Image before = capture(simpleScene("cook-torrance"));
+    inspected(simpleScene("cook-torrance"));
+    EXPECT_EQ(capture(simpleScene("cook-torrance")), before);
+}
+
+TEST_F(InspectionTest, ProgramOfAPicture_HasNothingOfIt) {
+    Scene scene = simpleScene("lambert");
+    scene.ambient = glm::dvec3(0.1);
+    scene.fog = block("fog", "exponential");
+    const auto program =
+        surfaceProgram(effectSet(scene.objects[0].material, scene, *catalog), *catalog);
+    ASSERT_TRUE(program);
+    for (const char* word : {"noteTerm", "lookAt", "inspected", "lookedShare", "albedo"}) {
+        EXPECT_EQ(program->fragment.text.find(word), std::string::npos) << word;
+    }
+}
+
+TEST_F(InspectionTest, EveryModel_HasAProgramOfIt) {
+    makeRenderer();
+    for (const Block* model : catalog->ofKind("models")) {
+        Scene scene = simpleScene(model->id);
+        scene.ambient = glm::dvec3(0.1);
+        scene.fog = block("fog", "exponential");
+        renderer->captureInspection(scene, viewOf(scene, 9), meshSource(), false);
+        EXPECT_EQ(text(renderer->report().messages), "") << model->id;
+    }
+}
+
+} // namespace
+} // namespace patina
