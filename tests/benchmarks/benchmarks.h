@@ -9,5 +9,6 @@ bool idle();
 bool sliderTick();
 bool modelSwap();
 bool largeMesh();
+bool modelCost();
 
 } // namespace patina::benchmarks

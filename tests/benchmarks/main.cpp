@@ -16,7 +16,8 @@ int main(int count, char** arguments) {
                                         {"idle", patina::benchmarks::idle},
                                         {"slider-tick", patina::benchmarks::sliderTick},
                                         {"model-swap", patina::benchmarks::modelSwap},
-                                        {"large-mesh", patina::benchmarks::largeMesh}};
+                                        {"large-mesh", patina::benchmarks::largeMesh},
+                                        {"model-cost", patina::benchmarks::modelCost}};
     const std::vector<std::string_view> wanted(arguments + 1, arguments + count);
     bool kept = true;
     for (const Entry& entry : entries) {
