@@ -33,22 +33,6 @@ std::string compiledText(const Value& value) {
     return value == Value(0.0) ? "zero" : "nonzero";
 }
 
-/// What the program holds instead of its data, as in the renderer's programs.
-std::vector<CompiledValue> compiledValues(const EvalBlock& block) {
-    std::vector<CompiledValue> values;
-    for (const Parameter& parameter : block.block->parameters) {
-        if (parameter.compiled != Compiled::No) {
-            values.push_back({parameter.id, compiledText(valueOf(block, parameter))});
-        }
-    }
-    for (const AccuracyChoice& choice : block.block->accuracy) {
-        const auto level = block.accuracy.find(choice.id);
-        values.push_back(
-            {choice.id, level == block.accuracy.end() ? choice.values.front().id : level->second});
-    }
-    return values;
-}
-
 std::string keyOf(const EvalBlock& block) {
     if (block.block == nullptr) {
         return {};
@@ -144,6 +128,21 @@ void appendValues(std::vector<float>& texels, const EvalBlock& block) {
 }
 
 } // namespace
+
+std::vector<CompiledValue> compiledValues(const EvalBlock& block) {
+    std::vector<CompiledValue> values;
+    for (const Parameter& parameter : block.block->parameters) {
+        if (parameter.compiled != Compiled::No) {
+            values.push_back({parameter.id, compiledText(valueOf(block, parameter))});
+        }
+    }
+    for (const AccuracyChoice& choice : block.block->accuracy) {
+        const auto level = block.accuracy.find(choice.id);
+        values.push_back(
+            {choice.id, level == block.accuracy.end() ? choice.values.front().id : level->second});
+    }
+    return values;
+}
 
 std::string evalKey(const EvalCase& request) {
     if (request.subject == Subject::Function) {

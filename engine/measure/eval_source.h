@@ -5,6 +5,7 @@
 #include <string>
 
 #include "measure/eval_case.h"
+#include "shading/effect_set.h"
 #include "shading/shader_source.h"
 
 namespace patina {
@@ -18,6 +19,9 @@ struct EvalShape {
 
 /// Rows of the textures, in texels.
 constexpr int evalWidth = 1024;
+
+/// What a program holds instead of its data, as in the renderer's programs.
+std::vector<CompiledValue> compiledValues(const EvalBlock& block);
 
 /// Two cases with the same key are answered by the same program.
 std::string evalKey(const EvalCase& request);

@@ -44,22 +44,24 @@ float poissonLog(float m, float g) {
 
 // sum over m >= 1 of g^(m-1) e^(-g - x / m) / (m! m), the series of the paper's D over g. The terms
 // have one peak, at m = g e^(W(2 x / g^2) / 2), of about the width (1 / m + 2 x / m^3)^(-1/2). What
-// lies within `reach` widths is summed by at most 2 nodes + 1 terms, every one while that is enough
-// and else in even steps, which for a smooth peak is as exact. All terms are positive; g, x >= 0.
-float waveSeries(float g, float x, int nodes, float reach) {
+// lies within `reach` widths and `spare` terms of it is summed: every term while the peak is low,
+// where the series begins, and else about 2 nodes + 1 in even steps, which for a smooth peak is as
+// exact. All terms are positive; g, x >= 0.
+float waveSeries(float g, float x, float nodes, float reach, float spare) {
     float gg = max(g, 1e-15);
     float W = lambertW(min(2.0 * x / (gg * gg), 1e30));
     float peak = max(gg * exp2(0.72134752044448170 * W), 1.0);
     float width = inversesqrt(1.0 / peak + 2.0 * x / (peak * peak * peak));
-    float stride = max(ceil(reach * width / float(nodes)), 1.0);
+    float stride = peak < 40.0 ? 1.0 : max(ceil(reach * width / nodes), 1.0);
     float middle = floor(peak + 0.5);
+    float above = ceil((reach * width + spare) / stride);
+    int first = -int(min(above, floor((middle - 2.0) / stride)));
+    int last = int(above);
     float sum = stride > 1.0 ? 0.0 : exp2(-1.4426950408889634 * (g + x));
-    for (int j = -nodes; j <= nodes; ++j) {
+    for (int j = first; j <= last; ++j) {
         float m = middle + stride * float(j);
-        if (m >= 2.0) {
-            float exponent = poissonLog(m, gg) - x / m;
-            sum += stride * 0.39894228040143268 * exp2(1.4426950408889634 * exponent) / (m * gg);
-        }
+        float exponent = poissonLog(m, gg) - x / m;
+        sum += stride * 0.39894228040143268 * exp2(1.4426950408889634 * exponent) / (m * gg);
     }
     return sum;
 }

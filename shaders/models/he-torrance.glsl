@@ -12,11 +12,11 @@ float heTorranceDiffuse(Directions d, HeTorrance p, float sigma2, float waveleng
     float x = q * d.sin2h;
     float series = 0.0;
     if (p.series == HE_TORRANCE_SERIES_FULL) {
-        series = waveSeries(g, x, 64, 9.0);
+        series = waveSeries(g, x, 20.0, 8.0, 8.0);
     } else if (p.series == HE_TORRANCE_SERIES_MEDIUM) {
-        series = waveSeries(g, x, 24, 5.0);
+        series = waveSeries(g, x, 10.0, 4.5, 3.0);
     } else {
-        series = waveSeries(g, x, 10, 3.3);
+        series = waveSeries(g, x, 6.0, 3.3, 1.0);
     }
     return sqr(d.HH * 2.0 * PI / wavelength) * sigma2 * 0.25 * q * series;
 }

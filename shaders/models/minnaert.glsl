@@ -4,8 +4,8 @@
 // (n.l)^k (n.v)^(k-1) of Minnaert 1941, equation 3. The exponent is kept at 120 or less: for k < 1
 // the law has no bound at the rim. 1e-37 keeps a flushed subnormal out of log2; k = 1 is Lambert.
 vec3 minnaert(Directions d, Minnaert p) {
-    float logs = log2(max(d.nl, 1e-37)) + log2(max(d.nv, 1e-37));
-    float value = d.nl * exp2(min((p.darkening - 1.0) * logs, 120.0));
+    float power = (p.darkening - 1.0) * log2(max(d.nl * d.nv, 1e-37));
+    float value = d.nl * exp2(min(power, 120.0));
     if (p.normalisation == MINNAERT_NORMALISATION_NORMALISED) {
         value *= 0.5 * (p.darkening + 1.0);
     }

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,7 +19,7 @@
 namespace patina::benchmarks {
 namespace {
 
-constexpr int rounds = 41;
+constexpr int rounds = 31;
 constexpr int framesPerRound = 3;
 
 /// The most that a stable form may cost of its textbook form; the others only count for the median.
@@ -33,36 +32,62 @@ constexpr double medianLimit = 1.0;
 
 struct Contest {
     const Block* model = nullptr;
+    std::string name; ///< the model, and the choice that is not its first
     ModelProgram stable;
-    std::optional<ModelProgram> textbook;
+    ModelProgram textbook;
     std::vector<double> gross;  ///< seconds per pixel
-    std::vector<double> net;    ///< without what every program pays
-    std::vector<double> ratios; ///< net, to the textbook form
+    std::vector<double> ratios; ///< to the textbook form, both without what every program pays
 };
 
 ModelProgram linkedOrExit(Checked<ModelProgram> program, const std::string& name) {
     if (!program) {
         for (const Error& error : program.error()) {
-            fmt::print(stderr, "{}: {}\n", name, text(error));
+            fmt::print(stderr, "{}: {}\n", name, error.text());
         }
         std::exit(2);
     }
     return std::move(*program);
 }
 
+/// The model as it starts, and then each of its compiled choices in turn.
+std::vector<ModelChoice> choicesOf(const Block& model) {
+    std::vector<ModelChoice> choices = {{&model, {}}};
+    for (const Parameter& parameter : model.parameters) {
+        for (const EnumValue& value : parameter.values) {
+            if (parameter.compiled != Compiled::No && Value(value.id) != parameter.defaultValue) {
+                choices.push_back({&model, {{parameter.id, value.id}}});
+            }
+        }
+    }
+    return choices;
+}
+
+std::string nameOf(const ModelChoice& choice) {
+    std::string name = choice.model->id;
+    for (const auto& [id, value] : choice.values) {
+        name += ' ' + id + '=' + std::get<std::string>(value);
+    }
+    return name;
+}
+
+Contest contestOf(const Catalog& catalog, const ModelChoice& choice) {
+    const auto file = std::filesystem::path(PATINA_SOURCE_DIR) / "tests" / "benchmarks"
+        / "textbook" / (choice.model->id + ".glsl");
+    const std::string name = nameOf(choice);
+    return {choice.model,
+            name,
+            linkedOrExit(ModelProgram::link(catalog, choice), name),
+            linkedOrExit(ModelProgram::link(catalog, choice, file), name),
+            {},
+            {}};
+}
+
 std::vector<Contest> contests(const Catalog& catalog) {
-    const auto folder =
-        std::filesystem::path(PATINA_SOURCE_DIR) / "tests" / "benchmarks" / "textbook";
     std::vector<Contest> all;
     for (const Block* model : catalog.ofKind("models")) {
-        const auto file = folder / (model->id + ".glsl");
-        Contest contest{model, linkedOrExit(ModelProgram::link(catalog, *model), model->id),
-                        {}, {}, {}, {}};
-        if (exists(file)) {
-            contest.textbook =
-                linkedOrExit(ModelProgram::link(catalog, *model, file), file.string());
+        for (const ModelChoice& choice : choicesOf(*model)) {
+            all.push_back(contestOf(catalog, choice));
         }
-        all.push_back(std::move(contest));
     }
     return all;
 }
@@ -71,11 +96,8 @@ void run(Contest& contest, const ModelProgram& empty) {
     const double base = empty.secondsPerPixel(framesPerRound);
     const double stable = contest.stable.secondsPerPixel(framesPerRound);
     contest.gross.push_back(stable);
-    contest.net.push_back(stable - base);
-    if (contest.textbook) {
-        const double textbook = contest.textbook->secondsPerPixel(framesPerRound) - base;
-        contest.ratios.push_back((stable - base) / std::max(textbook, 1e-12));
-    }
+    const double textbook = contest.textbook.secondsPerPixel(framesPerRound) - base;
+    contest.ratios.push_back((stable - base) / std::max(textbook, 1e-12));
 }
 
 /// A target to draw to, bound as long as it lives.
@@ -95,40 +117,30 @@ class Target {
     gl::VertexArray vertices_ = gl::VertexArray::create();
 };
 
-void printCost(const Contest& contest, double matte) {
+bool printContest(const Contest& contest, double matte) {
     const Spread gross = spreadOf(contest.gross);
-    report(contest.model->id + ": per pixel",
-           fmt::format("{}, {:.2f} x lambert, net {:.2f}", text(gross, 1e9, "ns"),
-                       gross.median / matte, spreadOf(contest.net).median * 1e9),
-           true, "");
-}
-
-bool printRatio(const Contest& contest) {
     const Spread ratio = spreadOf(contest.ratios);
     const auto limit = limits.find(contest.model->id);
     const bool kept = limit == limits.end() || ratio.median <= limit->second;
-    report(contest.model->id + ": stable / textbook form", text(ratio, 1.0, ""), kept,
-           limit == limits.end() ? "" : fmt::format("<= {}", limit->second));
+    report(contest.name,
+           fmt::format("{:6.1f} ns, {:5.2f} x lambert; / textbook {}", gross.median * 1e9,
+                       gross.median / matte, text(ratio, 1.0, "")),
+           kept, limit == limits.end() ? "" : fmt::format("<= {}", limit->second));
     return kept;
 }
 
 bool print(const std::vector<Contest>& all) {
-    const auto matte = std::ranges::find(
-        all, "lambert", [](const Contest& contest) { return contest.model->id; });
+    const auto matte =
+        std::ranges::find(all, "lambert", [](const Contest& contest) { return contest.name; });
     bool kept = true;
     std::vector<double> medians;
     for (const Contest& contest : all) {
-        printCost(contest, spreadOf(matte->gross).median);
-    }
-    for (const Contest& contest : all) {
-        if (!contest.ratios.empty()) {
-            kept = printRatio(contest) && kept;
-            medians.push_back(spreadOf(contest.ratios).median);
-        }
+        kept = printContest(contest, spreadOf(matte->gross).median) && kept;
+        medians.push_back(spreadOf(contest.ratios).median);
     }
     const Spread middle = spreadOf(medians);
-    report("All models: stable / textbook form", text(middle, 1.0, ""),
-           middle.median <= medianLimit, fmt::format("<= {}", medianLimit));
+    report("all models / textbook", text(middle, 1.0, ""), middle.median <= medianLimit,
+           fmt::format("<= {}", medianLimit));
     return kept && middle.median <= medianLimit;
 }
 

@@ -20,14 +20,18 @@ namespace {
 const std::filesystem::path folder =
     std::filesystem::path(PATINA_SOURCE_DIR) / "tests" / "benchmarks";
 
-/// The model with the values it starts with, and what fills its slots then.
+/// The model with its values, and what fills its slots at the start.
 struct Subject {
     EvalBlock model;
     std::vector<EvalBlock> slots; ///< one per slot; null block when it starts empty
 };
 
-Subject subjectOf(const Catalog& catalog, const Block& model) {
+Subject subjectOf(const Catalog& catalog, const ModelChoice& choice) {
+    const Block& model = *choice.model;
     Subject subject{{&model, defaultValues(model), {}}, {}};
+    for (const auto& [id, value] : choice.values) {
+        subject.model.values[id] = value;
+    }
     for (const Slot& slot : model.slots) {
         const Block* filler = catalog.find(slot.kind, slot.defaultBlock);
         subject.slots.push_back(
@@ -118,9 +122,10 @@ Checked<gl::Program> linked(const Catalog& catalog, const SourceBuilder& fragmen
 
 } // namespace
 
-Checked<ModelProgram> ModelProgram::link(const Catalog& catalog, const Block& model,
+Checked<ModelProgram> ModelProgram::link(const Catalog& catalog, const ModelChoice& choice,
                                          const std::filesystem::path& textbook) {
-    const Subject subject = subjectOf(catalog, model);
+    const Block& model = *choice.model;
+    const Subject subject = subjectOf(catalog, choice);
     const std::vector<float> values = valuesOf(subject);
     SourceBuilder builder = begunSource(catalog, values.size());
     const std::vector<SlotFill> filled = addSlots(builder, subject);

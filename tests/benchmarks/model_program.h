@@ -10,13 +10,19 @@
 
 namespace patina::benchmarks {
 
-/// A program that shades a target with one block and its default values, and nothing else. Its
+/// A model, and values in place of its defaults.
+struct ModelChoice {
+    const Block* model = nullptr;
+    Values values;
+};
+
+/// A program that shades a target with one model and nothing else. Its
 /// context must be current whenever it is made, used or destroyed.
 class ModelProgram {
   public:
     /// With the model's own file, or with `textbook` in its place: the same function, written as
     /// books print it, from the global vectors N, T, B, L and V.
-    static Checked<ModelProgram> link(const Catalog& catalog, const Block& model,
+    static Checked<ModelProgram> link(const Catalog& catalog, const ModelChoice& choice,
                                       const std::filesystem::path& textbook = {});
 
     /// The vectors alone: what every other program pays as well.

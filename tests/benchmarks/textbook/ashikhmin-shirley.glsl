@@ -14,6 +14,9 @@ vec3 ashikhminShirley(Directions d, AshikhminShirley p) {
     vec3 F = f0 + (vec3(1.0) - f0) * pow(1.0 - vh, 5.0);
     float lobe = sqrt((p.shininessX + 1.0) * (p.shininessY + 1.0)) / (8.0 * PI)
         * pow(nh, e) / (vh * max(nl, nv));
+    if (p.diffuseKind == ASHIKHMIN_SHIRLEY_DIFFUSE_KIND_LAMBERT) {
+        return p.diffuseColor * nl + p.gloss * p.specularColor * F * (PI * nl * lobe);
+    }
     vec3 diffuse = 28.0 / (23.0 * PI) * p.diffuseColor * (vec3(1.0) - p.specularColor * f0)
         * (1.0 - pow(1.0 - 0.5 * nl, 5.0)) * (1.0 - pow(1.0 - 0.5 * nv, 5.0));
     return PI * nl * (diffuse + p.gloss * p.specularColor * F * lobe);
