@@ -25,16 +25,18 @@ void Buffer::fill(unsigned target, std::span<const std::byte> bytes) {
     size_ = bytes.size();
 }
 
-void Buffer::reserve(unsigned target, std::size_t size) {
+void Buffer::reserve(unsigned target, std::size_t size, Content content) {
     glBindBuffer(target, name());
-    glBufferData(target, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_DRAW);
+    glBufferData(target, static_cast<GLsizeiptr>(size), nullptr,
+                 content == Content::Lasting ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
     size_ = size;
 }
 
-void Buffer::write(unsigned target, std::span<const std::byte> bytes) {
-    assert(bytes.size() <= size_);
+void Buffer::write(unsigned target, std::span<const std::byte> bytes, std::size_t offset) {
+    assert(offset + bytes.size() <= size_);
     glBindBuffer(target, name());
-    glBufferSubData(target, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+    glBufferSubData(target, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
+                    bytes.data());
 }
 
 } // namespace patina::gl

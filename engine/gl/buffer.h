@@ -19,11 +19,13 @@ class Buffer {
     /// buffer stays bound to it.
     void fill(unsigned target, std::span<const std::byte> bytes);
 
-    /// Room for `size` bytes that are rewritten often; the content is undefined.
-    void reserve(unsigned target, std::size_t size);
+    enum class Content { Lasting, Changing };
 
-    /// Overwrites the first bytes of a buffer that has room for them.
-    void write(unsigned target, std::span<const std::byte> bytes);
+    /// Room for `size` bytes; the content is undefined.
+    void reserve(unsigned target, std::size_t size, Content content = Content::Changing);
+
+    /// Overwrites bytes from `offset` on; the buffer has room for them.
+    void write(unsigned target, std::span<const std::byte> bytes, std::size_t offset = 0);
 
     unsigned name() const { return name_.get(); }
     std::size_t size() const { return size_; }

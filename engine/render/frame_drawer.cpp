@@ -2,13 +2,16 @@
 #include "render/frame_drawer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include <epoxy/gl.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "gl/driver.h"
 #include "render/binding.h"
 #include "render/data_packer.h"
 
@@ -17,6 +20,27 @@ namespace {
 
 float storable(double channel) {
     return std::isfinite(channel) ? static_cast<float>(std::clamp(channel, 0.0, 65504.0)) : 0.0f;
+}
+
+using Clock = std::chrono::steady_clock;
+
+/// Frames of more triangles are drawn in steps when there is a deadline.
+constexpr std::int64_t mostTrianglesAtOnce = 200000;
+
+/// What a software driver does in a few milliseconds.
+constexpr int drawnAtOnce = 16384;
+constexpr std::size_t uploadBytes = std::size_t(4) << 20;
+
+enum class Pass { opaque, depths, blended };
+constexpr std::array opaquePasses{Pass::opaque};
+constexpr std::array transparentPasses{Pass::depths, Pass::blended};
+
+void setPass(Pass pass) {
+    const GLboolean colours = pass == Pass::depths ? GL_FALSE : GL_TRUE;
+    glColorMask(colours, colours, colours, colours);
+    glDepthFunc(pass == Pass::blended ? GL_LEQUAL : GL_LESS);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    (pass == Pass::blended ? glEnable : glDisable)(GL_BLEND);
 }
 
 bool isTransparent(const Object& object) {
@@ -29,7 +53,8 @@ bool isDrawn(const Object& object) {
 
 } // namespace
 
-FrameDrawer::FrameDrawer(std::filesystem::path programCache) : pipelines_(std::move(programCache)) {
+FrameDrawer::FrameDrawer(std::filesystem::path programCache)
+    : pipelines_(std::move(programCache)), isSoftware_(gl::isSoftware()) {
     viewData_.reserve(ViewLayout::vec4s);
     sceneData_.reserve(SceneLayout::capacity);
 }
@@ -42,15 +67,19 @@ void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     describedLost_ = -1;
 }
 
-bool FrameDrawer::drawLinear(const Scene& scene, const View& view, const MeshSource& meshes) {
+bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& meshes) {
     report_.programs = 0;
     report_.compiled = 0;
     report_.uploadedBuffers = 0;
     report_.drawnObjects = 0;
+    lostLights_ = 0;
+    cursor_ = Cursor();
+    fence_ = gl::Fence();
     if (auto prepared = prepare(scene); !prepared) {
         return fail(prepared.error());
     }
     collect(scene, view, meshes);
+    count();
     if (auto fitting = target_.fit(view.size, view.samples, isDense(view)); !fitting) {
         return fail(fitting.error());
     }
@@ -61,8 +90,15 @@ bool FrameDrawer::drawLinear(const Scene& scene, const View& view, const MeshSou
                  storable(scene.background.z), 1.0f);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawItems(scene);
-    target_.resolve();
+    return true;
+}
+
+bool FrameDrawer::proceed(const Scene& scene, Deadline deadline) {
+    const Deadline limit = isLarge() ? deadline : never;
+    if (!deviceIsDone(limit) || !uploadMeshes(limit) || !drawItems(scene, limit) ||
+        !resolve(limit)) {
+        return false;
+    }
     meshes_.endFrame();
     describe(scene);
     return true;
@@ -86,6 +122,10 @@ Result<void> FrameDrawer::prepare(const Scene& scene) {
     return prepared;
 }
 
+bool FrameDrawer::deviceIsDone(Deadline deadline) {
+    return fence_.passed(deadline - Clock::now());
+}
+
 void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource& meshes) {
     cameras_.worldToCamera = viewMatrix(view.camera);
     cameras_.cameraToWorld = glm::inverse(cameras_.worldToCamera);
@@ -101,7 +141,7 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
         const glm::dmat4 world = worldMatrix(object);
         const glm::dvec3 middle(world * glm::dvec4(glm::dvec3(mesh.bounds.center()), 1.0));
         depths_.add(mesh.bounds, cameras_.worldToCamera * world);
-        items_.push_back({i, &meshes_.get(mesh), world, glm::distance(middle, origin)});
+        items_.push_back({i, mesh, &meshes_.prepare(mesh), world, glm::distance(middle, origin)});
     }
     while (slots_.size() < scene.objects.size()) {
         slots_.emplace_back();
@@ -117,12 +157,31 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
     });
 }
 
-bool FrameDrawer::isDense(const View& view) const {
-    std::int64_t triangles = 0;
+void FrameDrawer::count() {
+    triangles_ = 0;
     for (const Item& item : items_) {
-        triangles += item.mesh->triangles();
+        triangles_ += item.mesh->triangles();
     }
-    return triangles > std::int64_t(view.size.x) * view.size.y;
+}
+
+bool FrameDrawer::isLarge() const {
+    return triangles_ > mostTrianglesAtOnce;
+}
+
+bool FrameDrawer::isDense(const View& view) const {
+    return triangles_ > std::int64_t(view.size.x) * view.size.y;
+}
+
+bool FrameDrawer::uploadMeshes(Deadline deadline) {
+    for (const Item& item : items_) {
+        while (!item.mesh->isComplete()) {
+            item.mesh->upload(item.view, uploadBytes);
+            if (Clock::now() >= deadline) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 void FrameDrawer::uploadView(const View& view) {
@@ -172,40 +231,82 @@ void FrameDrawer::noteSource(const void* source) {
     }
 }
 
-void FrameDrawer::drawItems(const Scene& scene) {
+bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
+    if (cursor_.item == items_.size()) {
+        return true;
+    }
+    target_.bind();
+    viewData_.bind(binding::view);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
     glDisable(GL_DITHER);
-    glDepthFunc(GL_LESS);
     fedScene_ = nullptr;
-    lostLights_ = 0;
-    for (const Item& item : items_) {
-        if (!slots_[item.index].pipeline) {
-            continue;
-        }
-        ++report_.drawnObjects;
-        feed(scene, item);
-        if (isTransparent(scene.objects[item.index])) {
-            drawTransparent(item);
-        } else {
-            item.mesh->draw();
-        }
+    while (cursor_.item < items_.size() && drawItem(scene, items_[cursor_.item], deadline)) {
+        ++cursor_.item;
     }
+    setPass(Pass::opaque);
+    if (deadline != never) {
+        fence_ = gl::Fence::afterCommandsSoFar();
+    }
+    return cursor_.item == items_.size();
 }
 
-/// Only the nearest layer of the object is blended, so that the order of its triangles does not
-/// show: depths first, then colours where the depth is the same.
-void FrameDrawer::drawTransparent(const Item& item) {
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    item.mesh->draw();
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthFunc(GL_LEQUAL);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    item.mesh->draw();
-    glDisable(GL_BLEND);
-    glDepthFunc(GL_LESS);
+/// Of a transparent object only the nearest layer is blended, so that the order of its triangles
+/// does not show: depths first, then colours where the depth is the same.
+bool FrameDrawer::drawItem(const Scene& scene, const Item& item, Deadline deadline) {
+    if (!slots_[item.index].pipeline) {
+        return true;
+    }
+    feed(scene, item);
+    const bool transparent = isTransparent(scene.objects[item.index]);
+    const std::span<const Pass> passes =
+        transparent ? std::span<const Pass>(transparentPasses) : opaquePasses;
+    for (; cursor_.pass < std::ssize(passes); ++cursor_.pass) {
+        setPass(passes[static_cast<std::size_t>(cursor_.pass)]);
+        if (!drawTriangles(*item.mesh, deadline)) {
+            return false;
+        }
+    }
+    cursor_.pass = 0;
+    ++report_.drawnObjects;
+    return true;
+}
+
+bool FrameDrawer::drawTriangles(const GpuMesh& mesh, Deadline deadline) {
+    const int slice = deadline == never ? mesh.triangles() : drawnAtOnce;
+    while (cursor_.triangle < mesh.triangles()) {
+        const int count = std::min(slice, mesh.triangles() - cursor_.triangle);
+        mesh.draw(cursor_.triangle, count);
+        cursor_.triangle += count;
+        if (cursor_.triangle < mesh.triangles() && mustStop(deadline)) {
+            return false;
+        }
+    }
+    cursor_.triangle = 0;
+    return true;
+}
+
+/// A device that is the CPU itself works in the background, and what the window draws has to wait
+/// behind that: it gets the next slice when it has done the last one.
+bool FrameDrawer::mustStop(Deadline deadline) {
+    if (isSoftware_ && deadline != never) {
+        fence_ = gl::Fence::afterCommandsSoFar();
+    }
+    return !deviceIsDone(deadline) || Clock::now() >= deadline;
+}
+
+bool FrameDrawer::resolve(Deadline deadline) {
+    if (!deviceIsDone(deadline)) {
+        return false;
+    }
+    if (!cursor_.resolved) {
+        target_.resolve();
+        cursor_.resolved = true;
+        if (deadline != never) {
+            fence_ = gl::Fence::afterCommandsSoFar();
+        }
+    }
+    return deviceIsDone(deadline);
 }
 
 void FrameDrawer::feed(const Scene& scene, const Item& item) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <vector>
 
+#include "gl/fence.h"
 #include "render/display_pass.h"
 #include "render/frustum.h"
 #include "render/gpu_mesh_store.h"
@@ -21,9 +23,21 @@ class FrameDrawer {
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// The scene into the linear target. False when there is nothing to show; the report's first
-    /// message then says why.
-    bool drawLinear(const Scene& scene, const View& view, const MeshSource& meshes);
+    using Deadline = std::chrono::steady_clock::time_point;
+    static constexpr Deadline never = Deadline::max();
+
+    /// Prepares a frame, in place of one that is not done yet. False when there is nothing to
+    /// show; the report's first message then says why.
+    bool begin(const Scene& scene, const View& view, const MeshSource& meshes);
+
+    /// Whether the frame that was begun has so many triangles that it is drawn in steps.
+    bool isLarge() const;
+
+    /// Works on the frame that was begun with this scene: its meshes into the GPU's memory, its
+    /// triangles into the linear target. False when the deadline came before the end; only frames
+    /// of many triangles heed it, and they also wait for the device before they say that they are
+    /// done. The picture does not depend on the steps.
+    bool proceed(const Scene& scene, Deadline deadline);
 
     /// The linear target into a framebuffer; leaves it bound and the usual state at its defaults.
     void show(const Scene& scene, const View& view, unsigned framebuffer);
@@ -41,9 +55,17 @@ class FrameDrawer {
     /// One object of the frame that is being drawn.
     struct Item {
         std::size_t index = 0;
-        const GpuMesh* mesh = nullptr;
+        MeshView view;
+        GpuMesh* mesh = nullptr;
         glm::dmat4 world{1.0};
         double distance = 0.0; ///< from the eye to the middle of its box
+    };
+    /// Where drawing goes on.
+    struct Cursor {
+        std::size_t item = 0;
+        int pass = 0;
+        int triangle = 0;
+        bool resolved = false;
     };
     struct Cameras {
         glm::dmat4 worldToCamera{1.0};
@@ -53,13 +75,19 @@ class FrameDrawer {
     Result<void> prepare(const Scene& scene);
     bool fail(Error error);
     void collect(const Scene& scene, const View& view, const MeshSource& meshes);
+    void count();
     bool isDense(const View& view) const; ///< more triangles than pixels
     void uploadView(const View& view);
     void choosePipelines(const Scene& scene);
     void choosePipeline(const Scene& scene, const Object& object, Slot& slot,
                         std::uint64_t sceneKey);
-    void drawItems(const Scene& scene);
-    static void drawTransparent(const Item& item);
+    bool uploadMeshes(Deadline deadline);
+    bool drawItems(const Scene& scene, Deadline deadline);
+    bool drawItem(const Scene& scene, const Item& item, Deadline deadline);
+    bool drawTriangles(const GpuMesh& mesh, Deadline deadline);
+    bool resolve(Deadline deadline);
+    bool mustStop(Deadline deadline);
+    bool deviceIsDone(Deadline deadline);
     void feed(const Scene& scene, const Item& item);
     void feedScene(const Scene& scene, const Pipeline& pipeline);
     void describe(const Scene& scene);
@@ -78,6 +106,10 @@ class FrameDrawer {
     std::vector<Item> items_;
     Cameras cameras_;
     DepthRange depths_;
+    Cursor cursor_;
+    gl::Fence fence_; ///< behind the last commands of a frame that is drawn in steps
+    std::int64_t triangles_ = 0;
+    bool isSoftware_;
     const Pipeline* fedScene_ = nullptr;
     int lostLights_ = 0;
     std::vector<const void*> programs_;

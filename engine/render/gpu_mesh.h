@@ -10,16 +10,24 @@ namespace patina {
 /// A mesh in the GPU's memory. Attributes: 0 position, 1 normal, 2 tangent.
 class GpuMesh {
   public:
+    /// Room for this mesh; upload() brings the content.
     explicit GpuMesh(const MeshView& mesh);
 
-    void draw() const;
-    int triangles() const { return count_ / 3; }
+    /// Takes in at most `bytes` more of the mesh it was made for, and at least one.
+    void upload(const MeshView& mesh, std::size_t bytes);
+    bool isComplete() const { return uploaded_ == vertices_.size() + indices_.size(); }
+
+    /// Draws some of the triangles of a complete mesh.
+    void draw(int first, int count) const;
+    void draw() const { draw(0, triangles_); }
+    int triangles() const { return triangles_; }
 
   private:
     gl::VertexArray array_ = gl::VertexArray::create();
     gl::Buffer vertices_ = gl::Buffer::create();
     gl::Buffer indices_ = gl::Buffer::create();
-    int count_ = 0;
+    std::size_t uploaded_ = 0; ///< bytes: of the vertices, then of the indices
+    int triangles_ = 0;
 };
 
 } // namespace patina

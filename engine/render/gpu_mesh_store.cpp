@@ -28,6 +28,14 @@ std::uint64_t sampleOf(std::span<const Item> items, std::uint64_t hash) {
 } // namespace
 
 const GpuMesh& GpuMeshStore::get(const MeshView& mesh) {
+    GpuMesh& held = prepare(mesh);
+    while (!held.isComplete()) {
+        held.upload(mesh, mesh.vertices.size_bytes() + mesh.indices.size_bytes());
+    }
+    return held;
+}
+
+GpuMesh& GpuMeshStore::prepare(const MeshView& mesh) {
     const std::uint64_t sample =
         sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u));
     const Key key{mesh.vertices.data(), mesh.indices.data(), mesh.vertices.size(),

@@ -14,8 +14,11 @@ namespace patina {
 /// sizes and a sample of their content, so that a new mesh at an old address is seen.
 class GpuMeshStore {
   public:
-    /// Uploads the mesh when it is not there yet.
+    /// The mesh; uploads it when it is not there yet.
     const GpuMesh& get(const MeshView& mesh);
+
+    /// The mesh, with room for its content when it is new; it may be incomplete.
+    GpuMesh& prepare(const MeshView& mesh);
 
     /// Call once per frame: forgets what was not drawn for a while.
     void endFrame();

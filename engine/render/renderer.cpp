@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/renderer.h"
 
+#include <algorithm>
+
 #include <epoxy/gl.h>
 
 #include "gl/driver.h"
@@ -38,6 +40,14 @@ class Renderer::Implementation : public FrameDrawer {
         return inspection_ ? inspection_->report() : FrameDrawer::report();
     }
 
+    bool drawLinear(const Scene& scene, const View& view, const MeshSource& meshes) {
+        return begin(scene, view, meshes) && proceed(scene, never);
+    }
+
+    /// What the frame that is drawn in steps shows.
+    Scene steppedScene;
+    View steppedView;
+
   private:
     std::filesystem::path programCache_;
     std::shared_ptr<const Catalog> catalog_;
@@ -67,6 +77,38 @@ const FrameReport& Renderer::draw(const Scene& scene, const View& view, const Me
         implementation_->show(scene, view, framebuffer);
     }
     return implementation_->report();
+}
+
+bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource& meshes,
+                         unsigned framebuffer) {
+    implementation_->endInspection();
+    if (!implementation_->begin(scene, view, meshes)) {
+        return true;
+    }
+    if (!implementation_->isLarge()) {
+        implementation_->proceed(scene, FrameDrawer::never);
+        implementation_->show(scene, view, framebuffer);
+        return true;
+    }
+    implementation_->steppedScene = scene;
+    implementation_->steppedView = view;
+    return false;
+}
+
+bool Renderer::proceed(std::chrono::milliseconds patience) {
+    return implementation_->proceed(implementation_->steppedScene,
+                                    std::chrono::steady_clock::now() + patience);
+}
+
+void Renderer::show(unsigned framebuffer) {
+    implementation_->show(implementation_->steppedScene, implementation_->steppedView, framebuffer);
+}
+
+bool Renderer::hasMeshesOf(const Scene& scene) const {
+    return std::ranges::equal(implementation_->steppedScene.objects, scene.objects,
+                              [](const Object& a, const Object& b) {
+                                  return a.visible == b.visible && a.mesh == b.mesh;
+                              });
 }
 
 Result<Image> Renderer::capture(const Scene& scene, const View& view, const MeshSource& meshes,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -57,6 +58,20 @@ class Renderer {
     /// The report is valid until the next call; drawing allocates nothing when only values changed.
     const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
                             unsigned framebuffer);
+
+    /// As draw(), for a window that must not stand still: a frame of very many triangles is only
+    /// prepared, and the result is false. Then proceed() draws it bit by bit, each time for about
+    /// as long as `patience`, until it is true, and show() brings it into a framebuffer. Until then
+    /// the meshes' triangles stay where they are. Another frame, drawn or captured, takes the place
+    /// of one that is not done.
+    bool drawSmall(const Scene& scene, const View& view, const MeshSource& meshes,
+                   unsigned framebuffer);
+    bool proceed(std::chrono::milliseconds patience);
+    void show(unsigned framebuffer);
+
+    /// Whether the frame that is not done has the same meshes in view as this scene, so that it is
+    /// worth finishing first.
+    bool hasMeshesOf(const Scene& scene) const;
 
     /// The same frame as linear floats before tone mapping (RGBA, straight alpha), or as the
     /// 8-bit display values / 255 when `display` is true.

@@ -2,6 +2,7 @@
 #include "viewport/viewport.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include <QApplication>
@@ -13,6 +14,12 @@
 #include <QUrl>
 
 namespace patina {
+namespace {
+
+/// How long a step of a frame may keep the window waiting.
+constexpr std::chrono::milliseconds patience{20};
+
+} // namespace
 
 Viewport::Viewport(Sources sources, QWidget* parent)
     : QOpenGLWidget(parent), sources_(std::move(sources)) {
@@ -20,6 +27,8 @@ Viewport::Viewport(Sources sources, QWidget* parent)
     setAcceptDrops(true);
     setMinimumSize(160, 120);
     setUpdateBehavior(PartialUpdate); // the last picture stays until there is another one
+    turn_.setSingleShot(true);
+    connect(&turn_, &QTimer::timeout, this, &Viewport::proceed);
 }
 
 Viewport::~Viewport() {
@@ -40,6 +49,9 @@ QSurfaceFormat Viewport::surfaceFormat() {
 }
 
 void Viewport::refresh() {
+    if (isDrawing() && !renderer_->hasMeshesOf(sources_.scene())) {
+        giveUpFrame(); // objects have come or gone
+    }
     stale_ = true;
     update();
 }
@@ -73,6 +85,7 @@ void Viewport::initializeGL() {
 
 /// Qt paints at once at every step of a change of layout; once after the last step is enough.
 void Viewport::resizeEvent(QResizeEvent* event) {
+    giveUpFrame();
     resizing_ = true;
     QOpenGLWidget::resizeEvent(event);
     resizing_ = false;
@@ -80,27 +93,76 @@ void Viewport::resizeEvent(QResizeEvent* event) {
 }
 
 void Viewport::paintGL() {
-    if (!renderer_ || resizing_ || !std::exchange(stale_, false)) {
+    if (!renderer_ || resizing_) {
         return;
     }
+    if (progress_ == Progress::Drawn) {
+        renderer_->show(defaultFramebufferObject());
+        finishFrame();
+    } else if (progress_ == Progress::Idle && std::exchange(stale_, false)) {
+        beginFrame();
+    }
+}
+
+void Viewport::beginFrame() {
     if (std::exchange(catalogIsNew_, false)) {
         renderer_->setCatalog(catalog_);
     }
     timer_->begin();
-    const FrameReport& report = renderer_->draw(sources_.scene(), view(), sources_.meshes,
-                                                defaultFramebufferObject());
+    if (renderer_->drawSmall(sources_.scene(), view(), sources_.meshes,
+                             defaultFramebufferObject())) {
+        finishFrame();
+    } else {
+        progress_ = Progress::Drawing;
+        turn_.start(0);
+    }
+}
+
+/// Another turn of a long frame. Where the same objects are seen in another way it is finished
+/// before a newer one begins: dropping it for every move of a drag would show none.
+void Viewport::proceed() {
+    makeCurrent();
+    const bool done = renderer_->proceed(patience);
+    doneCurrent();
+    if (done) {
+        progress_ = Progress::Drawn;
+        update();
+    } else {
+        turn_.start(0);
+    }
+}
+
+void Viewport::finishFrame() {
     timer_->end();
+    progress_ = Progress::Idle;
     ++frameCount_;
+    const FrameReport& report = renderer_->report();
     if (report.messages != messages_) {
         messages_ = report.messages;
         Q_EMIT messagesDrawn(messages_);
     }
     Q_EMIT frameDrawn();
+    if (stale_) {
+        update();
+    }
+}
+
+void Viewport::giveUpFrame() {
+    turn_.stop();
+    if (std::exchange(progress_, Progress::Idle) != Progress::Idle) {
+        makeCurrent();
+        timer_->end();
+        doneCurrent();
+    }
 }
 
 Image Viewport::linearPicture() {
     if (!renderer_) {
         return {};
+    }
+    if (progress_ != Progress::Idle) {
+        giveUpFrame(); // capturing takes its place
+        refresh();
     }
     Scene unexposed = sources_.scene();
     unexposed.exposure = 0.0;
@@ -133,7 +195,7 @@ void Viewport::chooseTimer() {
     frameTime(); // of the frames so far
     makeCurrent();
     const FrameTimer::Method method = trustedMethod();
-    if (method != timer_->method()) {
+    if (method != timer_->method() && progress_ == Progress::Idle) {
         timer_.emplace(method);
     }
     doneCurrent();
@@ -153,6 +215,7 @@ View Viewport::view() const {
 }
 
 void Viewport::dropRenderer() {
+    giveUpFrame();
     if (renderer_) {
         makeCurrent();
         timer_.reset();

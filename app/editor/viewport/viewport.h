@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <QOpenGLWidget>
+#include <QTimer>
 
 #include "measure/frame_timer.h"
 #include "parameters/color_source.h"
@@ -17,6 +18,8 @@ namespace patina {
 
 /// Shows a scene with a Renderer of its own and hands the mouse and the keys to a
 /// CameraNavigation. A frame is drawn only after refresh(), once however often that was called.
+/// One that takes long is drawn over several turns of the event loop with the last picture on the
+/// screen; what changes meanwhile is in the next one.
 class Viewport : public QOpenGLWidget, public ColorSource {
     Q_OBJECT
 
@@ -42,6 +45,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
 
     /// Something that is drawn has changed.
     void refresh();
+
+    /// A frame is being drawn that takes several turns.
+    bool isDrawing() const { return progress_ != Progress::Idle; }
 
     int frameCount() const { return frameCount_; }
     const FrameReport& report() const;
@@ -85,8 +91,14 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    enum class Progress { Idle, Drawing, Drawn };
+
     void dropRenderer();
     View view() const;
+    void beginFrame();
+    void proceed();
+    void finishFrame();
+    void giveUpFrame();
 
     Sources sources_;
     CameraNavigation navigation_;
@@ -99,6 +111,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     QString frameTime_; ///< the last one that was known
     QString failure_;
     int frameCount_ = 0;
+    Progress progress_ = Progress::Idle; ///< of a frame that takes several turns
+    QTimer turn_;                        ///< its next one
     bool stale_ = true; ///< the picture is not of what would be drawn now
     bool resizing_ = false;
 };

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frames of many triangles, drawn bit by bit.
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "gl/framebuffer.h"
+#include "gl/texture.h"
+#include "gpu_fixture.h"
+
+namespace patina {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr int pixels = 64;
+constexpr int gridSide = 330; // 2 * 329^2 triangles: 216 000
+constexpr milliseconds noPatience{0};
+
+/// A square across the line of sight with waves in it, in triangles smaller than pixels.
+Mesh wavyGrid() {
+    Mesh mesh;
+    for (int row = 0; row < gridSide; ++row) {
+        for (int column = 0; column < gridSide; ++column) {
+            const float x = 2.0f * float(column) / (gridSide - 1) - 1.0f;
+            const float y = 2.0f * float(row) / (gridSide - 1) - 1.0f;
+            Vertex vertex;
+            vertex.position = {x, y, 0.2f * float((row / 16 + column / 16) % 2)};
+            mesh.vertices.push_back(vertex);
+        }
+    }
+    for (std::uint32_t row = 0; row + 1 < gridSide; ++row) {
+        for (std::uint32_t column = 0; column + 1 < gridSide; ++column) {
+            const std::uint32_t a = row * gridSide + column;
+            const std::uint32_t b = a + gridSide;
+            mesh.indices.insert(mesh.indices.end(), {a, a + 1, b, a + 1, b + 1, b});
+        }
+    }
+    mesh.bounds = boundsOf(mesh.vertices);
+    return mesh;
+}
+
+class SteppedFrame : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+        meshes["grid"] = wavyGrid();
+        image_ = gl::Texture::create({pixels, pixels}, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+        target_ = gl::Framebuffer::create();
+        target_.attachColor(image_);
+    }
+
+    void TearDown() override {
+        target_ = gl::Framebuffer();
+        image_ = gl::Texture();
+        GpuTest::TearDown();
+    }
+
+    Scene gridScene(double opacity = 1.0) {
+        Scene scene = simpleScene("phong");
+        scene.objects[0].mesh = "grid";
+        scene.objects[0].material.opacity = opacity;
+        scene.objects[0].rotation = {20.0, 30.0, 0.0};
+        return scene;
+    }
+
+    bool beginFrame(const Scene& scene) {
+        return renderer->drawSmall(scene, viewOf(scene, pixels), meshSource(), target_.name());
+    }
+
+    /// The number of further steps.
+    int finishFrame() {
+        int steps = 1;
+        while (!renderer->proceed(noPatience)) {
+            ++steps;
+        }
+        renderer->show(target_.name());
+        return steps;
+    }
+
+    std::vector<std::uint8_t> drawnAtOnce(const Scene& scene) {
+        renderer->draw(scene, viewOf(scene, pixels), meshSource(), target_.name());
+        return picture();
+    }
+
+    std::vector<std::uint8_t> picture() const {
+        std::vector<std::uint8_t> bytes(std::size_t(4) * pixels * pixels);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.name());
+        glReadPixels(0, 0, pixels, pixels, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+        return bytes;
+    }
+
+  private:
+    gl::Texture image_;
+    gl::Framebuffer target_;
+};
+
+TEST_F(SteppedFrame, OfManyTriangles_TakesMoreThanOneStepForEachMegabyte) {
+    const Scene scene = gridScene();
+    ASSERT_FALSE(beginFrame(scene));
+    // 108 900 vertices of 48 bytes and 216 000 triangles: 7.5 MiB to upload, then the drawing.
+    EXPECT_GT(finishFrame(), 8);
+}
+
+TEST_F(SteppedFrame, NotDone_LeavesTheFramebufferAsItWas) {
+    const auto before = drawnAtOnce(simpleScene());
+    ASSERT_FALSE(beginFrame(gridScene()));
+    renderer->proceed(noPatience);
+    EXPECT_EQ(picture(), before);
+}
+
+TEST_F(SteppedFrame, Done_IsThePictureDrawnAtOnce) {
+    const Scene scene = gridScene();
+    ASSERT_FALSE(beginFrame(scene));
+    finishFrame();
+    const auto stepped = picture();
+    EXPECT_EQ(stepped, drawnAtOnce(scene));
+}
+
+TEST_F(SteppedFrame, OfTransparentObjects_IsThePictureDrawnAtOnce) {
+    Scene scene = gridScene(0.5);
+    scene.objects.push_back(object("lambert"));
+    ASSERT_FALSE(beginFrame(scene));
+    finishFrame();
+    const auto stepped = picture();
+    EXPECT_EQ(stepped, drawnAtOnce(scene));
+}
+
+TEST_F(SteppedFrame, NotDone_GivesWayToAnother) {
+    const Scene other = simpleScene();
+    const auto expected = drawnAtOnce(other);
+    ASSERT_FALSE(beginFrame(gridScene(0.5)));
+    renderer->proceed(noPatience);
+    EXPECT_EQ(drawnAtOnce(other), expected);
+}
+
+TEST_F(SteppedFrame, GivenUpInMidUpload_IsCompleteTheNextTime) {
+    const Scene scene = gridScene();
+    ASSERT_FALSE(beginFrame(scene));
+    drawnAtOnce(simpleScene());
+    const auto later = drawnAtOnce(scene);
+    makeRenderer();
+    EXPECT_EQ(drawnAtOnce(scene), later);
+}
+
+TEST_F(SteppedFrame, Reported_CountsEachObjectOnce) {
+    ASSERT_FALSE(beginFrame(gridScene()));
+    finishFrame();
+    EXPECT_EQ(renderer->report().drawnObjects, 1);
+}
+
+TEST_F(SteppedFrame, OfFewTriangles_IsDrawnAtOnceWithoutPatience) {
+    EXPECT_TRUE(beginFrame(simpleScene()));
+}
+
+} // namespace
+} // namespace patina

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh that takes long to read and to draw must not keep the window waiting.
+#include <algorithm>
+#include <fstream>
+
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTest>
+#include <QToolButton>
+
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+constexpr int gridSide = 330; // 2 * 329^2 triangles: 216 000
+constexpr int limitMs = 60000;
+
+class LargeMesh : public WindowFixture {
+  protected:
+    LargeMesh() {
+        std::ofstream obj(file_);
+        for (int i = 0; i < gridSide * gridSide; ++i) {
+            const int row = i / gridSide;
+            const int column = i % gridSide;
+            obj << "v " << 0.01 * row << ' ' << 0.01 * column << ' ' << 0.05 * (column / 40 % 2)
+                << '\n';
+        }
+        for (int row = 0; row + 1 < gridSide; ++row) {
+            for (int column = 0; column + 1 < gridSide; ++column) {
+                const int a = row * gridSide + column + 1;
+                const int b = a + gridSide;
+                obj << "f " << a << ' ' << a + 1 << ' ' << b << "\nf " << a + 1 << ' ' << b + 1
+                    << ' ' << b << '\n';
+            }
+        }
+    }
+
+    void drop() { window().files().drop({QString::fromStdString(file_.string())}, Side::A); }
+
+    /// Drops the file and waits until its first frame has begun.
+    bool dropAndWait() {
+        drop();
+        return QTest::qWaitFor([this] { return view().isDrawing(); }, limitMs);
+    }
+
+    bool waitForFrame() {
+        QSignalSpy frames(&view(), &Viewport::frameDrawn);
+        return frames.wait(limitMs);
+    }
+
+    /// Waits until nothing more is drawn.
+    bool settle() {
+        return QTest::qWaitFor([this] { return newFrames() == 0 && !view().isDrawing(); }, limitMs);
+    }
+
+    QToolButton* cancelButton() {
+        const auto buttons = window().statusBar()->findChildren<QToolButton*>();
+        const auto found = std::ranges::find(buttons, QStringLiteral("Cancel"), &QToolButton::text);
+        return found == buttons.end() ? nullptr : *found;
+    }
+
+    std::size_t objects() { return document().scene().objects.size(); }
+
+  private:
+    std::filesystem::path file_ = home("large.obj");
+};
+
+TEST_F(LargeMesh, Dropped_IsDrawnOverSeveralTurns) {
+    ASSERT_TRUE(dropAndWait());
+    int turns = 0;
+    while (view().isDrawing() && turns < limitMs) {
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        ++turns;
+    }
+    EXPECT_GT(turns, 1);
+    EXPECT_EQ(objects(), 2U);
+}
+
+TEST_F(LargeMesh, NotYetDrawn_LeavesTheLastPicture) {
+    const QImage before = view().grabFramebuffer();
+    ASSERT_TRUE(dropAndWait());
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(view().isDrawing());
+    EXPECT_EQ(view().grabFramebuffer(), before);
+}
+
+TEST_F(LargeMesh, Drawn_ChangesThePicture) {
+    const QImage before = view().grabFramebuffer();
+    ASSERT_TRUE(dropAndWait());
+    ASSERT_TRUE(settle());
+    EXPECT_NE(view().grabFramebuffer(), before);
+}
+
+TEST_F(LargeMesh, UndoneWhileItIsDrawn_IsGone) {
+    const QImage before = view().grabFramebuffer();
+    ASSERT_TRUE(dropAndWait());
+    document().undoStack().undo();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(view().grabFramebuffer(), before);
+}
+
+TEST_F(LargeMesh, CameraMovedWhileItIsDrawn_IsDrawnFromThere) {
+    ASSERT_TRUE(dropAndWait());
+    ASSERT_TRUE(settle());
+    const QImage before = view().grabFramebuffer();
+    drag(Qt::LeftButton, Qt::NoModifier, {200, 0});
+    ASSERT_TRUE(QTest::qWaitFor([this] { return view().isDrawing(); }, limitMs));
+    drag(Qt::LeftButton, Qt::NoModifier, {-200, 0});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(view().grabFramebuffer(), before);
+}
+
+TEST_F(LargeMesh, ResizedWhileItIsDrawn_IsDrawnInTheNewSize) {
+    ASSERT_TRUE(dropAndWait());
+    window().resize(window().size() - QSize(60, 40));
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(view().grabFramebuffer().size(), view().size());
+}
+
+TEST_F(LargeMesh, CancelledWhileItIsRead_ChangesNothing) {
+    const Scene before = document().scene();
+    QSignalSpy messages(&document(), &Document::message);
+    drop();
+    ASSERT_TRUE(cancelButton() && cancelButton()->isVisible());
+    QTest::mouseClick(cancelButton(), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !messages.isEmpty(); }, limitMs));
+    EXPECT_EQ(document().scene(), before);
+    EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(LargeMesh, DoubleClicked_PutsThePivotOnItsSurface) {
+    ASSERT_TRUE(dropAndWait());
+    ASSERT_TRUE(settle());
+    document().removeObject(0);
+    ASSERT_TRUE(settle());
+    const glm::dvec3 before = camera().pivot;
+    QTest::mouseDClick(&view(), Qt::LeftButton, Qt::NoModifier, view().rect().center());
+    EXPECT_NE(camera().pivot, before);
+}
+
+} // namespace
+} // namespace patina::tests
