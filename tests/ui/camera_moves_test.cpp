@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/primitives.h"
 #include "viewport/ray_cast.h"
 #include "viewport/turning.h"
 
@@ -103,6 +104,35 @@ TEST(RayCast, ThroughTwoSurfaces_HitsTheNearer) {
                           [&](const Object&) { return mesh.view(); });
     ASSERT_TRUE(hit.has_value());
     EXPECT_NEAR(hit->point.z, 1.0, tolerance);
+}
+
+TEST(RayCast, WithBoxesAroundRuns_HitsWhatItHitsWithout) {
+    const Mesh ball = *primitive("shaderball");
+    const std::vector<Bounds> runs = runBoundsOf(ball.view());
+    const PickMesh boxed(ball.view(), runs);
+    Scene scene;
+    scene.objects.emplace_back().rotation = {10.0, 20.0, 30.0};
+    for (int i = 0; i < 400; ++i) {
+        const Ray ray = rayThrough(Camera(), {5.0 * (i % 20), 0.25 * i}, {100.0, 100.0});
+        EXPECT_EQ(cast(ray, scene, [&](const Object&) { return boxed; }),
+                  cast(ray, scene, [&](const Object&) { return ball.view(); }));
+    }
+}
+
+TEST(RayCast, AlongASideOfARunsBox_HitsWhatItHitsWithout) {
+    const Mesh cube = *primitive("cube");
+    const std::vector<Bounds> runs = runBoundsOf(cube.view());
+    const PickMesh boxed(cube.view(), runs);
+    Scene scene;
+    scene.objects.emplace_back();
+    const glm::dvec3 corner(cube.bounds.upper);
+    for (const glm::dvec3 from :
+         {glm::dvec3(corner.x, 0.0, 5.0), glm::dvec3(corner.x, corner.y, 5.0),
+          glm::dvec3(0.0, corner.y, 5.0)}) {
+        const Ray ray{from, {0.0, 0.0, -1.0}};
+        EXPECT_EQ(cast(ray, scene, [&](const Object&) { return boxed; }),
+                  cast(ray, scene, [&](const Object&) { return cube.view(); }));
+    }
 }
 
 TEST(RayCast, AtAHiddenObject_HitsNothing) {

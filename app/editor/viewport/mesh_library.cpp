@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include <QPointer>
 #include <QTimer>
@@ -64,12 +65,18 @@ MeshView MeshLibrary::view(const Object& object) {
         return builtins_.at(key).view();
     }
     if (const auto found = files_.find(key); found != files_.end()) {
-        return found->second->view();
+        return found->second->mesh->view();
     }
     if (!key.mesh.empty() && !loading_.contains(key) && !failures_.contains(key)) {
         load(key);
     }
     return {};
+}
+
+PickMesh MeshLibrary::pickMesh(const Object& object) {
+    const auto found = files_.find(keyOf(object));
+    return found == files_.end() ? PickMesh(view(object))
+                                 : PickMesh(found->second->mesh->view(), found->second->runs);
 }
 
 bool MeshLibrary::has(const Object& object) const {
@@ -123,10 +130,18 @@ void MeshLibrary::load(const Key& key) {
     // The destructor waits for the worker, so both outlive the job; its answer is queued to this
     // object and dropped by Qt when this object is gone.
     worker_.start([this, key, progress, &client = client()] {
-        const MeshRequest request{key.mesh, key.fitUnitBox, key.flipNormals, 1.0};
-        const Answer answer = client.loadMesh(request, progress.get());
+        const Answer answer = read(client, key, *progress);
         QMetaObject::invokeMethod(
             this, [this, key, answer] { finish(key, answer); }, Qt::QueuedConnection);
+    });
+}
+
+/// In the worker's thread.
+MeshLibrary::Answer MeshLibrary::read(AssetClient& client, const Key& key, Progress& progress) {
+    const MeshRequest request{key.mesh, key.fitUnitBox, key.flipNormals, 1.0};
+    return client.loadMesh(request, &progress).map([](std::shared_ptr<const SharedMesh> mesh) {
+        std::vector<Bounds> runs = runBoundsOf(mesh->view());
+        return std::make_shared<const Loaded>(Loaded{std::move(mesh), std::move(runs)});
     });
 }
 

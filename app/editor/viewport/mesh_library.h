@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QObject>
 #include <QThreadPool>
@@ -12,6 +13,7 @@
 #include "assets/asset_client.h"
 #include "core/error.h"
 #include "scene/scene.h"
+#include "viewport/pick_mesh.h"
 
 namespace patina {
 
@@ -27,6 +29,9 @@ class MeshLibrary : public QObject {
     /// The triangles of an object's mesh, or an empty view while they are not there. A file that
     /// was not asked for yet starts loading.
     MeshView view(const Object& object);
+
+    /// The same for rays, which need not look at each triangle of a large mesh.
+    PickMesh pickMesh(const Object& object);
 
     bool isLoading() const { return !loading_.empty(); }
     bool has(const Object& object) const;
@@ -55,9 +60,15 @@ class MeshLibrary : public QObject {
 
         friend auto operator<=>(const Key&, const Key&) = default;
     };
-    using Answer = Result<std::shared_ptr<const SharedMesh>>;
+    /// What a file gave, and what picking in it needs.
+    struct Loaded {
+        std::shared_ptr<const SharedMesh> mesh;
+        std::vector<Bounds> runs;
+    };
+    using Answer = Result<std::shared_ptr<const Loaded>>;
 
     static Key keyOf(const Object& object);
+    static Answer read(AssetClient& client, const Key& key, Progress& progress);
     void makeBuiltin(const Key& key);
     void load(const Key& key);
     void finish(const Key& key, const Answer& answer);
@@ -66,7 +77,7 @@ class MeshLibrary : public QObject {
 
     std::unique_ptr<AssetClient> client_;
     std::map<Key, Mesh> builtins_;
-    std::map<Key, std::shared_ptr<const SharedMesh>> files_;
+    std::map<Key, std::shared_ptr<const Loaded>> files_;
     std::map<Key, std::shared_ptr<Progress>> loading_;
     std::map<Key, Error> failures_;
     QThreadPool worker_;

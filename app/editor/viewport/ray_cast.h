@@ -8,6 +8,7 @@
 
 #include "core/mesh.h"
 #include "scene/scene.h"
+#include "viewport/pick_mesh.h"
 
 namespace patina {
 
@@ -33,7 +34,7 @@ Ray rayThrough(const Camera& camera, const glm::dvec2& place, const glm::dvec2& 
 
 /// The nearest visible surface that the ray meets, whichever way it faces.
 std::optional<Hit> cast(const Ray& ray, const Scene& scene,
-                        const std::function<MeshView(const Object&)>& meshes);
+                        const std::function<PickMesh(const Object&)>& meshes);
 
 /// The box of an object in world space.
 Bounds worldBounds(const Object& object, const MeshView& mesh);

@@ -142,7 +142,7 @@ void SideView::endTurn() {
 void SideView::pivotOn(QPointF place) {
     const Ray ray = rayThrough(viewport_->camera(), {place.x(), place.y()},
                                {viewport_->width(), viewport_->height()});
-    const auto meshes = [this](const Object& object) { return meshes_.view(object); };
+    const auto meshes = [this](const Object& object) { return meshes_.pickMesh(object); };
     if (const std::optional<Hit> hit = cast(ray, document_.scene(side_), meshes)) {
         Q_EMIT cameraWished(pivotedAt(viewport_->camera(), hit->point));
     }
