@@ -9,6 +9,7 @@ bool idle();
 bool sliderTick();
 bool modelSwap();
 bool largeMesh();
+bool meshLoading();
 bool modelCost();
 
 } // namespace patina::benchmarks

@@ -17,6 +17,7 @@ int main(int count, char** arguments) {
                                         {"slider-tick", patina::benchmarks::sliderTick},
                                         {"model-swap", patina::benchmarks::modelSwap},
                                         {"large-mesh", patina::benchmarks::largeMesh},
+                                        {"mesh-loading", patina::benchmarks::meshLoading},
                                         {"model-cost", patina::benchmarks::modelCost}};
     const std::vector<std::string_view> wanted(arguments + 1, arguments + count);
     bool kept = true;
