@@ -42,7 +42,8 @@ double stopsIn(const std::string& text) {
 } // namespace
 
 void addSceneOptions(CLI::App& command, PictureOptions& options) {
-    command.add_option("--model", options.model, "A lighting model's id instead of a preset");
+    command.add_option("--model", options.model,
+                       "A lighting model's id, instead of a preset or of the model in it");
     for (const std::string_view kind : partKinds) {
         command.add_option_function<std::string>(
             fmt::format("--{}", kind),

@@ -8,6 +8,7 @@
 #include "catalog/fills.h"
 #include "cli/value_text.h"
 #include "core/number_text.h"
+#include "material/model_swap.h"
 #include "material/preset_file.h"
 #include "scene/scene_file.h"
 
@@ -69,14 +70,15 @@ Result<bool> choosePart(Material& material, const std::string& kind, const std::
     return true;
 }
 
-Result<void> chooseBlocks(Material& material, const PictureOptions& options,
+/// Another model than a preset's is swapped as in the editor; without a preset it starts afresh.
+Result<void> chooseBlocks(Material& material, bool isPreset, const PictureOptions& options,
                           const Catalog& catalog) {
     if (!options.model.empty()) {
         const auto model = knownBlock(catalog, "models", options.model);
         if (!model) {
             return tl::unexpected(model.error());
         }
-        material = defaultMaterial(**model);
+        material = isPreset ? swappedModel(material, **model, catalog) : defaultMaterial(**model);
     }
     for (const auto& [kind, id] : options.parts) {
         if (auto chosen = choosePart(material, kind, id, catalog); !chosen) {
@@ -228,7 +230,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
         }
     }
     Object& object = setup->scene.objects.front();
-    if (auto chosen = chooseBlocks(object.material, options, catalog); !chosen) {
+    if (auto chosen = chooseBlocks(object.material, !preset.empty(), options, catalog); !chosen) {
         return tl::unexpected(oneError(chosen.error()));
     }
     if (auto model = knownBlock(catalog, "models", object.material.model.id); !model) {

@@ -69,6 +69,13 @@ TEST(EffectsCommand, List_NamesTheModel) {
     EXPECT_NE(outcome.out.find("cook-torrance"), std::string::npos) << outcome.out;
 }
 
+TEST(EffectsCommand, PresetsModelInAnother_LetsTheFillingOfItsSlotRest) {
+    const Outcome outcome = patina({"effects", gold, "--model", "lambert"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("lambert"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("fresnel/"), std::string::npos) << outcome.out;
+}
+
 TEST(EvalCommand, WhiteLambertFacingTheLight_IsOne) {
     const Outcome outcome = eval(R"({"id": "a", "model": "lambert", "parameters":)"
                                  R"( {"diffuse.color": [1, 1, 1]}, "l": [0, 0, 1],)"

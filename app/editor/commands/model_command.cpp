@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/model_command.h"
 
+#include "material/model_swap.h"
+
 namespace patina {
 
 namespace {
 
 Material swapped(const Document& document, const MaterialTarget& target, const Block& model) {
-    const BlockPath path{BlockPath::Part::Model, target.object, target.side};
     const Material* material = materialAt(document.state(), target.object, target.side);
-    return withModel(*material, document.block(path), model);
+    return swappedModel(*material, model, document.catalog());
 }
 
 } // namespace

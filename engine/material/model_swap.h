@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "material/material.h"
+
+namespace patina {
+
+/// The material with another model of the catalogue: its values as withModel carries them over, and
+/// its parts as models use them. A part that filled a slot rests while the model has no such slot,
+/// where it would work on the whole surface, and comes back with the slot; so does a part that was
+/// turned on for models without the slot. What rests is kept in `parked`, and so in files.
+Material swappedModel(const Material& material, const Block& newModel, const Catalog& catalog);
+
+} // namespace patina
