@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/camera_moves.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "scene/primitives.h"
 #include "viewport/ray_cast.h"
@@ -15,11 +19,17 @@ namespace {
 /// Rounding of a few double operations on numbers of about one.
 constexpr double tolerance = 1e-9;
 
-Bounds boxOf(const glm::vec3& lower, const glm::vec3& upper) {
-    Bounds box;
-    box.add(lower);
-    box.add(upper);
-    return box;
+/// The lowest and the highest place of a mesh in a view whose edges are at -1 and 1.
+glm::dvec2 heightsInView(const Camera& camera, const Object& object, const Mesh& mesh) {
+    glm::dvec2 heights(1e9, -1e9);
+    const double edge = std::tan(0.5 * glm::radians(camera.fieldOfView));
+    for (const Vertex& vertex : mesh.vertices) {
+        const glm::dvec4 world = worldMatrix(object) * glm::dvec4(vertex.position, 1.0);
+        const glm::dvec4 seen = viewMatrix(camera) * world;
+        const double height = seen.y / -seen.z / edge;
+        heights = {std::min(heights.x, height), std::max(heights.y, height)};
+    }
+    return heights;
 }
 
 TEST(CameraMoves, OrbitPastThePole_StopsThere) {
@@ -44,18 +54,24 @@ TEST(CameraMoves, Pan_MovesThePivotPointWithThePointer) {
     EXPECT_NEAR(glm::length(glm::cross(ray.direction, toPivot)), 0.0, tolerance);
 }
 
-TEST(CameraMoves, Frame_PutsTheBoxInTheMiddle) {
-    const Camera moved = framed(Camera(), boxOf({1.0f, 1.0f, 1.0f}, {3.0f, 3.0f, 3.0f}), 1.5);
-    EXPECT_EQ(moved.pivot, glm::dvec3(2.0));
+TEST(CameraMoves, Frame_FillsMostOfTheHeightInTheMiddle) {
+    Object object;
+    object.translation = {2.0, -1.0, 0.5};
+    const Mesh ball = *primitive("shaderball");
+    const Camera moved = framed(orbited(Camera(), 20.0, 30.0), object, ball.view(), 1.5);
+    const glm::dvec2 heights = heightsInView(moved, object, ball);
+    EXPECT_NEAR(heights.x, -0.88, tolerance);
+    EXPECT_NEAR(heights.y, 0.88, tolerance);
 }
 
-TEST(CameraMoves, FrameInANarrowView_SteepensTheDistance) {
-    const Bounds box = boxOf({-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f});
-    EXPECT_GT(framed(Camera(), box, 0.5).distance, framed(Camera(), box, 1.0).distance);
+TEST(CameraMoves, FrameInANarrowView_FitsTheWidth) {
+    const Mesh sphere = *primitive("sphere");
+    const Camera moved = framed(Camera(), Object(), sphere.view(), 0.5);
+    EXPECT_NEAR(heightsInView(moved, Object(), sphere).y, 0.5 * 0.88, 0.01); // of facets
 }
 
 TEST(CameraMoves, FrameOfNothing_ChangesNothing) {
-    EXPECT_EQ(framed(Camera(), Bounds(), 1.0), Camera());
+    EXPECT_EQ(framed(Camera(), Object(), MeshView(), 1.0), Camera());
 }
 
 TEST(CameraMoves, PivotElsewhere_LeavesTheEyeWhereItWas) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -13,8 +14,8 @@ namespace {
 constexpr double shortestDistance = 1e-3;
 constexpr double longestDistance = 1e5;
 
-/// Air around a framed object, as a share of its size.
-constexpr double frameMargin = 1.08;
+/// Air around a framed object, as a share of its size: it takes up 88 % of the view.
+constexpr double frameMargin = 1.0 / 0.88;
 
 double halfAngle(const Camera& camera) {
     return 0.5 * glm::radians(camera.fieldOfView);
@@ -26,13 +27,24 @@ glm::dvec3 axis(const Camera& camera, int row) {
     return {view[0][row], view[1][row], view[2][row]};
 }
 
-/// How far from the pivot the eye must be to have a place beside the pivot inside the view.
-double distanceToShow(const Camera& camera, const glm::dvec3& place, double aspect) {
-    const double tangent = std::tan(halfAngle(camera)) / frameMargin;
-    const double across = std::abs(glm::dot(place, axis(camera, 0))) / (tangent * aspect);
-    const double along = std::abs(glm::dot(place, axis(camera, 1))) / tangent;
-    return glm::dot(place, axis(camera, 2)) + std::max(across, along);
-}
+/// The eye that sees all places within an opening along one axis of the view, from as near as it
+/// can: |x - eye.x| <= tangent (eye.z - z) for each, in coordinates of the camera.
+class Fitting {
+  public:
+    explicit Fitting(double tangent) : tangent_(tangent) {}
+
+    void add(double x, double z) {
+        upper_ = std::max(upper_, x + tangent_ * z);
+        lower_ = std::min(lower_, x - tangent_ * z);
+    }
+    double sideways() const { return 0.5 * (upper_ + lower_); }
+    double distance() const { return 0.5 * (upper_ - lower_) / tangent_; }
+
+  private:
+    double tangent_;
+    double upper_ = -std::numeric_limits<double>::infinity();
+    double lower_ = std::numeric_limits<double>::infinity();
+};
 
 } // namespace
 
@@ -57,21 +69,26 @@ Camera dollied(const Camera& camera, double factor) {
     return moved;
 }
 
-Camera framed(const Camera& camera, const Bounds& box, double aspect) {
-    if (box.empty()) {
+Camera framed(const Camera& camera, const Object& object, const MeshView& mesh, double aspect) {
+    if (mesh.bounds.empty() || mesh.vertices.empty()) {
         return camera;
     }
-    double distance = shortestDistance;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 sign{(corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5,
-                              (corner & 4) != 0 ? 0.5 : -0.5};
-        distance =
-            std::max(distance, distanceToShow(camera, sign * glm::dvec3(box.size()), aspect));
+    const glm::dmat4 world = worldMatrix(object);
+    const glm::dvec3 middle(world * glm::dvec4(mesh.bounds.center(), 1.0));
+    const double tangent = std::tan(halfAngle(camera)) / frameMargin;
+    Fitting across(tangent * aspect);
+    Fitting along(tangent);
+    const glm::dmat3 axes(axis(camera, 0), axis(camera, 1), axis(camera, 2));
+    for (const Vertex& vertex : mesh.vertices) {
+        const glm::dvec3 place(world * glm::dvec4(vertex.position, 1.0));
+        const glm::dvec3 seen = (place - middle) * axes;
+        across.add(seen.x, seen.z);
+        along.add(seen.y, seen.z);
     }
     Camera moved = camera;
-    moved.pivot = glm::dvec3(box.center());
+    moved.pivot = middle + axes[0] * across.sideways() + axes[1] * along.sideways();
     moved.distance = 1.0;
-    return dollied(moved, distance);
+    return dollied(moved, std::max(across.distance(), along.distance()));
 }
 
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot) {

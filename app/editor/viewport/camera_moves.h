@@ -18,9 +18,10 @@ Camera panned(const Camera& camera, const glm::dvec2& pixels, double height);
 /// The camera with its distance multiplied; it stays within 1e-3 .. 1e5 metres.
 Camera dollied(const Camera& camera, double factor);
 
-/// The camera moved back or forth until a box in world space fills the view; the pivot is the
-/// middle of the box. `aspect` is width over height. An empty box changes nothing.
-Camera framed(const Camera& camera, const Bounds& box, double aspect);
+/// The camera moved until the object, as it looks from that side, is in the middle of the view and
+/// fills it but for a little air; the pivot is as deep as the middle of its box. `aspect` is width
+/// over height. An empty mesh changes nothing.
+Camera framed(const Camera& camera, const Object& object, const MeshView& mesh, double aspect);
 
 /// The camera with another pivot and the eye where it was.
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot);

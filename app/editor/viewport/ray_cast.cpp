@@ -119,19 +119,4 @@ std::optional<Hit> cast(const Ray& ray, const Scene& scene,
     return hit.object < 0 ? std::nullopt : std::optional(hit);
 }
 
-Bounds worldBounds(const Object& object, const MeshView& mesh) {
-    Bounds box;
-    if (mesh.bounds.empty()) {
-        return box;
-    }
-    const glm::dmat4 world = worldMatrix(object);
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 place{(corner & 1) != 0 ? mesh.bounds.upper.x : mesh.bounds.lower.x,
-                               (corner & 2) != 0 ? mesh.bounds.upper.y : mesh.bounds.lower.y,
-                               (corner & 4) != 0 ? mesh.bounds.upper.z : mesh.bounds.lower.z};
-        box.add(glm::vec3(world * glm::dvec4(place, 1.0)));
-    }
-    return box;
-}
-
 } // namespace patina

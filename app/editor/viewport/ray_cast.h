@@ -36,7 +36,4 @@ Ray rayThrough(const Camera& camera, const glm::dvec2& place, const glm::dvec2& 
 std::optional<Hit> cast(const Ray& ray, const Scene& scene,
                         const std::function<PickMesh(const Object&)>& meshes);
 
-/// The box of an object in world space.
-Bounds worldBounds(const Object& object, const MeshView& mesh);
-
 } // namespace patina

@@ -68,8 +68,7 @@ void SideView::frameCurrentObject() {
     }
     const Object& object = scene.objects[static_cast<std::size_t>(current)];
     const double aspect = double(viewport_->width()) / std::max(viewport_->height(), 1);
-    Q_EMIT cameraWished(
-        framed(viewport_->camera(), worldBounds(object, meshes_.view(object)), aspect));
+    Q_EMIT cameraWished(framed(viewport_->camera(), object, meshes_.view(object), aspect));
 }
 
 void SideView::connectNavigation() {
