@@ -2,6 +2,7 @@
 #include "autosave.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <QCoreApplication>
@@ -45,13 +46,41 @@ bool isAbandoned(const std::filesystem::path& stem) {
     return lock.tryLock(0);
 }
 
-QString read(const std::filesystem::path& path) {
-    QFile file(QString::fromStdString(path.string()));
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+/// A path and, on a line before it, what the file is.
+const std::map<QString, DocumentFile> kinds{
+    {"none", {DocumentFile::Kind::None, {}, false}},
+    {"preset", {DocumentFile::Kind::Preset, {}, false}},
+    {"read-only preset", {DocumentFile::Kind::Preset, {}, true}},
+    {"scene", {DocumentFile::Kind::Scene, {}, false}},
+    {"read-only scene", {DocumentFile::Kind::Scene, {}, true}}};
+
+std::string textOf(const DocumentFile& file) {
+    for (const auto& [name, kind] : kinds) {
+        if (kind.kind == file.kind && kind.readOnly == file.readOnly) {
+            return name.toStdString() + '\n' + file.path.string();
+        }
+    }
+    return {};
 }
 
-Result<void> write(const std::filesystem::path& stem, const Scene& scene, const std::string& file) {
-    const Result<void> origin = writeFileAtomically(originOf(stem), file);
+DocumentFile readOrigin(const std::filesystem::path& path) {
+    QFile file(QString::fromStdString(path.string()));
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QString text = QString::fromUtf8(file.readAll());
+    const auto kind = kinds.find(text.section('\n', 0, 0));
+    if (kind == kinds.end()) {
+        return {};
+    }
+    DocumentFile origin = kind->second;
+    origin.path = text.section('\n', 1).toStdString();
+    return origin;
+}
+
+Result<void> write(const std::filesystem::path& stem, const Scene& scene,
+                   const DocumentFile& file) {
+    const Result<void> origin = writeFileAtomically(originOf(stem), textOf(file));
     return origin ? writeScene(sceneOf(stem), scene) : origin;
 }
 
@@ -120,7 +149,7 @@ void Autosave::save() {
         return;
     }
     worker_.start([this, stem = stem_, scene = document_.sceneToSave(),
-                   file = document_.file().path.string()] {
+                   file = document_.file()] {
         if (const Result<void> written = write(stem, scene, file); !written) {
             Q_EMIT failed(written.error());
         }
@@ -151,7 +180,7 @@ std::vector<Recovery> Autosave::found(const std::filesystem::path& folder) {
     for (const QFileInfo& file : dir.entryInfoList({"*" + sceneSuffix}, QDir::Files, QDir::Time)) {
         const std::filesystem::path scene = file.absoluteFilePath().toStdString();
         if (isAbandoned(stemOf(scene))) {
-            recoveries.push_back({scene, read(originOf(stemOf(scene))), file.lastModified()});
+            recoveries.push_back({scene, readOrigin(originOf(stemOf(scene))), file.lastModified()});
         }
     }
     return recoveries;

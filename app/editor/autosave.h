@@ -19,7 +19,7 @@ namespace patina {
 /// Work that a program which is gone had not saved.
 struct Recovery {
     std::filesystem::path scene;
-    QString original; ///< the file it was opened from or saved to last; may be empty
+    DocumentFile original; ///< the file it was opened from or saved to last, if any
     QDateTime saved;
 };
 

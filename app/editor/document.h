@@ -111,6 +111,9 @@ class Document : public QObject {
     bool openScene(const std::filesystem::path& path);
     /// Opens a scene as a new, untitled document (the default scene).
     bool openTemplate(const std::filesystem::path& path);
+    /// Opens a copy of unsaved work, as the document of the file it came from: it is modified, and
+    /// nothing undoes that.
+    bool recover(const std::filesystem::path& copy, const DocumentFile& origin);
     /// Opens a preset as the document: the material of side A of the current object.
     bool openPreset(const std::filesystem::path& path);
     /// Puts a preset on a side, as one undoable edit.

@@ -101,6 +101,17 @@ bool Document::openTemplate(const std::filesystem::path& path) {
     return opened;
 }
 
+bool Document::recover(const std::filesystem::path& copy, const DocumentFile& origin) {
+    const DocumentState before = state_;
+    const bool opened = openScene(copy);
+    if (opened) {
+        savedState_ = before; // a preset that is saved holds no more than its material
+        setFile(origin);
+        undoStack_.resetClean();
+    }
+    return opened;
+}
+
 bool Document::openPreset(const std::filesystem::path& path) {
     const Checked<PresetReading> reading = readPreset(path, *catalog_);
     if (!reading) {

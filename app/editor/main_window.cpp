@@ -202,8 +202,11 @@ void MainWindow::offerRecovery() {
         QMessageBox::NoButton, this);
     question->setObjectName("recovery");
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(newest.original.isEmpty() ? tr("It was not saved to a file yet.")
-                                                           : newest.original);
+    const QString file = QString::fromStdString(newest.original.path.string());
+    question->setInformativeText(file.isEmpty() ? tr("It was not saved to a file yet.")
+                                                : tr("It belongs to %1, which stays as it is until "
+                                                     "you save.")
+                                                      .arg(file));
     QPushButton* take = question->addButton(tr("Recover"), QMessageBox::AcceptRole);
     QPushButton* drop = question->addButton(tr("Discard"), QMessageBox::DestructiveRole);
     question->addButton(tr("Ask again later"), QMessageBox::RejectRole);
@@ -217,9 +220,8 @@ void MainWindow::offerRecovery() {
 }
 
 void MainWindow::recover(const Recovery& recovery) {
-    if (files_->mayLoseDocument() && document_.openTemplate(recovery.scene)) {
+    if (files_->mayLoseDocument() && document_.recover(recovery.scene, recovery.original)) {
         autosave_.discard();
-        document_.undoStack().resetClean();
         autosave_.adopt(recovery);
     }
 }

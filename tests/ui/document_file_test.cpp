@@ -93,6 +93,27 @@ TEST_F(DocumentFile_, PresetDroppedOnB_StartsComparing) {
     EXPECT_TRUE(document.isComparing());
 }
 
+TEST_F(DocumentFile_, RecoveredWork_IsSavedToTheFileItBelongsTo) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    ASSERT_TRUE(document.saveScene(folder / "copy.patina-scene.json"));
+    document.startFrom(Scene());
+    const DocumentFile origin{DocumentFile::Kind::Scene, folder / "a.patina-scene.json", false};
+    ASSERT_TRUE(document.recover(folder / "copy.patina-scene.json", origin));
+    EXPECT_TRUE(document.isModified());
+    ASSERT_TRUE(document.save());
+    EXPECT_NE(readFile(folder / "a.patina-scene.json").find("0.75"), std::string::npos);
+}
+
+TEST_F(DocumentFile_, RecoveredPreset_StaysModifiedWhenMoreThanThePresetChanged) {
+    document.setValue(document.currentPath(BlockPath::Part::Light), "intensity", 5.0);
+    ASSERT_TRUE(document.saveScene(folder / "copy.patina-scene.json"));
+    document.undoStack().undo();
+    const DocumentFile origin{DocumentFile::Kind::Preset, folder / "a.patina.json", false};
+    ASSERT_TRUE(document.recover(folder / "copy.patina-scene.json", origin));
+    ASSERT_TRUE(document.save());
+    EXPECT_TRUE(document.isModified());
+}
+
 TEST_F(DocumentFile_, BadFile_ChangesNothingAndSaysSo) {
     const DocumentState before = document.state();
     writeFile(folder / "a.patina-scene.json", "{\"format\": ");
