@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
-#include "core/srgb_table.h"
 
 namespace patina {
 namespace {
@@ -75,17 +74,6 @@ Result<void> PictureFile::check() const {
     }
     return tl::unexpected(Error{name, 0, 0, "the name does not say which image format to write",
                                 ".png, .jpg, .exr or .hdr at its end"});
-}
-
-Image linearFromDisplay(Image display) {
-    const SrgbTable srgb;
-    for (std::size_t i = 0; i < display.pixels.size(); ++i) {
-        if (display.channels != 4 || i % 4 != 3) {
-            const float code = std::clamp(display.pixels[i], 0.0f, 1.0f) * 255.0f + 0.5f;
-            display.pixels[i] = srgb.decoded(static_cast<std::uint8_t>(code));
-        }
-    }
-    return display;
 }
 
 fs::path programCacheFolder() {

@@ -45,9 +45,6 @@ struct PictureFile {
     Result<void> check() const;
 };
 
-/// The display image with the sRGB curve undone: what saveImage expects.
-Image linearFromDisplay(Image display);
-
 /// Where program binaries are kept between runs.
 std::filesystem::path programCacheFolder();
 

@@ -12,6 +12,7 @@
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
+#include "core/display_image.h"
 
 namespace patina {
 namespace {

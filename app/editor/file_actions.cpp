@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 
 #include "library/preset_library.h"
+#include "scene/scene_file.h"
 
 namespace patina {
 namespace {
@@ -27,13 +28,6 @@ QString withSuffix(QString file, const QString& suffix) {
         return file;
     }
     return file.remove(QStringLiteral(".json")) + suffix;
-}
-
-/// A name that any file system takes.
-QString asFileName(const QString& name) {
-    QString safe = name.trimmed().toLower();
-    safe.replace(QRegularExpression(QStringLiteral("[^\\w.-]+")), QStringLiteral("-"));
-    return safe.isEmpty() ? QStringLiteral("untitled") : safe;
 }
 
 } // namespace
@@ -183,8 +177,9 @@ void FileActions::drop(const QStringList& files, Side side) {
 void FileActions::addObject(Object object) {
     if (const Material* material = document_.material(Side::A)) {
         object.material = *material;
-    } else if (const auto models = document_.catalog().ofKind("models"); !models.empty()) {
-        object.material = defaultMaterial(*models.front());
+    } else if (const auto start = readScene(defaultScene(), document_.catalog());
+               start && !start->scene.objects.empty()) {
+        object.material = start->scene.objects.front().material;
     }
     document_.addObject(object);
     document_.setCurrentObject(static_cast<int>(document_.scene().objects.size()) - 1);
@@ -214,6 +209,12 @@ FileActions::Kind FileActions::kindOf(const QString& file) {
         return Kind::Scene;
     }
     return file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive) ? Kind::Preset : Kind::Mesh;
+}
+
+QString FileActions::asFileName(const QString& name) {
+    QString safe = name.trimmed().toLower();
+    safe.replace(QRegularExpression(QStringLiteral("[^\\w.-]+")), QStringLiteral("-"));
+    return safe.isEmpty() ? QStringLiteral("untitled") : safe;
 }
 
 std::filesystem::path FileActions::defaultScene() {

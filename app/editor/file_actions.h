@@ -41,7 +41,8 @@ class FileActions : public QObject {
     /// What a drop does: a preset goes onto the side it was dropped on, undoably.
     void drop(const QStringList& files, Side side);
 
-    /// Adds an object with a material like the current one's, and makes it current.
+    /// Adds an object with a material like the current one's, in an empty scene like a new
+    /// document's, and makes it current.
     void addObject(Object object);
 
     /// False when the user wants to go back. Saves when the user wants that.
@@ -50,6 +51,9 @@ class FileActions : public QObject {
     void tell(const Error& message) { Q_EMIT document_.message(message); }
 
     static Kind kindOf(const QString& file);
+
+    /// A name that any file system takes.
+    static QString asFileName(const QString& name);
 
     /// The scene that a new document starts as.
     static std::filesystem::path defaultScene();

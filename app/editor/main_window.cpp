@@ -22,6 +22,7 @@ constexpr int layoutVersion = 1;
 
 constexpr QSize preferredSize{1600, 1000};
 constexpr int narrowWindow = 1400;
+constexpr int saidMs = 4000; ///< so long the status line says what was done
 
 std::filesystem::path programCacheFolder() {
     return cacheFolder() / "programs";
@@ -47,6 +48,7 @@ MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
                             FileActions::defaultScene()}),
       autosave_(document_, stateFolder() / "autosave"),
       files_(new FileActions(document_, meshes_, session_, this)),
+      pictures_(new PictureExport(session_, this)),
       views_(new CompareArea(document_, meshes_, programCacheFolder(), this)),
       status_(new StatusLine(document_, meshes_, messages_, this)) {
     setAcceptDrops(true);
@@ -71,6 +73,7 @@ MainWindow::~MainWindow() {
     }
     delete status_;
     delete views_;
+    delete pictures_;
     delete files_;
 }
 
@@ -107,6 +110,10 @@ void MainWindow::makeDocks() {
 
 void MainWindow::connectParts() {
     connect(&document_, &Document::message, &messages_, &MessageLog::add);
+    connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
+    connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
+        status_->showMessage(tr("%1 is written").arg(QFileInfo(file).fileName()), saidMs);
+    });
     connect(&autosave_, &Autosave::failed, &messages_, &MessageLog::add);
     connect(&messages_, &MessageLog::arrived, this, &MainWindow::showMessages);
     connect(&document_, &Document::fileChanged, this, &MainWindow::updateTitle);
@@ -183,6 +190,14 @@ void MainWindow::updateTitle() {
                                  : tr("%1[*] – Patina").arg(name));
     setWindowFilePath(QString::fromStdString(file.path.string()));
     setWindowModified(document_.isModified());
+}
+
+void MainWindow::exportPicture() {
+    Viewport& viewport = views_->active().viewport();
+    const Material* material = document_.material(document_.activeSide());
+    pictures_->ask(FileActions::asFileName(
+                       material ? QString::fromStdString(material->name) : QString()),
+                   [&viewport](bool display) { return viewport.picture(display); });
 }
 
 void MainWindow::showMessages() {

@@ -14,6 +14,7 @@
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
 #include "message_log.h"
+#include "picture_export.h"
 #include "session.h"
 #include "status_line.h"
 #include "theme.h"
@@ -33,6 +34,7 @@ class MainWindow : public QMainWindow {
 
     Document& document() { return document_; }
     FileActions& files() { return *files_; }
+    PictureExport& pictures() { return *pictures_; }
     CompareArea& views() { return *views_; }
     MessageLog& messages() { return messages_; }
     Autosave& autosave() { return autosave_; }
@@ -63,6 +65,7 @@ class MainWindow : public QMainWindow {
     void updateTitle();
     void offerRecovery();
     void recover(const Recovery& recovery);
+    void exportPicture();
     void showMessages();
     void showKeys();
     void showAbout();
@@ -79,6 +82,7 @@ class MainWindow : public QMainWindow {
     ThumbnailMaker thumbnails_;
     Autosave autosave_;
     FileActions* files_;
+    PictureExport* pictures_;
     CompareArea* views_;
     StatusLine* status_;
     QMenu* recent_ = nullptr;

@@ -34,6 +34,7 @@ void MainWindow::makeFileMenu() {
     add(menu, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [this] { files_->saveAs(); });
     add(menu, tr("&Export Material as Preset…"), QKeySequence("Ctrl+E"),
         [this] { files_->exportPreset(); });
+    add(menu, tr("Export Pict&ure…"), QKeySequence("Ctrl+Shift+E"), [this] { exportPicture(); });
     menu->addSeparator();
     add(menu, tr("&Import Mesh…"), QKeySequence("Ctrl+I"), [this] { files_->importMesh(); });
     menu->addSeparator();

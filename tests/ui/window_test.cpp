@@ -48,6 +48,15 @@ bool waitUntil(const std::function<bool()>& holds) {
     return QTest::qWaitFor(holds, waitMs);
 }
 
+int copiesIn(const std::filesystem::path& folder) {
+    int copies = 0;
+    std::error_code missing; // then there are none
+    for (const auto& file : std::filesystem::directory_iterator(folder, missing)) {
+        copies += file.path().extension() == ".json" ? 1 : 0;
+    }
+    return copies;
+}
+
 QString messagesIn(MainWindow& window) {
     return QString::fromStdString(text(window.messages().messages()));
 }
@@ -97,6 +106,41 @@ TEST_F(Window, DroppedMesh_BecomesAnObject) {
     writeFile(home("triangle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     window().files().drop({QString::fromStdString(home("triangle.obj").string())}, Side::A);
     EXPECT_TRUE(waitUntil([&] { return document().scene().objects.size() == 2; }));
+}
+
+TEST_F(Window, ObjectInAnEmptyScene_LooksLikeANewDocuments) {
+    const Material start = document().scene().objects[0].material;
+    document().removeObject(0);
+    ASSERT_TRUE(document().scene().objects.empty());
+    Object sphere;
+    sphere.mesh = "builtin:sphere";
+    window().files().addObject(sphere);
+    EXPECT_EQ(document().scene().objects[0].material, start);
+    EXPECT_EQ(document().currentObject(), 0);
+}
+
+TEST_F(Window, ExportedPicture_IsWhatTheViewShows) {
+    QSignalSpy saved(&window().pictures(), &PictureExport::saved);
+    const QString file = QString::fromStdString(home("a.png").string());
+    window().pictures().save(file, [this](bool display) { return view().picture(display); });
+    ASSERT_TRUE(saved.wait(waitMs)) << messagesIn(window()).toStdString();
+    const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    const QImage written = QImage(file).convertToFormat(QImage::Format_RGB888);
+    ASSERT_EQ(written.size(), shown.size());
+    int most = 0;
+    for (int y = 0; y < shown.height(); ++y) {
+        for (int i = 0; i < 3 * shown.width(); ++i) {
+            const int difference = int(written.constScanLine(y)[i]) - int(shown.constScanLine(y)[i]);
+            most = std::max(most, std::abs(difference));
+        }
+    }
+    EXPECT_EQ(most, 0);
+}
+
+TEST_F(Window, PictureThatCannotBeWritten_IsAMessage) {
+    const QString file = QString::fromStdString((home("missing") / "a.png").string());
+    window().pictures().save(file, [this](bool display) { return view().picture(display); });
+    EXPECT_TRUE(waitUntil([&] { return window().messages().count() > 0; }));
 }
 
 TEST_F(Window, ShippedPresets_AppearInTheirDock) {
@@ -189,13 +233,28 @@ TEST_F(Window, ProgramKilledWithUnsavedWork_OffersItAtTheNextStart) {
     EXPECT_TRUE(document().isModified());
 }
 
+TEST_F(Window, RecoveredWork_KnowsItsFileAndIsModified) {
+    window().autosave().setIntervals(1, 1);
+    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    edit(document());
+    const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
+    ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
+    close();
+    open();
+    window().startRest();
+    auto* question = window().findChild<QMessageBox*>("recovery");
+    ASSERT_NE(question, nullptr);
+    question->defaultButton()->click();
+    EXPECT_EQ(document().file().path, home("a.patina-scene.json"));
+    EXPECT_TRUE(window().isWindowModified());
+    EXPECT_EQ(document().scene().exposure, 0.5);
+}
+
 TEST_F(Window, RunningProgramsWork_IsNotOffered) {
     window().autosave().setIntervals(1, 1);
     edit(document());
     const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
-    ASSERT_TRUE(waitUntil(
-        [&] { return std::filesystem::exists(folder) && !std::filesystem::is_empty(folder); }));
-    QTest::qWait(200);
+    ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
     EXPECT_TRUE(Autosave::found(folder).empty());
 }
 
@@ -203,14 +262,10 @@ TEST_F(Window, SavedWork_LeavesNoCopy) {
     window().autosave().setIntervals(1, 1);
     ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
     edit(document());
-    QTest::qWait(300);
+    const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
+    ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
     ASSERT_TRUE(window().files().save());
-    int copies = 0;
-    for (const auto& file :
-         std::filesystem::directory_iterator(home("XDG_STATE_HOME") / "patina/autosave")) {
-        copies += file.path().extension() == ".json" ? 1 : 0;
-    }
-    EXPECT_EQ(copies, 0);
+    EXPECT_EQ(copiesIn(folder), 0);
 }
 
 } // namespace

@@ -164,10 +164,8 @@ Image Viewport::linearPicture() {
         giveUpFrame(); // capturing takes its place
         refresh();
     }
-    Scene unexposed = sources_.scene();
-    unexposed.exposure = 0.0;
     makeCurrent();
-    Result<Image> picture = renderer_->capture(unexposed, view(), sources_.meshes, false);
+    Result<Image> picture = renderer_->capture(scene, view(), sources_.meshes, display);
     doneCurrent();
     return picture ? std::move(*picture) : Image();
 }
@@ -210,6 +208,16 @@ View Viewport::view() const {
     const QSize pixels = size() * devicePixelRatioF();
     View view;
     view.size = {std::max(pixels.width(), 1), std::max(pixels.height(), 1)};
+    Scene unexposed = sources_.scene();
+    unexposed.exposure = 0.0;
+    return pictureOf(unexposed, false);
+}
+
+Image Viewport::picture(bool display) {
+    return pictureOf(sources_.scene(), display);
+}
+
+Image Viewport::pictureOf(const Scene& scene, bool display) {
     view.camera = camera_;
     return view;
 }

@@ -60,6 +60,10 @@ class Viewport : public QOpenGLWidget, public ColorSource {
 
     /// Finds out how frames are best timed here, which takes some milliseconds; a clock on the
     /// wall does until then.
+    /// The picture as it is shown, divided by 255, or as linear floats with the exposure in them;
+    /// empty when none can be drawn.
+    Image picture(bool display);
+
     void chooseTimer();
 
     /// Why nothing is drawn; empty when all is well.
@@ -103,6 +107,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Sources sources_;
     CameraNavigation navigation_;
     Camera camera_;
+    bool mayTakeLong() const;
+    void drawLater();
+    Image pictureOf(const Scene& scene, bool display);
     std::shared_ptr<const Catalog> catalog_;
     bool catalogIsNew_ = false;
     std::unique_ptr<Renderer> renderer_;
