@@ -63,11 +63,15 @@ void tellFirstFrame() {
 
 /// Leaves the rest of the start to the turn after the first frame is on the screen.
 void afterFirstFrame(MainWindow& window, Viewport& viewport) {
+    const auto shown = [&window] {
+        tellFirstFrame();
+        QTimer::singleShot(0, &window, [&window] { window.startRest(); });
+    };
     QObject::connect(
-        &viewport, &QOpenGLWidget::frameSwapped, &window,
-        [&window] {
-            tellFirstFrame();
-            QTimer::singleShot(0, &window, [&window] { window.startRest(); });
+        &viewport, &Viewport::frameDrawn, &window,
+        [&window, &viewport, shown] {
+            QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, &window, shown,
+                             Qt::SingleShotConnection);
         },
         Qt::SingleShotConnection);
 }

@@ -47,6 +47,7 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
     connectNavigation();
     connect(&document, &Document::changed, viewport_, &Viewport::refresh);
     connect(&document, &Document::changed, this, &SideView::updateTitle);
+    connect(&document, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
     connect(&document, &Document::currentChanged, this, &SideView::updateTitle);
     connect(&document, &Document::catalogChanged, this,
             [this] { viewport_->setCatalog(document_.sharedCatalog()); });

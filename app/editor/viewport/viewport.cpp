@@ -7,10 +7,13 @@
 
 #include <QApplication>
 #include <QDragEnterEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QTimer>
 #include <QUrl>
 
 namespace patina {
@@ -22,7 +25,11 @@ constexpr std::chrono::milliseconds patience{20};
 } // namespace
 
 Viewport::Viewport(Sources sources, QWidget* parent)
-    : QOpenGLWidget(parent), sources_(std::move(sources)) {
+    : QOpenGLWidget(parent), sources_(std::move(sources)),
+      note_(new QLabel(tr("Drawing the scene …"), this)) {
+    note_->setContentsMargins(12, 6, 12, 6);
+    note_->setAutoFillBackground(true);
+    note_->hide();
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
     setMinimumSize(160, 120);
@@ -54,6 +61,26 @@ void Viewport::refresh() {
     }
     stale_ = true;
     update();
+}
+
+void Viewport::announceScene() {
+    isNew_ = true;
+    refresh();
+}
+
+/// Before the first frame there is nothing yet that could stay on the screen.
+void Viewport::showNote() {
+    if (frameCount_ == 0) {
+        QOpenGLFunctions& gl = *context()->functions();
+        const QColor empty = palette().color(QPalette::Dark);
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+        gl.glClearColor(empty.redF(), empty.greenF(), empty.blueF(), 1.0f);
+        gl.glClear(GL_COLOR_BUFFER_BIT);
+    }
+    // A note over all of the view would hide it from Qt, which then paints it no more.
+    note_->adjustSize();
+    note_->move(rect().center() - note_->rect().center());
+    note_->show();
 }
 
 void Viewport::setCamera(const Camera& camera) {
@@ -115,6 +142,9 @@ void Viewport::beginFrame() {
     } else {
         progress_ = Progress::Drawing;
         turn_.start(0);
+        if (isNew_) {
+            showNote();
+        }
     }
 }
 
@@ -136,6 +166,8 @@ void Viewport::finishFrame() {
     timer_->end();
     progress_ = Progress::Idle;
     ++frameCount_;
+    isNew_ = false;
+    note_->hide();
     const FrameReport& report = renderer_->report();
     if (report.messages != messages_) {
         messages_ = report.messages;
@@ -157,6 +189,16 @@ void Viewport::giveUpFrame() {
 }
 
 Image Viewport::linearPicture() {
+    Scene unexposed = sources_.scene();
+    unexposed.exposure = 0.0;
+    return pictureOf(unexposed, false);
+}
+
+Image Viewport::picture(bool display) {
+    return pictureOf(sources_.scene(), display);
+}
+
+Image Viewport::pictureOf(const Scene& scene, bool display) {
     if (!renderer_) {
         return {};
     }
@@ -208,16 +250,6 @@ View Viewport::view() const {
     const QSize pixels = size() * devicePixelRatioF();
     View view;
     view.size = {std::max(pixels.width(), 1), std::max(pixels.height(), 1)};
-    Scene unexposed = sources_.scene();
-    unexposed.exposure = 0.0;
-    return pictureOf(unexposed, false);
-}
-
-Image Viewport::picture(bool display) {
-    return pictureOf(sources_.scene(), display);
-}
-
-Image Viewport::pictureOf(const Scene& scene, bool display) {
     view.camera = camera_;
     return view;
 }

@@ -14,6 +14,8 @@
 #include "render/renderer.h"
 #include "viewport/camera_navigation.h"
 
+class QLabel;
+
 namespace patina {
 
 /// Shows a scene with a Renderer of its own and hands the mouse and the keys to a
@@ -49,21 +51,24 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// A frame is being drawn that takes several turns.
     bool isDrawing() const { return progress_ != Progress::Idle; }
 
+    /// Another scene is shown. A note says so while its first picture takes several turns.
+    void announceScene();
+
     int frameCount() const { return frameCount_; }
     const FrameReport& report() const;
 
     /// The picture before exposure and tone mapping.
     Image linearPicture() override;
 
+    /// The picture as it is shown, divided by 255, or as linear floats with the exposure in them;
+    /// empty when none can be drawn.
+    Image picture(bool display);
+
     /// "1.3 ms (GPU timer)", or how else it was measured. Call it a moment after the frame.
     QString frameTime();
 
     /// Finds out how frames are best timed here, which takes some milliseconds; a clock on the
     /// wall does until then.
-    /// The picture as it is shown, divided by 255, or as linear floats with the exposure in them;
-    /// empty when none can be drawn.
-    Image picture(bool display);
-
     void chooseTimer();
 
     /// Why nothing is drawn; empty when all is well.
@@ -98,6 +103,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     enum class Progress { Idle, Drawing, Drawn };
 
     void dropRenderer();
+    void showNote();
+    Image pictureOf(const Scene& scene, bool display);
     View view() const;
     void beginFrame();
     void proceed();
@@ -107,9 +114,6 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Sources sources_;
     CameraNavigation navigation_;
     Camera camera_;
-    bool mayTakeLong() const;
-    void drawLater();
-    Image pictureOf(const Scene& scene, bool display);
     std::shared_ptr<const Catalog> catalog_;
     bool catalogIsNew_ = false;
     std::unique_ptr<Renderer> renderer_;
@@ -122,6 +126,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     QTimer turn_;                        ///< its next one
     bool stale_ = true; ///< the picture is not of what would be drawn now
     bool resizing_ = false;
+    QLabel* note_; ///< that a picture is on its way
+    bool isNew_ = true; ///< no picture of this scene has been shown yet
 };
 
 } // namespace patina
