@@ -10,7 +10,8 @@
 #include <QPalette>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QStyleFactory>
+
+#include "look_style.h"
 
 namespace patina {
 namespace {
@@ -26,13 +27,13 @@ constexpr unsigned schemeUnset = 0;
 
 /// The few colours a look is made of.
 struct Colours {
-    QColor window, base, alternate, text, button, faint, accent, accentText, edge;
+    QColor window, base, alternate, text, button, faint, hint, accent, accentText, edge;
 };
 
 const Colours dark{"#2b2c2f", "#222326", "#28292c", "#dedfe2", "#37393d",
-                   "#85888e", "#3d7fc4", "#ffffff", "#1b1c1e"};
+                   "#85888e", "#a3a6ac", "#3d7fc4", "#ffffff", "#1b1c1e"};
 const Colours light{"#eeeff1", "#ffffff", "#f5f6f7", "#1d1f22", "#f7f8f9",
-                    "#7d8087", "#2f74c0", "#ffffff", "#b9bcc2"};
+                    "#7d8087", "#5f6269", "#2f74c0", "#ffffff", "#b9bcc2"};
 
 QPalette paletteOf(const Colours& c) {
     QPalette palette(c.text, c.button, c.button.lighter(125), c.edge, c.button.darker(115), c.text,
@@ -41,7 +42,7 @@ QPalette paletteOf(const Colours& c) {
     palette.setColor(QPalette::ButtonText, c.text);
     palette.setColor(QPalette::ToolTipBase, c.base);
     palette.setColor(QPalette::ToolTipText, c.text);
-    palette.setColor(QPalette::PlaceholderText, c.faint);
+    palette.setColor(QPalette::PlaceholderText, c.hint);
     palette.setColor(QPalette::Highlight, c.accent);
     palette.setColor(QPalette::HighlightedText, c.accentText);
     palette.setColor(QPalette::Link, c.accent.lighter(115));
@@ -77,7 +78,7 @@ bool gtkPrefersDark() {
 
 Theme::Theme(QObject* parent)
     : QObject(parent), systemIsDark_(isDarkPalette(QApplication::palette()) || gtkPrefersDark()) {
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new LookStyle);
     apply();
 }
 
