@@ -130,8 +130,8 @@ TEST_F(Window, ExportedPicture_IsWhatTheViewShows) {
     int most = 0;
     for (int y = 0; y < shown.height(); ++y) {
         for (int i = 0; i < 3 * shown.width(); ++i) {
-            const int difference = int(written.constScanLine(y)[i]) - int(shown.constScanLine(y)[i]);
-            most = std::max(most, std::abs(difference));
+            const int wanted = shown.constScanLine(y)[i];
+            most = std::max(most, std::abs(written.constScanLine(y)[i] - wanted));
         }
     }
     EXPECT_EQ(most, 0);
