@@ -76,7 +76,7 @@ float fujiiDiffuse(Directions d, float r) {
 
 // q(c) = pi (1 - E(c)) / (A r): what one bounce of Fujii's model loses for light of cosine c,
 // s2 = 1 - c^2. Portsmouth, Kutz and Hill, EON: A Practical Energy-Preserving Rough Diffuse BRDF,
-// JCGT 14(1), 2025, equation 19, with the common factor A r taken out, so that nothing is left of
+// JCGT 14(1), 2025, with the common factor A r taken out, so that nothing is left of
 // 0/0 at r = 0 or at the horizon. 0.9041... is pi/2 - 2/3.
 float eonLoss(float c, float s2) {
     float x;

@@ -114,7 +114,7 @@ float indexFromF0(float F0) {
 
 // The dielectric whose reflectance facing the surface is F0, eta = (1 + sqrt F0) / (1 - sqrt F0),
 // for ordinary light. Blinn, SIGGRAPH 1977, with the index from F0 as in Cook and Torrance, ACM TOG
-// 1(1), 1982, section 4. Multiplied by q = 1 - sqrt F0, so that F0 = 1, an infinite index, is not
+// 1(1), 1982. Multiplied by q = 1 - sqrt F0, so that F0 = 1, an infinite index, is not
 // special: with G = q g = sqrt(4 sqrt F0 + q^2 c^2)
 //   Rs = (4 sqrt F0 / (G + q c)^2)^2        Rp = Rs ((c G - q sin^2) / (c G + q sin^2))^2
 // F0 0 .. 1. Limits: everything at grazing angles, nothing for F0 = 0.

@@ -26,7 +26,7 @@ float schlickLobe(float versineRv, float rv, float m) {
 
 // exp(-(theta_h / m)^2), theta_h the angle between n and h, m >= 0 its width in radians; 0 where
 // n.h <= 0. m -> 0 is 1 where h = n and else 0; 1e-18 keeps 1 / m^2 finite.
-// R. L. Cook and K. E. Torrance, ACM TOG 1(1), 1982, section 4 (Blinn's Gaussian, 1977).
+// R. L. Cook and K. E. Torrance, ACM TOG 1(1), 1982 (Blinn's Gaussian, 1977).
 float gaussianHighlight(float sin2h, float cos2h, float nH, float m) {
     if (!(nH > 0.0)) {
         return 0.0;

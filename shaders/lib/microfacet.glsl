@@ -6,7 +6,7 @@
 #include "lib/math.glsl"
 
 // Beckmann: D = exp(-tan^2 / alpha^2) / (pi alpha^2 cos^4), alpha the RMS slope.
-// Cook and Torrance, A Reflectance Model for Computer Graphics, ACM TOG 1(1), 1982, section 4, with
+// Cook and Torrance, A Reflectance Model for Computer Graphics, ACM TOG 1(1), 1982, with
 // the 1/pi that their print leaves out. alpha 1e-4 .. 3. The caps only matter within 1e-15 rad of
 // the horizon, where the exponential is 0 and 1/cos^4 would otherwise make 0 x infinity.
 float beckmannDistribution(float sin2h, float cos2h, float alpha) {
@@ -57,7 +57,7 @@ float gaussianWidth(float beta) {
 }
 
 // The lobe e^(-(theta / width)^2), width > 0 in radians: Blinn 1977, distribution D2, which he
-// takes from Torrance and Sparrow 1967; the Gaussian of Cook and Torrance 1982, section 4.
+// takes from Torrance and Sparrow 1967; the Gaussian of Cook and Torrance 1982.
 float gaussianLobe(float sin2h, float cos2h, float nh, float width) {
     float inverse = 1.0 / width;
     return exp2(-1.4426950408889634 * (squaredAngle(sin2h, cos2h, nh) * inverse) * inverse);
@@ -72,8 +72,8 @@ float gaussianNormaliser(float width) {
 // Torrance and Sparrow's v-cavity masking and shadowing,
 //   G = min(1, 2 (n.h)(n.v) / (v.h), 2 (n.h)(n.l) / (v.h)),
 // divided by 4 (n.v): G / (4 n.v) = min(1 / (4 n.v), n.H / H.H min(1, n.l / n.v)) because
-// n.h / v.h = 2 n.H / H.H. Torrance and Sparrow, JOSA 57(9), 1967; Cook and Torrance 1982,
-// section 4. Finite at n.v = 0; nl > 0, nv > 0.
+// n.h / v.h = 2 n.H / H.H. Torrance and Sparrow, JOSA 57(9), 1967; Cook and Torrance 1982.
+// Finite at n.v = 0; nl > 0, nv > 0.
 float vCavityVisibility(float nl, float nv, float nH, float HH) {
     float masked = nH / max(HH, 1e-30) * min(nl / max(nv, 1e-30), 1.0);
     return min(0.25 / max(nv, 1e-30), masked);

@@ -96,7 +96,7 @@ Incidence cookTorranceIncidence(Directions d, CookTorrance p) {
     return halfIncidence(d);
 }
 
-// s R_s + d R_d of Cook and Torrance 1982, section 3, with R_s = D G F / (4 (n.l)(n.v)). Their
+// s R_s + d R_d of Cook and Torrance 1982, with R_s = D G F / (4 (n.l)(n.v)). Their
 // print has D' = pi D and F D' G / (pi (n.l)(n.v)), which is 4 R_s.
 vec3 cookTorrance(Directions d, CookTorrance p) {
     float specularShare = 1.0;

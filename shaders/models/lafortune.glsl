@@ -29,7 +29,7 @@ vec3 lafortuneLobe(Directions g, Lafortune p, vec3 Cx, vec3 Cy, vec3 Cz, vec3 e)
         lafortunePower(g, vec3(Cx.z, Cy.z, Cz.z), e.z));
 }
 
-// Lafortune et al. 1997, equation 7: f = rho / pi + sum of the lobes; pi f cos theta_l.
+// Lafortune et al. 1997: f = rho / pi + sum of the lobes; pi f cos theta_l.
 vec3 lafortune(Directions d, Lafortune p) {
     Directions g = alongGrain(d, p.tangentAngle);
     vec3 lobes = p.lobe1Color

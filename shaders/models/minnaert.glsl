@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/directions.glsl"
 
-// (n.l)^k (n.v)^(k-1) of Minnaert 1941, equation 3. The exponent is kept at 120 or less: for k < 1
+// (n.l)^k (n.v)^(k-1) of Minnaert 1941. The exponent is kept at 120 or less: for k < 1
 // the law has no bound at the rim. 1e-37 keeps a flushed subnormal out of log2; k = 1 is Lambert.
 vec3 minnaert(Directions d, Minnaert p) {
     float power = (p.darkening - 1.0) * log2(max(d.nl * d.nv, 1e-37));

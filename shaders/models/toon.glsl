@@ -29,7 +29,7 @@ vec3 toonSpot(Directions d, Toon p) {
 }
 
 // Two or three flat tones by n.l, per fragment. A. Lake et al., Stylized Rendering Techniques for
-// Scalable Real-Time 3D Animation, NPAR 2000, section 3, with soft edges and a spot.
+// Scalable Real-Time 3D Animation, NPAR 2000, with soft edges and a spot.
 vec3 toon(Directions d, Toon p) {
     vec3 tone = toonEdge(toonLead(d, p.threshold), p.softness, p.shadowColor, p.diffuseColor);
     if (p.tones == TOON_TONES_THREE) {
