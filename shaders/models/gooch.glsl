@@ -15,8 +15,8 @@ void goochWeights(Directions d, OUT(float) towards, OUT(float) away) {
 
 // Gooch, Gooch, Shirley and Cohen, A Non-Photorealistic Lighting Model for Automatic Technical
 // Illustration, SIGGRAPH 1998, equation 2: u warm + (1 - u) cool, u = (1 + n.l) / 2. Their print
-// has l away from the light. With two lights (their approximation) the mean of both tones is lit by a
-// warm light from l and a cool one from -l; negative lights are left out, so no tone is darkened.
+// has l away from the light. With two lights (their approximation) the mean of both tones is lit by
+// a warm light from l and a cool one from -l; negative lights are left out, so no tone is darkened.
 vec3 goochTone(Directions d, Gooch p, vec3 warm, vec3 cool) {
     float towards;
     float away;
