@@ -12,6 +12,8 @@ Directions alongGrain(Directions d, float angle) {
     g.lb = c * d.lb - s * d.lt;
     g.vt = c * d.vt + s * d.vb;
     g.vb = c * d.vb - s * d.vt;
+    g.tH = c * d.tH + s * d.bH;
+    g.bH = c * d.bH - s * d.tH;
     g.ht = c * d.ht + s * d.hb;
     g.hb = c * d.hb - s * d.ht;
     return g;

@@ -27,6 +27,8 @@ struct Directions {
     float versineRv; // 1 - r.v
     float sin2l; // sin^2 of the angles of l and v with n
     float sin2v;
+    float tH;    // t.(l + v) and b.(l + v), which keep their digits where l and v oppose
+    float bH;
 };
 
 // Squared length of the part of u that is perpendicular to the unit vector n, given nu = n.u.
@@ -58,7 +60,10 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     vec3 H = l + v;
     d.HH = dot(H, H);
     d.nH = d.nl + d.nv;
-    d.sin2h = perpendicular2(H, n, d.nH);
+    vec3 P = H - d.nH * n;
+    d.sin2h = dot(P, P);
+    d.tH = dot(P, t);
+    d.bH = dot(P, b);
     d.cos2h = d.nH * d.nH;
     d.lh = 0.5 * sqrt(d.HH);
 
@@ -73,11 +78,13 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     bool opposite = !(d.HH > 1e-30);
     float scale = opposite ? 0.0 : inversesqrt(max(d.HH, 1e-30));
     d.nh = d.nH * scale;
-    d.ht = (d.lt + d.vt) * scale;
-    d.hb = (d.lb + d.vb) * scale;
+    d.ht = d.tH * scale;
+    d.hb = d.bH * scale;
     if (opposite) {
         d.HH = 0.0;
         d.nH = 0.0;
+        d.tH = 0.0;
+        d.bH = 0.0;
         d.lh = 0.0;
         d.sin2h = 1.0;
         d.cos2h = 0.0;

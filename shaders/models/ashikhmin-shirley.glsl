@@ -14,7 +14,7 @@ float ashikhminShirleyRise(float y) {
 // at h = n.
 float ashikhminShirleyLobe(Directions d, AshikhminShirley p) {
     Directions g = alongGrain(d, p.tangentAngle);
-    float weight = p.shininessX * sqr(g.lt + g.vt) + p.shininessY * sqr(g.lb + g.vb);
+    float weight = p.shininessX * sqr(g.tH) + p.shininessY * sqr(g.bH);
     return exp2(-1.4426950408889634 * weight * minusLnCosBySin2(d.sin2h, d.cos2h))
         * sqrt((p.shininessX + 1.0) * (p.shininessY + 1.0));
 }

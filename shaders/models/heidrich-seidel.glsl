@@ -12,7 +12,7 @@ vec3 heidrichSeidel(Directions d, HeidrichSeidel p) {
     Directions g = alongGrain(d, p.tangentAngle);
     float sl = sqrt(d.nl * d.nl + g.lb * g.lb);
     float sv = sqrt(d.nv * d.nv + g.vb * g.vb);
-    float versine = 0.5 * (sqr(sl - sv) + sqr(g.lt + g.vt));
+    float versine = 0.5 * (sqr(sl - sv) + sqr(g.tH));
     float lobe = pow1m(versine, sl * sv - g.lt * g.vt, p.shininess);
     bool limits = p.glossMode == HEIDRICH_SEIDEL_GLOSS_MODE_LIMIT;
     vec3 value = p.diffuseColor * sl + glossed(p.specularColor * lobe, p.gloss, limits, 1.0);

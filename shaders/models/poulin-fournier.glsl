@@ -9,11 +9,11 @@
 // period.
 float poulinFournierLobe(Directions g, PoulinFournier p, vec2 arc, AcrossRidges l,
     AcrossRidges v, float floorShare) {
-    float hb = g.lb + g.vb;
+    float hb = g.bH;
     float side = hb < 0.0 ? -1.0 : 1.0;
     float plane2 = g.nH * g.nH + hb * hb;
     float inPlane = max(sqrt(plane2), 1e-20);
-    vec3 h = vec3(side * angleOf(abs(hb) / inPlane, g.nH / inPlane), sqr(g.lt + g.vt), plane2);
+    vec3 h = vec3(side * angleOf(abs(hb) / inPlane, g.nH / inPlane), sqr(g.tH), plane2);
     vec2 light = vec2(0.5 * PI, 0.0);
     float ridges = 1.0;
     float flatPart = powSC(g.sin2h, g.cos2h, p.shininess);

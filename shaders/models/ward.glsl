@@ -17,7 +17,7 @@ float wardExponent(Directions d, Ward p, OUT(float) area) {
     float ay = slopeWidth(p.roughnessY);
     Directions g = alongGrain(d, p.tangentAngle);
     area = ax * ay;
-    return (sqr((g.lt + g.vt) / ax) + sqr((g.lb + g.vb) / ay)) / nH2;
+    return (sqr(g.tH / ax) + sqr(g.bH / ay)) / nH2;
 }
 
 // Ward 1992, equation 5a, and the two later normalisations of the same exponential; pi f cos
