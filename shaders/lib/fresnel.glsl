@@ -141,7 +141,7 @@ float straussWeight(float x, float y, float kf) {
 
 // Strauss's shadowing, 1 at x = 0 and 0 at x = 1, y = 1 - x, ks > 1:
 //   G(x) = (1 / (1 - ks)^2 - 1 / (x - ks)^2) / (1 / (1 - ks)^2 - 1 / ks^2)
-// The same paper; multiplied out.
+// The same paper; multiplied out. With kf in the place of ks it is 1 - F(x).
 float straussShadowing(float y, float ks) {
     return ks * ks * y * (y + 2.0 * (ks - 1.0)) / ((2.0 * ks - 1.0) * sqr(y + (ks - 1.0)));
 }

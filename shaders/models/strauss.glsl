@@ -51,7 +51,10 @@ vec3 strauss(Directions d, Strauss p) {
     float rn = s * s * s * passed;
     float reflected = min(1.0, rn + (rn + p.k) * j);
 
-    vec3 highlight = mix(p.specularColor, p.diffuseColor, p.metalness * (1.0 - F));
+    // m (1 - F) and the rest of 1: 1 - F has the form of G, so neither is a difference.
+    float tinted = p.metalness * straussShadowing(yl, p.kf);
+    vec3 highlight = p.specularColor * ((1.0 - p.metalness) + p.metalness * F)
+        + p.diffuseColor * tinted;
     float diffuse = d.nl * (1.0 - p.metalness * s) * rough3 * passed;
     bool limits = p.glossMode == STRAUSS_GLOSS_MODE_LIMIT;
     return p.diffuseColor * diffuse
