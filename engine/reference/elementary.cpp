@@ -78,13 +78,16 @@ double angleOf(double s, double c) {
     return std::atan2(s, c);
 }
 
-// Four panels of a rule that is exact to rounding for each; past 9 deviations the lobe is below
-// e^(-40).
+// Four panels of a rule that is exact to rounding for each; as far as at 9 deviations, where the
+// lobe has fallen by e^(-40).
 double ridgeLobe(const glm::dvec2& arc, const glm::dvec3& h, double e, const glm::dvec2& view,
                  const glm::dvec2& light) {
-    const double reach = 9.0 / std::sqrt(e + 1.0);
-    const double from = std::max(arc.x, h.x - reach);
-    const double to = std::min(arc.y, h.x + reach);
+    const double largest = std::max(arc.x, std::min(h.x, arc.y));
+    const double off = std::abs(largest - h.x);
+    const double reach2 = 81.0 / (e + 1.0);
+    const double reach = reach2 / (std::sqrt(off * off + reach2) + off);
+    const double from = std::max(arc.x, largest - reach);
+    const double to = std::min(arc.y, largest + reach);
     const auto integrand = [&](double psi) {
         const double s = std::sin(psi - h.x);
         const double c = std::cos(psi - h.x);
