@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <functional>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace patina {
@@ -93,6 +95,17 @@ ReferenceNumbers noiseOf(const Movable& movable, const ReferenceNumbers& exact) 
     return sum;
 }
 
+/// What moves the light and the viewer, each by at most its rounding, as far as it can towards
+/// mirror directions: there a lobe has its peak, which may be narrower than a rounding and then lie
+/// between the places that other moves reach.
+void moveTowardsMirror(reference::Geometry& geometry) {
+    const glm::dvec3 half = geometry.l + geometry.v;
+    const glm::dvec3 across = half - glm::dot(half, geometry.n) * geometry.n;
+    const glm::dvec3 step = glm::clamp(0.5 * across, -rounding, rounding);
+    geometry.l -= step;
+    geometry.v -= step;
+}
+
 ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
                             const ReferenceNumbers& exact) {
     reference::Geometry geometry = reference::geometry(place.n, place.t, place.l, place.v);
@@ -104,7 +117,12 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
     }
     movable.steps.assign(movable.numbers.size(), rounding);
     movable.evaluate = [&] { return bound.evaluate(geometry); };
-    return noiseOf(movable, exact);
+    ReferenceNumbers noise = noiseOf(movable, exact);
+    moveTowardsMirror(geometry);
+    const ReferenceNumbers mirrored = bound.evaluate(geometry);
+    ReferenceNumbers change{};
+    addChange(change, exact, mirrored, mirrored);
+    return larger(noise, change);
 }
 
 ReferenceNumbers placeNoise(Subject subject, const ReferenceCase& bound, const EvalPlace& place,
