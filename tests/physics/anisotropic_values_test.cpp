@@ -35,8 +35,8 @@ void expectWard(const nlohmann::json& data, const Values& values) {
 
 TEST(Ward, Anisotropic_MatchesItsTable) {
     const auto& data = numbers()["ward"];
-    expectWard(data, {{"roughness.x", data["x"].get<double>()},
-                      {"roughness.y", data["y"].get<double>()}});
+    expectWard(
+        data, {{"roughness.x", data["x"].get<double>()}, {"roughness.y", data["y"].get<double>()}});
 }
 
 TEST(Ward, Isotropic_MatchesItsTable) {
@@ -46,8 +46,7 @@ TEST(Ward, Isotropic_MatchesItsTable) {
 }
 
 TEST(Ward, EqualRoughnesses_AreTheEvenGrain) {
-    const Subject even("models", "ward",
-                       {{"grain", std::string("isotropic")}, {"roughness", 0.3}});
+    const Subject even("models", "ward", {{"grain", std::string("isotropic")}, {"roughness", 0.3}});
     const Subject equal("models", "ward",
                         {{"roughness.x", 0.3}, {"roughness.y", 0.3}, {"tangent.angle", 25.0}});
     const auto g = pairOfDirections("A");
@@ -91,9 +90,8 @@ TEST(AshikhminShirley, Highlight_MatchesItsTable) {
     for (const auto& data : numbers()["ashikhminShirley"]) {
         const Subject model("models", "ashikhmin-shirley", highlightOnly(exponents(data)));
         const Subject fresnel = schlickFrom(data["f0"]);
-        expectRow(data["specular"], [&](const reference::Geometry& g) {
-            return brdf(model, g, fresnel.filler());
-        });
+        expectRow(data["specular"],
+                  [&](const reference::Geometry& g) { return brdf(model, g, fresnel.filler()); });
     }
 }
 
@@ -104,17 +102,15 @@ TEST(AshikhminShirley, Base_MatchesItsTable) {
         values["gloss"] = 0.0;
         const Subject model("models", "ashikhmin-shirley", values);
         const Subject fresnel = schlickFrom(data["f0"]);
-        expectRow(data["diffuse"], [&](const reference::Geometry& g) {
-            return brdf(model, g, fresnel.filler());
-        });
+        expectRow(data["diffuse"],
+                  [&](const reference::Geometry& g) { return brdf(model, g, fresnel.filler()); });
     }
 }
 
 TEST(AshikhminShirley, PlainMatteBase_IsLambert) {
-    const Subject model("models", "ashikhmin-shirley",
-                        {{"diffuse.color", white},
-                         {"diffuse.kind", std::string("lambert")},
-                         {"gloss", 0.0}});
+    const Subject model(
+        "models", "ashikhmin-shirley",
+        {{"diffuse.color", white}, {"diffuse.kind", std::string("lambert")}, {"gloss", 0.0}});
     const auto g = pairOfDirections("A");
     const Subject fresnel = schlickFrom(0.5);
     EXPECT_DOUBLE_EQ(model.shade(g, fresnel.filler()).x, g.l.z);
@@ -135,8 +131,7 @@ TEST(Lafortune, ItsLobe_MatchesItsTable) {
 }
 
 TEST(Lafortune, MirrorLobeWithTheSameEnergy_IsNormalisedPhong) {
-    const Subject lobe("models", "lafortune",
-                       {{"diffuse.color", black}, {"lobe1.color", white}});
+    const Subject lobe("models", "lafortune", {{"diffuse.color", black}, {"lobe1.color", white}});
     const Subject phong("models", "phong",
                         {{"diffuse.color", black},
                          {"specular.color", white},
