@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole frames of scenes and meshes that break formulas: no pixel of the linear target, which is
-// read before tone mapping, is anything but a finite number of at least 0.
+// Whole frames of scenes and meshes that break formulas: nothing on the way to a pixel is anything
+// but finite, and no light is negative, looked at before anything is cut.
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 
+#include "gpu/frames_examined.h"
 #include "gpu/gpu_fixture.h"
+#include "material/preset_file.h"
+#include "measure/hard_values.h"
 
 namespace patina {
 namespace {
@@ -70,8 +72,6 @@ const HardScene hardScenes[] = {
          setFog(scene, "start", 4.0);
          setFog(scene, "end", 4.0);
      }},
-    {"DarkestExposure", [](Scene& scene, Mesh&) { scene.exposure = -20.0; }},
-    {"BrightestExposure", [](Scene& scene, Mesh&) { scene.exposure = 20.0; }},
     {"FlatObject", [](Scene& scene, Mesh&) { scene.objects[0].scale = glm::dvec3(1.0, 0.0, 1.0); }},
     {"MirroredObject",
      [](Scene& scene, Mesh&) { scene.objects[0].scale = glm::dvec3(-1.0, 1.0, 2.0); }},
@@ -114,66 +114,198 @@ const HardScene hardScenes[] = {
      }},
 };
 
-class HardFrame : public GpuTest, public testing::WithParamInterface<HardScene> {
+/// Draws with shaders that show what is wrong.
+class ExaminedFrame : public GpuTest {
+  protected:
+    void examine(ExaminedShaders::Stage stage) {
+        shaders_ = std::make_unique<ExaminedShaders>(stage);
+        load();
+    }
+
+    void load() {
+        std::vector<BlockRoot> roots{{shaders_->path(), true}};
+        if (!std::filesystem::is_empty(own_.path())) {
+            roots.push_back({own_.path(), false});
+        }
+        catalog = std::make_shared<const Catalog>(loadCatalog(roots));
+        ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
+        makeRenderer();
+    }
+
+    /// A model of the test's own that gives `value`.
+    void addModel(const std::string& value) {
+        tests::writeFile(own_ / "models/wrong.json", R"({
+  "id": "wrong", "version": 1, "label": "Wrong", "summary": "s", "applications": "a",
+  "source": "a test", "doc": "d", "parameters": [], "claims": []
+})");
+        tests::writeFile(own_ / "models/wrong.glsl",
+                         "vec3 wrong(Directions d, Wrong p) {\n    return vec3(" + value +
+                             ");\n}\n");
+        load();
+    }
+
+    static glm::vec3 worst(const Image& image) {
+        glm::vec3 most(0.0f);
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                most = glm::max(most, pixel(image, x, y));
+            }
+        }
+        return most;
+    }
+
+    void expectSound(const Scene& scene, const std::string& what) {
+        const Image image = capture(scene);
+        ASSERT_FALSE(image.pixels.empty()) << what;
+        EXPECT_TRUE(renderer->report().messages.empty())
+            << what << ": " << text(renderer->report().messages);
+        const glm::vec3 found = worst(image);
+        EXPECT_EQ(found.r, 0.0f) << what << ": a colour is not finite";
+        EXPECT_EQ(found.g, 0.0f) << what << ": a colour is negative";
+        EXPECT_EQ(found.b, 0.0f) << what << ": a point or a light is not finite";
+    }
+
+  private:
+    std::unique_ptr<ExaminedShaders> shaders_;
+    tests::TemporaryFolder own_;
+};
+
+class HardFrame : public ExaminedFrame, public testing::WithParamInterface<HardScene> {
   protected:
     void SetUp() override {
         GpuTest::SetUp();
-        if (context != nullptr) {
-            makeRenderer();
-        }
+        ASSERT_NO_FATAL_FAILURE(examine(ExaminedShaders::Stage::Surface));
     }
 
     /// Every kind of light in front of the object, and fog of the given kind.
-    Scene fullScene(const std::string& model, const Block& fog) const {
-        Scene scene = simpleScene(model);
+    Scene fullScene(const Material& material, const Block& fog) const {
+        Scene scene = simpleScene();
+        scene.background = glm::dvec3(0.0);
+        scene.ambient = glm::dvec3(0.5);
         scene.objects[0].mesh = "builtin:hard";
+        scene.objects[0].material = material;
         for (const Block* kind : catalog->ofKind("lights")) {
             scene.lights.push_back(light(kind->id));
         }
-        BlockValues values;
-        values.id = fog.id;
-        values.parameters = defaultValues(fog);
-        scene.fog = values;
+        scene.fog = block("fog", fog.id);
         return scene;
     }
 
-    /// Each scene is drawn with other models, so that all are, and not all with each scene: a
+    /// Each scene is drawn with other materials, so that all are, and not all with each scene: a
     /// program takes a third of a second to compile.
-    static std::size_t placeOf(const HardScene& scene) {
+    static std::size_t placeOfScene() {
         const auto found =
             std::find_if(std::begin(hardScenes), std::end(hardScenes),
-                         [&](const HardScene& own) { return own.name == scene.name; });
+                         [](const HardScene& own) { return own.name == GetParam().name; });
         return static_cast<std::size_t>(found - std::begin(hardScenes));
     }
 
-    static void expectSound(const Image& image, const std::string& what) {
-        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-            const float x = image.pixels[i];
-            ASSERT_TRUE(std::isfinite(x) && x >= 0.0f)
-                << what << ": " << x << " in pixel " << i / std::size_t(image.channels);
+    /// The scene with every number of the material, in turn, at the same end of its range; the
+    /// compiled choices, and so the program, stay.
+    void expectSoundAtTheEnds(Scene& scene, const std::string& what) {
+        expectSound(scene, what);
+        BlockValues& model = scene.objects[0].material.model;
+        for (const std::size_t end : {1, 2, 3}) {
+            for (const Parameter& parameter : catalog->find("models", model.id)->parameters) {
+                const std::vector<Value> ends = hardValues(parameter);
+                if (parameter.compiled == Compiled::No && !parameter.emission &&
+                    end < ends.size()) {
+                    model.parameters[parameter.id] = ends[end];
+                }
+            }
+            expectSound(scene, what + ", at end " + std::to_string(end));
         }
     }
-};
 
-TEST_P(HardFrame, InEveryFog_HasOnlyFiniteLight) {
-    const auto models = catalog->ofKind("models");
-    const auto fogs = catalog->ofKind("fog");
-    const std::size_t first = placeOf(GetParam());
-    for (std::size_t i = 0; i < fogs.size(); ++i) {
-        const Block& model = *models[(first + i) % models.size()];
-        const Block& fog = *fogs[i];
-        Scene scene = fullScene(model.id, fog);
+    void expectSoundWith(const Material& material, const Block& fog) {
+        Scene scene = fullScene(material, fog);
         Mesh mesh = *primitive("sphere");
         GetParam().change(scene, mesh);
         mesh.bounds = boundsOf(mesh.vertices);
         meshes["hard"] = mesh;
-        expectSound(capture(scene), model.id + " in " + fog.id);
-        expectSound(capture(scene, true), model.id + " in " + fog.id + ", displayed");
+        expectSoundAtTheEnds(scene, material.name + " (" + material.model.id + ") in " + fog.id);
+    }
+};
+
+TEST_P(HardFrame, OfModelsInEveryFog_IsFiniteBeforeItIsStored) {
+    const auto models = catalog->ofKind("models");
+    const auto fogs = catalog->ofKind("fog");
+    for (std::size_t i = 0; i < fogs.size(); ++i) {
+        expectSoundWith(defaultMaterial(*models[(placeOfScene() + i) % models.size()]), *fogs[i]);
+    }
+}
+
+std::vector<std::filesystem::path> shippedPresets() {
+    std::vector<std::filesystem::path> files;
+    const auto folder = std::filesystem::path(PATINA_SOURCE_DIR) / "presets";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file() && entry.path().extension() == ".json" &&
+            entry.path().parent_path() != folder) {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+TEST_P(HardFrame, OfPresets_IsFiniteBeforeItIsStored) {
+    const auto files = shippedPresets();
+    const auto fogs = catalog->ofKind("fog");
+    ASSERT_FALSE(files.empty());
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& file = files[(5 * placeOfScene() + 3 * i) % files.size()];
+        const auto preset = readPreset(file, *catalog);
+        ASSERT_TRUE(preset) << text(preset.error());
+        expectSoundWith(preset->material, *fogs[placeOfScene() % fogs.size()]);
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HardFrame, testing::ValuesIn(hardScenes),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+class WrongModel : public ExaminedFrame {
+  protected:
+    glm::vec3 seen(const std::string& value) {
+        examine(ExaminedShaders::Stage::Surface);
+        addModel(value);
+        return worst(capture(simpleScene("wrong")));
+    }
+};
+
+TEST_F(WrongModel, ThatIsNoNumber_IsSeen) {
+    EXPECT_GT(seen("0.0 / min(d.nv, 0.0)").r, 0.5f);
+}
+
+TEST_F(WrongModel, ThatIsInfinite_IsSeen) {
+    EXPECT_GT(seen("1.0 / min(d.nv, 0.0)").r, 0.5f);
+}
+
+TEST_F(WrongModel, ThatIsNegative_IsSeen) {
+    EXPECT_GT(seen("-d.nv").g, 0.5f);
+}
+
+class DisplayedFrame : public ExaminedFrame, public testing::WithParamInterface<double> {};
+
+/// From black to the brightest light that is stored.
+TEST_P(DisplayedFrame, OfAnyLight_IsFiniteBeforeItIsClamped) {
+    examine(ExaminedShaders::Stage::Display);
+    for (const ToneMapping mapping : {ToneMapping::None, ToneMapping::KhronosNeutral}) {
+        for (const double intensity : {0.0, 1e-7, 1.0, 1e5}) {
+            Scene scene = simpleScene();
+            scene.lights[0].block.parameters["intensity"] = intensity;
+            scene.toneMapping = mapping;
+            scene.exposure = GetParam();
+            EXPECT_EQ(worst(capture(scene, true)), glm::vec3(0.0f)) << intensity;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Exposures, DisplayedFrame, testing::Values(-20.0, 0.0, 20.0),
+                         [](const auto& tested) {
+                             return std::string(tested.param < 0.0   ? "Darkest"
+                                                : tested.param > 0.0 ? "Brightest"
+                                                                     : "Middle");
+                         });
 
 } // namespace
 } // namespace patina

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "support/program.h"
+
+namespace patina {
+
+/// The shipped shaders with eyes. Frames hide what is wrong: a NaN is no light when it is stored,
+/// cut at 0 when lights are summed, and gone after a clamp. In this copy nothing is cut, and each
+/// pixel shows whether something was wrong on the way to it; all other pixels are black.
+class ExaminedShaders {
+  public:
+    enum class Stage {
+        Surface, ///< red: a colour that is not finite, green: a negative one, blue: a point or a
+                 ///< light that is not finite
+        Display  ///< white: what the tone mapping gives is not finite or negative
+    };
+
+    explicit ExaminedShaders(Stage stage) {
+        namespace fs = std::filesystem;
+        fs::copy(PATINA_SOURCE_DIR "/shaders", folder_.path(), fs::copy_options::recursive);
+        if (stage == Stage::Surface) {
+            examineSurfaces();
+        } else {
+            replace("passes/display.frag", "void main() {", std::string(checks) + R"(
+vec3 examined(vec3 x) {
+    return vec3(float(!finite(x) || negative(x)));
+}
+void main() {)");
+            replace("passes/display.frag", "toneMapped(min(light, vec3(1e30)))",
+                    "examined(toneMapped(min(light, vec3(1e30))))");
+        }
+    }
+
+    const std::filesystem::path& path() const { return folder_.path(); }
+
+  private:
+    /// By bits: a compiler may take comparisons of a number with itself for granted.
+    static constexpr const char* checks = R"(
+bool finite(float x) {
+    return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u;
+}
+bool finite(vec3 x) {
+    return finite(x.r) && finite(x.g) && finite(x.b);
+}
+bool negative(vec3 x) {
+    return x.r < 0.0 || x.g < 0.0 || x.b < 0.0;
+}
+)";
+
+    void examineSurfaces() {
+        replace("passes/surface.glsl", "Surface surface() {",
+                std::string(checks) + "bool unsound = false;\nSurface surface() {");
+        replace("passes/surface.glsl", "    return s;\n",
+                "    unsound = !(finite(s.x) && finite(s.v) && finite(s.range) && finite(s.n)\n"
+                "        && finite(s.t) && finite(s.b));\n    return s;\n");
+        replace("passes/surface.glsl", "void store(vec3 color, float alpha) {", R"(
+void store(vec3 color, float alpha) {
+    storedColor = vec4(float(!finite(color)), float(negative(color)), float(unsound), 1.0);
+    return;)");
+        replace("passes/lit.glsl", "vec3 lit(Surface s, Illumination light, Model p) {", R"(
+vec3 lit(Surface s, Illumination light, Model p) {
+    unsound = unsound || !finite(light.l) || !finite(light.radiance) || negative(light.radiance);)");
+        replace("passes/lit.glsl", "max(shadeModel(d, p), vec3(0.0))", "shadeModel(d, p)");
+        replace("passes/ambient.glsl", "return max(shadeModel(", "return (shadeModel(");
+        replace("passes/ambient.glsl", ", p), vec3(0.0))", ", p))");
+    }
+
+    void replace(const std::string& file, const std::string& from, const std::string& to) {
+        std::string text = tests::readFile(folder_ / file);
+        const auto place = text.find(from);
+        ASSERT_NE(place, std::string::npos) << file << " has no " << from;
+        tests::writeFile(folder_ / file, text.replace(place, from.size(), to));
+    }
+
+    tests::TemporaryFolder folder_;
+};
+
+} // namespace patina
