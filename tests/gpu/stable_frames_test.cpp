@@ -248,16 +248,13 @@ std::vector<std::filesystem::path> shippedPresets() {
     return files;
 }
 
-TEST_P(HardFrame, OfPresets_IsFiniteBeforeItIsStored) {
+TEST_P(HardFrame, OfAPreset_IsFiniteBeforeItIsStored) {
     const auto files = shippedPresets();
     const auto fogs = catalog->ofKind("fog");
     ASSERT_FALSE(files.empty());
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto& file = files[(5 * placeOfScene() + 3 * i) % files.size()];
-        const auto preset = readPreset(file, *catalog);
-        ASSERT_TRUE(preset) << text(preset.error());
-        expectSoundWith(preset->material, *fogs[placeOfScene() % fogs.size()]);
-    }
+    const auto preset = readPreset(files[5 * placeOfScene() % files.size()], *catalog);
+    ASSERT_TRUE(preset) << text(preset.error());
+    expectSoundWith(preset->material, *fogs[placeOfScene() % fogs.size()]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HardFrame, testing::ValuesIn(hardScenes),
@@ -273,7 +270,7 @@ class WrongModel : public ExaminedFrame {
 };
 
 TEST_F(WrongModel, ThatIsNoNumber_IsSeen) {
-    EXPECT_GT(seen("0.0 / min(d.nv, 0.0)").r, 0.5f);
+    EXPECT_GT(seen("sqrt(-d.nv)").r, 0.5f);
 }
 
 TEST_F(WrongModel, ThatIsInfinite_IsSeen) {
