@@ -73,20 +73,17 @@ float acos2(float x) {
         + x * 1.950334767e-5)))))));
 }
 
-// asin(z), |z| <= sqrt(1/2); relative error 2e-6.
+// asin(z), |z| <= sqrt(1/2); relative error 2e-8.
 float asinS(float z) {
     float w = z * z;
-    return z * (0.9999994098 + w * (0.1667511541 + w * (0.07308794137 + w * (0.05996102211
-        + w * (-0.0220605251 + w * 0.09460451869)))));
+    return z * (0.9999999855 + w * (0.166670202 + w * (0.07485976127 + w * (0.04674141616
+        + w * (0.015223688 + w * (0.08000865722 + w * (-0.09664398391 + w * 0.1134496994)))))));
 }
 
 // The angle 0 .. pi/2 with the sine s and the cosine c, s^2 + c^2 = 1, both >= 0; made from the
 // smaller of the two, relative error 2e-8.
 float angleOf(float s, float c) {
-    float z = min(s, c);
-    float w = z * z;
-    float a = z * (0.9999999855 + w * (0.166670202 + w * (0.07485976127 + w * (0.04674141616
-        + w * (0.015223688 + w * (0.08000865722 + w * (-0.09664398391 + w * 0.1134496994)))))));
+    float a = asinS(min(s, c));
     return s < c ? a : 1.57079632679489662 - a;
 }
 
@@ -169,7 +166,7 @@ float ridgeLobe(vec2 arc, vec3 h, float e, vec2 view, vec2 light) {
 }
 
 // The angle theta in right angles from its cosine c >= 0 and squared sine s2: x = theta / (pi/2)
-// and y = 1 - x, both with a relative error of 3e-6: neither is made from the other where it is
+// and y = 1 - x, both with a relative error of 2e-7: neither is made from the other where it is
 // small.
 void angXY(float c, float s2, OUT(float) x, OUT(float) y) {
     if (c * c < 0.5) {
