@@ -25,13 +25,14 @@ float schlickLobe(float versineRv, float rv, float m) {
 }
 
 // exp(-(theta_h / m)^2), theta_h the angle between n and h, m >= 0 its width in radians; 0 where
-// n.h <= 0. m -> 0 is 1 where h = n and else 0; 1e-18 keeps 1 / m^2 finite.
+// n.h <= 0. m -> 0 is 1 where h = n and else 0, which a rounding of the directions decides: like
+// facets, a lobe is never narrower than slopeWidth() allows.
 // R. L. Cook and K. E. Torrance, ACM TOG 1(1), 1982 (Blinn's Gaussian, 1977).
 float gaussianHighlight(float sin2h, float cos2h, float nH, float m) {
     if (!(nH > 0.0)) {
         return 0.0;
     }
-    return gaussianLobe(sin2h, cos2h, sqrt(cos2h / (sin2h + cos2h)), max(m, 1e-18));
+    return gaussianLobe(sin2h, cos2h, sqrt(cos2h / (sin2h + cos2h)), slopeWidth(m));
 }
 
 // The factor pi (e + 2) / (2 pi) that makes the integral of (r.v)^e (n.l) / pi one when the light
