@@ -76,7 +76,8 @@ float ridgeFacing(AcrossRidges l, AcrossRidges v, vec2 arc) {
 vec2 floorStrip(AcrossRidges a, float spacing, float height) {
     float foot = sqrt((1.0 - height) * (1.0 + height));
     float c = max(a.cosine, 1e-20);
-    float shadow = height >= a.sine ? foot : (1.0 - height * a.sine) / c;
-    float overhang = height <= -a.sine ? (1.0 + height * a.sine) / c : foot;
+    float rise = height * c / (1.0 + a.sine); // h (1 - |sin phi|) / cos phi
+    float shadow = height >= a.sine ? foot : (1.0 - height) / c + rise;
+    float overhang = height <= -a.sine ? (1.0 + height) / c - rise : foot;
     return a.side > 0.0 ? vec2(overhang, spacing - shadow) : vec2(shadow, spacing - overhang);
 }
