@@ -35,9 +35,8 @@ bool lists(const char* list, const std::string& id) {
     return std::find(ids.begin(), ids.end(), Json(id)) != ids.end();
 }
 
-/// The bound of the relative error for a set of values: the sharpest lobe decides.
-double boundOf(const EvalBlock& block) {
-    const bool diffuse = lists("diffuse", block.block->id);
+/// What the sharpest lobe of a set of values adds to the bound.
+double growthOf(const EvalBlock& block, bool diffuse) {
     double growth = 0.0;
     for (const auto& [id, value] : block.values) {
         const auto* x = std::get_if<double>(&value);
@@ -54,7 +53,16 @@ double boundOf(const EvalBlock& block) {
             growth = std::max(growth, 5e-7 / std::max(*x, 1e-4));
         }
     }
-    return diffuse && growth == 0.0 ? 1.5e-6 : 3e-6 + growth;
+    return growth;
+}
+
+/// The bound of the relative error. A matte model with a highlight in its slot has a lobe.
+double boundOf(const EvalCase& request) {
+    const bool diffuse = lists("diffuse", request.block.block->id);
+    const bool highlight = request.slot.block != nullptr && request.slot.block->kind == "specular";
+    const double growth =
+        std::max(growthOf(request.block, diffuse), highlight ? growthOf(request.slot, false) : 0.0);
+    return diffuse && !highlight && growth == 0.0 ? 1.5e-6 : 3e-6 + growth;
 }
 
 std::vector<EvalCase> ordinaryCases(const EvalCase& variant, std::size_t rows) {
@@ -91,8 +99,7 @@ std::vector<double> shares(const std::vector<EvalCase>& cases, EvalGpu& gpu) {
         const ReferenceNumbers exact = bound.evaluate(cases[i]);
         for (std::size_t k = 0; k < 3; ++k) {
             const double size = std::max(exact[k], smallestJudged);
-            result.push_back(std::abs((*answers[i])[k] - exact[k]) / size /
-                             boundOf(cases[i].block));
+            result.push_back(std::abs((*answers[i])[k] - exact[k]) / size / boundOf(cases[i]));
         }
     }
     return result;
