@@ -53,7 +53,29 @@ double growthOf(const EvalBlock& block, bool diffuse) {
             growth = std::max(growth, 5e-7 / std::max(*x, 1e-4));
         }
     }
+    for (const Json& pair : bounds().at("slopes")) {
+        const auto height = block.values.find(pair[0].get<std::string>());
+        const auto length = block.values.find(pair[1].get<std::string>());
+        if (height != block.values.end() && length != block.values.end()) {
+            const double width =
+                2.0 * std::get<double>(height->second) / std::get<double>(length->second);
+            growth = std::max(growth, 5e-7 / std::max(width, 1e-4));
+        }
+    }
     return growth;
+}
+
+/// What an error is judged against where the value is smaller.
+double smallestOf(const EvalBlock& block) {
+    double least = smallestJudged;
+    for (const Json& choice : bounds().at("differences")) {
+        const auto form = block.values.find(choice[0].get<std::string>());
+        if (form != block.values.end() && form->second == Value(choice[1].get<std::string>())) {
+            const auto& color = std::get<glm::dvec3>(block.values.at("diffuse.color"));
+            least = std::max(least, 0.1 * std::max({color.x, color.y, color.z}));
+        }
+    }
+    return least;
 }
 
 /// The bound of the relative error. A matte model with a highlight in its slot has a lobe.
@@ -98,7 +120,7 @@ std::vector<double> shares(const std::vector<EvalCase>& cases, EvalGpu& gpu) {
         const ReferenceCase bound(*code, inFloat(cases[i].block), inFloat(cases[i].slot));
         const ReferenceNumbers exact = bound.evaluate(cases[i]);
         for (std::size_t k = 0; k < 3; ++k) {
-            const double size = std::max(exact[k], smallestJudged);
+            const double size = std::max(exact[k], smallestOf(cases[i].block));
             result.push_back(std::abs((*answers[i])[k] - exact[k]) / size / boundOf(cases[i]));
         }
     }
