@@ -248,9 +248,9 @@ void SurfaceWriter::writeMain() {
         isInspected() ? fmt::format("storeInspected(s, shaded, {}, {})", albedo, alpha_)
                       : fmt::format("store(shaded, {})", alpha_);
     out_.add(
-        fmt::format("void main() {{\n    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
+        fmt::format("void main() {{\n{}    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
                     "{}    {};\n}}\n",
-                    main_, store));
+                    isInspected() ? "    clearTerms();\n" : "", main_, store));
 }
 
 } // namespace patina

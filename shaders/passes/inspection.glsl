@@ -26,7 +26,7 @@ const int TERM_LIGHT = 7;    // w: n.l
 uniform int firstTerm;
 uniform float objectNumber; // what the pixel shows, from 1 on
 
-layout(location = 1) out vec4 storedTerms[7];
+layout(location = 1) out vec4 storedTerms[WINDOW];
 
 float defect = 0.0;
 vec4 terms[WINDOW];
@@ -41,6 +41,12 @@ float defectOf(float x) {
         return magnitude > 0x7f800000u ? NO_NUMBER : INFINITE;
     }
     return x < 0.0 ? NEGATIVE : 0.0;
+}
+
+void clearTerms() {
+    for (int i = 0; i < WINDOW; ++i) {
+        terms[i] = vec4(0.0);
+    }
 }
 
 void lookAt(vec3 value) {
@@ -70,7 +76,8 @@ float shownGrey(vec3 color) {
     return storable(dot(color, vec3(0.2126, 0.7152, 0.0722)));
 }
 
-// Red: the picture's luminance; green: the defect; blue: the object. Nothing of it is blended or averaged.
+// Red: the picture's luminance; green: the defect; blue: the object. Nothing of it is blended or
+// averaged.
 void storeInspected(Surface s, vec3 color, vec4 albedo, float alpha) {
     lookAt(color);
     if (defect == 0.0 && max(max(albedo.r, albedo.g), albedo.b) > 1.0 + ALBEDO_DOUBT) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numerical check: models that break in one way each, seen pixel by pixel.
+#include <algorithm>
 #include <cmath>
 
 #include "gpu_fixture.h"
@@ -155,7 +156,8 @@ TEST_F(InspectionTest, ProbedColour_IsThatOfThePicture) {
     const auto found = probe(scene, center);
     ASSERT_TRUE(found);
     const glm::vec3 drawn = middle(capture(scene, false, size));
-    EXPECT_NEAR(found->color.r, drawn.r, 2e-3f * drawn.r); // a half float has 11 bits, MSAA 4 places
+    // A half float has 11 bits, and the picture the mean of four places.
+    EXPECT_NEAR(found->color.r, drawn.r, 2e-3f * drawn.r);
 }
 
 TEST_F(InspectionTest, ProbedTermsOfManyLights_AddUpToTheColour) {
@@ -205,6 +207,31 @@ TEST_F(InspectionTest, ProgramOfAPicture_HasNothingOfIt) {
     for (const char* word : {"noteTerm", "lookAt", "inspected", "lookedShare", "albedo"}) {
         EXPECT_EQ(program->fragment.text.find(word), std::string::npos) << word;
     }
+}
+
+TEST_F(InspectionTest, ModelsThatClaimToConserveEnergy_AreNotAboveOne) {
+    makeRenderer();
+    for (const Block* model : catalog->ofKind("models")) {
+        if (std::find(model->claims.begin(), model->claims.end(), "energy_conserving") ==
+            model->claims.end()) {
+            continue;
+        }
+        const Image image = inspected(simpleScene(model->id));
+        int above = 0;
+        for (int i = 0; i < size * size; ++i) {
+            above += defectAt(image, i % size, i / size) == PixelDefect::AboveOne ? 1 : 0;
+        }
+        EXPECT_EQ(above, 0) << model->id;
+    }
+}
+
+TEST_F(InspectionTest, UnknownModel_IsDrawnAsAStandInWithoutTerms) {
+    makeRenderer();
+    Scene scene = simpleScene();
+    scene.objects[0].material.model.id = "nowhere";
+    const auto found = probe(scene, center);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->lights.empty() && !found->albedo);
 }
 
 TEST_F(InspectionTest, EveryModel_HasAProgramOfIt) {
