@@ -13,12 +13,13 @@
 #include <QUrl>
 
 #include "docks/lazy_dock.h"
+#include "docks/stability_dock.h"
 
 namespace patina {
 namespace {
 
 /// Goes up when docks come, go or move, so that an older layout is not forced upon them.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 
 constexpr QSize preferredSize{1600, 1000};
 constexpr int narrowWindow = 1400;
@@ -151,13 +152,19 @@ void MainWindow::arrangeDocks() {
         dock->show();
         dock->raise();
     }
-    dock("messages")->hide();
+    hideBottom();
     const bool narrow = width() < narrowWindow;
     const int left = narrow ? 212 : 276;
     const int right = narrow ? 364 : 380;
     resizeDocks({dock("models"), dock("parameters")}, {left, right}, Qt::Horizontal);
     resizeDocks({dock("models"), dock("presets")}, {10, 11}, Qt::Vertical);
     resizeDocks({dock("parameters"), dock("lights")}, {11, 10}, Qt::Vertical);
+}
+
+/// Messages and checks come when there is something to say.
+void MainWindow::hideBottom() {
+    dock("messages")->hide();
+    dock("stability")->hide();
 }
 
 void MainWindow::restoreWindow() {
@@ -167,9 +174,9 @@ void MainWindow::restoreWindow() {
     if (!known && available.width() < preferredSize.width()) {
         setWindowState(Qt::WindowMaximized);
     }
-    dock("messages")->hide();
+    hideBottom();
     arranged_ = restoreState(session_.windowLayout(), layoutVersion);
-    dock("messages")->hide();
+    hideBottom();
     theme_.setLook(session_.look());
 }
 
@@ -198,6 +205,15 @@ void MainWindow::exportPicture() {
     pictures_->ask(FileActions::asFileName(
                        material ? QString::fromStdString(material->name) : QString()),
                    [&viewport](bool display) { return viewport.picture(display); });
+}
+
+void MainWindow::checkStability() {
+    QDockWidget* place = dock("stability");
+    place->show();
+    place->raise();
+    if (auto* check = place->findChild<StabilityDock*>()) {
+        check->start();
+    }
 }
 
 void MainWindow::showMessages() {

@@ -61,12 +61,14 @@ class MainWindow : public QMainWindow {
     void connectParts();
     void fillRecentFiles();
     void arrangeDocks();
+    void hideBottom();
     void restoreWindow();
     void updateTitle();
     void offerRecovery();
     void recover(const Recovery& recovery);
     void exportPicture();
     void showMessages();
+    void checkStability();
     void showKeys();
     void showAbout();
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,

@@ -86,6 +86,15 @@ void MainWindow::makeViewMenu() {
     swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"), [this] { document_.swapSides(); });
     swap_->setToolTip(tr("Exchange the two materials (X)"));
     menu->addSeparator();
+    QAction* inspect = menu->addAction(tr("&Numerical Check"));
+    inspect->setObjectName("inspect");
+    inspect->setShortcut(QKeySequence("N"));
+    inspect->setCheckable(true);
+    inspect->setToolTip(tr("Mark pixels whose numbers are wrong, and read those under the "
+                           "pointer (N)"));
+    connect(inspect, &QAction::toggled, views_, &CompareArea::setInspecting);
+    add(menu, tr("Check &Stability"), QKeySequence("Ctrl+K"), [this] { checkStability(); });
+    menu->addSeparator();
     add(menu, tr("&Frame Object"), QKeySequence("F"),
         [this] { views_->active().frameCurrentObject(); });
     QAction* reset = add(menu, tr("&Reset View"), QKeySequence(Qt::Key_Home),
@@ -172,6 +181,7 @@ void MainWindow::showKeys() {
         row(tr("Ctrl+left drag"), tr("turn the object")) +
         row(tr("L and left drag"), tr("turn the key light")) +
         row(tr("Double click"), tr("turn about that point of the surface")) +
+        row(tr("N"), tr("numerical check of every pixel")) +
         row(tr("F"), tr("frame the object")) + row(tr("Home"), tr("reset the view")) +
         row(tr("1, 3, 7 of the number pad"), tr("from the front, the right, above")) +
         row(tr("Drag on a slider or a name"), tr("change it; Shift: finer, Ctrl: steps")) +

@@ -12,6 +12,7 @@
 #include "docks/parameters_dock.h"
 #include "docks/presets_dock.h"
 #include "docks/scene_dock.h"
+#include "docks/stability_dock.h"
 
 namespace patina {
 namespace {
@@ -38,6 +39,7 @@ std::vector<DockEntry> dockList() {
         {"fog", tr("Fog"), DockPlace::RightBottom, make<FogDock>},
         {"scene", tr("Scene"), DockPlace::RightBottom, make<SceneDock>},
         {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},
+        {"stability", tr("Stability"), DockPlace::Bottom, make<StabilityDock>},
     };
 }
 

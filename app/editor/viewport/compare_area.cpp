@@ -43,6 +43,14 @@ void CompareArea::setCamerasLinked(bool linked) {
     }
 }
 
+void CompareArea::setInspecting(bool on) {
+    inspecting_ = on;
+    first_->setInspecting(on);
+    if (second_) {
+        second_->setInspecting(on);
+    }
+}
+
 void CompareArea::realignCameras() {
     if (second_) {
         second_->viewport().setCamera(first_->viewport().camera());
@@ -69,6 +77,7 @@ void CompareArea::showSides() {
     if (comparing && !second_) {
         second_ = addView(Side::B);
         second_->viewport().setCamera(first_->viewport().camera());
+        second_->setInspecting(inspecting_);
         setSizes({1, 1});
         Q_EMIT viewAdded(second_);
     }

@@ -25,6 +25,9 @@ class CompareArea : public QSplitter {
     bool areCamerasLinked() const { return linked_; }
     void setCamerasLinked(bool linked);
 
+    /// Both views show the numerical check instead of the picture.
+    void setInspecting(bool on);
+
     /// Side B looks from where side A does.
     void realignCameras();
 
@@ -48,6 +51,7 @@ class CompareArea : public QSplitter {
     Camera home_;
     bool linked_ = true;
     bool comparing_ = false;
+    bool inspecting_ = false;
     double stepBack_ = 1.0; ///< by how much comparing moved the camera away
     SideView* first_;
     SideView* second_ = nullptr;

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "viewport/camera_moves.h"
+#include "viewport/inspection_panel.h"
 #include "viewport/ray_cast.h"
 #include "viewport/turning.h"
 
@@ -59,6 +60,23 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
 
 void SideView::setTitleVisible(bool visible) {
     title_->setVisible(visible);
+}
+
+void SideView::setInspecting(bool on) {
+    if (on && !inspection_) {
+        inspection_ = new InspectionPanel(viewport_);
+        auto* layout = new QVBoxLayout(viewport_);
+        layout->setSizeConstraint(QLayout::SetNoConstraint);
+        layout->addWidget(inspection_, 0, Qt::AlignLeft | Qt::AlignBottom);
+        connect(viewport_, &Viewport::probed, inspection_,
+                [this](const std::optional<PixelProbe>& numbers) {
+                    inspection_->showNumbers(numbers, document_.scene(side_));
+                });
+    }
+    if (inspection_) {
+        inspection_->setVisible(on);
+    }
+    viewport_->setInspecting(on);
 }
 
 void SideView::frameCurrentObject() {

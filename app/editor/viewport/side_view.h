@@ -13,6 +13,8 @@ class QLabel;
 
 namespace patina {
 
+class InspectionPanel;
+
 /// One side of the comparison: a viewport under a coloured, lettered title, and what the mouse
 /// does in it to the document. The camera is not its own: it only asks for another one.
 class SideView : public QFrame {
@@ -25,6 +27,9 @@ class SideView : public QFrame {
     Side side() const { return side_; }
     Viewport& viewport() { return *viewport_; }
     void setTitleVisible(bool visible);
+
+    /// The numerical check with its legend and the pointer's numbers, or the picture.
+    void setInspecting(bool on);
 
     /// Moves the camera so that the current object fills the view.
     void frameCurrentObject();
@@ -48,6 +53,7 @@ class SideView : public QFrame {
     Side side_;
     QLabel* title_;
     Viewport* viewport_;
+    InspectionPanel* inspection_ = nullptr; ///< made when it is first wanted
     bool turning_ = false;
 };
 

@@ -36,6 +36,8 @@ Viewport::Viewport(Sources sources, QWidget* parent)
     setUpdateBehavior(PartialUpdate); // the last picture stays until there is another one
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, &Viewport::proceed);
+    probeTimer_.setSingleShot(true);
+    connect(&probeTimer_, &QTimer::timeout, this, &Viewport::probe);
 }
 
 Viewport::~Viewport() {
@@ -136,7 +138,11 @@ void Viewport::beginFrame() {
         renderer_->setCatalog(catalog_);
     }
     timer_->begin();
-    if (renderer_->drawSmall(sources_.scene(), view(), sources_.meshes,
+    if (inspecting_) {
+        renderer_->drawInspection(sources_.scene(), view(), sources_.meshes,
+                                  defaultFramebufferObject());
+        finishFrame();
+    } else if (renderer_->drawSmall(sources_.scene(), view(), sources_.meshes,
                              defaultFramebufferObject())) {
         finishFrame();
     } else {
@@ -173,6 +179,7 @@ void Viewport::finishFrame() {
         messages_ = report.messages;
         Q_EMIT messagesDrawn(messages_);
     }
+    probeSoon();
     Q_EMIT frameDrawn();
     if (stale_) {
         update();
@@ -271,6 +278,8 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     navigation_.move(*event);
+    pointer_ = event->position().toPoint();
+    probeSoon();
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
@@ -306,11 +315,15 @@ void Viewport::focusOutEvent(QFocusEvent* event) {
 /// The key of the light works wherever the pointer is, also before a click brings the focus here.
 void Viewport::enterEvent(QEnterEvent* event) {
     qApp->installEventFilter(this);
+    pointer_ = event->position().toPoint();
+    probeSoon();
     QOpenGLWidget::enterEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent* event) {
     qApp->removeEventFilter(this);
+    pointer_.reset();
+    probeSoon();
     QOpenGLWidget::leaveEvent(event);
 }
 

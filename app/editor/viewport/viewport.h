@@ -67,6 +67,11 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// "1.3 ms (GPU timer)", or how else it was measured. Call it a moment after the frame.
     QString frameTime();
 
+    /// Shows the numerical check in place of the picture, and reads the numbers of the pixel
+    /// under the pointer.
+    void setInspecting(bool on);
+    bool isInspecting() const { return inspecting_; }
+
     /// Finds out how frames are best timed here, which takes some milliseconds; a clock on the
     /// wall does until then.
     void chooseTimer();
@@ -79,6 +84,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void failed(QString why);
     void messagesDrawn(patina::Errors messages); ///< what the last frame has to say
     void activated(); ///< it was clicked
+    /// While inspecting: the numbers under the pointer; nothing where there is no surface.
+    void probed(const std::optional<patina::PixelProbe>& numbers);
     void filesDropped(QStringList files);
 
   protected:
@@ -105,6 +112,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void dropRenderer();
     void showNote();
     Image pictureOf(const Scene& scene, bool display);
+    void probeSoon();
+    void probe();
     View view() const;
     void beginFrame();
     void proceed();
@@ -128,6 +137,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     bool resizing_ = false;
     QLabel* note_; ///< that a picture is on its way
     bool isNew_ = true; ///< no picture of this scene has been shown yet
+    bool inspecting_ = false;
+    std::optional<QPoint> pointer_; ///< where it is, while it is over the view
+    QTimer probeTimer_;             ///< its moves are gathered
 };
 
 } // namespace patina

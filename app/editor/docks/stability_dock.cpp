@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/stability_dock.h"
+
+#include <cmath>
+#include <utility>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QShortcut>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "docks/panel.h"
+#include "document.h"
+
+namespace patina {
+namespace {
+
+constexpr int evalLineRole = Qt::UserRole;
+constexpr int progressSteps = 1000;
+
+enum Column { What, Cases, Where, Amount };
+constexpr std::pair<Column, int> columnWidths[] = {{What, 230}, {Cases, 70}, {Amount, 230}};
+
+QString grouped(std::size_t number) {
+    return QLocale().toString(static_cast<qulonglong>(number));
+}
+
+QString verdictOf(const StabilityOutcome& outcome) {
+    const QString cases = grouped(outcome.cases);
+    if (!outcome.problems.isEmpty()) {
+        return StabilityDock::tr("Could not be checked: %1").arg(outcome.problems.join(' '));
+    }
+    if (!outcome.failures.empty()) {
+        return outcome.complete ? StabilityDock::tr("It breaks: %1 cases tried").arg(cases)
+                                : StabilityDock::tr("Stopped after %1 cases: it breaks").arg(cases);
+    }
+    return outcome.complete
+               ? StabilityDock::tr("Nothing breaks: %1 cases").arg(cases)
+               : StabilityDock::tr("Stopped after %1 cases: nothing broke so far").arg(cases);
+}
+
+} // namespace
+
+StabilityDock::StabilityDock(const DockContext& context)
+    : document_(context.document),
+      start_(textButton(tr("Check stability"),
+                        tr("Evaluate this material wherever formulas break, with its values and at "
+                           "the ends of every range"),
+                        this)),
+      cancel_(textButton(tr("Cancel"), tr("Stop and keep what was found so far"), this)),
+      copy_(textButton(tr("Copy case"), tr("Copy the selected case as a line for `patina eval`"),
+                       this)),
+      progress_(new QProgressBar(this)), verdictLabel_(new QLabel(this)),
+      remarks_(hintLabel(this)), list_(new QTreeWidget(this)) {
+    progress_->setRange(0, progressSteps);
+    progress_->setMaximumWidth(300);
+    progress_->setAccessibleName(tr("Progress of the check"));
+    verdictLabel_->setObjectName("verdict");
+    verdictLabel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    remarks_->setObjectName("remarks");
+    list_->setAccessibleName(tr("What breaks"));
+    list_->setHeaderLabels({tr("What breaks"), tr("Cases"), tr("Where"), tr("By how much")});
+    list_->setRootIsDecorated(false);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setSectionResizeMode(Where, QHeaderView::Stretch);
+    for (const auto& [column, width] : columnWidths) {
+        list_->setColumnWidth(column, width);
+    }
+    auto* row = new QHBoxLayout;
+    row->addWidget(start_);
+    row->addWidget(cancel_);
+    row->addWidget(progress_);
+    row->addWidget(verdictLabel_, 1);
+    row->addWidget(copy_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 0);
+    layout->setSpacing(4);
+    layout->addLayout(row);
+    layout->addWidget(remarks_);
+    layout->addWidget(list_, 1);
+    connectParts();
+    showState();
+}
+
+void StabilityDock::connectParts() {
+    connect(start_, &QToolButton::clicked, this, &StabilityDock::start);
+    connect(cancel_, &QToolButton::clicked, &check_, &StabilityCheck::cancel);
+    connect(copy_, &QToolButton::clicked, this, &StabilityDock::copyLine);
+    auto* copy = new QShortcut(QKeySequence::Copy, list_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(copy, &QShortcut::activated, this, &StabilityDock::copyLine);
+    connect(list_, &QTreeWidget::itemSelectionChanged, this, &StabilityDock::showState);
+    connect(&check_, &StabilityCheck::progressed, this, &StabilityDock::showProgress);
+    connect(&check_, &StabilityCheck::finished, this, &StabilityDock::showOutcome);
+    connect(&document_, &Document::changed, this, &StabilityDock::showState);
+    connect(&document_, &Document::currentChanged, this, &StabilityDock::showState);
+    connect(&document_, &Document::catalogChanged, this, &StabilityDock::showState);
+}
+
+void StabilityDock::start() {
+    const Material* material = document_.material(document_.activeSide());
+    if (material == nullptr || check_.isRunning()) {
+        return;
+    }
+    checked_ = *material;
+    checkedCatalog_ = document_.sharedCatalog();
+    verdict_.clear();
+    list_->clear();
+    remarks_->clear();
+    progress_->setValue(0);
+    check_.start(checkedCatalog_, checked_);
+    showState();
+}
+
+void StabilityDock::showProgress(double share, qulonglong cases) {
+    progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
+    verdictLabel_->setText(tr("%1 cases").arg(grouped(cases)));
+}
+
+void StabilityDock::showOutcome(const StabilityOutcome& outcome) {
+    verdict_ = verdictOf(outcome);
+    remarks_->setText(outcome.remarks.join(' '));
+    fill(outcome);
+    showState();
+}
+
+void StabilityDock::fill(const StabilityOutcome& outcome) {
+    for (const StabilityFailure& failure : outcome.failures) {
+        auto* row = new QTreeWidgetItem(
+            list_, {failure.what, grouped(failure.count), failure.where, failure.amount});
+        row->setData(What, evalLineRole, failure.evalLine);
+        row->setTextAlignment(Cases, Qt::AlignRight | Qt::AlignVCenter);
+        for (const Column column : {What, Where, Amount}) {
+            row->setToolTip(column, row->text(column));
+        }
+    }
+    if (list_->topLevelItemCount() > 0) {
+        list_->setCurrentItem(list_->topLevelItem(0));
+    }
+}
+
+/// The result is of another material than the one that is shown.
+bool StabilityDock::isStale() const {
+    const Material* material = document_.material(document_.activeSide());
+    return material == nullptr || !(*material == checked_) ||
+           document_.sharedCatalog() != checkedCatalog_;
+}
+
+void StabilityDock::showState() {
+    const bool running = check_.isRunning();
+    start_->setEnabled(!running && document_.material(document_.activeSide()) != nullptr);
+    cancel_->setVisible(running);
+    progress_->setVisible(running);
+    remarks_->setVisible(!remarks_->text().isEmpty());
+    copy_->setEnabled(list_->currentItem() != nullptr);
+    if (running) {
+        return;
+    }
+    const bool stale = !verdict_.isEmpty() && isStale();
+    verdictLabel_->setText(verdict_.isEmpty() ? tr("Not checked yet.")
+                           : stale ? tr("%1. Out of date: the material has changed since.")
+                                         .arg(verdict_)
+                                   : tr("%1.").arg(verdict_));
+    list_->setEnabled(!stale);
+}
+
+void StabilityDock::copyLine() const {
+    if (const QTreeWidgetItem* row = list_->currentItem()) {
+        QApplication::clipboard()->setText(row->data(What, evalLineRole).toString());
+    }
+}
+
+} // namespace patina

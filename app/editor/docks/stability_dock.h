@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QWidget>
+
+#include "check/stability_check.h"
+#include "docks/dock_context.h"
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+class QTreeWidget;
+
+namespace patina {
+
+/// Checks the material that is being edited wherever formulas break, and lists what does.
+class StabilityDock : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit StabilityDock(const DockContext& context);
+
+    /// Checks the active side's material; nothing happens while a check is running.
+    void start();
+    bool isRunning() const { return check_.isRunning(); }
+
+  private:
+    void connectParts();
+    void showOutcome(const StabilityOutcome& outcome);
+    void fill(const StabilityOutcome& outcome);
+    void showState();
+    void showProgress(double share, qulonglong cases);
+    bool isStale() const;
+    void copyLine() const;
+
+    Document& document_;
+    StabilityCheck check_;
+    std::shared_ptr<const Catalog> checkedCatalog_;
+    Material checked_;
+    QString verdict_; ///< of the last check; empty: there was none
+    QToolButton* start_;
+    QToolButton* cancel_;
+    QToolButton* copy_;
+    QProgressBar* progress_;
+    QLabel* verdictLabel_;
+    QLabel* remarks_;
+    QTreeWidget* list_;
+};
+
+} // namespace patina

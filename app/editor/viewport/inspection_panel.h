@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QFrame>
+
+#include "render/pixel_probe.h"
+#include "scene/scene.h"
+
+class QLabel;
+
+namespace patina {
+
+/// Over a view in the numerical check: what the patterns mean, and the numbers of the pixel under
+/// the pointer.
+class InspectionPanel : public QFrame {
+    Q_OBJECT
+
+  public:
+    explicit InspectionPanel(QWidget* parent = nullptr);
+
+    /// Nothing: there is no surface under the pointer.
+    void showNumbers(const std::optional<PixelProbe>& probe, const Scene& scene);
+
+  private:
+    QWidget* legendRow(PixelDefect defect, const QString& text, const QString& toolTip);
+
+    QLabel* numbers_;
+};
+
+/// The numbers of a pixel as the rows of an HTML table.
+QString probeText(const PixelProbe& probe, const Scene& scene);
+
+} // namespace patina
