@@ -51,6 +51,7 @@ PictureGrid::PictureGrid(int pictureSize, QWidget* parent)
 
 void PictureGrid::setEntries(const std::vector<Entry>& entries) {
     const QString current = keyOf(currentItem());
+    const int inSight = verticalScrollBar()->value();
     clear();
     for (const Entry& entry : entries) {
         auto* item = new QListWidgetItem(entry.name, this);
@@ -66,6 +67,8 @@ void PictureGrid::setEntries(const std::vector<Entry>& entries) {
         setCurrentItem(same);
     }
     fitColumns();
+    doItemsLayout(); // so that the bar has its range
+    verticalScrollBar()->setValue(inSight);
 }
 
 void PictureGrid::setPicture(const QString& key, const QImage& picture) {
@@ -100,6 +103,14 @@ QMimeData* PictureGrid::mimeData(const QList<QListWidgetItem*>& items) const {
     auto* dragged = new QMimeData;
     dragged->setUrls(files);
     return dragged;
+}
+
+/// Only a click on an item chooses one: the space between them and drags leave the choice alone.
+QItemSelectionModel::SelectionFlags PictureGrid::selectionCommand(const QModelIndex& index,
+                                                                  const QEvent* event) const {
+    const bool isDrag = event && event->type() == QEvent::MouseMove;
+    return index.isValid() && !isDrag ? QListWidget::selectionCommand(index, event)
+                                      : QItemSelectionModel::NoUpdate;
 }
 
 void PictureGrid::resizeEvent(QResizeEvent* event) {

@@ -21,7 +21,7 @@ class PictureGrid : public QListWidget {
         QString file;    ///< empty: cannot be dragged
     };
 
-    /// Replaces all items; pictures that are known by key stay.
+    /// Replaces all items; pictures that are known by key stay, and so does what is in sight.
     void setEntries(const std::vector<Entry>& entries);
     void setPicture(const QString& key, const QImage& picture);
 
@@ -31,6 +31,8 @@ class PictureGrid : public QListWidget {
 
   protected:
     QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
+    QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
+                                                         const QEvent* event) const override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 
