@@ -27,6 +27,7 @@ void DocumentForm::follow() {
     path_ = document_.currentPath(part_);
     setBlock(document_.block(path_), std::make_unique<DocumentSource>(document_, path_),
              emptyText());
+    setEnabled(path_.index >= 0);
 }
 
 QString DocumentForm::emptyText() const {
