@@ -21,7 +21,6 @@ ParameterSection::ParameterSection(const QString& title, bool isFolded, QWidget*
     bold.setBold(true);
     header_->setFont(bold);
     header_->setText(title);
-    header_->setToolTip(title);
     header_->setMinimumWidth(1); // a long title is cut, not the rows beside it
     header_->setAutoRaise(true);
     header_->setFocusPolicy(Qt::StrongFocus);
@@ -41,7 +40,9 @@ void ParameterSection::resizeEvent(QResizeEvent* event) {
 void ParameterSection::showTitle() {
     const int arrow = header_->iconSize().width() + 4 * header_->fontMetrics().averageCharWidth();
     const int room = width() - arrow;
-    header_->setText(header_->fontMetrics().elidedText(title_, Qt::ElideRight, room));
+    const QString shown = header_->fontMetrics().elidedText(title_, Qt::ElideRight, room);
+    header_->setText(shown);
+    header_->setToolTip(shown == title_ ? QString() : title_); // says no more than is to be seen
 }
 
 void ParameterSection::setFolded(bool isFolded) {
