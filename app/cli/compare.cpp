@@ -68,6 +68,9 @@ Checked<void> draw(std::vector<Side>& sides, const Options& options,
         if (!meshes) {
             return tl::unexpected(meshes.error());
         }
+        if (&side == &sides.front()) { // all sides show the same objects
+            report(meshes->remarks());
+        }
         auto image = maker->draw(
             side.scene, [&meshes](const Object& object) { return meshes->view(object); },
             options.picture.size, true);

@@ -51,6 +51,7 @@ Checked<Image> picture(const Options& options, const std::shared_ptr<const Catal
     if (!loaded) {
         return tl::unexpected(loaded.error());
     }
+    report(loaded->remarks());
     const bool display = !options.output.isLinear();
     auto image = maker->draw(
         scene, [&loaded](const Object& object) { return loaded->view(object); },

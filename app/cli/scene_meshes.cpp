@@ -66,6 +66,16 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
     return {};
 }
 
+Errors SceneMeshes::remarks() const {
+    Errors remarks;
+    for (const auto& [key, mesh] : read_) {
+        if (!mesh->remarks().empty()) {
+            remarks.push_back({std::get<std::string>(key), 0, 0, mesh->remarks(), {}});
+        }
+    }
+    return remarks;
+}
+
 MeshView SceneMeshes::view(const Object& object) const {
     const auto made = made_.find(keyOf(object));
     if (made != made_.end()) {

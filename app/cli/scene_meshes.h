@@ -21,6 +21,9 @@ class SceneMeshes {
 
     MeshView view(const Object& object) const;
 
+    /// What had to be left out of the meshes that were read.
+    Errors remarks() const;
+
   private:
     using Key = std::tuple<std::string, bool, bool>;
 

@@ -111,6 +111,7 @@ void MainWindow::makeDocks() {
 
 void MainWindow::connectParts() {
     connect(&document_, &Document::message, &messages_, &MessageLog::add);
+    connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::add);
     connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
     connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
         status_->showMessage(tr("%1 is written").arg(QFileInfo(file).fileName()), saidMs);

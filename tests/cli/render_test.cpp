@@ -34,6 +34,16 @@ TEST(RenderCommand, Preset_WritesNothingElse) {
     EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
+TEST(RenderCommand, MeshWithATriangleThatCannotBeDrawn_IsDrawnWithARemark) {
+    const TemporaryFolder folder;
+    const std::string mesh = (folder / "nan.obj").string();
+    writeFile(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n");
+    const Outcome outcome =
+        patina({"render", gold, "--mesh", mesh, "--size", "32x32", "-o", "-"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("nan.obj: 1 of 2 triangles"), std::string::npos) << outcome.err;
+}
+
 TEST(RenderCommand, Highlight_IsChosenAndSet) {
     const auto picture = [](std::vector<std::string> more) {
         std::vector<std::string> arguments{"render", "--model", "lambert", "--size", "32x32", "-o",

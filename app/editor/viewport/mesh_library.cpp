@@ -151,6 +151,9 @@ void MeshLibrary::finish(const Key& key, const Answer& answer) {
     if (answer) {
         files_[key] = *answer;
         Q_EMIT loaded(file);
+        if (const std::string& remarks = (*answer)->mesh->remarks(); !remarks.empty()) {
+            Q_EMIT remarked({key.mesh, 0, 0, remarks, {}});
+        }
         return;
     }
     failures_[key] = answer.error();

@@ -49,6 +49,7 @@ class MeshLibrary : public QObject {
     void loadingStarted(QString file);
     void progressed(QString file, float share);
     void loaded(QString file);                  ///< its triangles are there
+    void remarked(patina::Error remark);        ///< what had to be left out of a mesh that is there
     void failed(QString file, patina::Error why); ///< also when it was cancelled
 
   private:
