@@ -8,6 +8,7 @@
 
 #include "library/preset_library.h"
 #include "scene/scene_file.h"
+#include "viewport/placement.h"
 
 namespace patina {
 namespace {
@@ -181,9 +182,7 @@ void FileActions::addObject(Object object) {
                start && !start->scene.objects.empty()) {
         object.material = start->scene.objects.front().material;
     }
-    document_.addObject(object);
-    document_.setCurrentObject(static_cast<int>(document_.scene().objects.size()) - 1);
-    Q_EMIT objectAdded();
+    document_.addObject(object); // which makes it the current one
 }
 
 bool FileActions::mayLoseDocument() {
@@ -253,9 +252,35 @@ void FileActions::meshLoaded(const QString& mesh) {
     if (const auto found = wanted_.find(mesh); found != wanted_.end()) {
         const Object object = found->second;
         wanted_.erase(found);
-        addObject(object);
+        if (showsOnlyTheStart()) {
+            replaceObject(object);
+        } else {
+            addObject(placedBeside(document_.scene(), object, meshes_));
+        }
+        Q_EMIT meshPlaced();
         noteFile(mesh);
     }
+}
+
+/// True while the document shows what a new one does, whatever its material and camera.
+bool FileActions::showsOnlyTheStart() const {
+    const auto start = readScene(defaultScene(), document_.catalog());
+    Scene shown = document_.scene();
+    if (document_.undoStack().count() > 0 || document_.isModified() ||
+        document_.file().kind == DocumentFile::Kind::Scene || !start ||
+        shown.objects.size() != 1 || start->scene.objects.size() != 1) {
+        return false;
+    }
+    shown.camera = start->scene.camera;
+    shown.objects.front().material = start->scene.objects.front().material;
+    return shown == start->scene;
+}
+
+/// Puts an object in place of the only one, with its material.
+void FileActions::replaceObject(Object object) {
+    object.material = document_.scene().objects.front().material;
+    document_.setObject(0, object);
+    document_.setCurrentObject(0);
 }
 
 void FileActions::meshFailed(const QString& mesh, const Error& why) {

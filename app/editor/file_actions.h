@@ -35,7 +35,7 @@ class FileActions : public QObject {
     void importMesh();
 
     /// Opens what was named on the command line or in a menu: a scene or a preset becomes the
-    /// document, a mesh an object in it.
+    /// document, a mesh an object in it: beside the others, or in place of a new document's.
     void open(const QStringList& files, Side side);
 
     /// What a drop does: a preset goes onto the side it was dropped on, undoably.
@@ -62,12 +62,15 @@ class FileActions : public QObject {
     void recentFilesChanged();
     /// The document was saved, or its changes were given up on purpose.
     void changesSettled();
-    void objectAdded();
+    /// A mesh that was opened, imported or dropped is now the current object.
+    void meshPlaced();
 
   private:
     void openDocument(const QString& file);
     void load(const QString& mesh);
     void meshLoaded(const QString& mesh);
+    bool showsOnlyTheStart() const;
+    void replaceObject(Object object);
     void meshFailed(const QString& mesh, const Error& why);
     void noteFile(const QString& file);
     bool mayReplace(const QString& asked, const QString& file);

@@ -122,6 +122,8 @@ void MainWindow::connectParts() {
     connect(&document_, &Document::sceneReplaced, this, &MainWindow::updateTitle);
     connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);
     connect(files_, &FileActions::changesSettled, &autosave_, &Autosave::discard);
+    connect(files_, &FileActions::meshPlaced, this,
+            [this] { views_->active().frameCurrentObject(); });
     connect(views_, &CompareArea::filesDropped, files_, &FileActions::drop);
     connect(status_, &StatusLine::messagesWished, this, [this] {
         QDockWidget* messages = dock("messages");

@@ -14,7 +14,14 @@
 namespace patina::tests {
 namespace {
 
-using Window = WindowFixture;
+class Window : public WindowFixture {
+  protected:
+    /// Drops a mesh of one triangle onto the first view.
+    void drop(const std::string& name) {
+        writeFile(home(name), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        window().files().drop({QString::fromStdString(home(name).string())}, Side::A);
+    }
+};
 
 constexpr int waitMs = 20000;
 
@@ -102,10 +109,30 @@ TEST_F(Window, FailedImport_SaysSoAndKeepsTheScene) {
     EXPECT_EQ(document().scene(), before);
 }
 
-TEST_F(Window, DroppedMesh_BecomesAnObject) {
-    writeFile(home("triangle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    window().files().drop({QString::fromStdString(home("triangle.obj").string())}, Side::A);
-    EXPECT_TRUE(waitUntil([&] { return document().scene().objects.size() == 2; }));
+TEST_F(Window, MeshDroppedOnANewDocument_ReplacesItsObject) {
+    const Object start = document().scene().objects[0];
+    drop("triangle.obj");
+    ASSERT_TRUE(waitUntil([&] { return document().isModified(); }));
+    ASSERT_EQ(document().scene().objects.size(), 1u);
+    EXPECT_EQ(document().scene().objects[0].name, "triangle");
+    EXPECT_EQ(document().scene().objects[0].material, start.material);
+    document().undoStack().undo();
+    EXPECT_EQ(document().scene().objects[0], start);
+}
+
+TEST_F(Window, MeshDroppedOnAnEditedDocument_StandsBesideTheOthers) {
+    edit(document());
+    drop("triangle.obj");
+    ASSERT_TRUE(waitUntil([&] { return document().scene().objects.size() == 2; }));
+    EXPECT_EQ(document().currentObject(), 1);
+    EXPECT_GT(document().scene().objects[1].translation.x, 1.0);
+}
+
+TEST_F(Window, DroppedMesh_IsFramed) {
+    edit(document());
+    drop("triangle.obj");
+    ASSERT_TRUE(waitUntil([&] { return document().scene().objects.size() == 2; }));
+    EXPECT_NEAR(camera().pivot.x, document().scene().objects[1].translation.x, 0.5);
 }
 
 TEST_F(Window, ObjectInAnEmptyScene_LooksLikeANewDocuments) {
