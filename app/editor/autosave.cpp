@@ -111,6 +111,7 @@ void Autosave::setIntervals(int quietMs, int longestMs) {
 
 void Autosave::adopt(const Recovery& recovery) {
     if (takeStem()) {
+        isAdopted_ = true;
         std::error_code ignored; // it stays where it is and is offered again
         std::filesystem::rename(recovery.scene, sceneOf(stem_), ignored);
         std::filesystem::rename(originOf(stemOf(recovery.scene)), originOf(stem_), ignored);
@@ -118,13 +119,28 @@ void Autosave::adopt(const Recovery& recovery) {
 }
 
 void Autosave::discard() {
-    quiet_.stop();
-    longest_.stop();
-    worker_.waitForDone();
+    stop();
+    isAdopted_ = false;
     if (lock_) {
         remove({sceneOf(stem_), {}, {}});
         lock_.reset();
     }
+}
+
+void Autosave::giveUp() {
+    if (!isAdopted_) {
+        discard();
+        return;
+    }
+    stop();
+    isAdopted_ = false;
+    lock_.reset(); // as a program that is gone leaves it
+}
+
+void Autosave::stop() {
+    quiet_.stop();
+    longest_.stop();
+    worker_.waitForDone();
 }
 
 void Autosave::schedule() {

@@ -38,8 +38,12 @@ class Autosave : public QObject {
     /// Makes what was recovered this program's copy.
     void adopt(const Recovery& recovery);
 
-    /// Removes the copy: the work is saved, or was given up on purpose.
+    /// Removes the copy: the work is saved.
     void discard();
+
+    /// Removes the copy, but not of work that was recovered: that is offered until it is saved or
+    /// given up where it is offered.
+    void giveUp();
 
     /// What can be recovered, newest first.
     static std::vector<Recovery> found(const std::filesystem::path& folder);
@@ -49,6 +53,7 @@ class Autosave : public QObject {
     void failed(patina::Error why);
 
   private:
+    void stop();
     void schedule();
     void save();
     bool takeStem();
@@ -57,6 +62,7 @@ class Autosave : public QObject {
     std::filesystem::path folder_;
     std::filesystem::path stem_;
     std::unique_ptr<QLockFile> lock_;
+    bool isAdopted_ = false;
     QTimer quiet_;
     QTimer longest_;
     QThreadPool worker_;

@@ -100,6 +100,10 @@ class Document : public QObject {
     // Undo.
     QUndoStack& undoStack() { return undoStack_; }
     bool isModified() const { return !undoStack_.isClean(); }
+    /// The file is a preset, and more than the material it holds was changed.
+    bool outgrewPreset() const;
+    /// What is shown was recovered and not saved since.
+    bool isRecovered() const { return isRecovered_; }
 
     /// Blocks changed: values are kept by id and brought into their new ranges.
     void setCatalog(std::shared_ptr<const Catalog> catalog);
@@ -166,6 +170,7 @@ class Document : public QObject {
     int interaction_ = 0;
     int lastInteraction_ = 0;
     DocumentFile file_;
+    bool isRecovered_ = false;
     DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
     std::optional<BlockValues> lastFog_; ///< comes back when fog is turned on again
     std::map<BlockPath::Part, Block> fixedBlocks_;

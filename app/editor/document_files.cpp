@@ -65,6 +65,7 @@ void Document::replaceState(DocumentState state, DocumentFile file) {
     undoStack_.clear();
     interaction_ = 0;
     lastFog_.reset();
+    isRecovered_ = false;
     state_ = std::move(state);
     savedState_ = state_;
     currentObject_ = state_.scene.objects.empty() ? -1 : 0;
@@ -107,6 +108,7 @@ bool Document::recover(const std::filesystem::path& copy, const DocumentFile& or
     if (opened) {
         savedState_ = before; // a preset that is saved holds no more than its material
         setFile(origin);
+        isRecovered_ = true;
         undoStack_.resetClean();
     }
     return opened;
@@ -166,6 +168,7 @@ bool Document::saveScene(const std::filesystem::path& path) {
         return false;
     }
     savedState_ = state_;
+    isRecovered_ = false;
     undoStack_.setClean();
     setFile({DocumentFile::Kind::Scene, path, false});
     return true;
@@ -188,6 +191,11 @@ bool Document::savePreset(const std::filesystem::path& path, Side side) {
     return true;
 }
 
+bool Document::outgrewPreset() const {
+    return file_.kind == DocumentFile::Kind::Preset &&
+           withoutMaterial(state_, currentObject_) != withoutMaterial(savedState_, currentObject_);
+}
+
 /// The document is clean only when the preset held everything that changed: lights, fog and
 /// objects belong to a scene file, and closing must still ask about them.
 void Document::markPresetSaved(Side side) {
@@ -201,6 +209,7 @@ void Document::markPresetSaved(Side side) {
         withoutMaterial(state_, currentObject_) == withoutMaterial(savedState_, currentObject_);
     if (everything && (side == Side::A ||
                        *material(Side::A) == *materialAt(savedState_, currentObject_, Side::A))) {
+        isRecovered_ = false;
         undoStack_.setClean();
     }
     if (Material* savedMaterial = materialAt(savedState_, currentObject_, Side::A);

@@ -43,33 +43,25 @@ FileActions::FileActions(Document& document, MeshLibrary& meshes, Session& sessi
 void FileActions::newDocument() {
     if (mayLoseDocument()) {
         document_.openTemplate(defaultScene());
-        Q_EMIT changesSettled();
+        Q_EMIT documentReplaced();
     }
 }
 
 bool FileActions::save() {
     const DocumentFile& file = document_.file();
-    if (file.kind == DocumentFile::Kind::None || file.readOnly) {
+    if (file.kind == DocumentFile::Kind::None || file.readOnly || document_.outgrewPreset()) {
         return saveAs();
     }
-    const bool presetIsTooSmall =
-        file.kind == DocumentFile::Kind::Preset && document_.save() && document_.isModified();
-    if (presetIsTooSmall) {
-        tell({file.path.string(), 0, 0,
-              "the preset is saved, but lights, fog, objects and side B are not part of it", 
-              "Save As with a scene file to keep them too"});
-        return true;
+    const bool isSaved = !document_.isModified() || document_.save();
+    if (isSaved) {
+        noteSaved(QString::fromStdString(file.path.string()));
     }
-    const bool saved = !document_.isModified() || document_.save();
-    if (saved) {
-        noteFile(QString::fromStdString(file.path.string()));
-        Q_EMIT changesSettled();
-    }
-    return saved;
+    return isSaved;
 }
 
 bool FileActions::saveAs() {
-    const bool isPreset = document_.file().kind == DocumentFile::Kind::Preset;
+    const bool isPreset =
+        document_.file().kind == DocumentFile::Kind::Preset && !document_.outgrewPreset();
     QString filter = isPreset ? presetFilter() : sceneFilter();
     const QString start = session_.folder("scene") + '/' + suggestedName();
     QString file = QFileDialog::getSaveFileName(window_, tr("Save As"), start,
@@ -77,21 +69,33 @@ bool FileActions::saveAs() {
     if (file.isEmpty()) {
         return false;
     }
-    const bool asPreset = file.endsWith(presetSuffix) || 
+    const bool asPreset = file.endsWith(presetSuffix) ||
                           (!file.endsWith(sceneSuffix) && filter == presetFilter());
     const QString asked = file;
     file = withSuffix(file, asPreset ? presetSuffix : sceneSuffix);
     if (!mayReplace(asked, file)) {
         return false;
     }
-    const bool saved = asPreset ? document_.savePreset(file.toStdString(), document_.activeSide())
-                                : document_.saveScene(file.toStdString());
-    if (saved) {
+    const bool isSaved = asPreset
+                             ? document_.savePreset(file.toStdString(), document_.activeSide())
+                             : document_.saveScene(file.toStdString());
+    if (isSaved) {
         session_.setFolderOf("scene", file);
-        noteFile(file);
-        Q_EMIT changesSettled();
+        noteSaved(file);
     }
-    return saved;
+    return isSaved;
+}
+
+/// A preset may hold less than what was changed.
+void FileActions::noteSaved(const QString& file) {
+    noteFile(file);
+    if (!document_.isModified()) {
+        Q_EMIT saved();
+        return;
+    }
+    tell({file.toStdString(), 0, 0,
+          "the preset is saved, but lights, fog, objects and side B are not part of it",
+          "Save As with a scene file to keep them too"});
 }
 
 void FileActions::askAndOpen() {
@@ -189,18 +193,28 @@ bool FileActions::mayLoseDocument() {
     if (!document_.isModified()) {
         return true;
     }
-    const bool isNamed = !document_.file().path.empty();
-    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
-                         tr("Save the changes to %1?").arg(isNamed ? suggestedName()
-                                                                   : tr("the untitled scene")),
+    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"), questionText(),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
-    question.setInformativeText(tr("They are lost if you do not save them."));
+    question.setInformativeText(document_.isRecovered()
+                                    ? tr("The recovered work is offered again at the next start "
+                                         "if you do not save it.")
+                                    : tr("They are lost if you do not save them."));
     question.setDefaultButton(QMessageBox::Save);
     const int answer = question.exec();
     if (answer == QMessageBox::Save) {
-        return save() && !document_.isModified();
+        return save() && mayLoseDocument(); // asks again when a preset held only a part of it
     }
     return answer == QMessageBox::Discard;
+}
+
+QString FileActions::questionText() const {
+    const QString file = QString::fromStdString(document_.file().path.filename().string());
+    if (document_.outgrewPreset()) {
+        return tr("Save the changes as a scene? %1 is a preset, which holds a material and no "
+                  "lights, fog, objects or side B.")
+            .arg(file);
+    }
+    return tr("Save the changes to %1?").arg(file.isEmpty() ? tr("the untitled scene") : file);
 }
 
 FileActions::Kind FileActions::kindOf(const QString& file) {
@@ -229,7 +243,7 @@ void FileActions::openDocument(const QString& file) {
     if (opened) {
         meshes_.forgetFailures();
         noteFile(file);
-        Q_EMIT changesSettled();
+        Q_EMIT documentReplaced();
     }
 }
 
@@ -296,7 +310,10 @@ void FileActions::noteFile(const QString& file) {
 QString FileActions::suggestedName() const {
     const std::filesystem::path& path = document_.file().path;
     if (!path.empty()) {
-        return QString::fromStdString(path.filename().string());
+        const QString name = QString::fromStdString(path.filename().string());
+        return document_.outgrewPreset() && name.endsWith(presetSuffix)
+                   ? name.chopped(presetSuffix.size()) + sceneSuffix
+                   : name;
     }
     return asFileName(QString::fromStdString(document_.scene().name)) + sceneSuffix;
 }

@@ -60,8 +60,10 @@ class FileActions : public QObject {
 
   Q_SIGNALS:
     void recentFilesChanged();
-    /// The document was saved, or its changes were given up on purpose.
-    void changesSettled();
+    /// The document is on disk, all of it.
+    void saved();
+    /// There is another document; what was not saved of the former one was given up on purpose.
+    void documentReplaced();
     /// A mesh that was opened, imported or dropped is now the current object.
     void meshPlaced();
 
@@ -72,8 +74,10 @@ class FileActions : public QObject {
     bool showsOnlyTheStart() const;
     void replaceObject(Object object);
     void meshFailed(const QString& mesh, const Error& why);
+    void noteSaved(const QString& file);
     void noteFile(const QString& file);
     bool mayReplace(const QString& asked, const QString& file);
+    QString questionText() const;
     QString suggestedName() const;
 
     Document& document_;

@@ -121,7 +121,8 @@ void MainWindow::connectParts() {
     connect(&document_, &Document::fileChanged, this, &MainWindow::updateTitle);
     connect(&document_, &Document::sceneReplaced, this, &MainWindow::updateTitle);
     connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);
-    connect(files_, &FileActions::changesSettled, &autosave_, &Autosave::discard);
+    connect(files_, &FileActions::saved, &autosave_, &Autosave::discard);
+    connect(files_, &FileActions::documentReplaced, &autosave_, &Autosave::giveUp);
     connect(files_, &FileActions::meshPlaced, this,
             [this] { views_->active().frameCurrentObject(); });
     connect(views_, &CompareArea::filesDropped, files_, &FileActions::drop);
@@ -255,7 +256,7 @@ void MainWindow::offerRecovery() {
 
 void MainWindow::recover(const Recovery& recovery) {
     if (files_->mayLoseDocument() && document_.recover(recovery.scene, recovery.original)) {
-        autosave_.discard();
+        autosave_.giveUp();
         autosave_.adopt(recovery);
     }
 }
@@ -265,7 +266,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    autosave_.discard();
+    autosave_.giveUp();
     session_.setWindow(saveGeometry(), saveState(layoutVersion));
     session_.sync();
     event->accept();

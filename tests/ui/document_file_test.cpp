@@ -114,6 +114,14 @@ TEST_F(DocumentFile_, RecoveredPreset_StaysModifiedWhenMoreThanThePresetChanged)
     EXPECT_TRUE(document.isModified());
 }
 
+TEST_F(DocumentFile_, PresetWithAChangedLight_IsOutgrown) {
+    ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+    document.setValue(fixture.model(), "roughness", 0.75);
+    EXPECT_FALSE(document.outgrewPreset());
+    document.setValue(document.currentPath(BlockPath::Part::Light), "intensity", 5.0);
+    EXPECT_TRUE(document.outgrewPreset());
+}
+
 TEST_F(DocumentFile_, BadFile_ChangesNothingAndSaysSo) {
     const DocumentState before = document.state();
     writeFile(folder / "a.patina-scene.json", "{\"format\": ");

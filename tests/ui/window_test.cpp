@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProcess>
@@ -275,6 +276,38 @@ TEST_F(Window, RecoveredWork_KnowsItsFileAndIsModified) {
     EXPECT_EQ(document().file().path, home("a.patina-scene.json"));
     EXPECT_TRUE(window().isWindowModified());
     EXPECT_EQ(document().scene().exposure, 0.5);
+}
+
+TEST_F(Window, RecoveredWorkThatIsNotSaved_IsOfferedAgain) {
+    window().autosave().setIntervals(1, 1);
+    edit(document());
+    const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
+    ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
+    close();
+    open();
+    window().startRest();
+    auto* question = window().findChild<QMessageBox*>("recovery");
+    ASSERT_NE(question, nullptr);
+    question->defaultButton()->click();
+    const Answer answer(QMessageBox::Discard);
+    EXPECT_TRUE(window().QWidget::close());
+    EXPECT_EQ(Autosave::found(folder).size(), 1u);
+}
+
+TEST_F(Window, SaveOfAPresetWithMoreThanItsMaterial_OffersAScene) {
+    ASSERT_TRUE(document().openPreset(otherPreset(document())));
+    edit(document());
+    QString offered;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&offered] {
+        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+            offered = dialog->selectedNameFilter();
+            dialog->reject();
+        }
+    });
+    timer.start(20);
+    EXPECT_FALSE(window().files().save());
+    EXPECT_TRUE(offered.contains("*.patina-scene.json")) << offered.toStdString();
 }
 
 TEST_F(Window, RunningProgramsWork_IsNotOffered) {
