@@ -22,6 +22,8 @@ class DisplayPass {
     /// Compiles (or finds) the program of a tone mapping the first time it is asked for.
     Result<void> prepare(ToneMapping toneMapping, const Catalog& catalog, ProgramCache& cache);
 
+    bool isPrepared() const { return current_ != nullptr; }
+
     /// Draws with the program that was prepared last into the bound framebuffer.
     void draw(const gl::Texture& linear, double exposure);
 

@@ -42,6 +42,9 @@ class FrameDrawer {
     /// The linear target into a framebuffer; leaves it bound and the usual state at its defaults.
     void show(const Scene& scene, const View& view, unsigned framebuffer);
 
+    /// Gives the linear target's memory back until the next frame.
+    void releaseTargets();
+
     unsigned linearFramebuffer() const { return target_.resolvedFramebuffer(); }
     const FrameReport& report() const { return report_; }
     GpuMeshStore& meshStore() { return meshes_; }
@@ -92,6 +95,7 @@ class FrameDrawer {
     void feedScene(const Scene& scene, const Pipeline& pipeline);
     void describe(const Scene& scene);
     void describeEffects(const Scene& scene);
+    static void leaveState();
     void noteSource(const void* source);
 
     std::shared_ptr<const Catalog> catalog_;

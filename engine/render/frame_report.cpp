@@ -78,10 +78,26 @@ void FrameDrawer::show(const Scene& scene, const View& view, unsigned framebuffe
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);
     display_.draw(target_.resolved(), scene.exposure);
+    leaveState();
+}
+
+void FrameDrawer::leaveState() {
     glBindVertexArray(0);
     glUseProgram(0);
     glBindTexture(GL_TEXTURE_2D, 0);
     glDepthFunc(GL_LESS);
+}
+
+/// A driver may keep what was drawn with last until something else is: one pixel takes its place.
+void FrameDrawer::releaseTargets() {
+    if (!display_.isPrepared() || !target_.fit(glm::ivec2(1), 1, false)) {
+        target_ = HdrTarget();
+        return;
+    }
+    target_.bind();
+    display_.draw(target_.resolved(), 0.0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    leaveState();
 }
 
 } // namespace patina

@@ -149,6 +149,10 @@ Result<std::optional<PixelProbe>> Renderer::probe(const Scene& scene, const View
     return implementation_->inspection().probe(scene, view, meshes, pixel);
 }
 
+void Renderer::releaseTargets() {
+    implementation_->releaseTargets();
+}
+
 const FrameReport& Renderer::report() const {
     return implementation_->lastReport();
 }

@@ -97,6 +97,10 @@ class Renderer {
     /// Of the last draw or capture.
     const FrameReport& report() const;
 
+    /// Gives the buffers that a frame is drawn in back to the driver; the next frame makes them
+    /// again. Programs and meshes stay.
+    void releaseTargets();
+
   private:
     Renderer();
     class Implementation;

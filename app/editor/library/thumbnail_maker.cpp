@@ -13,6 +13,7 @@
 #include <QSaveFile>
 #include <QThread>
 
+#include "free_memory.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "render/renderer.h"
@@ -199,6 +200,10 @@ void ThumbnailMaker::work() {
         if (!picture.isNull()) {
             Q_EMIT ready(job.name, picture);
         }
+    }
+    if (studio) {
+        studio.reset();
+        returnFreeMemory();
     }
 }
 

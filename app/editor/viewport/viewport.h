@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 
@@ -114,6 +115,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Image pictureOf(const Scene& scene, bool display);
     void probeSoon();
     void probe();
+    void watchForRest();
+    void releaseWhenIdle();
     View view() const;
     void beginFrame();
     void proceed();
@@ -133,6 +136,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     int frameCount_ = 0;
     Progress progress_ = Progress::Idle; ///< of a frame that takes several turns
     QTimer turn_;                        ///< its next one
+    QElapsedTimer sinceFrame_;
+    QTimer idleTimer_;
     bool stale_ = true; ///< the picture is not of what would be drawn now
     bool resizing_ = false;
     QLabel* note_; ///< that a picture is on its way
