@@ -21,14 +21,15 @@ float radianceOf(double channel) {
 }
 
 void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
-                const Scene& scene, const glm::dmat4& cameraToWorld) {
+                const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
     for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
         const BlockPlace& group = pipeline.scene.groups[g];
         const auto size = static_cast<std::size_t>(group.vec4s());
         const std::size_t start = packed.vec4s;
         int count = 0;
-        for (const Light& light : scene.lights) {
-            if (EffectKey::ofLight(light, *pipeline.catalog) !=
+        for (std::size_t i = 0; i < packing.scene.lights.size(); ++i) {
+            const Light& light = packing.scene.lights[i];
+            if (EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog) !=
                 pipeline.effects.scene.lights[g].key) {
                 continue;
             }
@@ -81,15 +82,16 @@ glm::dmat4 normalMatrix(const glm::dmat4& world) {
 
 } // namespace
 
-PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline, const Scene& scene,
-                      const glm::dmat4& cameraToWorld) {
+PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
+                      const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
+    const Scene& scene = packing.scene;
     out[SceneLayout::ambient] = glm::vec4(radianceOf(scene.ambient.x), radianceOf(scene.ambient.y),
                                           radianceOf(scene.ambient.z), 0.0f);
     if (pipeline.scene.fog && scene.fog) {
         packPlace(out, *pipeline.scene.fog, scene.fog->parameters, exact, cameraToWorld);
     }
     PackedScene packed{static_cast<std::size_t>(pipeline.scene.firstLight), 0};
-    packLights(packed, out, pipeline, scene, cameraToWorld);
+    packLights(packed, out, pipeline, packing, cameraToWorld);
     return packed;
 }
 

@@ -17,9 +17,15 @@ struct PackedScene {
     int lostLights = 0;
 };
 
+/// A scene, and the one whose effects the pipelines have: the same lights with other values.
+struct SceneToPack {
+    const Scene& scene;
+    const Scene& effects;
+};
+
 /// Fills `sceneData` for a pipeline; `out` holds SceneLayout::capacity vec4s. Allocates nothing.
-PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline, const Scene& scene,
-                      const glm::dmat4& cameraToWorld);
+PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
+                      const SceneToPack& packing, const glm::dmat4& cameraToWorld);
 
 /// Fills `objectData`; `out` holds pipeline.object.vec4s. Allocates nothing.
 void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object& object,

@@ -51,6 +51,14 @@ bool isDrawn(const Object& object) {
     return object.visible && object.material.opacity > 0.0;
 }
 
+/// The scene whose effects the programs have.
+const Scene& effectsOf(const View& view, const Scene& scene) {
+    const bool fits = view.effects != nullptr &&
+                      view.effects->objects.size() == scene.objects.size() &&
+                      view.effects->lights.size() == scene.lights.size();
+    return fits ? *view.effects : scene;
+}
+
 } // namespace
 
 FrameDrawer::FrameDrawer(std::filesystem::path programCache)
@@ -78,13 +86,14 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     if (auto prepared = prepare(scene); !prepared) {
         return fail(prepared.error());
     }
+    effects_ = &effectsOf(view, scene);
     collect(scene, view, meshes);
     count();
     if (auto fitting = target_.fit(view.size, view.samples, isDense(view)); !fitting) {
         return fail(fitting.error());
     }
     uploadView(view);
-    choosePipelines(scene);
+    choosePipelines();
     target_.bind();
     glClearColor(storable(scene.background.x), storable(scene.background.y),
                  storable(scene.background.z), 1.0f);
@@ -93,14 +102,16 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     return true;
 }
 
-bool FrameDrawer::proceed(const Scene& scene, Deadline deadline) {
+bool FrameDrawer::proceed(const Scene& scene, const View& view, Deadline deadline) {
+    effects_ = &effectsOf(view, scene); // both may have moved since the last turn
     const Deadline limit = isLarge() ? deadline : never;
     if (!deviceIsDone(limit) || !uploadMeshes(limit) || !drawItems(scene, limit) ||
         !resolve(limit)) {
         return false;
     }
     meshes_.endFrame();
-    describe(scene);
+    describe();
+    effects_ = nullptr;
     return true;
 }
 
@@ -148,9 +159,9 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
     }
     // Opaque objects first, near ones before far ones so that depth hides what is behind; then the
     // others, far ones first so that each is blended over what shines through it.
-    std::sort(items_.begin(), items_.end(), [&scene](const Item& a, const Item& b) {
-        const bool transparent = isTransparent(scene.objects[a.index]);
-        if (transparent != isTransparent(scene.objects[b.index])) {
+    std::sort(items_.begin(), items_.end(), [this](const Item& a, const Item& b) {
+        const bool transparent = isTransparent(effects_->objects[a.index]);
+        if (transparent != isTransparent(effects_->objects[b.index])) {
             return !transparent;
         }
         return transparent ? a.distance > b.distance : a.distance < b.distance;
@@ -193,27 +204,26 @@ void FrameDrawer::uploadView(const View& view) {
     viewData_.bind(binding::view);
 }
 
-void FrameDrawer::choosePipelines(const Scene& scene) {
+void FrameDrawer::choosePipelines() {
     const int before = pipelines_.programs().compiledCount();
-    const std::uint64_t sceneKey = keys_.ofScene(scene, *catalog_);
+    const std::uint64_t sceneKey = keys_.ofScene(*effects_, *catalog_);
     sources_.clear();
     for (const Item& item : items_) {
-        choosePipeline(scene, scene.objects[item.index], slots_[item.index], sceneKey);
+        choosePipeline(effects_->objects[item.index].material, slots_[item.index], sceneKey);
     }
     report_.compiled += pipelines_.programs().compiledCount() - before;
 }
 
-void FrameDrawer::choosePipeline(const Scene& scene, const Object& object, Slot& slot,
-                                 std::uint64_t sceneKey) {
-    const std::uint64_t key = EffectKey::ofMaterial(object.material, *catalog_);
-    const PipelineStore::Entry& entry = pipelines_.get(object.material, key, scene, sceneKey);
+void FrameDrawer::choosePipeline(const Material& material, Slot& slot, std::uint64_t sceneKey) {
+    const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
+    const PipelineStore::Entry& entry = pipelines_.get(material, key, *effects_, sceneKey);
     if (entry.pipeline) {
         slot.pipeline = entry.pipeline;
     } else {
         noteSource(&entry);
     }
     if (!slot.pipeline) {
-        const PipelineStore::Entry& standIn = pipelines_.standIn(scene, sceneKey);
+        const PipelineStore::Entry& standIn = pipelines_.standIn(*effects_, sceneKey);
         slot.pipeline = standIn.pipeline;
         if (!standIn.pipeline) {
             noteSource(&standIn);
@@ -258,7 +268,7 @@ bool FrameDrawer::drawItem(const Scene& scene, const Item& item, Deadline deadli
         return true;
     }
     feed(scene, item);
-    const bool transparent = isTransparent(scene.objects[item.index]);
+    const bool transparent = isTransparent(effects_->objects[item.index]);
     const std::span<const Pass> passes =
         transparent ? std::span<const Pass>(transparentPasses) : opaquePasses;
     for (; cursor_.pass < std::ssize(passes); ++cursor_.pass) {
@@ -329,7 +339,7 @@ void FrameDrawer::feedScene(const Scene& scene, const Pipeline& pipeline) {
         return;
     }
     const PackedScene packed =
-        packScene(sceneData_.staging(), pipeline, scene, cameras_.cameraToWorld);
+        packScene(sceneData_.staging(), pipeline, {scene, *effects_}, cameras_.cameraToWorld);
     report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
     lostLights_ = std::max(lostLights_, packed.lostLights);
     sceneData_.bind(binding::scene);

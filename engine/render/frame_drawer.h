@@ -37,7 +37,7 @@ class FrameDrawer {
     /// triangles into the linear target. False when the deadline came before the end; only frames
     /// of many triangles heed it, and they also wait for the device before they say that they are
     /// done. The picture does not depend on the steps.
-    bool proceed(const Scene& scene, Deadline deadline);
+    bool proceed(const Scene& scene, const View& view, Deadline deadline);
 
     /// The linear target into a framebuffer; leaves it bound and the usual state at its defaults.
     void show(const Scene& scene, const View& view, unsigned framebuffer);
@@ -81,9 +81,8 @@ class FrameDrawer {
     void count();
     bool isDense(const View& view) const; ///< more triangles than pixels
     void uploadView(const View& view);
-    void choosePipelines(const Scene& scene);
-    void choosePipeline(const Scene& scene, const Object& object, Slot& slot,
-                        std::uint64_t sceneKey);
+    void choosePipelines();
+    void choosePipeline(const Material& material, Slot& slot, std::uint64_t sceneKey);
     bool uploadMeshes(Deadline deadline);
     bool drawItems(const Scene& scene, Deadline deadline);
     bool drawItem(const Scene& scene, const Item& item, Deadline deadline);
@@ -93,12 +92,13 @@ class FrameDrawer {
     bool deviceIsDone(Deadline deadline);
     void feed(const Scene& scene, const Item& item);
     void feedScene(const Scene& scene, const Pipeline& pipeline);
-    void describe(const Scene& scene);
-    void describeEffects(const Scene& scene);
-    static void leaveState();
+    void describe();
+    void describeEffects();
     void noteSource(const void* source);
+    static void leaveState();
 
     std::shared_ptr<const Catalog> catalog_;
+    const Scene* effects_ = nullptr; ///< whose effects the frame's programs have
     PipelineStore pipelines_;
     GpuMeshStore meshes_;
     HdrTarget target_;

@@ -25,7 +25,7 @@ void addOnce(Errors& errors, const Error& error) {
 
 } // namespace
 
-void FrameDrawer::describe(const Scene& scene) {
+void FrameDrawer::describe() {
     programs_.clear();
     for (const Item& item : items_) {
         const Pipeline* pipeline = slots_[item.index].pipeline.get();
@@ -39,20 +39,20 @@ void FrameDrawer::describe(const Scene& scene) {
     if (sources_ == described_ && lostLights_ == describedLost_) {
         return;
     }
-    describeEffects(scene);
+    describeEffects();
     described_ = sources_;
     describedLost_ = lostLights_;
 }
 
-void FrameDrawer::describeEffects(const Scene& scene) {
+void FrameDrawer::describeEffects() {
     report_.effects.clear();
     report_.messages.clear();
     report_.warnings = 0;
-    const std::uint64_t sceneKey = keys_.ofScene(scene, *catalog_);
+    const std::uint64_t sceneKey = keys_.ofScene(*effects_, *catalog_);
     for (const Item& item : items_) {
-        const Material& material = scene.objects[item.index].material;
+        const Material& material = effects_->objects[item.index].material;
         const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
-        for (const Error& error : pipelines_.get(material, key, scene, sceneKey).errors) {
+        for (const Error& error : pipelines_.get(material, key, *effects_, sceneKey).errors) {
             addOnce(report_.messages, error);
         }
         if (const Pipeline* pipeline = slots_[item.index].pipeline.get()) {

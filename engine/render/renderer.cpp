@@ -2,6 +2,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <epoxy/gl.h>
 
@@ -41,11 +42,12 @@ class Renderer::Implementation : public FrameDrawer {
     }
 
     bool drawLinear(const Scene& scene, const View& view, const MeshSource& meshes) {
-        return begin(scene, view, meshes) && proceed(scene, never);
+        return begin(scene, view, meshes) && proceed(scene, view, never);
     }
 
     /// What the frame that is drawn in steps shows.
     Scene steppedScene;
+    std::optional<Scene> steppedEffects;
     View steppedView;
 
   private:
@@ -86,17 +88,20 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
         return true;
     }
     if (!implementation_->isLarge()) {
-        implementation_->proceed(scene, FrameDrawer::never);
+        implementation_->proceed(scene, view, FrameDrawer::never);
         implementation_->show(scene, view, framebuffer);
         return true;
     }
     implementation_->steppedScene = scene;
     implementation_->steppedView = view;
+    if (view.effects != nullptr) {
+        implementation_->steppedView.effects = &implementation_->steppedEffects.emplace(*view.effects);
+    }
     return false;
 }
 
 bool Renderer::proceed(std::chrono::milliseconds patience) {
-    return implementation_->proceed(implementation_->steppedScene,
+    return implementation_->proceed(implementation_->steppedScene, implementation_->steppedView,
                                     std::chrono::steady_clock::now() + patience);
 }
 

@@ -23,6 +23,9 @@ struct View {
     glm::ivec2 size{512, 512};      ///< pixels, each at least 1
     Camera camera;
     int samples = 4;                ///< MSAA; lowered to what the driver offers
+    /// Whose effects the programs have; nothing: the scene's own. The same objects and lights with
+    /// other values, so that a value may pass what makes an effect needless without a new program.
+    const Scene* effects = nullptr;
 };
 
 /// Gives the triangles of a mesh name, or an empty view while it is not there yet.
@@ -94,12 +97,12 @@ class Renderer {
     Result<std::optional<PixelProbe>> probe(const Scene& scene, const View& view,
                                             const MeshSource& meshes, glm::ivec2 pixel);
 
-    /// Of the last draw or capture.
-    const FrameReport& report() const;
-
     /// Gives the buffers that a frame is drawn in back to the driver; the next frame makes them
     /// again. Programs and meshes stay.
     void releaseTargets();
+
+    /// Of the last draw or capture.
+    const FrameReport& report() const;
 
   private:
     Renderer();
