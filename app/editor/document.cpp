@@ -35,6 +35,19 @@ void Document::connectSignals() {
     connect(this, &Document::objectsChanged, this, &Document::keepCurrentInside);
     connect(this, &Document::comparingChanged, this, &Document::keepCurrentInside);
 
+    connect(this, &Document::valueChanged, this,
+            [this](const BlockPath& path, const QString& parameterId) {
+                effectHold_.follow(state_, path, parameterId.toStdString());
+            });
+    connect(this, &Document::materialChanged, this, &Document::endEffectHold);
+    connect(this, &Document::fogReplaced, this, &Document::endEffectHold);
+    connect(this, &Document::lightsChanged, this, &Document::endEffectHold);
+    connect(this, &Document::objectsChanged, this, &Document::endEffectHold);
+    connect(this, &Document::comparingChanged, this, &Document::endEffectHold);
+    connect(this, &Document::sceneReplaced, this, &Document::endEffectHold);
+    connect(this, &Document::catalogChanged, this, &Document::endEffectHold);
+    connect(this, &Document::currentChanged, this, &Document::endEffectHold);
+
     connect(this, &Document::valueChanged, this, &Document::changed);
     connect(this, &Document::materialChanged, this, &Document::changed);
     connect(this, &Document::fogReplaced, this, &Document::changed);
@@ -194,6 +207,7 @@ void Document::resetValue(const BlockPath& path, std::string_view parameterId) {
 }
 
 int Document::beginInteraction() {
+    endEffectHold();
     interaction_ = ++lastInteraction_;
     return interaction_;
 }
@@ -201,6 +215,28 @@ int Document::beginInteraction() {
 void Document::endInteraction(int token) {
     if (token == 0 || token == interaction_) {
         interaction_ = 0;
+        endEffectHold();
+    }
+}
+
+int Document::beginInteraction(const BlockPath& path, std::string_view parameterId) {
+    const int token = beginInteraction();
+    const Block* described = block(path);
+    const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
+    if (parameter) {
+        effectHold_.begin(state_, currentObject_, path, *parameter, *catalog_);
+        if (effectHold_.differs(state_, *catalog_)) {
+            Q_EMIT effectsChanged();
+        }
+    }
+    return token;
+}
+
+void Document::endEffectHold() {
+    const bool differs = effectHold_.differs(state_, *catalog_);
+    effectHold_.end();
+    if (differs) {
+        Q_EMIT effectsChanged();
     }
 }
 

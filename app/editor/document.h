@@ -13,6 +13,7 @@
 
 #include "catalog/catalog.h"
 #include "document_state.h"
+#include "effect_hold.h"
 
 namespace patina {
 
@@ -72,6 +73,10 @@ class Document : public QObject {
     // token makes a late end harmless (0 ends whichever is going on).
     int beginInteraction();
     void endInteraction(int token = 0);
+    /// One that drags this value, which may pass what is left out of the programs: see effects().
+    int beginInteraction(const BlockPath& path, std::string_view parameterId);
+    /// The scene whose effects a side's programs have while a value is dragged; null: its own.
+    const Scene* effects(Side side) const { return effectHold_.scene(side); }
     bool isInteracting() const { return interaction_ != 0; }
 
     // Materials. Empty ids turn a part of the material or the fog off.
@@ -143,6 +148,8 @@ class Document : public QObject {
     void cameraChanged();
     void sceneReplaced();
     void catalogChanged();
+    /// The views need other programs for the same picture: a drag has begun or ended.
+    void effectsChanged();
     /// The current object, light or side.
     void currentChanged();
     void fileChanged();
@@ -153,6 +160,7 @@ class Document : public QObject {
     friend class DocumentCommand;
 
     void connectSignals();
+    void endEffectHold();
     void updateSecondScene(const BlockPath& path, const QString& parameterId);
     void keepCurrentInside();
     void replaceState(DocumentState state, DocumentFile file);
@@ -169,6 +177,7 @@ class Document : public QObject {
     Side activeSide_ = Side::A;
     int interaction_ = 0;
     int lastInteraction_ = 0;
+    EffectHold effectHold_;
     DocumentFile file_;
     bool isRecovered_ = false;
     DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out

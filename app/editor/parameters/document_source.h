@@ -17,7 +17,9 @@ class DocumentSource : public ParameterSource {
     void setValue(std::string_view parameterId, const Value& value) override {
         document_.setValue(path_, parameterId, value);
     }
-    int beginInteraction() override { return document_.beginInteraction(); }
+    int beginInteraction(std::string_view parameterId) override {
+        return document_.beginInteraction(path_, parameterId);
+    }
     void endInteraction(int token) override { document_.endInteraction(token); }
 
   private:

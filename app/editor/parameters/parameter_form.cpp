@@ -81,7 +81,7 @@ ParameterRow* ParameterForm::makeRow(const Parameter& parameter) {
     auto* row = new ParameterRow(parameter, this);
     const auto token = std::make_shared<int>(0);
     connect(row, &ParameterRow::interactionBegan, this,
-            [this, token] { *token = source_->beginInteraction(); });
+            [this, token, row] { *token = source_->beginInteraction(row->parameter().id); });
     connect(row, &ParameterRow::interactionEnded, this, [this, token] {
         if (*token != 0) {
             source_->endInteraction(std::exchange(*token, 0));

@@ -15,8 +15,8 @@ class ParameterSource {
     virtual Value value(const Parameter& parameter) const = 0;
     virtual void setValue(std::string_view parameterId, const Value& value) = 0;
 
-    /// Edits between these are one undo step; see Document.
-    virtual int beginInteraction() = 0;
+    /// Edits between these are one undo step, and drag this value; see Document.
+    virtual int beginInteraction(std::string_view parameterId) = 0;
     virtual void endInteraction(int token) = 0;
 };
 

@@ -32,7 +32,7 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
     : QFrame(parent), document_(document), meshes_(meshes), side_(side), title_(new QLabel(this)),
       viewport_(new Viewport({[this]() -> const Scene& { return document_.scene(side_); },
                               [this](const Object& object) { return meshes_.view(object); },
-                              programCache},
+                              [this] { return document_.effects(side_); }, programCache},
                              this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -47,6 +47,7 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
     viewport_->setCamera(document.scene().camera);
     connectNavigation();
     connect(&document, &Document::changed, viewport_, &Viewport::refresh);
+    connect(&document, &Document::effectsChanged, viewport_, &Viewport::refresh);
     connect(&document, &Document::changed, this, &SideView::updateTitle);
     connect(&document, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
     connect(&document, &Document::currentChanged, this, &SideView::updateTitle);

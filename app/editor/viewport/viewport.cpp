@@ -288,6 +288,7 @@ View Viewport::view() const {
     View view;
     view.size = {std::max(pixels.width(), 1), std::max(pixels.height(), 1)};
     view.camera = camera_;
+    view.effects = sources_.effects ? sources_.effects() : nullptr;
     return view;
 }
 

@@ -32,6 +32,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     struct Sources {
         SceneSource scene;
         MeshSource meshes;
+        std::function<const Scene*()> effects; ///< see View::effects
         std::filesystem::path programCache;
     };
 

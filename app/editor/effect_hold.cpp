@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "effect_hold.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "shading/effect_key.h"
+
+namespace patina {
+namespace {
+
+/// A value of the parameter's type with this number in every component.
+Value filled(const Parameter& parameter, double number) {
+    const double inside = std::clamp(number, parameter.min, parameter.max);
+    const Value& type = parameter.defaultValue;
+    if (std::holds_alternative<double>(type)) {
+        return inside;
+    }
+    if (std::holds_alternative<int>(type)) {
+        return static_cast<int>(std::clamp(inside, -1e9, 1e9));
+    }
+    if (std::holds_alternative<glm::dvec2>(type)) {
+        return glm::dvec2(inside);
+    }
+    if (std::holds_alternative<glm::dvec3>(type)) {
+        return glm::dvec3(inside);
+    }
+    return type;
+}
+
+/// Values never count as nothing in the inside of their range, except at 0.
+Value inside(const Parameter& parameter) {
+    const auto between = [&parameter](double share) {
+        return parameter.softMin + share * (parameter.softMax - parameter.softMin);
+    };
+    return filled(parameter, between(0.5) != 0.0 ? between(0.5) : between(0.75));
+}
+
+using Keys = std::pair<std::uint64_t, std::uint64_t>;
+
+Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
+    const Material* material = materialAt(state, path.index, path.side);
+    return {EffectKey().ofScene(state.scene, catalog),
+            material != nullptr ? EffectKey::ofMaterial(*material, catalog) : 0};
+}
+
+} // namespace
+
+void EffectHold::begin(const DocumentState& state, int object, const BlockPath& path,
+                       const Parameter& parameter, const Catalog& catalog) {
+    Held held{state, std::nullopt, object, path, parameter.id};
+    const auto keysWith = [&](const Value& value) {
+        storeValue(held.state, path, parameter.id, value);
+        return keysOf(held.state, path, catalog);
+    };
+    const std::array edges{filled(parameter, 0.0), filled(parameter, parameter.softMin),
+                           filled(parameter, parameter.softMax)};
+    const Keys effective = keysWith(inside(parameter));
+    const bool decides = std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
+        return keysWith(value) != effective;
+    });
+    held_.reset();
+    if (decides) {
+        storeValue(held.state, path, parameter.id, inside(parameter));
+        held_ = std::move(held);
+        showSecond();
+    }
+}
+
+void EffectHold::follow(const DocumentState& state, const BlockPath& path,
+                        std::string_view parameterId) {
+    if (!held_ || (path == held_->path && parameterId == held_->parameterId)) {
+        return;
+    }
+    if (const std::optional<Value> value = storedValue(state, path, parameterId)) {
+        storeValue(held_->state, path, parameterId, *value);
+        showSecond();
+    }
+}
+
+bool EffectHold::differs(const DocumentState& state, const Catalog& catalog) const {
+    return held_ &&
+           keysOf(held_->state, held_->path, catalog) != keysOf(state, held_->path, catalog);
+}
+
+const Scene* EffectHold::scene(Side side) const {
+    if (!held_) {
+        return nullptr;
+    }
+    return side == Side::B && held_->second ? &*held_->second : &held_->state.scene;
+}
+
+void EffectHold::showSecond() {
+    const bool isShown = held_->state.second.has_value() && held_->object >= 0;
+    held_->second = isShown ? std::optional(held_->state.scene) : std::nullopt;
+    if (isShown) {
+        held_->second->objects[static_cast<std::size_t>(held_->object)].material =
+            *held_->state.second;
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A value that is dragged across what makes an effect needless.
+#include <algorithm>
+#include <ostream>
+#include <string>
+
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+struct Dragged {
+    std::string name;
+    BlockPath::Part part;
+    std::string parameterId;
+    Value without; ///< leaves the effect out
+    Value with;
+    std::string effect; ///< how the report calls it, or the start of that
+
+    friend std::ostream& operator<<(std::ostream& out, const Dragged& dragged) {
+        return out << dragged.name;
+    }
+};
+
+class EffectHolds : public WindowFixture, public testing::WithParamInterface<Dragged> {
+  protected:
+    EffectHolds() {
+        document().setFog("exponential");
+        while (document().scene().lights.size() > 1) {
+            document().removeLight(1);
+        }
+        set(GetParam().without);
+        newFrames();
+    }
+
+    BlockPath path() { return document().currentPath(GetParam().part); }
+    void set(const Value& value) { document().setValue(path(), GetParam().parameterId, value); }
+    int press() {
+        const int token = document().beginInteraction(path(), GetParam().parameterId);
+        newFrames();
+        return token;
+    }
+
+    /// Programs compiled when the view shows this value.
+    int compiledFor(const Value& value) {
+        set(value);
+        EXPECT_EQ(newFrames(), 1);
+        return view().report().compiled;
+    }
+
+    bool isInTheShader() {
+        const std::vector<std::string>& effects = view().report().effects;
+        return std::any_of(effects.begin(), effects.end(), [](const std::string& effect) {
+            return effect.starts_with(GetParam().effect);
+        });
+    }
+};
+
+TEST_P(EffectHolds, DragAcrossZero_CompilesNothing) {
+    press();
+    EXPECT_EQ(compiledFor(GetParam().with), 0);
+    EXPECT_EQ(compiledFor(GetParam().without), 0);
+}
+
+TEST_P(EffectHolds, PressAndDrag_HaveTheEffectInTheShader) {
+    press();
+    EXPECT_TRUE(isInTheShader());
+    compiledFor(GetParam().with);
+    compiledFor(GetParam().without);
+    EXPECT_TRUE(isInTheShader());
+}
+
+TEST_P(EffectHolds, DragThatEndsAtZero_LeavesTheEffectOut) {
+    const int token = press();
+    compiledFor(GetParam().with);
+    compiledFor(GetParam().without);
+    document().endInteraction(token);
+    newFrames();
+    EXPECT_FALSE(isInTheShader());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, EffectHolds,
+    testing::Values(Dragged{"Intensity", BlockPath::Part::Light, "intensity", 0.0, 2.0, "lights/"},
+                    Dragged{"Opacity", BlockPath::Part::Material, "opacity", 1.0, 0.5, "opacity"},
+                    Dragged{"Ambient", BlockPath::Part::Scene, "ambient", glm::dvec3(0.0),
+                            glm::dvec3(0.5), "ambient"},
+                    Dragged{"Density", BlockPath::Part::Fog, "density", 0.0, 0.5, "fog/"}),
+    [](const auto& tested) { return tested.param.name; });
+
+class HeldValue : public WindowFixture {};
+
+TEST_F(HeldValue, OrdinaryValue_IsNotHeld) {
+    document().beginInteraction(document().currentPath(BlockPath::Part::Scene), "exposure");
+    EXPECT_EQ(document().effects(Side::A), nullptr);
+    EXPECT_EQ(newFrames(), 0);
+}
+
+TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {
+    const BlockPath scene = document().currentPath(BlockPath::Part::Scene);
+    document().setValue(scene, "ambient", glm::dvec3(0.0));
+    document().beginInteraction(document().currentPath(BlockPath::Part::Material), "opacity");
+    document().setValue(scene, "ambient", glm::dvec3(0.5));
+    newFrames();
+    const std::vector<std::string>& effects = view().report().effects;
+    EXPECT_NE(std::find(effects.begin(), effects.end(), "ambient"), effects.end());
+}
+
+} // namespace
+} // namespace patina::tests
