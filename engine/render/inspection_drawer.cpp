@@ -170,7 +170,7 @@ void InspectionDrawer::feed(const Scene& scene, const View& view) {
         if (slot.pipeline) {
             // All were made for this scene: they read the same data.
             const PackedScene packed =
-                packScene(sceneData_.staging(), *slot.pipeline, scene, cameraToWorld_);
+                packScene(sceneData_.staging(), *slot.pipeline, {scene, scene}, cameraToWorld_);
             report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
             break;
         }

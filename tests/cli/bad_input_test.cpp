@@ -151,7 +151,8 @@ TEST(BadInput, NoFileMayGrow_KeepsTheOldPicture) {
 TEST(BadInput, MissingShaderFolder_IsNamed) {
     const Outcome outcome = withoutPrivileges({"models"}, "/nowhere");
     EXPECT_EQ(outcome.exitCode, 1);
-    EXPECT_NE(outcome.err.find("/nowhere/shaders: the folder of the lighting models cannot be read"),
+    EXPECT_NE(outcome.err.find(
+                  "/nowhere/shaders: the folder of the lighting models cannot be read"),
               std::string::npos)
         << outcome.err;
 }
@@ -171,7 +172,8 @@ TEST(BadInput, UnreadableShaderFolder_IsNamed) {
 
 TEST(BadInput, MoreLightsThanCanBeDrawn_AreAWarning) {
     const TemporaryFolder folder;
-    std::string lights = R"({"enabled": true, "id": "point", "name": "", "parameters": {}, "version": 1})";
+    std::string lights =
+        R"({"enabled": true, "id": "point", "name": "", "parameters": {}, "version": 1})";
     for (int doublings = 0; doublings < 11; ++doublings) {
         lights += ", " + lights;
     }
