@@ -129,6 +129,10 @@ Checked<void> effects(const Options& options) {
         return tl::unexpected(setup.error());
     }
     report(setup->notes);
+    if (setup->scene.objects.empty()) {
+        return tl::unexpected(oneError(
+            failure("the scene is empty", "a preset, --model or --mesh beside it").value()));
+    }
     const Material& material = setup->scene.objects.front().material;
     return print(effectSet(material, setup->scene, catalog), options, catalog);
 }

@@ -21,16 +21,31 @@ Errors oneError(Error error) {
     return {std::move(error)};
 }
 
-Checked<SceneSetup> startScene(const PictureOptions& options, const Catalog& catalog) {
-    const auto file = options.scene.empty() ? dataFolder() / "presets" / "default.patina-scene.json"
-                                            : std::filesystem::path(options.scene);
+std::filesystem::path defaultScene() {
+    return dataFolder() / "presets" / "default.patina-scene.json";
+}
+
+/// Whether an option speaks of the object that is shown.
+bool needsObject(const std::string& preset, const PictureOptions& options) {
+    return !preset.empty() || !options.model.empty() || !options.mesh.empty() ||
+           !options.sets.empty() || !options.parts.empty();
+}
+
+/// The scene; where it is empty and options speak of an object, with that of the default scene.
+Checked<SceneSetup> startScene(const std::string& preset, const PictureOptions& options,
+                               const Catalog& catalog) {
+    const auto file = options.scene.empty() ? defaultScene() : options.scene;
     const auto reading = readScene(file, catalog);
     if (!reading) {
         return tl::unexpected(reading.error());
     }
     SceneSetup setup{reading->scene, reading->notes};
-    if (setup.scene.objects.empty()) {
-        setup.scene.objects.emplace_back();
+    if (setup.scene.objects.empty() && needsObject(preset, options)) {
+        const auto shipped = readScene(defaultScene(), catalog);
+        if (!shipped) {
+            return tl::unexpected(shipped.error());
+        }
+        setup.scene.objects.push_back(shipped->scene.objects.front());
     }
     return setup;
 }
@@ -216,21 +231,10 @@ void useMesh(Object& object, const std::string& mesh) {
     }
 }
 
-} // namespace
-
-Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& options,
-                             const Catalog& catalog) {
-    auto setup = startScene(options, catalog);
-    if (!setup) {
-        return setup;
-    }
-    if (!preset.empty()) {
-        if (auto used = usePreset(*setup, preset, catalog); !used) {
-            return tl::unexpected(used.error());
-        }
-    }
-    Object& object = setup->scene.objects.front();
-    if (auto chosen = chooseBlocks(object.material, !preset.empty(), options, catalog); !chosen) {
+/// What the options say of the object that is shown.
+Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& options,
+                           const Catalog& catalog) {
+    if (auto chosen = chooseBlocks(object.material, isPreset, options, catalog); !chosen) {
         return tl::unexpected(oneError(chosen.error()));
     }
     if (auto model = knownBlock(catalog, "models", object.material.model.id); !model) {
@@ -243,6 +247,28 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
     }
     if (!options.mesh.empty()) {
         useMesh(object, options.mesh);
+    }
+    return {};
+}
+
+} // namespace
+
+Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& options,
+                             const Catalog& catalog) {
+    auto setup = startScene(preset, options, catalog);
+    if (!setup) {
+        return setup;
+    }
+    if (!preset.empty()) {
+        if (auto used = usePreset(*setup, preset, catalog); !used) {
+            return tl::unexpected(used.error());
+        }
+    }
+    if (!setup->scene.objects.empty()) {
+        Object& object = setup->scene.objects.front();
+        if (auto applied = applyOptions(object, !preset.empty(), options, catalog); !applied) {
+            return tl::unexpected(applied.error());
+        }
     }
     if (options.exposure) {
         setup->scene.exposure = *options.exposure;

@@ -295,6 +295,10 @@ Result<LocatedJson> readJson(const std::filesystem::path& path, const JsonLimits
     if (std::filesystem::is_directory(path, status)) {
         return tl::unexpected(Error{name, 0, 0, "this is a folder", "a file"});
     }
+    // Whoever opens a pipe waits for its other end.
+    if (std::filesystem::exists(path, status) && !std::filesystem::is_regular_file(path, status)) {
+        return tl::unexpected(Error{name, 0, 0, "this is not an ordinary file", "a file"});
+    }
     std::ifstream file(path, std::ios::binary);
     if (!file) {
         return tl::unexpected(

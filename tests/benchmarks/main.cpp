@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // patina-benchmarks [name...]: prints each figure with its spread and its target. Ratios come from
 // interleaved runs on the same machine, so they mean something on any machine.
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
 #include "benchmarks.h"
 #include "statistics.h"
+#include "support/program.h"
 
 int main(int count, char** arguments) {
+    // What the editor remembers and keeps safe is not mixed with the user's own.
+    const patina::tests::TemporaryFolder home;
+    for (const char* name :
+         {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
+        setenv(name, (home / name).c_str(), 1);
+    }
     struct Entry {
         std::string_view name;
         bool (*run)();

@@ -27,7 +27,8 @@ inline Outcome patina(Start start) {
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "PATINA_DATA_DIR"}) {
         start.environment.try_emplace(name, "");
     }
-    for (const char* name : {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"}) {
+    for (const char* name :
+         {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
         start.environment.try_emplace(name, (home / name).string());
     }
     return run(patinaProgram(), start);

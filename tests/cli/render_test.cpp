@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
 
@@ -56,6 +57,33 @@ TEST(RenderCommand, Highlight_IsChosenAndSet) {
     EXPECT_NE(glossy, matte);
     EXPECT_EQ(picture({"--set", "specular=phong"}), glossy);
     EXPECT_NE(picture({"--specular", "phong", "--set", "specular.shininess=3"}), glossy);
+}
+
+/// The shipped default scene without its object.
+std::filesystem::path emptyScene(const TemporaryFolder& folder) {
+    auto json = nlohmann::json::parse(readFile(shipped("presets/default.patina-scene.json")));
+    json["objects"] = nlohmann::json::array();
+    writeFile(folder / "empty.patina-scene.json", json.dump());
+    return folder / "empty.patina-scene.json";
+}
+
+TEST(RenderCommand, EmptyScene_IsItsBackground) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        patina({"render", "--scene", emptyScene(folder), "--size", "32x32", "-o", "-"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with(pngSignature));
+}
+
+TEST(RenderCommand, PresetInAnEmptyScene_HasAnObject) {
+    const TemporaryFolder folder;
+    const std::string scene = emptyScene(folder);
+    const std::string empty =
+        patina({"render", "--scene", scene, "--size", "32x32", "-o", "-"}).out;
+    const std::string shown =
+        patina({"render", gold, "--scene", scene, "--size", "32x32", "-o", "-"}).out;
+    EXPECT_TRUE(shown.starts_with(pngSignature));
+    EXPECT_NE(shown, empty);
 }
 
 TEST(RenderCommand, Size_IsThePicturesSize) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/json_text.h"
 
+#include <sys/stat.h>
+
 #include <gtest/gtest.h>
 
 #include "support/program.h"
@@ -168,6 +170,13 @@ TEST(ReadJson, MissingFile_IsAnErrorWithItsName) {
 TEST(ReadJson, Folder_IsAnError) {
     const tests::TemporaryFolder folder;
     EXPECT_EQ(readJson(folder.path()).error().problem, "this is a folder");
+}
+
+TEST(ReadJson, Pipe_IsRefusedWithoutWaitingForItsOtherEnd) {
+    const tests::TemporaryFolder folder;
+    const auto pipe = folder / "pipe.json";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(readJson(pipe).error().problem, "this is not an ordinary file");
 }
 
 TEST(ReadJson, EndlessDevice_IsRefusedBySize) {
