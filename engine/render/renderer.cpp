@@ -95,7 +95,8 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
     implementation_->steppedScene = scene;
     implementation_->steppedView = view;
     if (view.effects != nullptr) {
-        implementation_->steppedView.effects = &implementation_->steppedEffects.emplace(*view.effects);
+        implementation_->steppedView.effects =
+            &implementation_->steppedEffects.emplace(*view.effects);
     }
     return false;
 }

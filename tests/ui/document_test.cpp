@@ -62,7 +62,7 @@ struct ShorthandEdit : testing::Test {
                    "vec3 alloyFresnelTint(AlloyFresnel p) {\n    return vec3(p.b);\n}\n");
         document = std::make_unique<Document>(blocks.catalog());
         document->startFrom(fixtureScene(*blocks.catalog()));
-        document->setFresnel(Side::A, "alloy");
+        document->setPart(Side::A, Part::Fresnel, "alloy");
     }
     BlockPath path() const { return document->currentPath(Part::Fresnel); }
     Value value(const char* id) const {
