@@ -34,7 +34,7 @@ bool needsObject(const std::string& preset, const PictureOptions& options) {
 /// The scene; where it is empty and options speak of an object, with that of the default scene.
 Checked<SceneSetup> startScene(const std::string& preset, const PictureOptions& options,
                                const Catalog& catalog) {
-    const auto file = options.scene.empty() ? defaultScene() : options.scene;
+    const auto file = options.scene.empty() ? defaultScene() : std::filesystem::path(options.scene);
     const auto reading = readScene(file, catalog);
     if (!reading) {
         return tl::unexpected(reading.error());
