@@ -296,8 +296,8 @@ Result<LocatedJson> readJson(const std::filesystem::path& path, const JsonLimits
         return tl::unexpected(Error{name, 0, 0, "this is a folder", "a file"});
     }
     // Whoever opens a pipe waits for its other end.
-    if (std::filesystem::exists(path, status) && !std::filesystem::is_regular_file(path, status)) {
-        return tl::unexpected(Error{name, 0, 0, "this is not an ordinary file", "a file"});
+    if (std::filesystem::is_fifo(path, status)) {
+        return tl::unexpected(Error{name, 0, 0, "this is a pipe", "a file"});
     }
     std::ifstream file(path, std::ios::binary);
     if (!file) {

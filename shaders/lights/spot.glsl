@@ -13,9 +13,9 @@ const float LEAST_CONE = 1e-13;
 // 26 float steps of the cosine; behind the light uo - u comes from the versines of the angles that
 // are left to 180 degrees. Equal angles: a step; an inner cone of 180 degrees is everywhere.
 float spotCone(vec3 l, vec3 axis, SpotLight p) {
-    vec3 ahead = l + axis;
+    vec3 forward = l + axis;
     vec3 behind = l - axis;
-    float u = 0.5 * dot(ahead, ahead);
+    float u = 0.5 * dot(forward, forward);
     float uo = max(versineOf(p.angleOuter), LEAST_CONE);
     float ui = min(max(versineOf(p.angleInner), LEAST_CONE), uo);
     float inside = uo - u;
@@ -25,10 +25,11 @@ float spotCone(vec3 l, vec3 axis, SpotLight p) {
     if (u <= ui || p.angleInner >= PI) {
         return 1.0;
     }
-    if (inside <= 0.0) {
+    float band = uo - ui;
+    if (inside <= 0.0 || band <= 0.0) {
         return 0.0;
     }
-    return pow1m((u - ui) / (uo - ui), inside / (uo - ui), p.falloffExponent);
+    return pow1m((u - ui) / band, min(inside / band, 1.0), p.falloffExponent);
 }
 
 // At the light itself, where no direction leads to it, the point counts as straight in its beam.

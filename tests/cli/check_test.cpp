@@ -68,9 +68,11 @@ TEST_F(CheckCommand, ModelThatIsNoNumberAtGrazing_Fails) {
 TEST_F(CheckCommand, ModelThatIsNoNumberAtTheEndOfAParameter_Fails) {
     writeModel("d.nl * normalize(vec3(p.width))");
     const nlohmann::json found = checkedJson();
-    ASSERT_EQ(found["defects"].size(), 1u) << found;
+    ASSERT_FALSE(found["defects"].empty());
     EXPECT_EQ(found["defects"][0]["what"], "not a number");
-    EXPECT_EQ(found["defects"][0]["worst"]["case"]["parameters"]["width"], 0.0);
+    for (const nlohmann::json& defect : found["defects"]) {
+        EXPECT_EQ(defect["worst"]["case"]["parameters"]["width"], 0.0) << defect;
+    }
 }
 
 TEST_F(CheckCommand, NegativeValue_IsFoundThoughTheEngineCutsIt) {

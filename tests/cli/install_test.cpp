@@ -40,8 +40,8 @@ TEST_F(Installation, Program_RendersAnInstalledPreset) {
 }
 
 TEST_F(Installation, Program_UsesTheInstalledShaders) {
-    std::filesystem::remove(prefix() + "/share/patina/shaders/models/strauss.json");
-    EXPECT_EQ(installed({"models"}).out.find("strauss"), std::string::npos);
+    std::filesystem::remove(prefix() + "/share/patina/shaders/models/poulin-fournier.json");
+    EXPECT_EQ(installed({"models"}).out.find("poulin-fournier"), std::string::npos);
 }
 
 TEST_F(Installation, DesktopFiles_AreThere) {

@@ -62,7 +62,8 @@ void store(vec3 color, float alpha) {
     return;)");
         replace("passes/lit.glsl", "vec3 lit(Surface s, Illumination light, Model p) {", R"(
 vec3 lit(Surface s, Illumination light, Model p) {
-    unsound = unsound || !finite(light.l) || !finite(light.radiance) || negative(light.radiance);)");
+    unsound = unsound || !finite(light.l) || !finite(light.radiance)
+        || negative(light.radiance);)");
         replace("passes/lit.glsl", "max(shadeModel(d, p), vec3(0.0))", "shadeModel(d, p)");
         replace("passes/ambient.glsl", "return max(shadeModel(", "return (shadeModel(");
         replace("passes/ambient.glsl", ", p), vec3(0.0))", ", p))");

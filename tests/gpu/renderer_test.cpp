@@ -194,6 +194,8 @@ TEST_F(RendererTest, EveryModelOnEveryMesh_IsFiniteAndNotBlack) {
         for (const std::string& name : primitiveNames()) {
             Scene scene = simpleScene(model->id);
             scene.objects[0].mesh = "builtin:" + name;
+            // A mirror alone is black wherever it mirrors no light.
+            scene.objects[0].material.model.parameters["diffuse.color"] = glm::dvec3(0.5);
             scene.camera.pitch = 20.0;
             scene.lights = {sun({0.0, -0.5, -1.0})};
             const Image image = capture(scene);

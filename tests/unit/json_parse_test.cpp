@@ -176,7 +176,7 @@ TEST(ReadJson, Pipe_IsRefusedWithoutWaitingForItsOtherEnd) {
     const tests::TemporaryFolder folder;
     const auto pipe = folder / "pipe.json";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_EQ(readJson(pipe).error().problem, "this is not an ordinary file");
+    EXPECT_EQ(readJson(pipe).error().problem, "this is a pipe");
 }
 
 TEST(ReadJson, EndlessDevice_IsRefusedBySize) {

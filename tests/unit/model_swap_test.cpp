@@ -19,10 +19,10 @@ Catalog testCatalog() {
     json slotted = plainDescriptor("slotted");
     slotted["slots"] = {{{"kind", "fresnel"}, {"default", "coat"}}};
     folder.add("models", slotted);
-    slotted["id"] = "alsoSlotted";
+    slotted["id"] = "also-slotted";
     folder.add("models", slotted);
     folder.add("models", plainDescriptor("plain"));
-    folder.add("models", plainDescriptor("alsoPlain"));
+    folder.add("models", plainDescriptor("also-plain"));
     folder.add("fresnel", plainDescriptor("coat"));
     folder.add("fresnel", plainDescriptor("film"));
     return folder.load();
@@ -76,12 +76,12 @@ TEST(SwappedModel, SlotsFilling_KeepsWhatTheReaderDidNotKnow) {
 
 TEST(SwappedModel, OneModelWithTheSlotForAnother_KeepsTheFilling) {
     const Material before = with(made("slotted"), "film", 0.75);
-    EXPECT_EQ(swapped(before, "alsoSlotted").parts, before.parts);
+    EXPECT_EQ(swapped(before, "also-slotted").parts, before.parts);
 }
 
 TEST(SwappedModel, TurnedOnWithoutASlot_StaysOnThere) {
     const Material before = with(made("plain"), "film", 0.75);
-    EXPECT_EQ(swapped(before, "alsoPlain").parts, before.parts);
+    EXPECT_EQ(swapped(before, "also-plain").parts, before.parts);
 }
 
 TEST(SwappedModel, TurnedOnWithoutASlot_FillsASlotThatHadNothing) {
