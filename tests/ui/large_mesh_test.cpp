@@ -60,8 +60,6 @@ class LargeMesh : public WindowFixture {
         return found == buttons.end() ? nullptr : *found;
     }
 
-    std::size_t objects() { return document().scene().objects.size(); }
-
   private:
     std::filesystem::path file_ = home("large.obj");
 };
@@ -74,7 +72,7 @@ TEST_F(LargeMesh, Dropped_IsDrawnOverSeveralTurns) {
         ++turns;
     }
     EXPECT_GT(turns, 1);
-    EXPECT_EQ(objects(), 2U);
+    EXPECT_TRUE(document().scene().objects.front().mesh.ends_with("large.obj"));
 }
 
 TEST_F(LargeMesh, NotYetDrawn_LeavesTheLastPicture) {
@@ -93,11 +91,13 @@ TEST_F(LargeMesh, Drawn_ChangesThePicture) {
 }
 
 TEST_F(LargeMesh, UndoneWhileItIsDrawn_IsGone) {
-    const QImage before = view().grabFramebuffer();
+    const std::vector<Object> before = document().scene().objects;
     ASSERT_TRUE(dropAndWait());
+    const int frames = view().frameCount();
     document().undoStack().undo();
     ASSERT_TRUE(settle());
-    EXPECT_EQ(view().grabFramebuffer(), before);
+    EXPECT_EQ(document().scene().objects, before);
+    EXPECT_GT(view().frameCount(), frames); // of what is there again
 }
 
 TEST_F(LargeMesh, CameraMovedWhileItIsDrawn_IsDrawnFromThere) {
@@ -131,8 +131,6 @@ TEST_F(LargeMesh, CancelledWhileItIsRead_ChangesNothing) {
 
 TEST_F(LargeMesh, DoubleClicked_PutsThePivotOnItsSurface) {
     ASSERT_TRUE(dropAndWait());
-    ASSERT_TRUE(settle());
-    document().removeObject(0);
     ASSERT_TRUE(settle());
     const glm::dvec3 before = camera().pivot;
     QTest::mouseDClick(&view(), Qt::LeftButton, Qt::NoModifier, view().rect().center());
