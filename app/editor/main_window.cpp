@@ -14,6 +14,7 @@
 
 #include "docks/lazy_dock.h"
 #include "docks/stability_dock.h"
+#include "focus_order.h"
 
 namespace patina {
 namespace {
@@ -191,6 +192,10 @@ bool MainWindow::event(QEvent* event) {
         arrangeDocks();
     }
     return handled;
+}
+
+bool MainWindow::focusNextPrevChild(bool next) {
+    return moveFocus(*this, next);
 }
 
 void MainWindow::updateTitle() {

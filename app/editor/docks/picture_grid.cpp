@@ -71,6 +71,16 @@ void PictureGrid::setEntries(const std::vector<Entry>& entries) {
     verticalScrollBar()->setValue(inSight);
 }
 
+/// The keys need a place to start from; nothing is chosen by that.
+void PictureGrid::focusInEvent(QFocusEvent* event) {
+    for (int row = 0; !currentItem() && row < count(); ++row) {
+        if (!item(row)->isHidden()) {
+            setCurrentRow(row, QItemSelectionModel::NoUpdate);
+        }
+    }
+    QListWidget::focusInEvent(event);
+}
+
 void PictureGrid::setPicture(const QString& key, const QImage& picture) {
     pictures_[key] = rounded(picture);
     if (QListWidgetItem* item = find(key)) {

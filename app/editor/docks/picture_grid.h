@@ -35,6 +35,7 @@ class PictureGrid : public QListWidget {
                                                          const QEvent* event) const override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
 
   private:
     void fitColumns();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QLabel>
+#include <QPainter>
 #include <QVBoxLayout>
 
 #include "viewport/camera_moves.h"
@@ -13,6 +14,8 @@
 
 namespace patina {
 namespace {
+
+constexpr int edge = 2; ///< pixels around a view
 
 /// Every value of a light that turning changed, as one edit each of the same interaction.
 void storeTurned(Document& document, const BlockPath& path, const Values& before,
@@ -35,7 +38,7 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
                               [this] { return document_.effects(side_); }, programCache},
                              this)) {
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setContentsMargins(edge, edge, edge, edge);
     layout->setSpacing(0);
     layout->addWidget(title_);
     layout->addWidget(viewport_, 1);
@@ -55,8 +58,19 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
             [this] { viewport_->setCatalog(document_.sharedCatalog()); });
     connect(&meshes, &MeshLibrary::loaded, viewport_, &Viewport::refresh);
     connect(viewport_, &Viewport::filesDropped, this, &SideView::filesDropped);
+    connect(viewport_, &Viewport::focusShown, this, [this](bool byKeyboard) {
+        focusShown_ = byKeyboard;
+        update();
+    });
     connect(viewport_, &Viewport::activated, this, [this] { document_.setActiveSide(side_); });
     updateTitle();
+}
+
+void SideView::paintEvent(QPaintEvent* event) {
+    QFrame::paintEvent(event);
+    if (focusShown_) {
+        QPainter(this).fillRect(rect(), palette().highlight());
+    }
 }
 
 void SideView::setTitleVisible(bool visible) {

@@ -39,6 +39,9 @@ class SideView : public QFrame {
     void resetWished();
     void filesDropped(QStringList files);
 
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
   private:
     void connectNavigation();
     void turnObject(double yaw, double pitch);
@@ -55,6 +58,7 @@ class SideView : public QFrame {
     Viewport* viewport_;
     InspectionPanel* inspection_ = nullptr; ///< made when it is first wanted
     bool turning_ = false;
+    bool focusShown_ = false; ///< an edge around the view says that the keys go there
 };
 
 /// The colour and the letter of a side; a side is never told by its colour alone.

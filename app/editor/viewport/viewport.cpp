@@ -338,8 +338,15 @@ void Viewport::keyReleaseEvent(QKeyEvent* event) {
     }
 }
 
+void Viewport::focusInEvent(QFocusEvent* event) {
+    Q_EMIT focusShown(event->reason() == Qt::TabFocusReason ||
+                      event->reason() == Qt::BacktabFocusReason);
+    QOpenGLWidget::focusInEvent(event);
+}
+
 void Viewport::focusOutEvent(QFocusEvent* event) {
     navigation_.focusLost();
+    Q_EMIT focusShown(false);
     QOpenGLWidget::focusOutEvent(event);
 }
 

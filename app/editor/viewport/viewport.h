@@ -88,6 +88,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void activated(); ///< it was clicked
     /// While inspecting: the numbers under the pointer; nothing where there is no surface.
     void probed(const std::optional<patina::PixelProbe>& numbers);
+    void focusShown(bool byKeyboard); ///< the keyboard brought the focus here, or it went
     void filesDropped(QStringList files);
 
   protected:
@@ -101,6 +102,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
