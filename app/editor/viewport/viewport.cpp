@@ -16,15 +16,11 @@
 #include <QTimer>
 #include <QUrl>
 
-#include "free_memory.h"
-
 namespace patina {
 namespace {
 
 /// How long a step of a frame may keep the window waiting.
 constexpr std::chrono::milliseconds patience{20};
-/// How long the buffers of a frame are kept for the next one.
-constexpr int idleMs = 300;
 
 } // namespace
 
@@ -225,28 +221,6 @@ Image Viewport::pictureOf(const Scene& scene, bool display) {
     doneCurrent();
     watchForRest();
     return picture ? std::move(*picture) : Image();
-}
-
-void Viewport::watchForRest() {
-    sinceFrame_.start();
-    if (!idleTimer_.isActive()) {
-        idleTimer_.start(idleMs);
-    }
-}
-
-/// The picture that is shown is the widget's; what it was made in is a third of the editor's
-/// memory. A drag that rests keeps it, so that going on is as quick as before.
-void Viewport::releaseWhenIdle() {
-    const bool busy = isDrawing() || QApplication::mouseButtons() != Qt::NoButton;
-    const qint64 left = idleMs - sinceFrame_.elapsed();
-    if (busy || left > 0) {
-        idleTimer_.start(busy ? idleMs : static_cast<int>(left));
-    } else if (renderer_) {
-        makeCurrent();
-        renderer_->releaseTargets();
-        doneCurrent();
-        returnFreeMemory();
-    }
 }
 
 QString Viewport::frameTime() {
