@@ -66,6 +66,17 @@ Json subjectJson(const EvalCase& request) {
 
 } // namespace
 
+std::size_t resultsOf(EvalCase::Subject subject) {
+    switch (subject) {
+    case EvalCase::Subject::Light:
+        return 6;
+    case EvalCase::Subject::Fog:
+        return 1;
+    default:
+        return 3;
+    }
+}
+
 std::optional<Subject> subjectOfKind(std::string_view kind) {
     constexpr std::pair<std::string_view, Subject> kinds[] = {{"models", Subject::Model},
                                                               {"specular", Subject::Model},

@@ -49,6 +49,9 @@ struct EvalCase : EvalPlace {
     std::vector<double> arguments;
 };
 
+/// How many numbers an answer is: a light's direction and radiance, fog's share, else a colour.
+std::size_t resultsOf(EvalCase::Subject subject);
+
 /// What blocks of a kind ("models") are evaluated as; nothing for a kind that has no such meaning.
 std::optional<EvalCase::Subject> subjectOfKind(std::string_view kind);
 

@@ -10,17 +10,6 @@ namespace {
 
 using Subject = EvalCase::Subject;
 
-std::size_t resultsOf(Subject subject) {
-    switch (subject) {
-    case Subject::Light:
-        return 6;
-    case Subject::Fog:
-        return 1;
-    default:
-        return 3;
-    }
-}
-
 /// A model's value is cut at 0 from below, as lights are summed; a NaN stays one.
 double answerOf(const EvalCase& request, double x) {
     return request.subject == Subject::Model && x < 0.0 ? 0.0 : x;

@@ -12,17 +12,6 @@ namespace {
 
 using Subject = EvalCase::Subject;
 
-std::size_t numbersOf(Subject subject) {
-    switch (subject) {
-    case Subject::Light:
-        return 6;
-    case Subject::Fog:
-        return 1;
-    default:
-        return 3;
-    }
-}
-
 bool claims(const Block& block, const char* claim) {
     return std::find(block.claims.begin(), block.claims.end(), claim) != block.claims.end();
 }
@@ -37,7 +26,7 @@ bool isBelow(const glm::dvec3& n, const glm::dvec3& direction) {
 } // namespace
 
 ValueChecks::ValueChecks(const EvalCase& variant)
-    : numbers_(numbersOf(variant.subject)), firstSigned_(variant.subject == Subject::Light ? 3 : 0),
+    : numbers_(resultsOf(variant.subject)), firstSigned_(variant.subject == Subject::Light ? 3 : 0),
       darkBelow_(variant.subject == Subject::Model &&
                  claims(*variant.block.block, "zero_below_horizon")) {}
 
