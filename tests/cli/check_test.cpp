@@ -66,7 +66,7 @@ TEST_F(CheckCommand, ModelThatIsNoNumberAtGrazing_Fails) {
 }
 
 TEST_F(CheckCommand, ModelThatIsNoNumberAtTheEndOfAParameter_Fails) {
-    writeModel("d.nl * normalize(vec3(p.width))");
+    writeModel("vec3(d.nl * sin(p.width) / p.width)");
     const nlohmann::json found = checkedJson();
     ASSERT_FALSE(found["defects"].empty());
     EXPECT_EQ(found["defects"][0]["what"], "not a number");
