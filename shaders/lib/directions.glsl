@@ -69,7 +69,8 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
 
     vec3 chord = l - v;
     d.versineLh = 0.25 * dot(chord, chord) / (1.0 + d.lh);
-    vec3 q = 2.0 * d.nl * n - H;
+    // r - v: near the mirror direction they have the same digits, and l + v would round first.
+    vec3 q = (2.0 * d.nl * n - l) - v;
     d.versineRv = 0.5 * dot(q, q);
     d.rv = d.versineRv < 0.5 ? 1.0 - d.versineRv : 2.0 * d.nl * d.nv - d.lv;
 
