@@ -10,6 +10,7 @@
 #include <QOpenGLContext>
 #include <QTimer>
 
+#include "free_memory.h"
 #include "gl/driver.h"
 #include "main_window.h"
 
@@ -79,6 +80,7 @@ void afterFirstFrame(MainWindow& window, Viewport& viewport) {
 } // namespace
 
 int runEditor(int argc, char** argv) {
+    keepBuffersApart();
     QCoreApplication::setApplicationName("patina");
     QCoreApplication::setOrganizationName("patina");
     QCoreApplication::setApplicationVersion(PATINA_VERSION);

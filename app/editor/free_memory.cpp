@@ -9,6 +9,12 @@
 
 namespace patina {
 
+void keepBuffersApart() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+#endif
+}
+
 void returnFreeMemory() {
 #ifdef __GLIBC__
     malloc_trim(0);

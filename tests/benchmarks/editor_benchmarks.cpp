@@ -13,9 +13,24 @@ namespace {
 
 constexpr int startRuns = 9;
 constexpr double idleSeconds = 10.0;
+constexpr double mostSettleSeconds = 120.0;
 
 void waitFor(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+/// Waits for what start-up leaves for later, on the first start a picture of every preset: until the
+/// program has done nothing for a second and a half.
+bool settles(const ObservedProgram& program) {
+    constexpr double patience = 1.5;
+    for (double waited = 0.0; waited < mostSettleSeconds; waited += patience) {
+        const long before = program.cpuTicks();
+        waitFor(patience);
+        if (program.cpuTicks() == before) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// Start time and memory of the editor over those of the empty window, run by run.
@@ -49,7 +64,7 @@ bool addRun(StartRatios& ratios) {
 void fillCaches() {
     ObservedProgram editor(program("patina"));
     editor.secondsToFirstFrame();
-    waitFor(8.0);
+    settles(editor);
 }
 
 } // namespace
@@ -79,7 +94,10 @@ bool idle() {
         report("Idle", "no first frame seen (is there a display?)", false, "");
         return false;
     }
-    waitFor(3.0); // thumbnails and everything else that start-up leaves for later
+    if (!settles(editor)) {
+        report("Idle", "still at work two minutes after the start", false, "");
+        return false;
+    }
     const long before = editor.cpuTicks();
     waitFor(idleSeconds);
     const long ticks = editor.cpuTicks() - before;

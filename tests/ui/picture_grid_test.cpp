@@ -45,5 +45,34 @@ TEST(Grid, NewEntries_KeepThePlace) {
     EXPECT_EQ(grid.verticalScrollBar()->value(), 500);
 }
 
+/// A shown grid of 60 items, and the keys of those whose picture it wished for.
+struct WatchedGrid {
+    WatchedGrid() {
+        QObject::connect(&grid, &PictureGrid::pictureWished, &grid,
+                         [this](const QString& key) { wished << key; });
+        grid.resize(300, 300);
+        grid.setEntries(entries(60));
+        grid.show();
+    }
+
+    PictureGrid grid{72};
+    QStringList wished;
+};
+
+TEST(Grid, ItemsOutOfSight_GetNoPicture) {
+    WatchedGrid watched;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return watched.wished.contains("0"); }));
+    EXPECT_FALSE(watched.wished.contains("59"));
+}
+
+TEST(Grid, ItemThatIsScrolledTo_GetsItsPictureOnce) {
+    WatchedGrid watched;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return watched.wished.contains("0"); }));
+    watched.grid.scrollToBottom();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return watched.wished.contains("59"); }));
+    watched.grid.viewport()->repaint();
+    EXPECT_EQ(watched.wished.count("59"), 1);
+}
+
 } // namespace
 } // namespace patina::tests

@@ -34,6 +34,7 @@ ModelDock::ModelDock(const DockContext& context)
                     grid_->setPicture(name.mid(pictureGroup.size()), picture);
                 }
             });
+    connect(grid_, &PictureGrid::pictureWished, this, &ModelDock::askForPicture);
     connect(&document_, &Document::catalogChanged, this, &ModelDock::fill);
     connect(&document_, &Document::materialChanged, this, &ModelDock::showCurrent);
     connect(&document_, &Document::currentChanged, this, &ModelDock::showCurrent);
@@ -46,10 +47,15 @@ void ModelDock::fill() {
     for (const Block* model : document_.catalog().ofKind("models")) {
         const QString id = QString::fromStdString(model->id);
         entries.push_back({id, QString::fromStdString(model->label), blockToolTip(*model), {}});
-        thumbnails_.ask(pictureGroup + id, defaultMaterial(*model));
     }
     grid_->setEntries(entries);
     showCurrent();
+}
+
+void ModelDock::askForPicture(const QString& id) {
+    if (const Block* model = document_.catalog().find("models", id.toStdString())) {
+        thumbnails_.ask(pictureGroup + id, defaultMaterial(*model));
+    }
 }
 
 void ModelDock::showCurrent() {

@@ -18,6 +18,7 @@ class ModelDock : public QWidget {
 
   private:
     void fill();
+    void askForPicture(const QString& id);
     void showCurrent();
     void choose(const QString& id);
 

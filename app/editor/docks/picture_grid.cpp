@@ -53,6 +53,7 @@ void PictureGrid::setEntries(const std::vector<Entry>& entries) {
     const QString current = keyOf(currentItem());
     const int inSight = verticalScrollBar()->value();
     clear();
+    wished_.clear();
     for (const Entry& entry : entries) {
         auto* item = new QListWidgetItem(entry.name, this);
         item->setData(keyRole, entry.key);
@@ -69,6 +70,24 @@ void PictureGrid::setEntries(const std::vector<Entry>& entries) {
     fitColumns();
     doItemsLayout(); // so that the bar has its range
     verticalScrollBar()->setValue(inSight);
+}
+
+void PictureGrid::paintEvent(QPaintEvent* event) {
+    QListWidget::paintEvent(event);
+    wishPictures();
+}
+
+/// Of what is in sight: nobody waits for pictures, or pays their memory, that nobody looks at.
+void PictureGrid::wishPictures() {
+    for (int row = 0; row < count(); ++row) {
+        const QListWidgetItem* shown = item(row);
+        const QString key = keyOf(shown);
+        if (!shown->isHidden() && !wished_.contains(key) &&
+            visualItemRect(shown).intersects(viewport()->rect())) {
+            wished_.insert(key);
+            Q_EMIT pictureWished(key);
+        }
+    }
 }
 
 /// The keys need a place to start from; nothing is chosen by that.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QHash>
 #include <QImage>
 #include <QListWidget>
+#include <QSet>
 
 namespace patina {
 
@@ -29,7 +31,12 @@ class PictureGrid : public QListWidget {
     QString fileOf(const QListWidgetItem* item) const;
     QListWidgetItem* find(const QString& key) const;
 
+  Q_SIGNALS:
+    /// An item without a picture of its own came into sight; once per item after setEntries().
+    void pictureWished(const QString& key);
+
   protected:
+    void paintEvent(QPaintEvent* event) override;
     QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
                                                          const QEvent* event) const override;
@@ -39,10 +46,12 @@ class PictureGrid : public QListWidget {
 
   private:
     void fitColumns();
+    void wishPictures();
     QPixmap emptyPicture() const;
 
     int pictureSize_;
     QHash<QString, QIcon> pictures_;
+    QSet<QString> wished_;
 };
 
 } // namespace patina

@@ -83,6 +83,7 @@ PresetsDock::PresetsDock(const DockContext& context)
             [this](QListWidgetItem* item) { apply(item, document_.activeSide()); });
     connect(grid_, &QWidget::customContextMenuRequested, this, &PresetsDock::showMenu);
     connect(&presets_, &PresetLibrary::changed, this, &PresetsDock::fill);
+    connect(grid_, &PictureGrid::pictureWished, this, &PresetsDock::askForPicture);
     connect(&thumbnails_, &ThumbnailMaker::ready, this,
             [this](const QString& name, const QImage& picture) {
                 if (name.startsWith(pictureGroup)) {
@@ -98,10 +99,17 @@ void PresetsDock::fill() {
         const QString file = QString::fromStdString(entry.file.string());
         const QString model = modelLabel(document_.catalog(), entry.material);
         entries.push_back({file, nameOf(entry), toolTipOf(entry, model), file});
-        thumbnails_.ask(pictureGroup + file, entry.material);
     }
     grid_->setEntries(entries);
     applyFilter();
+}
+
+void PresetsDock::askForPicture(const QString& file) {
+    for (const PresetEntry& entry : presets_.entries()) {
+        if (QString::fromStdString(entry.file.string()) == file) {
+            thumbnails_.ask(pictureGroup + file, entry.material);
+        }
+    }
 }
 
 void PresetsDock::applyFilter() {

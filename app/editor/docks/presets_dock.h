@@ -25,6 +25,7 @@ class PresetsDock : public QWidget {
 
   private:
     void fill();
+    void askForPicture(const QString& file);
     void applyFilter();
     void showMenu(const QPoint& place);
     void apply(const QListWidgetItem* item, Side side);
