@@ -129,7 +129,8 @@ std::vector<std::string> channelsFrom(const Fields& fields, ParameterType type) 
     if (any) {
         const bool whole = componentCount(type) == 3;
         channels =
-            whole ? std::vector<std::string>{"rgb"} : std::vector<std::string>{"r", "g", "b", "a"};
+            whole ? std::vector<std::string>{"rgb", "r", "g", "b", "a"}
+                  : std::vector<std::string>{"r", "g", "b", "a"};
     }
     return channels;
 }

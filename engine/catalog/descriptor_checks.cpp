@@ -2,6 +2,7 @@
 #include "catalog/descriptor_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -142,6 +143,26 @@ class Checker {
         }
         if (parameter.emission && parameter.type != ParameterType::Color) {
             add(pointer + "/emission", "only a colour can be emitted", "no such key");
+        }
+        checkTexture(parameter, pointer);
+    }
+
+    /// An image drives what is read anew at every point; three keys of a preset's images have a
+    /// meaning of their own.
+    void checkTexture(const Parameter& parameter, const std::string& pointer) {
+        constexpr std::array<std::string_view, 3> taken{"normal", "height", "opacity"};
+        if (parameter.textureChannels.empty()) {
+            return;
+        }
+        if ((parameter.type != ParameterType::Float && parameter.type != ParameterType::Color) ||
+            parameter.compiled != Compiled::No) {
+            add(pointer + "/texture", "only a float or a colour that is not compiled in takes an "
+                                      "image",
+                "no such key");
+        } else if (std::find(taken.begin(), taken.end(), parameter.id) != taken.end()) {
+            add(pointer + "/texture",
+                fmt::format("\"{}\" is the key of a whole material's image", parameter.id),
+                "another id, or no such key");
         }
     }
 

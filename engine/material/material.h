@@ -11,6 +11,7 @@
 
 #include "catalog/catalog.h"
 #include "catalog/parameter_layout.h"
+#include "material/texture_use.h"
 
 namespace patina {
 
@@ -40,7 +41,9 @@ struct Material {
     std::map<std::string, BlockValues, std::less<>> parts; ///< by kind; absent: off
     double opacity = 1.0;                                  ///< 0 .. 1
     AccuracyLevels accuracy;
-    nlohmann::json textures = nlohmann::json::object(); ///< as read; kept whole
+    std::map<std::string, TextureUse, std::less<>> textures; ///< by the id of the parameter, with
+                                                             ///< "<kind>." before a part's; by
+                                                             ///< "normal", "height", "opacity"
     nlohmann::json parked = nlohmann::json::object();   ///< values the current blocks do not use
     nlohmann::json extras = nlohmann::json::object();
     nlohmann::json unknown = nlohmann::json::object();  ///< unknown top-level keys, written back

@@ -8,7 +8,7 @@
 #include "catalog/suggestion.h"
 #include "material/block_values.h"
 #include "material/file_header.h"
-#include "material/texture_path.h"
+#include "material/texture_file.h"
 
 namespace patina {
 namespace {
@@ -31,8 +31,12 @@ class PresetReader {
         readParts();
         readOpacity();
         readAccuracy();
-        checkTextures();
+        const TextureReading textures = readTextures(reader_, folder(), reading_.notes);
+        material().textures = textures.uses;
         material().unknown = reader_.unknown();
+        if (!textures.unknown.empty()) {
+            material().unknown["textures"] = textures.unknown;
+        }
         return settled(std::move(reading_), std::move(errors_));
     }
 
@@ -60,7 +64,6 @@ class PresetReader {
     }
 
     void readKept() {
-        reader_.readObject("textures", material().textures);
         reader_.readObject("parked", material().parked);
         reader_.readObject("extras", material().extras);
     }
@@ -138,20 +141,10 @@ class PresetReader {
         }
     }
 
-    void checkTextures() {
-        const std::string textures = reader_.pointer("textures");
-        for (const auto& [parameter, texture] : material().textures.items()) {
-            const std::string pointer = textures + '/' + escapedToken(parameter);
-            const auto file = texture.is_object() ? texture.find("file") : texture.end();
-            if (!texture.is_object() || file == texture.end() || !file->is_string()) {
-                note(pointer, "the texture names no file", "an object with \"file\"");
-            } else if (!staysInFolder(file->get_ref<const std::string&>())) {
-                note(pointer + "/file",
-                     fmt::format("the texture \"{}\" is not in the preset's folder and is not used",
-                                 file->get<std::string>()),
-                     "a relative path with forward slashes into that folder");
-            }
-        }
+    std::filesystem::path folder() const {
+        const std::filesystem::path file = reader_.document().file;
+        return file.empty() ? file
+                            : std::filesystem::absolute(file).lexically_normal().parent_path();
     }
 
     Errors errors_;
@@ -176,7 +169,7 @@ Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::
     return PresetReader(document, pointer, catalog).run();
 }
 
-nlohmann::json toJson(const Material& material) {
+nlohmann::json toJson(const Material& material, const std::filesystem::path& folder) {
     Json json = material.unknown;
     json["format"] = presetFormat.name;
     json["version"] = presetFormat.version;
@@ -193,7 +186,10 @@ nlohmann::json toJson(const Material& material) {
     }
     json["opacity"] = material.opacity;
     json["accuracy"] = material.accuracy;
-    json["textures"] = material.textures;
+    json["textures"] = material.unknown.value("textures", Json::object());
+    for (const auto& [key, use] : material.textures) {
+        json["textures"][key] = toJson(use, key, folder);
+    }
     json["parked"] = material.parked;
     json["extras"] = material.extras;
     return json;
@@ -208,7 +204,9 @@ Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catal
 }
 
 Result<void> writePreset(const std::filesystem::path& path, const Material& material) {
-    return writeFileAtomically(path, writeJson(toJson(material)));
+    const std::filesystem::path folder =
+        std::filesystem::absolute(path).lexically_normal().parent_path();
+    return writeFileAtomically(path, writeJson(toJson(material, folder)));
 }
 
 } // namespace patina

@@ -17,12 +17,14 @@ struct PresetReading {
     bool readOnly = false; ///< written by a newer version: may be looked at, not saved over
 };
 
-/// Reads a material from the value at `pointer` of a document (a preset inside a scene).
+/// Reads a material from the value at `pointer` of a document (a preset inside a scene). Paths of
+/// images start at the document's folder and are absolute in the value.
 Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::string& pointer,
                                         const Catalog& catalog);
 
-/// The preset's JSON, every parameter written.
-nlohmann::json toJson(const Material& material);
+/// The preset's JSON, every parameter written; paths of images relative to `folder`, or as they are
+/// where it is empty.
+nlohmann::json toJson(const Material& material, const std::filesystem::path& folder = {});
 
 Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog);
 Result<void> writePreset(const std::filesystem::path& path, const Material& material);

@@ -25,7 +25,7 @@ Json toJson(const Object& object, const std::filesystem::path& folder) {
     json["translation"] = triple(object.translation);
     json["rotation"] = triple(object.rotation);
     json["scale"] = triple(object.scale);
-    json["preset"] = toJson(object.material);
+    json["preset"] = toJson(object.material, folder);
     return json;
 }
 

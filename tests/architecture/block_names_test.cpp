@@ -22,8 +22,9 @@ struct OtherMeaning {
     std::string_view id;
     std::string_view why;
 };
-constexpr std::array<OtherMeaning, 1> otherMeanings = {
-    {{"engine/catalog/", "linear", "the scale of a slider, as opposed to log"}}};
+constexpr std::array<OtherMeaning, 2> otherMeanings = {
+    {{"engine/catalog/", "linear", "the scale of a slider, as opposed to log"},
+     {"engine/material/texture_use", "linear", "numbers that are no sRGB codes"}}};
 
 bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
