@@ -139,7 +139,10 @@ Result<FileServer::Answer> FileServer::readImage(const Message& request) {
     if (!codec) {
         return tl::unexpected(codec.error());
     }
-    const auto image = (*codec)->read(request.texts[0]);
+    int bits = 0;
+    const bool asItIs = !request.numbers.empty() && request.numbers[0] != 0.0;
+    const auto image = asItIs ? (*codec)->readNumbers(request.texts[0], bits)
+                              : (*codec)->read(request.texts[0]);
     if (!image) {
         return tl::unexpected(image.error());
     }
@@ -148,7 +151,7 @@ Result<FileServer::Answer> FileServer::readImage(const Message& request) {
     if (!block) {
         return tl::unexpected(named(block.error(), request.texts[0]));
     }
-    ImageBlock::write(block->bytes(), *image);
+    ImageBlock::write(block->bytes(), *image, bits);
     return SharedBlock::seal(std::move(*block)).map([](FileHandle handle) {
         return Answer{{}, std::move(handle), {}};
     });

@@ -167,6 +167,32 @@ Result<Image> AssetClient::loadImage(const fs::path& file, Progress* progress) {
     });
 }
 
+Result<std::shared_ptr<const TexturePicture>>
+AssetClient::loadTexture(const fs::path& file, TextureDecoding decoding, Progress* progress) {
+    if (auto reason = reasonNotReadable(file)) {
+        return tl::unexpected(std::move(*reason));
+    }
+    const FilesSession::Request request{
+        {MessageKind::readImage, {1.0}, {fullPath(file)}}, file, "reading", {}, progress};
+    auto numbers = implementation_->ask<FileImage>(request, [](FilesSession::Answer answer) {
+        return SharedBlock::open(std::move(answer.attachment))
+            .and_then([](const SharedBlock& block) {
+                return ImageBlock::checked(block.bytes()).map([&block](Image image) {
+                    return FileImage{std::move(image), ImageBlock::bits(block.bytes())};
+                });
+            });
+    });
+    if (!numbers) {
+        return tl::unexpected(numbers.error());
+    }
+    const auto cancelled = [progress] { return progress != nullptr && progress->cancelled; };
+    auto picture = madeTexture(*numbers, decoding, cancelled);
+    if (cancelled()) {
+        return tl::unexpected(Error{file.string(), 0, 0, "cancelled while reading", {}});
+    }
+    return std::make_shared<const TexturePicture>(std::move(picture));
+}
+
 Result<void> AssetClient::saveImage(const fs::path& file, const Image& image, Progress* progress) {
     auto pixels = sharedImage(file, image);
     if (!pixels) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "assets/texture_maker.h"
 #include "core/error.h"
 #include "core/image.h"
 #include "core/mesh.h"
@@ -66,6 +67,12 @@ class AssetClient {
 
     /// PNG, JPEG, EXR, HDR, ...; 8-bit formats are decoded from sRGB to linear.
     Result<Image> loadImage(const std::filesystem::path& file, Progress* = nullptr);
+
+    /// An image for a surface, with its smaller versions. Some of the work is done on the caller's
+    /// thread.
+    Result<std::shared_ptr<const TexturePicture>> loadTexture(const std::filesystem::path& file,
+                                                              TextureDecoding decoding,
+                                                              Progress* = nullptr);
 
     /// Format by extension: .png and .jpg are encoded to sRGB, .exr and .hdr keep linear floats.
     /// Written atomically.

@@ -17,7 +17,8 @@ struct ImageHeader {
     std::int32_t width = 0;
     std::int32_t height = 0;
     std::int32_t channels = 0;
-    std::uint32_t reserved[3] = {};
+    std::int32_t bits = 0;
+    std::uint32_t reserved[2] = {};
 };
 static_assert(sizeof(ImageHeader) == 32);
 
@@ -36,8 +37,9 @@ std::size_t ImageBlock::sizeFor(int width, int height, int channels) {
     return sizeof(ImageHeader) + std::size_t(width) * std::size_t(height) * pixelBytes;
 }
 
-void ImageBlock::write(std::span<std::byte> block, const Image& image) {
+void ImageBlock::write(std::span<std::byte> block, const Image& image, int bits) {
     ImageHeader header;
+    header.bits = bits;
     header.width = image.width;
     header.height = image.height;
     header.channels = image.channels;
@@ -62,6 +64,12 @@ Result<Image> ImageBlock::checked(std::span<const std::byte> block) {
     image.pixels.resize((block.size() - sizeof header) / sizeof(float));
     std::memcpy(image.pixels.data(), block.data() + sizeof header, block.size() - sizeof header);
     return image;
+}
+
+int ImageBlock::bits(std::span<const std::byte> block) {
+    ImageHeader header;
+    std::memcpy(&header, block.data(), sizeof header);
+    return header.bits;
 }
 
 } // namespace patina

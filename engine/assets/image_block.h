@@ -16,11 +16,15 @@ class ImageBlock {
     /// channels other than 1, 3 or 4, more than a gigabyte).
     static std::size_t sizeFor(int width, int height, int channels);
 
-    /// Writes the image into a block of sizeFor(...) bytes.
-    static void write(std::span<std::byte> block, const Image& image);
+    /// Writes the image into a block of sizeFor(...) bytes. `bits` is that of the file's whole
+    /// numbers where the image holds these, see FileImage.
+    static void write(std::span<std::byte> block, const Image& image, int bits = 0);
 
     /// An image another process wrote, checked: its sizes against the block's length.
     static Result<Image> checked(std::span<const std::byte> block);
+
+    /// The bits that were written into a checked block.
+    static int bits(std::span<const std::byte> block);
 };
 
 } // namespace patina

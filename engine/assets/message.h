@@ -14,7 +14,7 @@ namespace patina {
 enum class MessageKind : std::uint32_t {
     warmImages = 1, ///< client: load the image formats in the background
     readMesh,       ///< client: texts {file}; numbers {scale, fitUnitBox, flipNormals}
-    readImage,      ///< client: texts {file}
+    readImage,      ///< client: texts {file}; numbers {1}: as it is in the file
     writeImage,     ///< client: texts {file}; an image block is attached
     encodeImage,    ///< client: texts {extension}; an image block is attached
     progress,       ///< process: numbers {done}

@@ -155,6 +155,9 @@ class Gatherer {
         append(whole_.normals, first, part.normals, glm::vec3(0.0f));
         append(whole_.tangents, first, part.tangents, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
         append(whole_.uvs, first, part.uvs, glm::vec2(0.0f));
+        for (std::size_t i = first; !part.uvs.empty() && i < whole_.uvs.size(); ++i) {
+            whole_.uvs[i].y = 1.0f - whole_.uvs[i].y; // glTF counts it from the image's top
+        }
         for (const std::uint32_t index : part.indices) {
             whole_.indices.push_back(static_cast<std::uint32_t>(first + index));
         }

@@ -19,6 +19,10 @@ class ImageCodec {
     /// are read as grey and alpha, more than four as the first four. Errors name the file.
     virtual Result<Image> read(const std::filesystem::path& file) const = 0;
 
+    /// The numbers as the file has them, whole ones divided by the largest; `bits` is that of each
+    /// whole number, or 0 where the file holds floats.
+    virtual Result<Image> readNumbers(const std::filesystem::path& file, int& bits) const = 0;
+
     /// The bytes of an image file. `extension` is ".png", ".jpg", ".jpeg" (8-bit sRGB), ".exr" or
     /// ".hdr" (linear floats). What a format cannot hold is left out: alpha in .jpg and .hdr.
     virtual Result<std::string> encode(const std::string& extension, const Image& image) const = 0;

@@ -48,9 +48,13 @@ std::vector<int> channelsOf(const OIIO::ImageSpec& spec) {
     }
 }
 
-Image selected(const std::vector<float>& pixels, const OIIO::ImageSpec& spec) {
+Image selected(std::vector<float> pixels, const OIIO::ImageSpec& spec) {
     const std::vector<int> source = channelsOf(spec);
     Image image{spec.width, spec.height, static_cast<int>(source.size()), {}};
+    if (image.channels == spec.nchannels) {
+        image.pixels = std::move(pixels);
+        return image;
+    }
     const std::size_t count = std::size_t(spec.width) * std::size_t(spec.height);
     image.pixels.reserve(count * source.size());
     for (std::size_t i = 0; i < count; ++i) {
@@ -130,6 +134,15 @@ OiioCodec::OiioCodec() {
 }
 
 Result<Image> OiioCodec::read(const std::filesystem::path& file) const {
+    int bits = 0;
+    Result<Image> image = readNumbers(file, bits);
+    if (image && bits != 0) {
+        decodeSrgb(*image, bits == 8, srgb_);
+    }
+    return image;
+}
+
+Result<Image> OiioCodec::readNumbers(const std::filesystem::path& file, int& bits) const {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(file.string(), &wishes);
@@ -148,10 +161,9 @@ Result<Image> OiioCodec::read(const std::filesystem::path& file) const {
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data())) {
         return tl::unexpected(readError(file, input->geterror()));
     }
-    Image image = selected(pixels, spec);
-    if (isIntegerFormat(spec)) {
-        decodeSrgb(image, spec.format == OIIO::TypeDesc::UINT8, srgb_);
-    } else if (image.channels == 4 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0) {
+    Image image = selected(std::move(pixels), spec);
+    bits = isIntegerFormat(spec) ? static_cast<int>(8 * spec.format.basesize()) : 0;
+    if (bits == 0 && image.channels == 4 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0) {
         divideByAlpha(image);
     }
     return image;

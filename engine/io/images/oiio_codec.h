@@ -11,6 +11,7 @@ class OiioCodec final : public ImageCodec {
   public:
     OiioCodec();
     Result<Image> read(const std::filesystem::path& file) const override;
+    Result<Image> readNumbers(const std::filesystem::path& file, int& bits) const override;
     Result<std::string> encode(const std::string& extension, const Image& image) const override;
 
   private:

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace patina {
+
+/// How a texel lies in memory. Grey stands for all three colours; what has no alpha is opaque.
+enum class TexelFormat {
+    Grey8,
+    Color8, ///< four bytes
+    Srgb8,  ///< four bytes, the colours encoded in sRGB
+    Grey32, ///< a float
+    Color32 ///< four floats
+};
+
+std::size_t texelBytes(TexelFormat format);
+
+/// An image as the GPU takes it, with all its smaller versions. Rows go up from the bottom, as v
+/// does.
+struct TexturePicture {
+    struct Level {
+        glm::ivec2 size{0};
+        std::size_t offset = 0; ///< in bytes
+    };
+
+    TexelFormat format = TexelFormat::Color8;
+    bool hasAlpha = false;     ///< the file has it, and not only 1
+    std::vector<Level> levels; ///< the first is the image itself, the last is one texel
+    std::vector<std::byte> bytes;
+};
+
+} // namespace patina
