@@ -30,6 +30,8 @@ ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
     if (set.blend) {
         layout.blend = placed(*set.blend, catalog, layout.vec4s);
     }
+    layout.firstTexture = layout.vec4s;
+    layout.vec4s = layout.texture(set.textures.size());
     return layout;
 }
 

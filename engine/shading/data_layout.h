@@ -25,11 +25,19 @@ struct ObjectLayout {
     static constexpr int normal = 3;  ///< three rows of its inverse transpose
     static constexpr int surface = 6; ///< x: opacity
     static constexpr int fixed = 7;   ///< the model's values follow
+    /// The rows that take (u, v, 1) to a place in the image, with its strength and its threshold in
+    /// their w (see packTextures).
+    static constexpr int vec4sPerTexture = 2;
 
     std::optional<BlockPlace> model;
     std::vector<BlockPlace> slots; ///< right behind the model, in its order
     std::optional<BlockPlace> blend;
+    int firstTexture = fixed; ///< of EffectSet::textures, each with vec4sPerTexture
     int vec4s = fixed;
+
+    int texture(std::size_t index) const {
+        return firstTexture + vec4sPerTexture * static_cast<int>(index);
+    }
 };
 
 /// The array `sceneData`: fog, ambient and lights, shared by all programs of a scene.

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "shading/effect_choice.h"
+#include "shading/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -54,7 +55,24 @@ void addModel(Hash& hash, const Block& model, const Material& material, const Ca
     }
     for (const Parameter& parameter : model.parameters) {
         if (parameter.emission) {
-            hash.add(isEmitted(parameter, material.model.parameters) ? 1 : 0);
+            hash.add(isEmitted(parameter, material.model.parameters) ||
+                             isTextured(parameter.id, material)
+                         ? 1
+                         : 0);
+        }
+    }
+}
+
+/// As addTextures() of texture_effects.h.
+void addTextures(Hash& hash, const Material& material, const Catalog& catalog) {
+    std::size_t count = 0;
+    for (const auto& [id, use] : material.textures) {
+        const TextureTarget target = textureTarget(id, use, material, catalog);
+        if (target.whyNot == nullptr && count++ < mostTextures) {
+            hash.add(id);
+            hash.add(static_cast<std::uint64_t>(channelOf(use, target)));
+            hash.add(static_cast<std::uint64_t>(use.mode));
+            hash.add(use.cutOut ? 1 : 0);
         }
     }
 }
@@ -102,6 +120,9 @@ std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& cat
     const Block* fresnel = part == nullptr ? nullptr : catalog.find("fresnel", part->id);
     if (fresnel != nullptr && (model == nullptr || !hasFresnelSlot(*model))) {
         addBlock(hash, *fresnel, part->parameters, material.accuracy);
+    }
+    if (model != nullptr) {
+        addTextures(hash, material, catalog);
     }
     hash.add(material.opacity < 1.0 ? 1 : 0);
     return hash.value();

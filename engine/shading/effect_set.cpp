@@ -10,6 +10,8 @@
 
 #include "shading/effect_choice.h"
 #include "shading/effect_key.h"
+#include "shading/texture_choice.h"
+#include "shading/texture_effects.h"
 
 namespace patina {
 namespace {
@@ -161,7 +163,8 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
     }
     nameUnusedParts(set, *model, material);
     for (const Parameter& parameter : model->parameters) {
-        if (isEmitted(parameter, material.model.parameters)) {
+        if (isEmitted(parameter, material.model.parameters) ||
+            (parameter.emission && isTextured(parameter.id, material))) {
             set.emission.push_back(parameter.id);
         }
     }
@@ -212,6 +215,7 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     EffectSet set;
     addModel(set, material, catalog);
     addBlend(set, material, catalog);
+    addTextures(set, material, catalog);
     set.opacity = material.opacity < 1.0;
     set.scene = sceneEffects(scene, catalog);
     return set;
@@ -234,6 +238,9 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
     for (const std::string& color : set.emission) {
         lines.push_back(
             {"emission", color, "The surface glows by itself: the colour is not black."});
+    }
+    for (const TextureEffect& texture : set.textures) {
+        lines.push_back(lineOf(texture));
     }
     if (set.blend) {
         lines.push_back(lineOf(*set.blend));

@@ -57,6 +57,21 @@ struct SceneEffects {
     friend bool operator==(const SceneEffects&, const SceneEffects&) = default;
 };
 
+/// An image that is in a program. Which image, and where it lies on the surface, is data.
+struct TextureEffect {
+    std::string id; ///< its key in Material::textures
+    TextureRole role = TextureRole::Input;
+    std::string kind;  ///< role Input: "models" or a part's
+    std::string field; ///< then the field that it changes, and what that is
+    bool isColor = false;
+    glm::dvec2 range{0.0, 1.0};
+    TextureChannel channel = TextureChannel::Color;
+    TextureMode mode = TextureMode::Replace;
+    bool cutOut = false;
+
+    friend bool operator==(const TextureEffect&, const TextureEffect&) = default;
+};
+
 /// Where the material's Fresnel block works.
 enum class FresnelMode {
     None,  ///< there is none
@@ -71,6 +86,7 @@ struct EffectSet {
     std::vector<BlockUse> slots;   ///< what fills the model's slots, in the descriptor's order
     std::optional<BlockUse> blend; ///< the Fresnel block of FresnelMode::Blend
     std::vector<std::string> emission; ///< the model's colours that are emitted and not black
+    std::vector<TextureEffect> textures; ///< sorted by id
     bool opacity = false;
     SceneEffects scene;
     std::vector<LeftOut> leftOut;

@@ -44,8 +44,14 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
     vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
-    vertex.addFile(output == SurfaceOutput::AlbedoTable ? "passes/screen.vert"
-                                                        : "passes/surface.vert");
+    if (output == SurfaceOutput::AlbedoTable) {
+        vertex.addFile("passes/screen.vert");
+    } else {
+        const bool hasTextures = TextureWriter(set, layout).writeVertex(vertex);
+        vertex.addFile("passes/surface.vert");
+        vertex.add(hasTextures ? "void main() {\n    placeSurface();\n    placeImages();\n}\n"
+                               : "void main() {\n    placeSurface();\n}\n");
+    }
 
     SourceBuilder fragment(shaderRoot(catalog));
     fragment.add(prelude);

@@ -36,7 +36,7 @@ std::string gateSource(const Block& model) {
 
 SurfaceWriter::SurfaceWriter(SourceBuilder& out, const EffectSet& set, const ObjectLayout& object,
                              const SceneLayout& scene)
-    : out_(out), set_(set), object_(object), scene_(scene) {}
+    : out_(out), set_(set), object_(object), scene_(scene), textures_(set, object) {}
 
 void SurfaceWriter::write(SurfaceOutput output) {
     output_ = output;
@@ -72,6 +72,8 @@ void SurfaceWriter::writeFrame() {
     if (isInspected()) {
         out_.addFile("passes/inspection.glsl");
     }
+    textures_.writeDeclarations(out_);
+    main_ += textures_.relief();
     readFrom("objectData");
 }
 
@@ -146,6 +148,12 @@ void SurfaceWriter::writeModel() {
         out_.add("#define shadeModel inspectedModel\n");
     }
     main_ += fmt::format("    Model model = unpackModel({});\n", object_.model->first);
+    if (output_ != SurfaceOutput::AlbedoTable) {
+        main_ += textures_.values("models", "model");
+        for (const SlotFill& slot : filled_) {
+            main_ += textures_.values(slot.kind, fmt::format("model.{}", slot.kind));
+        }
+    }
 }
 
 void SurfaceWriter::writeLights() {
@@ -213,8 +221,9 @@ void SurfaceWriter::writeBlend() {
     out_.add(fmt::format("#define Blend {}\n#define {}\n#define blendTint {}Tint\n",
                          structName(block), fmt::format(fmt::runtime(share), function), function));
     out_.addFile("passes/fresnel_blend.glsl");
-    main_ += fmt::format("    shaded = fresnelBlended(s, shaded, unpackBlend({}));\n",
-                         object_.blend->first);
+    main_ += fmt::format("    Blend blend = unpackBlend({});\n", object_.blend->first);
+    main_ += textures_.values(block.kind, "blend");
+    main_ += "    shaded = fresnelBlended(s, shaded, blend);\n";
     noteTerm("BLENDED", "shaded", "share");
 }
 
@@ -240,17 +249,19 @@ void SurfaceWriter::writeOpacity() {
         out_.add(fmt::format("#define OPACITY objectData[{}].x\n", ObjectLayout::surface));
         alpha_ = "OPACITY";
     }
+    last_ = textures_.opacity(alpha_);
 }
 
 void SurfaceWriter::writeMain() {
-    const char* albedo = object_.model ? "albedoAt(s)" : "vec4(0.0)";
+    // The table knows one value for the whole surface.
+    const char* albedo = object_.model && set_.textures.empty() ? "albedoAt(s)" : "vec4(0.0)";
     const std::string store =
         isInspected() ? fmt::format("storeInspected(s, shaded, {}, {})", albedo, alpha_)
                       : fmt::format("store(shaded, {})", alpha_);
     out_.add(
         fmt::format("void main() {{\n{}    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
-                    "{}    {};\n}}\n",
-                    isInspected() ? "    clearTerms();\n" : "", main_, store));
+                    "{}{}    {};\n}}\n",
+                    isInspected() ? "    clearTerms();\n" : "", main_, last_, store));
 }
 
 } // namespace patina

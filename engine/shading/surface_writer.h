@@ -9,6 +9,7 @@
 #include "shading/effect_set.h"
 #include "shading/source_builder.h"
 #include "shading/surface_output.h"
+#include "shading/texture_writer.h"
 
 namespace patina {
 
@@ -46,10 +47,12 @@ class SurfaceWriter {
     const EffectSet& set_;
     const ObjectLayout& object_;
     const SceneLayout& scene_;
+    TextureWriter textures_;
     SurfaceOutput output_ = SurfaceOutput::Picture;
     std::vector<const Block*> written_;
     std::vector<SlotFill> filled_;
     std::string main_;
+    std::string last_; ///< behind everything else in main
     std::string alpha_ = "1.0";
 };
 

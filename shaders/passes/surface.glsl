@@ -34,14 +34,17 @@ vec3 faceNormal(vec3 v) {
     return dot(face, v) < 0.0 ? -face : face;
 }
 
+vec3 towardsViewer(vec3 n, vec3 v) {
+    float lack = LEAST_NV - dot(n, v);
+    return lack > 0.0 ? normalize(n + lack * v) : n;
+}
+
 // The interpolated normal, turned to the side that is seen whatever the winding of the triangle,
 // so that a back side is shaded like a front.
 vec3 shadingNormal(vec3 v) {
     vec3 face = faceNormal(v);
     vec3 n = safeNormalize(worldNormal, face);
-    n = dot(n, face) < 0.0 ? -n : n;
-    float lack = LEAST_NV - dot(n, v);
-    return lack > 0.0 ? normalize(n + lack * v) : n;
+    return towardsViewer(dot(n, face) < 0.0 ? -n : n, v);
 }
 
 Surface surface() {

@@ -12,7 +12,7 @@ out vec3 worldTangent;
 
 // Rows 0 to 2 of objectData hold the matrix to world space, rows 3 to 5 its inverse transpose,
 // which keeps normals perpendicular under any scale. Lengths are restored per fragment.
-void main() {
+void placeSurface() {
     vec4 x = vec4(position, 1.0);
     vec4 t = vec4(tangent, 0.0);
     worldPosition = vec3(dot(objectData[0], x), dot(objectData[1], x), dot(objectData[2], x));

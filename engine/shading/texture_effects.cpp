@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/texture_effects.h"
+
+#include <fmt/format.h>
+
+#include "shading/texture_choice.h"
+
+namespace patina {
+namespace {
+
+TextureEffect effectOf(const std::string& id, const TextureUse& use, const TextureTarget& target) {
+    TextureEffect effect;
+    effect.id = id;
+    effect.role = target.role;
+    effect.channel = channelOf(use, target);
+    effect.mode = use.mode;
+    effect.cutOut = target.role == TextureRole::Opacity && use.cutOut;
+    if (target.parameter != nullptr) {
+        effect.kind = target.kind;
+        effect.field = fieldName(target.parameter->id);
+        effect.isColor = target.parameter->type == ParameterType::Color;
+        effect.range = {target.parameter->min, target.parameter->max};
+    }
+    return effect;
+}
+
+const char* modeText(TextureMode mode) {
+    switch (mode) {
+    case TextureMode::Multiply:
+        return "multiplied";
+    case TextureMode::Add:
+        return "added";
+    default:
+        return "in place of the value";
+    }
+}
+
+const char* channelText(TextureChannel channel) {
+    switch (channel) {
+    case TextureChannel::Red:
+        return "red";
+    case TextureChannel::Green:
+        return "green";
+    case TextureChannel::Blue:
+        return "blue";
+    case TextureChannel::Alpha:
+        return "alpha";
+    default:
+        return "colour";
+    }
+}
+
+} // namespace
+
+void addTextures(EffectSet& set, const Material& material, const Catalog& catalog) {
+    for (const auto& [id, use] : material.textures) {
+        const TextureTarget target = textureTarget(id, use, material, catalog);
+        const std::string what = "the image of " + id;
+        if (target.whyNot != nullptr) {
+            set.leftOut.push_back({what, target.whyNot});
+        } else if (!set.model) {
+            set.leftOut.push_back({what, "The model is not known."});
+        } else if (set.textures.size() == mostTextures) {
+            set.leftOut.push_back(
+                {what, fmt::format("A material shows {} images at most.", mostTextures)});
+        } else {
+            set.textures.push_back(effectOf(id, use, target));
+        }
+    }
+}
+
+EffectLine lineOf(const TextureEffect& texture) {
+    const std::string detail =
+        texture.role == TextureRole::Normal || texture.role == TextureRole::Height
+            ? texture.id
+            : fmt::format("{}, {}, {}{}", texture.id, channelText(texture.channel),
+                          modeText(texture.mode), texture.cutOut ? ", cut out" : "");
+    return {"texture", detail, "An image is bound to it."};
+}
+
+} // namespace patina

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT-0
+
+// The normal of a surface that is raised along its normal (M. S. Mikkelsen, Bump Mapping
+// Unparametrized Surfaces on the GPU, 2010, listing 2): the slope from the heights one pixel to the
+// right and above, the strength in metres. No tangents are needed.
+Surface heightMapped(Surface s, sampler2D image, vec4 channel, int rows) {
+    vec2 place = imagePlace(rows);
+    float here = dot(texture(image, place), channel);
+    float right = dot(texture(image, place + dFdx(place)), channel);
+    float above = dot(texture(image, place + dFdy(place)), channel);
+    vec3 dx = dFdx(worldPosition);
+    vec3 dy = dFdy(worldPosition);
+    vec3 r1 = cross(dy, s.n);
+    vec3 r2 = cross(s.n, dx);
+    float area = dot(dx, r1);
+    float raised = imageFront(s) * objectData[rows].w * (area < 0.0 ? -1.0 : 1.0);
+    return bent(s, abs(area) * s.n - raised * ((right - here) * r1 + (above - here) * r2));
+}
