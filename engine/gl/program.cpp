@@ -94,6 +94,12 @@ void Program::bindBlock(const char* block, unsigned binding) const {
     }
 }
 
+void Program::bindSampler(const char* sampler, unsigned unit) const {
+    if (const int location = uniform(sampler); location >= 0) {
+        glProgramUniform1i(name(), location, static_cast<GLint>(unit));
+    }
+}
+
 int Program::uniform(const char* uniformName) const {
     return glGetUniformLocation(name(), uniformName);
 }

@@ -37,6 +37,9 @@ class Program {
     /// Connects a uniform block to a binding point; nothing happens when the program lacks it.
     void bindBlock(const char* block, unsigned binding) const;
 
+    /// Connects a sampler to a texture unit; nothing happens when the program lacks it.
+    void bindSampler(const char* sampler, unsigned unit) const;
+
     /// -1 when the program lacks it.
     int uniform(const char* uniformName) const;
 

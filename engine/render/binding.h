@@ -8,4 +8,7 @@ inline constexpr unsigned view = 0;
 inline constexpr unsigned scene = 1;
 inline constexpr unsigned object = 2;
 
+/// Texture units of a material's images, one for each.
+inline constexpr unsigned firstTexture = 8;
+
 } // namespace patina::binding

@@ -6,6 +6,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "shading/effect_key.h"
 #include "shading/parameter_packer.h"
@@ -57,6 +58,34 @@ const Values& partValues(const BlockPlace& place, const Material& material) {
     static const Values none;
     const BlockValues* part = material.part(place.block->kind);
     return part != nullptr && part->id == place.block->id ? part->parameters : none;
+}
+
+/// The rows that take (u, v, 1) to a place in the image: turned about the middle, scaled, moved.
+void packTexture(std::span<glm::vec4> out, const TextureUse& use, TextureRole role) {
+    const double angle = glm::radians(std::fmod(use.rotation, 360.0));
+    const glm::dvec2 turn(std::cos(angle), std::sin(angle));
+    const glm::dvec2 across = use.scale.x * turn;
+    const glm::dvec2 up = use.scale.y * glm::dvec2(-turn.y, turn.x);
+    const glm::dvec2 start = 0.5 * use.scale + use.offset -
+                             0.5 * glm::dvec2(across.x + across.y, up.x + up.y);
+    const bool isShare = role == TextureRole::Input || role == TextureRole::Opacity;
+    const double strength = isShare ? std::clamp(use.strength, 0.0, 1.0) : use.strength;
+    out[0] = glm::vec4(across, start.x, strength);
+    out[1] = glm::vec4(up, start.y, use.threshold);
+}
+
+void packTextures(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material) {
+    for (std::size_t i = 0; i < pipeline.effects.textures.size(); ++i) {
+        const TextureEffect& effect = pipeline.effects.textures[i];
+        const auto use = material.textures.find(effect.id);
+        static const TextureUse nothing = [] {
+            TextureUse none;
+            none.strength = 0.0;
+            return none;
+        }();
+        packTexture(out.subspan(static_cast<std::size_t>(pipeline.object.texture(i))),
+                    use == material.textures.end() ? nothing : use->second, effect.role);
+    }
 }
 
 void packRows(std::span<glm::vec4> out, int first, const glm::dmat4& matrix) {
@@ -113,6 +142,7 @@ void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object
         packPlace(out, *pipeline.object.blend, partValues(*pipeline.object.blend, material),
                   material.accuracy, cameraToWorld);
     }
+    packTextures(out, pipeline, material);
 }
 
 void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye) {

@@ -14,6 +14,7 @@
 #include "gl/driver.h"
 #include "render/binding.h"
 #include "render/data_packer.h"
+#include "shading/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -43,12 +44,8 @@ void setPass(Pass pass) {
     (pass == Pass::blended ? glEnable : glDisable)(GL_BLEND);
 }
 
-bool isTransparent(const Object& object) {
-    return object.material.opacity < 1.0;
-}
-
 bool isDrawn(const Object& object) {
-    return object.visible && object.material.opacity > 0.0;
+    return object.visible && canBeSeen(object.material);
 }
 
 /// The scene whose effects the programs have.
@@ -86,6 +83,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     if (auto prepared = prepare(scene); !prepared) {
         return fail(prepared.error());
     }
+    textures_.beginFrame(textureBytes_);
     effects_ = &effectsOf(view, scene);
     collect(scene, view, meshes);
     count();
@@ -110,6 +108,8 @@ bool FrameDrawer::proceed(const Scene& scene, const View& view, Deadline deadlin
         return false;
     }
     meshes_.endFrame();
+    textures_.endFrame();
+    report_.isWaiting = textures_.isWaiting();
     describe();
     effects_ = nullptr;
     return true;
@@ -160,8 +160,8 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
     // Opaque objects first, near ones before far ones so that depth hides what is behind; then the
     // others, far ones first so that each is blended over what shines through it.
     std::sort(items_.begin(), items_.end(), [this](const Item& a, const Item& b) {
-        const bool transparent = isTransparent(effects_->objects[a.index]);
-        if (transparent != isTransparent(effects_->objects[b.index])) {
+        const bool transparent = isTransparent(effects_->objects[a.index].material);
+        if (transparent != isTransparent(effects_->objects[b.index].material)) {
             return !transparent;
         }
         return transparent ? a.distance > b.distance : a.distance < b.distance;
@@ -268,7 +268,7 @@ bool FrameDrawer::drawItem(const Scene& scene, const Item& item, Deadline deadli
         return true;
     }
     feed(scene, item);
-    const bool transparent = isTransparent(effects_->objects[item.index]);
+    const bool transparent = isTransparent(effects_->objects[item.index].material);
     const std::span<const Pass> passes =
         transparent ? std::span<const Pass>(transparentPasses) : opaquePasses;
     for (; cursor_.pass < std::ssize(passes); ++cursor_.pass) {
@@ -325,6 +325,7 @@ void FrameDrawer::feed(const Scene& scene, const Item& item) {
     feedScene(scene, pipeline);
     packObject(slot.data.staging(), pipeline, scene.objects[item.index], item.world,
                cameras_.cameraToWorld);
+    textures_.bind(slot.data.staging(), pipeline, scene.objects[item.index].material);
     report_.uploadedBuffers +=
         slot.data.upload(static_cast<std::size_t>(pipeline.object.vec4s)) ? 1 : 0;
     slot.data.bind(binding::object);

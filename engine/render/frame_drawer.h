@@ -8,6 +8,7 @@
 #include "render/display_pass.h"
 #include "render/frustum.h"
 #include "render/gpu_mesh_store.h"
+#include "render/gpu_texture_store.h"
 #include "render/hdr_target.h"
 #include "render/pipeline_store.h"
 #include "render/renderer.h"
@@ -48,6 +49,10 @@ class FrameDrawer {
     unsigned linearFramebuffer() const { return target_.resolvedFramebuffer(); }
     const FrameReport& report() const { return report_; }
     GpuMeshStore& meshStore() { return meshes_; }
+    GpuTextureStore& textureStore() { return textures_; }
+
+    /// So many bytes of images the next frames take into the GPU's memory, each.
+    void limitTextures(std::size_t bytes) { textureBytes_ = bytes; }
 
   private:
     /// What is kept of an object from frame to frame, by its place in the scene.
@@ -101,6 +106,8 @@ class FrameDrawer {
     const Scene* effects_ = nullptr; ///< whose effects the frame's programs have
     PipelineStore pipelines_;
     GpuMeshStore meshes_;
+    GpuTextureStore textures_;
+    std::size_t textureBytes_ = GpuTextureStore::everything;
     HdrTarget target_;
     DisplayPass display_;
     UniformBuffer viewData_;

@@ -17,6 +17,9 @@ GpuMesh::GpuMesh(const MeshView& mesh) : triangles_(static_cast<int>(mesh.indice
     array_.attribute(0, vertices_, 3, sizeof(Vertex), offsetof(Vertex, position));
     array_.attribute(1, vertices_, 3, sizeof(Vertex), offsetof(Vertex, normal));
     array_.attribute(2, vertices_, 3, sizeof(Vertex), offsetof(Vertex, tangent));
+    array_.attribute(3, vertices_, 2, sizeof(Vertex), offsetof(Vertex, uv));
+    array_.attribute(4, vertices_, 1, sizeof(Vertex),
+                     offsetof(Vertex, tangent) + offsetof(glm::vec4, w));
     glBindVertexArray(0);
 }
 

@@ -7,7 +7,8 @@
 
 namespace patina {
 
-/// A mesh in the GPU's memory. Attributes: 0 position, 1 normal, 2 tangent.
+/// A mesh in the GPU's memory. Attributes: 0 position, 1 normal, 2 tangent,
+/// 3 texture coordinates, 4 on which side the bitangent is.
 class GpuMesh {
   public:
     /// Room for this mesh; upload() brings the content.

@@ -11,6 +11,7 @@
 
 #include "render/binding.h"
 #include "render/data_packer.h"
+#include "shading/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -50,9 +51,11 @@ std::vector<std::size_t> lightsOf(const Scene& scene, const Pipeline& pipeline) 
 
 } // namespace
 
-InspectionDrawer::InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes)
+InspectionDrawer::InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
+                                   GpuTextureStore& textures)
     : pipelines_(programCache, SurfaceOutput::Inspection),
-      tables_(std::move(programCache), SurfaceOutput::AlbedoTable), meshes_(meshes) {
+      tables_(std::move(programCache), SurfaceOutput::AlbedoTable), meshes_(meshes),
+      textures_(textures) {
     viewData_.reserve(ViewLayout::vec4s);
     sceneData_.reserve(SceneLayout::capacity);
 }
@@ -81,15 +84,17 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
     glClearColor(luminance(scene.background), 0.0f, 0.0f, 1.0f);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawItems(0);
+    drawItems(scene, 0);
     target_.resolve();
     meshes_.endFrame();
+    textures_.endFrame();
     return {};
 }
 
 Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
                                        const MeshSource& meshes) {
     report_ = FrameReport();
+    textures_.beginFrame();
     if (catalog_ == nullptr) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
     }
@@ -118,7 +123,7 @@ void InspectionDrawer::collect(const Scene& scene, const View& view, const MeshS
     items_.clear();
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        const bool drawn = object.visible && object.material.opacity > 0.0;
+        const bool drawn = object.visible && canBeSeen(object.material);
         const MeshView mesh = drawn ? meshes(object) : MeshView{};
         if (!mesh.indices.empty()) {
             const glm::dmat4 world = worldMatrix(object);
@@ -187,6 +192,7 @@ void InspectionDrawer::feedObject(const Object& object, const Item& item) {
     const auto size = static_cast<std::size_t>(slot.pipeline->object.vec4s);
     slot.data.reserve(size);
     packObject(slot.data.staging(), *slot.pipeline, object, item.world, cameraToWorld_);
+    textures_.bind(slot.data.staging(), *slot.pipeline, object.material);
     const bool changed = slot.data.upload(size);
     report_.uploadedBuffers += changed ? 1 : 0;
     if (!slot.pipeline->object.model) {
@@ -202,7 +208,7 @@ void InspectionDrawer::feedObject(const Object& object, const Item& item) {
 }
 
 /// The target is bound.
-void InspectionDrawer::drawItems(int firstTerm) {
+void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
@@ -210,7 +216,7 @@ void InspectionDrawer::drawItems(int firstTerm) {
     glDepthFunc(GL_LESS);
     sceneData_.bind(binding::scene);
     for (const Item& item : items_) {
-        const Slot& slot = slots_[item.index];
+        Slot& slot = slots_[item.index];
         if (slot.pipeline) {
             ++report_.drawnObjects;
             slot.data.bind(binding::object);
@@ -219,6 +225,8 @@ void InspectionDrawer::drawItems(int firstTerm) {
             glUniform1f(slot.pipeline->program->uniform("objectNumber"),
                         static_cast<float>(item.index + 1));
             slot.albedo.bind();
+            textures_.bind(slot.data.staging(), *slot.pipeline,
+                           scene.objects[item.index].material);
             item.mesh->draw();
         }
     }
@@ -256,7 +264,7 @@ Result<std::optional<PixelProbe>> InspectionDrawer::probe(const Scene& scene, co
     }
     const glm::ivec2 fromBelow(pixel.x, view.size.y - 1 - pixel.y);
     probeTarget_->begin(view.size, fromBelow);
-    drawItems(0);
+    drawItems(scene, 0);
     const ProbeTarget::Outputs outputs = probeTarget_->read(fromBelow);
     const auto number = static_cast<std::size_t>(outputs[0].b);
     const auto item = std::find_if(items_.begin(), items_.end(), [number](const Item& each) {
@@ -266,7 +274,7 @@ Result<std::optional<PixelProbe>> InspectionDrawer::probe(const Scene& scene, co
         return std::optional<PixelProbe>();
     }
     PixelProbe probe = read(scene, *item, outputs);
-    readLights(view, fromBelow, probe);
+    readLights(scene, view, fromBelow, probe);
     glBindVertexArray(0);
     glUseProgram(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -306,10 +314,11 @@ PixelProbe InspectionDrawer::read(const Scene& scene, const Item& item,
     return probe;
 }
 
-void InspectionDrawer::readLights(const View& view, glm::ivec2 pixel, PixelProbe& probe) {
+void InspectionDrawer::readLights(const Scene& scene, const View& view, glm::ivec2 pixel,
+                                  PixelProbe& probe) {
     for (std::size_t first = 0; first < probe.lights.size(); first += window) {
         probeTarget_->begin(view.size, pixel);
-        drawItems(firstLightTerm + static_cast<int>(first));
+        drawItems(scene, firstLightTerm + static_cast<int>(first));
         const ProbeTarget::Outputs outputs = probeTarget_->read(pixel);
         const std::size_t count = std::min<std::size_t>(window, probe.lights.size() - first);
         for (std::size_t i = 0; i < count; ++i) {

@@ -7,6 +7,7 @@
 #include "render/albedo_table.h"
 #include "render/frustum.h"
 #include "render/gpu_mesh_store.h"
+#include "render/gpu_texture_store.h"
 #include "render/hdr_target.h"
 #include "render/pipeline_store.h"
 #include "render/pixel_probe.h"
@@ -21,8 +22,9 @@ namespace patina {
 /// objects are drawn as opaque ones and with one sample per pixel, so that nothing is averaged.
 class InspectionDrawer {
   public:
-    /// `meshes` outlives it.
-    InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes);
+    /// `meshes` and `textures` outlive it.
+    InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
+                     GpuTextureStore& textures);
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
@@ -57,14 +59,15 @@ class InspectionDrawer {
     void note(const PipelineStore::Entry& entry);
     void feed(const Scene& scene, const View& view);
     void feedObject(const Object& object, const Item& item);
-    void drawItems(int firstTerm);
+    void drawItems(const Scene& scene, int firstTerm);
     PixelProbe read(const Scene& scene, const Item& item, const ProbeTarget::Outputs& outputs);
-    void readLights(const View& view, glm::ivec2 pixel, PixelProbe& probe);
+    void readLights(const Scene& scene, const View& view, glm::ivec2 pixel, PixelProbe& probe);
 
     std::shared_ptr<const Catalog> catalog_;
     PipelineStore pipelines_;
     PipelineStore tables_;
     GpuMeshStore& meshes_;
+    GpuTextureStore& textures_;
     HdrTarget target_;
     std::optional<ProbeTarget> probeTarget_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();

@@ -3,6 +3,7 @@
 
 #include "render/binding.h"
 #include "shading/program_source.h"
+#include "shading/texture_writer.h"
 
 namespace patina {
 
@@ -44,6 +45,10 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
     found.program->bindBlock("ViewBlock", binding::view);
     found.program->bindBlock("SceneBlock", binding::scene);
     found.program->bindBlock("ObjectBlock", binding::object);
+    for (std::size_t i = 0; i < effects.textures.size(); ++i) {
+        found.program->bindSampler(samplerName(i).c_str(),
+                                   binding::firstTexture + static_cast<unsigned>(i));
+    }
     pipeline->catalog = catalog_;
     pipeline->object = objectLayout(effects, *catalog_);
     pipeline->scene = sceneLayout(effects.scene, *catalog_);

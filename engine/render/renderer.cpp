@@ -12,6 +12,12 @@
 #include "render/inspection_drawer.h"
 
 namespace patina {
+namespace {
+
+/// What a frame of a window takes of images into the GPU's memory: some milliseconds.
+constexpr std::size_t textureBytesAtOnce = std::size_t(8) << 20;
+
+} // namespace
 
 class Renderer::Implementation : public FrameDrawer {
   public:
@@ -29,7 +35,8 @@ class Renderer::Implementation : public FrameDrawer {
     /// Made when it is first asked for.
     InspectionDrawer& inspection() {
         if (!inspection_) {
-            inspection_ = std::make_unique<InspectionDrawer>(programCache_, meshStore());
+            inspection_ = std::make_unique<InspectionDrawer>(programCache_, meshStore(),
+                                                             textureStore());
             inspection_->setCatalog(catalog_);
         }
         return *inspection_;
@@ -42,6 +49,7 @@ class Renderer::Implementation : public FrameDrawer {
     }
 
     bool drawLinear(const Scene& scene, const View& view, const MeshSource& meshes) {
+        limitTextures(GpuTextureStore::everything);
         return begin(scene, view, meshes) && proceed(scene, view, never);
     }
 
@@ -72,6 +80,10 @@ void Renderer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     implementation_->setCatalog(std::move(catalog));
 }
 
+void Renderer::setTextures(TextureSource source) {
+    implementation_->textureStore().setSource(std::move(source));
+}
+
 const FrameReport& Renderer::draw(const Scene& scene, const View& view, const MeshSource& meshes,
                                   unsigned framebuffer) {
     implementation_->endInspection();
@@ -84,6 +96,7 @@ const FrameReport& Renderer::draw(const Scene& scene, const View& view, const Me
 bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource& meshes,
                          unsigned framebuffer) {
     implementation_->endInspection();
+    implementation_->limitTextures(textureBytesAtOnce);
     if (!implementation_->begin(scene, view, meshes)) {
         return true;
     }

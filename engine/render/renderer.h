@@ -14,6 +14,7 @@
 #include "core/image.h"
 #include "core/mesh.h"
 #include "render/pixel_probe.h"
+#include "render/texture_source.h"
 #include "scene/scene.h"
 
 namespace patina {
@@ -37,6 +38,7 @@ struct FrameReport {
     int compiled = 0;         ///< programs compiled (not found in memory or on disk) for this frame
     int uploadedBuffers = 0;  ///< uniform buffers written
     int drawnObjects = 0;
+    bool isWaiting = false;   ///< images are not whole yet: another frame shows more of them
     std::vector<std::string> effects; ///< the blocks in the shaders, canonical order
     Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
     std::size_t warnings = 0; ///< so many of the messages, the last ones, say what was left out of
@@ -56,6 +58,9 @@ class Renderer {
     /// Blocks may have changed on disk: sources are assembled anew; programs that still assemble to
     /// the same text are kept, and the last good one is used where the new one does not compile.
     void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    /// Where the images of materials come from; without one none are shown.
+    void setTextures(TextureSource source);
 
     /// Draws into a framebuffer object of the current context, tone mapped and sRGB encoded.
     /// The report is valid until the next call; drawing allocates nothing when only values changed.

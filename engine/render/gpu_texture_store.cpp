@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gpu_texture_store.h"
+
+#include <algorithm>
+
+#include <epoxy/gl.h>
+
+#include "render/binding.h"
+#include "shading/texture_choice.h"
+
+namespace patina {
+namespace {
+
+constexpr std::uint64_t framesKept = 120;
+
+/// Eight by eight fields that nobody takes for a real look.
+std::shared_ptr<const TexturePicture> checker() {
+    constexpr int fields = 8;
+    constexpr int texelsPerField = 8;
+    constexpr int size = fields * texelsPerField;
+    FileImage image{{size, size, 3, {}}, 8};
+    for (int i = 0; i < size * size; ++i) {
+        const bool isLight = (i % size / texelsPerField + i / size / texelsPerField) % 2 == 0;
+        for (const float light : {1.0f, 0.0f, 1.0f}) {
+            image.image.pixels.push_back(isLight ? light : 0.1f);
+        }
+    }
+    return std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
+}
+
+TextureDecoding decodingOf(const TextureUse& use, const TextureEffect& effect) {
+    switch (use.colorSpace) {
+    case TextureColorSpace::Srgb:
+        return TextureDecoding::Srgb;
+    case TextureColorSpace::Linear:
+        return TextureDecoding::Linear;
+    default:
+        return isColorUse(effect.role, effect.channel) ? TextureDecoding::Color
+                                                       : TextureDecoding::Linear;
+    }
+}
+
+GLenum wrapOf(TextureWrap wrap) {
+    switch (wrap) {
+    case TextureWrap::Clamp:
+        return GL_CLAMP_TO_EDGE;
+    case TextureWrap::Mirror:
+        return GL_MIRRORED_REPEAT;
+    default:
+        return GL_REPEAT;
+    }
+}
+
+} // namespace
+
+void GpuTextureStore::beginFrame(std::size_t bytes) {
+    bytesLeft_ = bytes;
+    isWaiting_ = false;
+}
+
+void GpuTextureStore::bind(std::span<glm::vec4> data, const Pipeline& pipeline,
+                           const Material& material) {
+    const std::vector<TextureEffect>& effects = pipeline.effects.textures;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        const unsigned unit = binding::firstTexture + static_cast<unsigned>(i);
+        glActiveTexture(GL_TEXTURE0 + unit);
+        bindOne(effects[i], material, data[std::size_t(pipeline.object.texture(i))]);
+        const auto use = material.textures.find(effects[i].id);
+        if (use != material.textures.end()) {
+            sampler(use->second).bind(unit);
+        }
+    }
+    glActiveTexture(GL_TEXTURE0);
+}
+
+/// A placeholder on a relief or an opacity would hide what is there.
+void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& material,
+                              glm::vec4& data) {
+    const auto use = material.textures.find(effect.id);
+    TextureLookup found;
+    if (source_ && use != material.textures.end()) {
+        found = source_(use->second, decodingOf(use->second, effect));
+    }
+    if (found.picture) {
+        show(found.picture);
+        return;
+    }
+    if (!placeholder_) {
+        placeholder_ = checker();
+    }
+    show(placeholder_);
+    data.w = found.isMissing && effect.role == TextureRole::Input ? 1.0f : 0.0f;
+}
+
+void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture) {
+    auto entry = entries_.find(picture.get());
+    if (entry == entries_.end()) {
+        entry = entries_.emplace(picture.get(), Entry{picture, GpuTexture(*picture)}).first;
+    }
+    entry->second.lastFrame = frame_;
+    GpuTexture& texture = entry->second.texture;
+    if (texture.isComplete()) {
+        texture.bind();
+        return;
+    }
+    bytesLeft_ -= std::min(bytesLeft_, texture.upload(*picture, bytesLeft_));
+    isWaiting_ = isWaiting_ || !texture.isComplete();
+}
+
+const gl::Sampler& GpuTextureStore::sampler(const TextureUse& use) {
+    const bool isSmooth = use.filter == TextureFilter::Smooth;
+    auto& held = samplers_[std::size_t(use.wrap) * 2 + (isSmooth ? 1 : 0)];
+    if (!held) {
+        held = gl::Sampler::create(wrapOf(use.wrap), isSmooth);
+    }
+    return *held;
+}
+
+void GpuTextureStore::endFrame() {
+    std::erase_if(entries_, [this](const auto& entry) {
+        return frame_ - entry.second.lastFrame > framesKept;
+    });
+    ++frame_;
+}
+
+} // namespace patina

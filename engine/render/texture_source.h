@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "assets/texture_maker.h"
+#include "material/texture_use.h"
+
+namespace patina {
+
+/// What there is of an image now.
+struct TextureLookup {
+    std::shared_ptr<const TexturePicture> picture;
+    bool isMissing = false; ///< and will not come: a placeholder is drawn
+};
+
+/// Gives the image of a use. While there is none and it is not missing either, the surface is drawn
+/// without it. Called for each frame; must not allocate for what is known.
+using TextureSource = std::function<TextureLookup(const TextureUse&, TextureDecoding)>;
+
+} // namespace patina

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Images on surfaces: what a pixel shows against what the image says.
+#include <cmath>
+
+#include "core/srgb_table.h"
+#include "gpu_fixture.h"
+#include "shading/program_source.h"
+
+namespace patina {
+namespace {
+
+/// Of what a texel says; the target's half floats round a number by up to a step more.
+constexpr float tolerance = 1e-4f;
+constexpr float halfStep = 1.0f / 1024.0f;
+
+/// What white Lambert sends; dividing by it rounds nothing.
+constexpr float brightness = 0.125f;
+
+/// A quad that fills the view, seen and lit from the front; u runs to the right, v up.
+class TextureTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+        renderer->setTextures([this](const TextureUse& use, TextureDecoding decoding) {
+            asked.push_back(decoding);
+            if (use.file == "missing") {
+                return TextureLookup{nullptr, true};
+            }
+            const auto found = files.find(use.file);
+            if (found == files.end()) {
+                return TextureLookup{};
+            }
+            auto& made = pictures[{use.file, decoding}];
+            if (!made) {
+                made = std::make_shared<const TexturePicture>(
+                    madeTexture(found->second, decoding));
+            }
+            return TextureLookup{made, false};
+        });
+        scene = simpleScene("lambert");
+        scene.lights.front().block.parameters["intensity"] = double(brightness);
+        scene.objects.front().mesh = "quad";
+        color(glm::dvec3(0.5));
+        // As high and wide as the view: 2 at distance 1 and 90 degrees.
+        scene.camera.distance = 1.0;
+        scene.camera.fieldOfView = 90.0;
+    }
+
+    void color(const glm::dvec3& value) {
+        scene.objects.front().material.model.parameters["diffuse.color"] = value;
+    }
+
+    /// `texels` by rows from the top.
+    void file(const std::string& name, glm::ivec2 size, int channels, std::vector<float> texels,
+              int bits = 0) {
+        files[name] = {{size.x, size.y, channels, std::move(texels)}, bits};
+    }
+
+    TextureUse& use(const std::string& key, const std::string& name) {
+        TextureUse& made = scene.objects.front().material.textures[key];
+        made = textureUse(key, name);
+        made.filter = TextureFilter::Nearest;
+        return made;
+    }
+
+    Image drawn(int size = 16) {
+        auto image = renderer->capture(
+            scene, viewOf(scene, size), [this](const Object&) { return quad(); }, false);
+        EXPECT_TRUE(image) << (image ? "" : image.error().text());
+        return image ? *image : Image();
+    }
+
+    /// What the surface shows at (u, v), as a share of the light.
+    glm::vec3 at(const Image& image, double u, double v) {
+        return pixel(image, int(u * image.width), int((1.0 - v) * image.height)) / brightness;
+    }
+
+    MeshView quad() {
+        if (mesh_.indices.empty()) {
+            for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1),
+                                           glm::vec2(0, 1)}) {
+                mesh_.vertices.push_back({glm::vec3(2.0f * corner - 1.0f, 0.0f),
+                                          {0, 0, 1},
+                                          {1, 0, 0, 1},
+                                          corner});
+            }
+            mesh_.indices = {0, 1, 2, 0, 2, 3};
+            mesh_.bounds = boundsOf(mesh_.vertices);
+        }
+        return mesh_.view();
+    }
+
+    Scene scene;
+    std::map<std::string, FileImage> files;
+    std::map<std::pair<std::string, TextureDecoding>, std::shared_ptr<const TexturePicture>>
+        pictures;
+    std::vector<TextureDecoding> asked;
+
+  private:
+    Mesh mesh_;
+};
+
+void expectNear(const glm::vec3& shown, const glm::vec3& expected) {
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(shown[i], expected[i], tolerance + halfStep * expected[i]) << i;
+    }
+}
+
+TEST_F(TextureTest, Checker_ShowsItsTexelsTheRightWayUp) {
+    file("checker", {2, 2}, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1});
+    use("diffuse.color", "checker");
+    const Image image = drawn();
+    expectNear(at(image, 0.25, 0.75), {1, 0, 0}); // the file's first row is the top
+    expectNear(at(image, 0.75, 0.75), {0, 1, 0});
+    expectNear(at(image, 0.25, 0.25), {0, 0, 1});
+    expectNear(at(image, 0.75, 0.25), {1, 1, 1});
+}
+
+TEST_F(TextureTest, EightBitColor_IsDecodedFromSrgb) {
+    const SrgbTable table;
+    for (const int code : {0, 10, 64, 128, 200, 255}) {
+        const float value = float(code) / 255.0f;
+        file("code" + std::to_string(code), {1, 1}, 3, {value, value, value}, 8);
+        use("diffuse.color", "code" + std::to_string(code));
+        expectNear(at(drawn(), 0.5, 0.5), glm::vec3(table.decoded(std::uint8_t(code))));
+    }
+}
+
+TEST_F(TextureTest, EightBitColorSaidToBeLinear_IsTheNumberItself) {
+    file("grey", {1, 1}, 3, {0.4f, 0.4f, 0.4f}, 8);
+    use("diffuse.color", "grey").colorSpace = TextureColorSpace::Linear;
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.4f));
+}
+
+TEST_F(TextureTest, FloatColor_IsLinear) {
+    file("float", {1, 1}, 3, {0.25f, 0.5f, 0.75f});
+    use("diffuse.color", "float");
+    expectNear(at(drawn(), 0.5, 0.5), {0.25f, 0.5f, 0.75f});
+}
+
+TEST_F(TextureTest, EachChannel_CountsAlone) {
+    file("four", {1, 1}, 4, {0.2f, 0.4f, 0.6f, 0.8f});
+    const std::array<std::pair<TextureChannel, float>, 4> channels{{{TextureChannel::Red, 0.2f},
+                                                                    {TextureChannel::Green, 0.4f},
+                                                                    {TextureChannel::Blue, 0.6f},
+                                                                    {TextureChannel::Alpha, 0.8f}}};
+    for (const auto& [channel, expected] : channels) {
+        use("diffuse.color", "four").channel = channel;
+        expectNear(at(drawn(), 0.5, 0.5), glm::vec3(expected));
+    }
+}
+
+TEST_F(TextureTest, GreyFile_IsGreyInAllColors) {
+    file("grey", {1, 1}, 1, {0.3f});
+    use("diffuse.color", "grey");
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.3f));
+}
+
+TEST_F(TextureTest, Multiply_DarkensTheValue) {
+    file("half", {1, 1}, 3, {0.5f, 0.25f, 1.0f});
+    color({0.8, 0.4, 0.2});
+    use("diffuse.color", "half").mode = TextureMode::Multiply;
+    expectNear(at(drawn(), 0.5, 0.5), {0.4f, 0.1f, 0.2f});
+}
+
+TEST_F(TextureTest, Add_EndsAtTheRangeOfTheValue) {
+    file("half", {1, 1}, 3, {0.5f, 0.25f, 0.0f});
+    color({0.8, 0.4, 0.2});
+    use("diffuse.color", "half").mode = TextureMode::Add;
+    expectNear(at(drawn(), 0.5, 0.5), {1.0f, 0.65f, 0.2f});
+}
+
+TEST_F(TextureTest, Strength_IsTheImagesShare) {
+    file("white", {1, 1}, 3, {1, 1, 1});
+    color(glm::dvec3(0.2));
+    use("diffuse.color", "white").strength = 0.25;
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.4f));
+}
+
+/// Two texels side by side, shown from u = -1 on: what lies beside the image.
+std::array<float, 4> besides(TextureWrap wrap) {
+    switch (wrap) {
+    case TextureWrap::Clamp:
+        return {0, 0, 0, 1};
+    case TextureWrap::Mirror:
+        return {1, 0, 0, 1};
+    default:
+        return {0, 1, 0, 1};
+    }
+}
+
+TEST_F(TextureTest, EachWrap_ContinuesTheImageAsItSays) {
+    file("pair", {2, 1}, 1, {0.0f, 1.0f});
+    for (const TextureWrap wrap :
+         {TextureWrap::Repeat, TextureWrap::Clamp, TextureWrap::Mirror}) {
+        TextureUse& pair = use("diffuse.color", "pair");
+        pair.wrap = wrap;
+        pair.scale = {2.0, 1.0};
+        pair.offset = {-1.0, 0.0};
+        const Image image = drawn();
+        for (std::size_t i = 0; i < 4; ++i) {
+            expectNear(at(image, 0.125 + 0.25 * double(i), 0.5), glm::vec3(besides(wrap)[i]));
+        }
+    }
+}
+
+TEST_F(TextureTest, Rotation_TurnsTheImageCounterClockwise) {
+    file("corner", {2, 2}, 1, {0, 0, 0, 1}); // white at the bottom right
+    use("diffuse.color", "corner").rotation = 90.0;
+    const Image image = drawn();
+    expectNear(at(image, 0.75, 0.75), glm::vec3(1.0f));
+    expectNear(at(image, 0.75, 0.25), glm::vec3(0.0f));
+}
+
+TEST_F(TextureTest, SmoothImageFromAfar_IsTheMeanOfItsLight) {
+    std::vector<float> texels;
+    for (int i = 0; i < 64 * 64; ++i) {
+        texels.push_back((i + i / 64) % 2 == 0 ? 1.0f : 0.0f);
+    }
+    file("fine", {64, 64}, 1, texels, 8);
+    TextureUse& fine = use("diffuse.color", "fine");
+    fine.filter = TextureFilter::Smooth;
+    fine.scale = glm::dvec2(64.0);
+    // Half the light is code 188, which is 0.503 when it is decoded.
+    EXPECT_NEAR(at(drawn(), 0.5, 0.5).x, 0.503f, 0.003f);
+}
+
+TEST_F(TextureTest, NumbersThatAreNone_ShowAsBlack) {
+    file("bad", {1, 1}, 3, {std::nanf(""), INFINITY, -INFINITY});
+    use("diffuse.color", "bad");
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.0f));
+}
+
+TEST_F(TextureTest, MissingFile_IsAChecker) {
+    use("diffuse.color", "missing").filter = TextureFilter::Nearest;
+    const Image image = drawn(64);
+    EXPECT_GT(glm::distance(at(image, 0.06, 0.06), at(image, 0.19, 0.06)), 0.5f);
+}
+
+TEST_F(TextureTest, FileThatIsOnItsWay_ShowsTheValue) {
+    use("diffuse.color", "not here yet");
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.5f));
+}
+
+TEST_F(TextureTest, FlatNormalMap_ChangesNothing) {
+    file("flat", {1, 1}, 3, {0.5f, 0.5f, 1.0f});
+    use("normal", "flat");
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.5f));
+}
+
+/// The light comes from the right and above the surface.
+TEST_F(TextureTest, NormalMap_TiltsRedToTheRightAndGreenUp) {
+    const double tilt = 0.6;
+    const double rest = 0.8;
+    file("right", {1, 1}, 3, {float(0.5 + 0.5 * tilt), 0.5f, float(0.5 + 0.5 * rest)});
+    file("up", {1, 1}, 3, {0.5f, float(0.5 + 0.5 * tilt), float(0.5 + 0.5 * rest)});
+    color(glm::dvec3(1.0));
+    scene.lights.front() = sun({-tilt, 0.0, -rest});
+    scene.lights.front().block.parameters["intensity"] = double(brightness);
+    use("normal", "right");
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(1.0f)); // straight at the light
+    use("normal", "up");
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(float(rest * rest)));
+}
+
+/// A ramp that rises by `height` over a quad that is 2 wide has a slope of height / 2.
+TEST_F(TextureTest, HeightRamp_HasTheNormalOfItsSlope) {
+    std::vector<float> ramp;
+    for (int i = 0; i < 256; ++i) {
+        ramp.push_back((float(i) + 0.5f) / 256.0f);
+    }
+    file("ramp", {256, 1}, 1, ramp);
+    color(glm::dvec3(1.0));
+    TextureUse& height = use("height", "ramp");
+    height.filter = TextureFilter::Smooth;
+    height.strength = 1.0;
+    // n = (-1/2, 0, 1) / |...|, so n.l = 1 / sqrt(1.25). Texels are blended in steps of 1/256.
+    EXPECT_NEAR(at(drawn(64), 0.4, 0.5).x, 1.0 / std::sqrt(1.25), 0.01);
+}
+
+TEST_F(TextureTest, CutOut_LeavesTheBackgroundWhereItIsBelow) {
+    file("mask", {2, 1}, 4, {1, 1, 1, 0.4f, 1, 1, 1, 0.6f});
+    TextureUse& mask = use("opacity", "mask");
+    mask.cutOut = true;
+    mask.threshold = 0.5;
+    const Image image = drawn();
+    expectNear(at(image, 0.25, 0.5) * brightness, glm::vec3(0.25f)); // the background
+    expectNear(at(image, 0.75, 0.5), glm::vec3(0.5f));
+}
+
+TEST_F(TextureTest, OpacityImage_BlendsWithTheBackground) {
+    file("mask", {1, 1}, 4, {1, 1, 1, 0.25f});
+    use("opacity", "mask");
+    const float expected = 0.25f * 0.5f * brightness + 0.75f * 0.25f;
+    expectNear(at(drawn(), 0.5, 0.5) * brightness, glm::vec3(expected));
+}
+
+TEST_F(TextureTest, OneFileInTwoMaterials_IsOneTexture) {
+    file("float", {1, 1}, 3, {0.25f, 0.5f, 0.75f});
+    use("diffuse.color", "float");
+    scene.objects.push_back(scene.objects.front());
+    drawn();
+    EXPECT_EQ(pictures.size(), 1u);
+}
+
+TEST_F(TextureTest, Inspection_FindsNothingWrong) {
+    file("float", {1, 1}, 3, {0.25f, 0.5f, 0.75f});
+    use("diffuse.color", "float");
+    use("normal", "float");
+    const auto image = renderer->captureInspection(
+        scene, viewOf(scene, 8), [this](const Object&) { return quad(); }, false);
+    ASSERT_TRUE(image) << image.error().text();
+    EXPECT_EQ(middle(*image).y, 0.0f);
+}
+
+} // namespace
+} // namespace patina
