@@ -63,6 +63,8 @@ Checked<void> draw(std::vector<Side>& sides, const Options& options,
         return tl::unexpected(oneError(maker.error()));
     }
     AssetClient client;
+    TextureLoader textures(client);
+    maker->setTextures(textures);
     for (Side& side : sides) {
         const auto meshes = SceneMeshes::load(side.scene, client);
         if (!meshes) {

@@ -40,6 +40,11 @@ Result<PictureMaker> PictureMaker::create(std::shared_ptr<const Catalog> catalog
     return maker;
 }
 
+void PictureMaker::setTextures(TextureLoader& textures) {
+    textures_ = &textures;
+    renderer_->setTextures(textures.source());
+}
+
 Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
                                   bool display) {
     View view;
@@ -54,6 +59,9 @@ Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, 
         return tl::unexpected(frame.messages);
     }
     report(frame.messages);
+    if (textures_ != nullptr) {
+        report(textures_->takeProblems());
+    }
     return std::move(*image);
 }
 

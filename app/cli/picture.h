@@ -9,6 +9,7 @@
 #include "core/image.h"
 #include "gl/headless_context.h"
 #include "render/renderer.h"
+#include "render/texture_loader.h"
 
 namespace patina {
 
@@ -16,6 +17,9 @@ namespace patina {
 class PictureMaker {
   public:
     static Result<PictureMaker> create(std::shared_ptr<const Catalog> catalog);
+
+    /// Images come from there. It outlives what is drawn.
+    void setTextures(TextureLoader& textures);
 
     /// With display the 8-bit display values / 255, else linear floats. An error when the picture
     /// is not what was asked for; what was merely left out is a warning on standard error.
@@ -27,6 +31,7 @@ class PictureMaker {
 
     std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
+    TextureLoader* textures_ = nullptr;
 };
 
 /// Where an image goes: a file, or "-" for a PNG on standard output.

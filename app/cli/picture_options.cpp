@@ -53,6 +53,12 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--set", options.sets, "A parameter's value, as id=value; repeatable")
         ->type_size(1)
         ->allow_extra_args(false);
+    command
+        .add_option("--texture", options.textures,
+                    "An image on a value, as id=FILE (or normal=, height=, opacity=), or how it "
+                    "lies, as id:setting=value; repeatable")
+        ->type_size(1)
+        ->allow_extra_args(false);
     command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
     command.add_option("--scene", options.scene,
                        "A scene file; the preset goes on its first object");

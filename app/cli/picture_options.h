@@ -19,13 +19,14 @@ struct PictureOptions {
     std::string model;             ///< id; empty: from the preset
     std::map<std::string, std::string> parts; ///< kind -> id, of what the material chooses
     std::vector<std::string> sets; ///< "id=value"
+    std::vector<std::string> textures; ///< "id=file", "id:setting=value"
     std::string mesh;              ///< a file or "builtin:<name>"; empty: the scene's
     std::string scene;             ///< a file; empty: the shipped default scene
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};
 };
 
-/// --scene, --mesh, --set, --model, --fresnel, --specular, --exposure.
+/// --scene, --mesh, --set, --texture, --model, --fresnel, --specular, --exposure.
 void addSceneOptions(CLI::App& command, PictureOptions& options);
 
 /// --size.

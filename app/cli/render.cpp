@@ -52,6 +52,8 @@ Checked<Image> picture(const Options& options, const std::shared_ptr<const Catal
         return tl::unexpected(loaded.error());
     }
     report(loaded->remarks());
+    TextureLoader textures(client);
+    maker->setTextures(textures);
     const bool display = !options.output.isLinear();
     auto image = maker->draw(
         scene, [&loaded](const Object& object) { return loaded->view(object); },

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "catalog/fills.h"
+#include "cli/texture_text.h"
 #include "cli/value_text.h"
 #include "core/number_text.h"
 #include "material/model_swap.h"
@@ -28,7 +29,7 @@ std::filesystem::path defaultScene() {
 /// Whether an option speaks of the object that is shown.
 bool needsObject(const std::string& preset, const PictureOptions& options) {
     return !preset.empty() || !options.model.empty() || !options.mesh.empty() ||
-           !options.sets.empty() || !options.parts.empty();
+           !options.sets.empty() || !options.parts.empty() || !options.textures.empty();
 }
 
 /// The scene; where it is empty and options speak of an object, with that of the default scene.
@@ -242,6 +243,11 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
     }
     for (const std::string& assignment : inOrder(options.sets, object.material, catalog)) {
         if (auto applied = applySet(object.material, assignment, catalog); !applied) {
+            return tl::unexpected(oneError(applied.error()));
+        }
+    }
+    for (const std::string& assignment : options.textures) {
+        if (auto applied = applyTexture(object.material, assignment, catalog); !applied) {
             return tl::unexpected(oneError(applied.error()));
         }
     }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "catalog/catalog.h"
+#include "core/error.h"
+#include "material/material.h"
+
+namespace patina {
+
+/// "diffuse.color=wood.png" lays an image on a value, "normal=bumps.png" on the whole material, and
+/// "diffuse.color:wrap=mirror" changes how one lies that is there.
+Result<void> applyTexture(Material& material, const std::string& assignment,
+                          const Catalog& catalog);
+
+} // namespace patina

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Images on surfaces from the command line.
+#include <gtest/gtest.h>
+
+#include "cli/patina_program.h"
+
+namespace patina::tests {
+namespace {
+
+class TextureOption : public testing::Test {
+  protected:
+    TextureOption() {
+        // Any picture will do as an image: one that was drawn before.
+        const Outcome outcome = patina(
+            {"render", "--model", "lambert", "--size", "16x16", "-o", folder_ / "image.png"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+
+    Outcome drawn(std::vector<std::string> more, const std::string& name = "out.png") {
+        std::vector<std::string> all{"render", "--model", "phong",          "--size",
+                                     "16x16",  "-o",      folder_ / name};
+        all.insert(all.end(), more.begin(), more.end());
+        return patina(all);
+    }
+
+    std::string image() const { return folder_ / "image.png"; }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(TextureOption, ImageOnAColor_ChangesThePicture) {
+    ASSERT_EQ(drawn({}, "plain.png").exitCode, 0);
+    const Outcome outcome = drawn({"--texture", "diffuse.color=" + image()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(readFile(folder_ / "out.png"), readFile(folder_ / "plain.png"));
+}
+
+TEST_F(TextureOption, Setting_ChangesHowItLies) {
+    ASSERT_EQ(drawn({"--texture", "diffuse.color=" + image()}, "plain.png").exitCode, 0);
+    const Outcome outcome = drawn({"--texture", "diffuse.color=" + image(), "--texture",
+                                   "diffuse.color:scale=3,3"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(readFile(folder_ / "out.png"), readFile(folder_ / "plain.png"));
+}
+
+TEST_F(TextureOption, UnknownSetting_SaysWhichThereAre) {
+    const Outcome outcome =
+        drawn({"--texture", "diffuse.color=" + image(), "--texture", "diffuse.color:warp=1"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("one of channel, colorSpace, mode"), std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(TextureOption, ValueThatTakesNone_IsAnError) {
+    const Outcome outcome = drawn({"--texture", "normalisation=" + image()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("The value takes no image."), std::string::npos) << outcome.err;
+}
+
+TEST_F(TextureOption, MissingFile_IsAnError) {
+    const Outcome outcome = drawn({"--texture", "diffuse.color=/nowhere/a.png"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("/nowhere/a.png: no such file"), std::string::npos) << outcome.err;
+}
+
+TEST_F(TextureOption, MissingFileInAPreset_IsAMessageAndAPicture) {
+    writeFile(folder_ / "a.patina.json",
+              R"({"format": "patina.preset", "version": 1, "model": {"id": "lambert"},)"
+              R"( "textures": {"diffuse.color": {"file": "gone.png"}}})");
+    const Outcome outcome = patina(
+        {"render", folder_ / "a.patina.json", "--size", "16x16", "-o", folder_ / "out.png"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("gone.png: no such file"), std::string::npos) << outcome.err;
+}
+
+TEST_F(TextureOption, Effects_NameTheImage) {
+    const Outcome outcome =
+        patina({"effects", "--model", "phong", "--texture", "diffuse.color=" + image()});
+    EXPECT_NE(outcome.out.find("texture (diffuse.color, colour, in place of the value)"),
+              std::string::npos)
+        << outcome.out;
+}
+
+} // namespace
+} // namespace patina::tests
