@@ -135,9 +135,10 @@ Error unreadable(const std::filesystem::path& file, std::string why) {
     return Error{file.string(), 0, 0, "cannot be read: " + why, {}};
 }
 
-} // namespace
-
-Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportProgress& report) {
+/// The scene that `read` makes with an importer, as a mesh.
+template <class Read>
+Result<RawMesh> meshFrom(const std::filesystem::path& file, const ReportProgress& report,
+                         const Read& read) {
     const auto importer = std::make_shared<Assimp::Importer>();
     if (!importer->IsExtensionSupported(file.extension().string())) {
         return tl::unexpected(Error{file.string(), 0, 0, "is not in a mesh format known here",
@@ -145,7 +146,7 @@ Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportPr
     }
     Reporter reporter(report);
     importer->SetProgressHandler(&reporter);
-    const aiScene* const scene = importer->ReadFile(file.string(), aiProcess_Triangulate);
+    const aiScene* const scene = read(*importer);
     importer->SetProgressHandler(nullptr); // else it would delete it
     if (scene == nullptr) {
         return tl::unexpected(unreadable(file, importer->GetErrorString()));
@@ -158,6 +159,23 @@ Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportPr
     }
     mesh.padAttributes();
     return mesh;
+}
+
+} // namespace
+
+Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportProgress& report) {
+    return meshFrom(file, report, [&](Assimp::Importer& importer) {
+        return importer.ReadFile(file.string(), aiProcess_Triangulate);
+    });
+}
+
+Result<RawMesh> readWithAssimp(const std::filesystem::path& file, std::string_view text,
+                               const ReportProgress& report) {
+    return meshFrom(file, report, [&](Assimp::Importer& importer) {
+        const std::string format = file.extension().string().substr(1);
+        return importer.ReadFileFromMemory(text.data(), text.size(), aiProcess_Triangulate,
+                                           format.c_str());
+    });
 }
 
 } // namespace patina

@@ -49,6 +49,9 @@ Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportPro
         if (auto mesh = readPlainObj(file, report)) {
             return std::move(*mesh);
         }
+        if (const auto text = objForAssimp(file)) {
+            return readWithAssimp(file, *text, report);
+        }
     }
     if (format == ".gltf" || format == ".glb") {
         auto mesh = readGltf(file, report);

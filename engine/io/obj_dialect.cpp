@@ -71,7 +71,35 @@ bool isPlainLine(std::string_view line) {
     });
 }
 
+/// Where a number that starts with its point is, from a place on.
+std::size_t findBarePoint(std::string_view text, std::size_t from) {
+    const auto isBare = [&](std::size_t i) {
+        const bool begins = i > 0 && blanks.find(text[i - 1]) != std::string_view::npos;
+        return begins && i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
+    };
+    std::size_t at = text.find('.', from);
+    while (at != std::string_view::npos && !isBare(at)) {
+        at = text.find('.', at + 1);
+    }
+    return at;
+}
+
 } // namespace
+
+std::optional<std::string> withLeadingZeros(std::string_view text) {
+    std::size_t point = findBarePoint(text, 0);
+    if (point == std::string_view::npos) {
+        return std::nullopt;
+    }
+    std::string whole;
+    whole.reserve(text.size() + text.size() / 8);
+    std::size_t done = 0;
+    for (; point != std::string_view::npos; point = findBarePoint(text, point + 1)) {
+        whole.append(text, done, point - done).append(1, '0');
+        done = point;
+    }
+    return whole.append(text, done);
+}
 
 bool isPlainObj(std::string_view text) {
     if (text.find('\\') != std::string_view::npos || text.find('\0') != std::string_view::npos) {

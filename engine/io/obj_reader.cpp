@@ -42,6 +42,18 @@ class ReportedText final : public std::streambuf {
     std::size_t taken_ = 0;
 };
 
+/// Nothing when the file is empty or cannot be read.
+std::optional<std::string> textOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary | std::ios::ate);
+    const auto size = stream.tellg();
+    if (!stream || size <= 0) {
+        return std::nullopt;
+    }
+    std::string text(static_cast<std::size_t>(size), '\0');
+    stream.seekg(0).read(text.data(), size);
+    return stream ? std::optional(std::move(text)) : std::nullopt;
+}
+
 struct Obj {
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
@@ -124,17 +136,11 @@ bool addShape(RawMesh& mesh, const tinyobj::attrib_t& from, const tinyobj::shape
 
 std::optional<RawMesh> readPlainObj(const std::filesystem::path& file,
                                     const ReportProgress& report) {
-    std::ifstream stream(file, std::ios::binary | std::ios::ate);
-    const auto size = stream.tellg();
-    if (!stream || size <= 0) {
+    std::optional<std::string> text = textOf(file);
+    if (!text || !isPlainObj(*text)) {
         return std::nullopt;
     }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    stream.seekg(0).read(text.data(), size);
-    if (!stream || !isPlainObj(text)) {
-        return std::nullopt;
-    }
-    const auto obj = parsed(std::move(text), report);
+    const auto obj = parsed(std::move(*text), report);
     if (!obj || obj->shapes.empty()) {
         return std::nullopt;
     }
@@ -146,6 +152,11 @@ std::optional<RawMesh> readPlainObj(const std::filesystem::path& file,
         return addShape(mesh, obj->attributes, shape);
     });
     return whole ? std::optional(std::move(mesh)) : std::nullopt;
+}
+
+std::optional<std::string> objForAssimp(const std::filesystem::path& file) {
+    const std::optional<std::string> text = textOf(file);
+    return text ? withLeadingZeros(*text) : std::nullopt;
 }
 
 } // namespace patina

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "io/raw_mesh.h"
 #include "io/report_progress.h"
@@ -15,5 +16,9 @@ namespace patina {
 /// continued lines, homogeneous coordinates, NaN) or is damaged: ask Assimp then.
 std::optional<RawMesh> readPlainObj(const std::filesystem::path& file,
                                     const ReportProgress& report);
+
+/// An OBJ file's text as Assimp understands it (see withLeadingZeros); nothing when it does so as
+/// the file stands.
+std::optional<std::string> objForAssimp(const std::filesystem::path& file);
 
 } // namespace patina

@@ -2,6 +2,7 @@
 // Plain OBJ files are read by another library than the others: it must not show.
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -69,6 +70,34 @@ TEST(PlainObj, NumbersWithExponents_AreRead) {
     const auto mesh = loaded("small.obj", "v 0 0 0\nv 1E-1 0 0\nv 0 2.5e-1 0\nf 1 2 3\n");
     ASSERT_TRUE(mesh) << mesh.error().text();
     EXPECT_EQ((*mesh)->view().bounds.upper, glm::vec3(0.1f, 0.25f, 0.0f));
+}
+
+/// What a file with numbers that start with their point reads as, and what it should.
+void expectSameMesh(const std::string& bare, const std::string& written) {
+    const auto mesh = loaded("bare.obj", bare);
+    const auto expected = loaded("written.obj", written);
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    ASSERT_TRUE(expected) << expected.error().text();
+    EXPECT_EQ(trianglesOf((*mesh)->view()), trianglesOf((*expected)->view()));
+}
+
+TEST(PlainObj, QuadsOfNumbersThatStartWithTheirPoint_AreRead) {
+    expectSameMesh("v 0 0 0\nv .5 0 0\nv +.5 .5e0 0\nv 0 -.5 0\nf 1 2 3 4\n",
+                   "v 0 0 0\nv 0.5 0 0\nv +0.5 0.5e0 0\nv 0 -0.5 0\nf 1 2 3 4\n");
+}
+
+TEST(PlainObj, TextureCoordinatesThatStartWithTheirPoint_AreRead) {
+    expectSameMesh(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt .1 .2\nvt\t.9 .2\nvt 1 1\nvt 0 .75\n"
+        "vn .6 0 .8\nf 1/1/1 2/2/1 3/3/1 4/4/1\n",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.1 0.2\nvt 0.9 0.2\nvt 1 1\nvt 0 0.75\n"
+        "vn 0.6 0 0.8\nf 1/1/1 2/2/1 3/3/1 4/4/1\n");
+}
+
+TEST(PlainObj, PolygonsOfNumbersThatStartWithTheirPoint_AreRead) {
+    expectSameMesh("mtllib ./a.mtl\nv .5 0 0\nv 1 .5 0\nv .5 1 0\nv 0 1 0\nv 0 .5 0\n"
+                   "usemtl .5\nf 1 2 3 \\\n4 5\n",
+                   "v 0.5 0 0\nv 1 0.5 0\nv 0.5 1 0\nv 0 1 0\nv 0 0.5 0\nf 1 2 3 4 5\n");
 }
 
 TEST(PlainObj, SharedCorners_StayShared) {
