@@ -35,10 +35,18 @@ void append(Errors& errors, const Errors& more) {
     errors.insert(errors.end(), more.begin(), more.end());
 }
 
-Error unreadable(const fs::path& root, std::error_code status) {
-    return {root.string(), 0, 0,
-            "the folder of the lighting models cannot be read: " + status.message(),
-            "the shaders that come with Patina"};
+/// The shipped folder must be there; the user's may be missing.
+bool isMistake(const BlockRoot& root, std::error_code status) {
+    return status && (root.shipped || status != std::errc::no_such_file_or_directory);
+}
+
+Error unreadable(const BlockRoot& root, std::error_code status) {
+    const char* const what = root.shipped ? "the folder of the lighting models"
+                                          : "the folder of your own lighting models";
+    const char* const expected =
+        root.shipped ? "the shaders that come with Patina" : "a folder that may be read";
+    return {root.folder.string(), 0, 0,
+            fmt::format("{} cannot be read: {}", what, status.message()), expected};
 }
 
 /// Without the descriptors' schema nothing is read, but a missing folder is still worth a word.
@@ -47,8 +55,8 @@ Errors missingRoots(std::span<const BlockRoot> roots) {
     for (const BlockRoot& root : roots) {
         std::error_code status;
         entriesOf(root.folder, status);
-        if (status && root.shipped) {
-            errors.push_back(unreadable(root.folder, status));
+        if (isMistake(root, status)) {
+            errors.push_back(unreadable(root, status));
         }
     }
     return errors;
@@ -84,8 +92,8 @@ class Loader {
                 readKind(folder, root.shipped);
             }
         }
-        if (status && root.shipped) {
-            catalog_.errors.push_back(unreadable(root.folder, status));
+        if (isMistake(root, status)) {
+            catalog_.errors.push_back(unreadable(root, status));
         }
     }
 

@@ -105,6 +105,14 @@ TEST(Catalog, ShippedFolderThatIsAFile_IsAnError) {
     EXPECT_EQ(loadCatalog(std::vector<BlockRoot>{{folder / "file", true}}).errors.size(), 1u);
 }
 
+TEST(Catalog, UsersFolderThatCannotBeRead_IsAnErrorThatNamesIt) {
+    tests::TemporaryFolder folder;
+    tests::writeFile(folder / "file", "");
+    const Catalog catalog = loadCatalog(std::vector<BlockRoot>{{folder / "file", false}});
+    ASSERT_EQ(catalog.errors.size(), 1u);
+    EXPECT_EQ(catalog.errors[0].file, (folder / "file").string());
+}
+
 TEST(Catalog, MissingUserFolder_IsNoError) {
     const tests::TemporaryFolder folder;
     EXPECT_EQ(text(loadCatalog(std::vector<BlockRoot>{{folder / "none", false}}).errors), "");
