@@ -29,6 +29,12 @@ std::string joined(const std::vector<EnumValue>& values) {
     return out;
 }
 
+/// What the numbers of a vector are called.
+std::string namesOf(const Parameter& parameter) {
+    const std::vector<std::string>& names = parameter.components;
+    return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
+}
+
 /// What a parameter can be: its hard range, or its choices.
 std::string rangeOf(const Parameter& parameter) {
     switch (parameter.type) {
@@ -39,8 +45,9 @@ std::string rangeOf(const Parameter& parameter) {
     case ParameterType::Texture:
         return "a file";
     default:
-        return fmt::format("{} .. {}{}", shown(parameter.min), shown(parameter.max),
-                           parameter.unit.empty() ? "" : " " + parameter.unit);
+        return fmt::format("{} .. {}{}{}", shown(parameter.min), shown(parameter.max),
+                           parameter.unit.empty() ? "" : " " + parameter.unit,
+                           namesOf(parameter));
     }
 }
 

@@ -157,6 +157,7 @@ void setTypeDefaults(Parameter& parameter) {
         parameter.decimals = 1;
         parameter.unit = "\u00b0";
     }
+    parameter.components = componentNames(parameter);
 }
 
 void readRange(const Fields& fields, Parameter& parameter) {
@@ -185,6 +186,7 @@ Parameter parameterFrom(const Fields& fields) {
     fields.read("enabledWhen", parameter.enabledWhen);
     fields.readEach("values", parameter.values, enumValueFrom);
     parameter.compiled = compiledFrom(fields);
+    fields.read("components", parameter.components);
     fields.read("space", spaceWords, parameter.space);
     fields.read("emission", parameter.emission);
     parameter.textureChannels = channelsFrom(fields, parameter.type);

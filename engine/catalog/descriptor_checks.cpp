@@ -134,6 +134,7 @@ class Checker {
             add(pointer + "/values", "only an enum has values", "no such key");
         }
         checkDefault(parameter, pointer);
+        checkComponents(parameter, pointer + "/components");
         checkCompiled(parameter, pointer + "/compiled");
         checkCondition(parameter, pointer + "/enabledWhen");
         checkPhysical(parameter, pointer + "/physical");
@@ -199,6 +200,18 @@ class Checker {
                 add(pointer + key, "a float cannot hold every whole number of this size",
                     "a number from -16777216 to 16777216");
             }
+        }
+    }
+
+    void checkComponents(const Parameter& parameter, const std::string& pointer) {
+        const bool isVector =
+            parameter.type == ParameterType::Vec2 || parameter.type == ParameterType::Vec3;
+        const auto count = static_cast<std::size_t>(componentCount(parameter.type));
+        if (has(pointer) && !isVector) {
+            add(pointer, "only a vec2 or a vec3 has components", "no such key");
+        } else if (has(pointer) && parameter.components.size() != count) {
+            add(pointer, fmt::format("{} names for {} numbers", parameter.components.size(), count),
+                "a name for each");
         }
     }
 

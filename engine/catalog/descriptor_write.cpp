@@ -85,6 +85,9 @@ Json parameterJson(const Parameter& parameter) {
               {"emission", parameter.emission},
               {"texture", parameter.textureChannels},
               {"migrations", arrayOf(parameter.migrations, migrationJson)}};
+    if (const auto names = componentNames(parameter); !names.empty()) {
+        json["components"] = names;
+    }
     if (hasRange(parameter.type)) {
         addRange(json, parameter);
     }

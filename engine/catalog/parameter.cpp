@@ -53,6 +53,15 @@ int componentCount(ParameterType type) {
     }
 }
 
+std::vector<std::string> componentNames(const Parameter& parameter) {
+    if (parameter.type != ParameterType::Vec2 && parameter.type != ParameterType::Vec3) {
+        return {};
+    }
+    std::vector<std::string> names{"x", "y", "z"};
+    names.resize(static_cast<std::size_t>(componentCount(parameter.type)));
+    return parameter.components.size() == names.size() ? parameter.components : names;
+}
+
 Value conformed(const Parameter& parameter, const Value& value) {
     if (value.index() != parameter.defaultValue.index() || !isFinite(value)) {
         return parameter.defaultValue;

@@ -75,6 +75,7 @@ struct Parameter {
     std::string enabledWhen;       ///< expression over sibling parameters; empty: always enabled
     std::vector<EnumValue> values; ///< enum only
     Compiled compiled = Compiled::No;
+    std::vector<std::string> components; ///< what a vector's numbers are called
     Space space = Space::None;
     bool emission = false; ///< a colour that is added once per pixel, whatever the light
     std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not
@@ -86,6 +87,10 @@ struct Parameter {
 
 /// Number of float components a value of this type has in the shader (an enum, int or bool has 1).
 int componentCount(ParameterType type);
+
+/// What the numbers of a vec2 or vec3 are called: as its descriptor says, else x, y, z. Empty for
+/// the other types.
+std::vector<std::string> componentNames(const Parameter& parameter);
 
 /// `value` forced into the parameter's type and hard range; the default where the alternative is
 /// wrong or a number is not finite.

@@ -143,6 +143,30 @@ TEST_F(Form, VectorComponent_SetsTheVector) {
     EXPECT_EQ(fixture.value("direction"), Value(glm::dvec3(0.0, 0.25, 0.0)));
 }
 
+QStringList namesOf(const ParameterRow& row) {
+    QStringList names;
+    for (const auto* label : row.editor()->findChildren<ScrubLabel*>()) {
+        names.append(label->text());
+    }
+    return names;
+}
+
+TEST_F(Form, VectorWithoutNames_ShowsXYZ) {
+    EXPECT_EQ(namesOf(row("direction")), (QStringList{"x", "y", "z"}));
+}
+
+TEST_F(Form, VectorPerChannel_ShowsTheNamesOfItsDescriptor) {
+    fixture.blocks.add("models", "metal", R"({
+  "id": "metal", "version": 1, "label": "Metal",
+  "parameters": [{"id": "eta", "label": "Index", "type": "vec3", "components": ["R", "G", "B"],
+                  "default": [1, 1, 1], "min": 0, "max": 10}]
+})",
+                       "vec3 metal(Directions d, Metal p) {\n    return p.eta;\n}\n");
+    document.setCatalog(fixture.blocks.catalog());
+    document.setModel(Side::A, "metal");
+    EXPECT_EQ(namesOf(row("eta")), (QStringList{"R", "G", "B"}));
+}
+
 TEST_F(Form, ColorOutsideWhatIsReal_Warns) {
     auto* mark = row("diffuse.color").findChild<WarningMark*>();
     EXPECT_FALSE(mark->isVisible());

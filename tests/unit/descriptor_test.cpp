@@ -65,8 +65,8 @@ TEST_F(Mistakes, SeveralInOneFile_AreAllReported) {
                   "color, vec2, vec3, angle, enum, texture\n" +
                   file +
                   ":7:72: the key \"colour\" is not known; expected one of advanced, "
-                  "compiled, decimals, default, doc, emission, enabledWhen, group, id, label, max, "
-                  "migrations, min, physical, scale, softMax, softMin, space, step, "
+                  "compiled, components, decimals, default, doc, emission, enabledWhen, group, id, "
+                  "label, max, migrations, min, physical, scale, softMax, softMin, space, step, "
                   "texture, type, unit, values\n");
 }
 

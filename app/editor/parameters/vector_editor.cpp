@@ -30,11 +30,13 @@ VectorEditor::VectorEditor(const Parameter& parameter, QWidget* parent)
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(3);
     const std::vector<double> defaults = componentsOf(parameter.defaultValue);
+    const std::vector<std::string> names = componentNames(parameter);
     for (int i = 0; i < static_cast<int>(defaults.size()); ++i) {
-        const QString axis = QStringLiteral("xyz").mid(i, 1);
-        auto* number = new NumberEdit(parameter, defaults[static_cast<std::size_t>(i)],
-                                      name() + QLatin1Char(' ') + axis, this);
-        auto* letter = new ScrubLabel(axis, this);
+        const auto place = static_cast<std::size_t>(i);
+        const QString component = QString::fromStdString(names[place]);
+        auto* number = new NumberEdit(parameter, defaults[place],
+                                      name() + QLatin1Char(' ') + component, this);
+        auto* letter = new ScrubLabel(component, this);
         number->scrubWith(*letter);
         letter->setBuddy(number->slider());
         grid->addWidget(letter, i, 0);
