@@ -158,13 +158,15 @@ void addCompare(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "compare", "Draw two to four presets side by side and print how far they are apart");
     auto options = std::make_shared<Options>();
-    command->add_option("presets", options->presets, "Presets (*.patina.json)")
+    command->add_option("presets", options->presets, "Two to four presets (*.patina.json)")
         ->required()
-        ->expected(2, 4);
+        ->expected(2, 4)
+        ->option_text("FILE FILE [FILE [FILE]] REQUIRED");
     addSceneOptions(*command, options->picture);
     addSizeOption(*command, options->picture);
-    command->add_option("--mode", options->mode, "How they are shown: side")
-        ->check(CLI::IsMember({"side"}));
+    command->add_option("--mode", options->mode, "How they are shown: side by side, with letters")
+        ->check(CLI::IsMember({"side"}))
+        ->capture_default_str();
     command
         ->add_option("-o,--output", options->output.name,
                      "The image: .png, .jpg, .exr or .hdr; - writes a PNG to standard output")

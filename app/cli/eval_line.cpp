@@ -2,6 +2,7 @@
 #include "cli/eval_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 #include <fmt/format.h>
@@ -216,10 +217,26 @@ Result<void> readSlot(const Json& json, const Catalog& catalog, EvalCase& reques
     return {};
 }
 
-Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase request) {
+Result<void> checkModelKeys(const Json& json) {
     std::vector<std::string> known{"model", "parameters", "accuracy", "l", "v", "n", "t"};
     known.insert(known.end(), partKinds.begin(), partKinds.end());
-    if (const auto keys = checkKeys(json, known); !keys) {
+    return checkKeys(json, known);
+}
+
+/// A block that the model has no place for would not change the answer.
+Result<void> checkParts(const Json& json, const Block& model) {
+    for (const std::string_view kind : partKinds) {
+        const auto part = json.find(kind);
+        if (part != json.end() && !part->is_null() && model.slot(kind) == nullptr) {
+            return failure(fmt::format("{} has no slot for \"{}\"", model.id, kind),
+                           "a model with that slot, or no such key");
+        }
+    }
+    return {};
+}
+
+Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase request) {
+    if (const auto keys = checkModelKeys(json); !keys) {
         return tl::unexpected(keys.error());
     }
     if (!json["model"].is_string()) {
@@ -233,7 +250,8 @@ Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase re
         return tl::unexpected(block.error());
     }
     request.block = *block;
-    for (const auto& step : {readFrame(json, request), readSlot(json, catalog, request)}) {
+    for (const auto& step : {checkParts(json, *block->block), readFrame(json, request),
+                             readSlot(json, catalog, request)}) {
         if (!step) {
             return tl::unexpected(step.error());
         }
@@ -270,8 +288,17 @@ Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase re
         return x ? Result<EvalCase>(request) : tl::unexpected(x.error());
     }
     const Result<double> x = number(json, argument);
-    request.number = x.value_or(0.0);
-    return x ? Result<EvalCase>(request) : tl::unexpected(x.error());
+    if (!x) {
+        return tl::unexpected(x.error());
+    }
+    if (kind == "fresnel" && !(std::abs(*x) <= 1.0)) {
+        return failure(fmt::format("cos is {}", json[argument].dump()), "-1 .. 1");
+    }
+    if (kind == "fog" && !(*x >= 0.0)) {
+        return failure(fmt::format("distance is {}", json[argument].dump()), "0 or more");
+    }
+    request.number = *x;
+    return request;
 }
 
 Result<EvalCase> readFunction(const Json& json, EvalCase request) {

@@ -43,7 +43,7 @@ double stopsIn(const std::string& text) {
 
 void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--model", options.model,
-                       "A lighting model's id, instead of a preset or of the model in it");
+                       "A lighting model's id: alone, or in place of a preset's own");
     for (const std::string_view kind : partKinds) {
         command.add_option_function<std::string>(
             fmt::format("--{}", kind),
@@ -61,7 +61,7 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
         ->allow_extra_args(false);
     command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
     command.add_option("--scene", options.scene,
-                       "A scene file; the preset goes on its first object");
+                       "A scene file; a preset goes on its first object");
     command.add_option_function<std::string>(
         "--exposure", [&options](const std::string& text) { options.exposure = stopsIn(text); },
         "Stops; 1 is twice as bright");

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "catalog/catalog.h"
 #include "catalog/descriptor.h"
+#include "catalog/descriptor_checks.h"
 #include "catalog/json_schema.h"
+#include "catalog/suggestion.h"
 #include "catalog/value_json.h"
 #include "material/preset_file.h"
+#include "scene/mesh_path.h"
+#include "scene/primitives.h"
 #include "scene/scene_file.h"
 
 namespace patina {
@@ -23,13 +29,76 @@ Errors mistakesOf(const Checked<Reading>& reading) {
     return reading ? reading->notes : reading.error();
 }
 
-Errors descriptorMistakesIn(const fs::path& file) {
+/// Blocks that a slot may name: those that are known, and those beside the file's own folder.
+std::vector<std::string> idsOfKind(const std::string& kind, const fs::path& file,
+                                   const Catalog& catalog) {
+    std::vector<std::string> ids;
+    for (const Block* block : catalog.ofKind(kind)) {
+        ids.push_back(block->id);
+    }
+    std::error_code absent; // then there are none
+    const fs::path folder = fs::absolute(file).lexically_normal().parent_path().parent_path();
+    for (const auto& entry : fs::directory_iterator(folder / kind, absent)) {
+        if (entry.path().extension() == ".json") {
+            ids.push_back(entry.path().stem().string());
+        }
+    }
+    return ids;
+}
+
+Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog) {
     const Result<JsonSchema> schema = JsonSchema::load("descriptor");
     if (!schema) {
         return {schema.error()};
     }
     const Checked<Descriptor> descriptor = readDescriptor(file, *schema);
-    return descriptor ? Errors{} : descriptor.error();
+    if (!descriptor) {
+        return descriptor.error();
+    }
+    return slotMistakes(*descriptor, [&](const std::string& kind) {
+        return idsOfKind(kind, file, catalog);
+    });
+}
+
+/// What is wrong with the name of a mesh; an empty problem when it can be read from.
+Error meshMistake(const std::string& mesh) {
+    if (const auto name = builtinName(mesh)) {
+        const std::vector<std::string> known = primitiveNames();
+        const bool isKnown = std::find(known.begin(), known.end(), *name) != known.end();
+        return isKnown ? Error{}
+                       : failure(fmt::format("there is no built-in mesh \"{}\"", *name),
+                                 oneOf(*name, known))
+                             .value();
+    }
+    std::error_code absent;
+    return fs::is_regular_file(mesh, absent)
+               ? Error{}
+               : failure(fmt::format("there is no file \"{}\"", mesh),
+                         "a path from the scene's folder, or builtin:<name>")
+                     .value();
+}
+
+Errors meshMistakes(const fs::path& file, const Scene& scene) {
+    const Result<LocatedJson> document = readJson(file);
+    Errors errors;
+    for (std::size_t i = 0; document && i < scene.objects.size(); ++i) {
+        const Error mistake = meshMistake(scene.objects[i].mesh);
+        if (!mistake.problem.empty()) {
+            errors.push_back(document->error(fmt::format("/objects/{}/mesh", i), mistake.problem,
+                                             mistake.expected));
+        }
+    }
+    return errors;
+}
+
+Errors sceneMistakesIn(const fs::path& file, const Catalog& catalog) {
+    const auto reading = readScene(file, catalog);
+    Errors errors = mistakesOf(reading);
+    if (reading) {
+        const Errors meshes = meshMistakes(file, reading->scene);
+        errors.insert(errors.end(), meshes.begin(), meshes.end());
+    }
+    return errors;
 }
 
 /// A file says what it is by its name, and where that says nothing, by its "format".
@@ -54,9 +123,10 @@ std::string formatOf(const fs::path& file) {
 Errors mistakesIn(const fs::path& file, const Catalog& catalog) {
     const std::string format = formatOf(file);
     if (format == "patina.scene") {
-        return mistakesOf(readScene(file, catalog));
+        return sceneMistakesIn(file, catalog);
     }
-    return format.empty() ? descriptorMistakesIn(file) : mistakesOf(readPreset(file, catalog));
+    return format.empty() ? descriptorMistakesIn(file, catalog)
+                          : mistakesOf(readPreset(file, catalog));
 }
 
 nlohmann::json toJson(const Error& error) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "catalog/descriptor.h"
+#include "catalog/descriptor_checks.h"
 #include "catalog/suggestion.h"
 
 namespace patina {
@@ -176,22 +177,10 @@ class Loader {
     }
 
     bool hasItsSlots(const Descriptor& descriptor) {
-        bool complete = true;
-        for (std::size_t i = 0; i < descriptor.block.slots.size(); ++i) {
-            const Slot& slot = descriptor.block.slots[i];
-            if (slot.defaultBlock.empty()) {
-                continue;
-            }
-            const std::vector<std::string> ids = idsOfKind(slot.kind);
-            if (std::find(ids.begin(), ids.end(), slot.defaultBlock) == ids.end()) {
-                complete = false;
-                catalog_.errors.push_back(descriptor.document.error(
-                    fmt::format("/slots/{}/default", i),
-                    fmt::format("there is no {} block \"{}\"", slot.kind, slot.defaultBlock),
-                    oneOf(slot.defaultBlock, ids)));
-            }
-        }
-        return complete;
+        const Errors mistakes = slotMistakes(
+            descriptor, [this](const std::string& kind) { return idsOfKind(kind); });
+        catalog_.errors.insert(catalog_.errors.end(), mistakes.begin(), mistakes.end());
+        return mistakes.empty();
     }
 
     void checkSlots() {

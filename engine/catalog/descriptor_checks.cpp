@@ -362,4 +362,20 @@ Errors descriptorMistakes(const Descriptor& descriptor) {
     return errors;
 }
 
+Errors slotMistakes(const Descriptor& descriptor, const IdsOfKind& idsOfKind) {
+    Errors errors;
+    for (std::size_t i = 0; i < descriptor.block.slots.size(); ++i) {
+        const Slot& slot = descriptor.block.slots[i];
+        const std::vector<std::string> ids = idsOfKind(slot.kind);
+        if (!slot.defaultBlock.empty() &&
+            std::find(ids.begin(), ids.end(), slot.defaultBlock) == ids.end()) {
+            errors.push_back(descriptor.document.error(
+                fmt::format("/slots/{}/default", i),
+                fmt::format("there is no {} block \"{}\"", slot.kind, slot.defaultBlock),
+                oneOf(slot.defaultBlock, ids)));
+        }
+    }
+    return errors;
+}
+
 } // namespace patina

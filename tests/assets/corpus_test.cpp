@@ -25,10 +25,17 @@ bool isMesh(const fs::path& file) {
     return std::ranges::find(formats, extension) != formats.end();
 }
 
+const fs::path folder = "/usr/share/assimp/models";
+
+/// Debian and what is made of it have the package; there it must not be missing.
+bool isDebian() {
+    return fs::exists("/etc/debian_version");
+}
+
 std::vector<fs::path> corpus() {
     std::vector<fs::path> files;
     std::error_code absent;
-    for (const auto& entry : fs::recursive_directory_iterator("/usr/share/assimp/models", absent)) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder, absent)) {
         if (entry.is_regular_file() && isMesh(entry.path())) {
             files.push_back(entry.path());
         }
@@ -45,6 +52,9 @@ bool blamesTheFile(const Error& error) {
 
 TEST(AssimpTestModels, EveryFile_EndsInAMeshOrAClearMessage) {
     const std::vector<fs::path> files = corpus();
+    if (files.empty() && !isDebian()) {
+        GTEST_SKIP() << "there is no " << folder << ": this system has no package of test models";
+    }
     ASSERT_GT(files.size(), 100u) << "the package assimp-testmodels is not installed";
     AssetClient client; // with the limits of 20 s and 2 GiB that the editor has
     int meshes = 0;

@@ -154,6 +154,27 @@ TEST(EvalCommand, ValueOutsideItsRange_IsAnError) {
     EXPECT_NE(errorOf(request).find("shininess"), std::string::npos);
 }
 
+TEST(EvalCommand, CosineOutsideItsRange_IsAnError) {
+    for (const double c : {2.0, -1.5}) {
+        EXPECT_NE(errorOf({{"fresnel", "schlick"}, {"cos", c}}).find("expected -1 .. 1"),
+                  std::string::npos)
+            << c;
+    }
+}
+
+TEST(EvalCommand, NegativeDistance_IsAnError) {
+    EXPECT_NE(errorOf({{"fog", "linear"}, {"distance", -1}}).find("expected 0 or more"),
+              std::string::npos);
+}
+
+TEST(EvalCommand, BlockThatTheModelHasNoSlotFor_IsAnError) {
+    Json request = facing("lambert");
+    request["fresnel"] = "schlick";
+    EXPECT_NE(errorOf(request).find("lambert has no slot for \"fresnel\""), std::string::npos);
+    request["fresnel"] = nullptr;
+    EXPECT_EQ(errorOf(request), "");
+}
+
 TEST(EvalCommand, ZeroVector_IsAnError) {
     Json request = facing("phong");
     request["v"] = {0, 0, 0};

@@ -71,6 +71,61 @@ TEST(ValidateCommand, FileThatLeavesItsFolder_IsRefused) {
     EXPECT_NE(outcome.err.find("../../secret.png"), std::string::npos) << outcome.err;
 }
 
+TEST(ValidateCommand, SlotWithAnUnknownDefault_IsNotValid) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "models");
+    writeFile(folder / "models/mine.glsl", "");
+    writeFile(folder / "models/mine.json", R"({"id": "mine", "version": 1, "label": "Mine",
+"parameters": [], "slots": [{"kind": "fresnel", "default": "schlik"}]})");
+    const Outcome outcome = validate({(folder / "models/mine.json").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("mine.json:2:60: there is no fresnel block \"schlik\"; expected "
+                               "'schlick'"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST(ValidateCommand, SlotWithABlockBesideTheFile_IsValid) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "models");
+    std::filesystem::create_directories(folder / "fresnel");
+    writeFile(folder / "fresnel/ours.json", "{}");
+    writeFile(folder / "models/mine.glsl", "");
+    writeFile(folder / "models/mine.json", R"({"id": "mine", "version": 1, "label": "Mine",
+"parameters": [], "slots": [{"kind": "fresnel", "default": "ours"}]})");
+    EXPECT_EQ(validate({(folder / "models/mine.json").string()}).exitCode, 0);
+}
+
+/// A scene whose only object has that mesh.
+Outcome validateSceneWith(const std::string& mesh) {
+    const TemporaryFolder folder;
+    writeFile(folder / "there.obj", "");
+    writeFile(folder / "a.patina-scene.json",
+              "{\"format\": \"patina.scene\", \"version\": 1, \"objects\": [\n{\"mesh\": \"" +
+                  mesh + "\", \"preset\": " + soundPreset + "}]}");
+    return validate({(folder / "a.patina-scene.json").string()});
+}
+
+TEST(ValidateCommand, SceneWithAMissingMesh_IsNotValid) {
+    const Outcome outcome = validateSceneWith("gone.obj");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("a.patina-scene.json:2:10: there is no file"), std::string::npos)
+        << outcome.err;
+}
+
+TEST(ValidateCommand, SceneWithAnUnknownBuiltinMesh_IsNotValid) {
+    const Outcome outcome = validateSceneWith("builtin:spher");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("expected 'sphere'"), std::string::npos) << outcome.err;
+}
+
+TEST(ValidateCommand, SceneWhoseMeshIsThere_IsValid) {
+    for (const char* mesh : {"there.obj", "builtin:sphere"}) {
+        const Outcome outcome = validateSceneWith(mesh);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+}
+
 /// One piece of its text replaced by another.
 struct Damage {
     std::string name;
