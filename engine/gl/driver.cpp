@@ -31,6 +31,12 @@ bool isSoftware() {
     });
 }
 
+int largestUniformBlock() {
+    GLint bytes = 0;
+    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &bytes);
+    return std::max(bytes, 16384);
+}
+
 Result<void> checkVersion() {
     if (epoxy_is_desktop_gl() && epoxy_gl_version() >= 41) {
         return {};

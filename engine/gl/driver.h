@@ -14,6 +14,9 @@ std::string driverText();
 /// True when the driver draws on the CPU, as far as its name tells.
 bool isSoftware();
 
+/// Bytes that one uniform block may hold here; at least 16 KiB.
+int largestUniformBlock();
+
 /// An error that says what was found when the current context is below OpenGL 4.1.
 Result<void> checkVersion();
 

@@ -23,7 +23,8 @@ struct SceneToPack {
     const Scene& effects;
 };
 
-/// Fills `sceneData` for a pipeline; `out` holds SceneLayout::capacity vec4s. Allocates nothing.
+/// Fills `sceneData` for a pipeline; `out` holds all of the scene's block. Allocates
+/// nothing.
 PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
                       const SceneToPack& packing, const glm::dmat4& cameraToWorld);
 

@@ -61,7 +61,7 @@ const Scene& effectsOf(const View& view, const Scene& scene) {
 FrameDrawer::FrameDrawer(std::filesystem::path programCache)
     : pipelines_(std::move(programCache)), isSoftware_(gl::isSoftware()) {
     viewData_.reserve(ViewLayout::vec4s);
-    sceneData_.reserve(SceneLayout::capacity);
+    sceneData_.reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
 }
 
 void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {

@@ -57,7 +57,7 @@ InspectionDrawer::InspectionDrawer(std::filesystem::path programCache, GpuMeshSt
       tables_(std::move(programCache), SurfaceOutput::AlbedoTable), meshes_(meshes),
       textures_(textures) {
     viewData_.reserve(ViewLayout::vec4s);
-    sceneData_.reserve(SceneLayout::capacity);
+    sceneData_.reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
 }
 
 void InspectionDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pipeline_store.h"
 
+#include <algorithm>
+
+#include <glm/vec4.hpp>
+
+#include "gl/driver.h"
 #include "render/binding.h"
 #include "shading/program_source.h"
 #include "shading/texture_writer.h"
 
 namespace patina {
+
+PipelineStore::PipelineStore(std::filesystem::path programCache, SurfaceOutput output)
+    : programs_(std::move(programCache)), output_(output),
+      sceneCapacity_(std::clamp(gl::largestUniformBlock() / int(sizeof(glm::vec4)),
+                                SceneLayout::leastCapacity, SceneLayout::mostCapacity)) {}
 
 void PipelineStore::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
@@ -34,7 +44,7 @@ const PipelineStore::Entry& PipelineStore::find(const Key& key, const Material& 
 
 PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneKey) {
     auto pipeline = std::make_shared<Pipeline>();
-    const auto source = surfaceProgram(effects, *catalog_, output_);
+    const auto source = surfaceProgram(effects, *catalog_, output_, sceneCapacity_);
     if (!source) {
         return {nullptr, source.error()};
     }

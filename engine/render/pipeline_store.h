@@ -21,8 +21,10 @@ class PipelineStore {
     };
 
     explicit PipelineStore(std::filesystem::path programCache,
-                           SurfaceOutput output = SurfaceOutput::Picture)
-        : programs_(std::move(programCache)), output_(output) {}
+                           SurfaceOutput output = SurfaceOutput::Picture);
+
+    /// The vec4s of the scene's block in its programs: as many as the driver has room for.
+    int sceneCapacity() const { return sceneCapacity_; }
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
@@ -44,6 +46,7 @@ class PipelineStore {
     std::shared_ptr<const Catalog> catalog_;
     ProgramCache programs_;
     SurfaceOutput output_;
+    int sceneCapacity_;
     std::map<Key, Entry> entries_;
 };
 

@@ -44,8 +44,9 @@ struct ObjectLayout {
 struct SceneLayout {
     static constexpr int ambient = 0;
     static constexpr int fixed = 1;
-    /// What every driver offers in one block (16 KiB).
-    static constexpr int capacity = 1024;
+    /// What every driver offers in one block (16 KiB), and the most that is used of it (64 KiB).
+    static constexpr int leastCapacity = 1024;
+    static constexpr int mostCapacity = 4096;
 
     std::optional<BlockPlace> fog;
     std::vector<BlockPlace> groups; ///< as SceneEffects::lights; `first` is the header's index:

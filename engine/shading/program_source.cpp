@@ -39,7 +39,7 @@ std::string ProgramSource::hash() const {
 }
 
 Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
-                                      SurfaceOutput output) {
+                                      SurfaceOutput output, int sceneVec4s) {
     const ObjectLayout layout = objectLayout(set, catalog);
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
@@ -55,6 +55,9 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
 
     SourceBuilder fragment(shaderRoot(catalog));
     fragment.add(prelude);
+    if (output != SurfaceOutput::AlbedoTable) {
+        fragment.add(fmt::format("#define SCENE_VEC4S {}\n", sceneVec4s));
+    }
     SurfaceWriter(fragment, set, layout, sceneLayout(set.scene, catalog)).write(output);
     return joined(vertex, fragment);
 }

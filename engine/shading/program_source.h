@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "shading/data_layout.h"
 #include "shading/effect_set.h"
 #include "shading/shader_source.h"
 #include "shading/surface_output.h"
@@ -22,9 +23,10 @@ struct ProgramSource {
 
 /// The program that draws surfaces with exactly these effects, in canonical order: what is not in
 /// the set is not in the text. Errors name files that could not be read. A set without a model has
-/// no table of albedos.
+/// no table of albedos. `sceneVec4s` is the size of the scene's block.
 Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
-                                      SurfaceOutput output = SurfaceOutput::Picture);
+                                      SurfaceOutput output = SurfaceOutput::Picture,
+                                      int sceneVec4s = SceneLayout::leastCapacity);
 
 /// A program made of files of the shader folder alone.
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,

@@ -66,8 +66,7 @@ void SurfaceWriter::writeSurface() {
 }
 
 void SurfaceWriter::writeFrame() {
-    out_.add(fmt::format("#define OBJECT_VEC4S {}\n#define SCENE_VEC4S {}\n", object_.vec4s,
-                         SceneLayout::capacity));
+    out_.add(fmt::format("#define OBJECT_VEC4S {}\n", object_.vec4s));
     out_.addFile("passes/surface.glsl");
     if (isInspected()) {
         out_.addFile("passes/inspection.glsl");

@@ -327,9 +327,23 @@ TEST_F(RendererTest, SwappedModelAndBack_CompilesOnce) {
     EXPECT_EQ(report().compiled, 0);
 }
 
+TEST_F(RendererTest, ThreeHundredSpots_AllShine) {
+    Scene scene = plate();
+    Light spot = light("spot");
+    spot.block.parameters["position"] = glm::dvec3(0.0, 0.0, 2.0);
+    spot.block.parameters["direction"] = glm::dvec3(0.0, 0.0, -1.0);
+    spot.block.parameters["intensity"] = 0.01;
+    scene.lights = {spot};
+    const float one = middle(capture(scene)).g;
+    ASSERT_GT(one, 0.0f);
+    scene.lights.assign(300, spot);
+    EXPECT_NEAR(middle(capture(scene)).g / one, 300.0f, 1.0f);
+    EXPECT_EQ(text(report().messages), "");
+}
+
 TEST_F(RendererTest, MoreLightsThanFit_AreReported) {
     Scene scene = plate();
-    scene.lights.assign(2000, scene.lights[0]);
+    scene.lights.assign(5000, scene.lights[0]);
     capture(scene);
     ASSERT_EQ(report().messages.size(), 1u);
     EXPECT_NE(report().messages[0].text().find("lights are left out"), std::string::npos);
