@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/model_swap.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "material/block_values.h"
@@ -14,6 +15,7 @@ using Json = nlohmann::json;
 // is never an object.
 constexpr const char* inSlotKey = "inSlot";           ///< fills the slot; null: nothing chosen
 constexpr const char* withoutSlotKey = "withoutSlot"; ///< is on in models without the slot
+constexpr const char* blackKey = "black"; ///< black colours by id, where the model's own are used
 
 /// A member that is an object, taken out.
 Json take(Json& parked, const char* key) {
@@ -99,13 +101,64 @@ void swapParts(Material& material, const Block& before, const Block& after,
     put(std::move(withoutSlot), material.parked, withoutSlotKey);
 }
 
+bool isBlack(const Material& material, const Parameter& parameter) {
+    const auto found = material.model.parameters.find(parameter.id);
+    return found != material.model.parameters.end() &&
+           found->second == Value(glm::dvec3(0.0));
+}
+
+/// Nothing is to be seen of it, whatever the light.
+bool isDark(const Material& material, const Block& model) {
+    const auto shows = [&](const Parameter& parameter) {
+        return parameter.type == ParameterType::Color && !isBlack(material, parameter);
+    };
+    const auto isFilled = [&](const Slot& slot) {
+        return slot.defaultBlock.empty() && material.part(slot.kind) != nullptr;
+    };
+    return std::none_of(model.parameters.begin(), model.parameters.end(), shows) &&
+           std::none_of(model.slots.begin(), model.slots.end(), isFilled);
+}
+
+/// Black colours that rested come back, but where a colour was chosen meanwhile.
+void bringBack(const Json& black, Material& material, const Block& model) {
+    const Values usual = defaultBlockValues(model).parameters;
+    for (const auto& [id, value] : black.items()) {
+        const Parameter* parameter = model.parameter(id);
+        if (parameter != nullptr && parameter->type == ParameterType::Color &&
+            material.model.parameters[id] == usual.at(id)) {
+            material.model.parameters[id] = glm::dvec3(0.0);
+        }
+    }
+}
+
+/// The model's own colours in place of black ones, which rest.
+Json lighten(Material& material, const Block& model) {
+    Json black = Json::object();
+    for (const Parameter& parameter : model.parameters) {
+        const Value usual = roundedToFloat(parameter.defaultValue);
+        if (parameter.type == ParameterType::Color && !parameter.emission &&
+            isBlack(material, parameter) && usual != Value(glm::dvec3(0.0))) {
+            black[parameter.id] = {0.0, 0.0, 0.0};
+            material.model.parameters[parameter.id] = usual;
+        }
+    }
+    return black;
+}
+
 } // namespace
 
 Material swappedModel(const Material& material, const Block& newModel, const Catalog& catalog) {
     const Block* before = catalog.find("models", material.model.id);
-    Material next = withModel(material, before, newModel);
-    if (before != nullptr) {
-        swapParts(next, *before, newModel, catalog);
+    if (before == nullptr) {
+        return withModel(material, before, newModel);
+    }
+    const bool wasDark = isDark(material, *before);
+    Material current = material;
+    bringBack(take(current.parked, blackKey), current, *before);
+    Material next = withModel(current, before, newModel);
+    swapParts(next, *before, newModel, catalog);
+    if (!wasDark && isDark(next, newModel)) {
+        put(lighten(next, newModel), next.parked, blackKey);
     }
     return next;
 }

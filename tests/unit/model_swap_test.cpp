@@ -108,6 +108,78 @@ TEST(SwappedModel, TurnedOffInTheSlot_StaysOffThere) {
     EXPECT_EQ(swapped(swapped(material, "plain"), "slotted").part("fresnel"), nullptr);
 }
 
+/// A metal with a highlight and no diffuse colour, and two matte models.
+Catalog coloredCatalog() {
+    const auto color = [](const char* id, const json& value) {
+        return json{{"id", id}, {"label", "Colour"}, {"type", "color"}, {"default", value}};
+    };
+    BlockFolder folder;
+    json metal = plainDescriptor("metal");
+    metal["parameters"] = {color("diffuse.color", {0.5, 0.5, 0.5}),
+                           color("specular.color", {1, 1, 1})};
+    folder.add("models", metal);
+    for (const char* id : {"matte", "chalk"}) {
+        json matte = plainDescriptor(id);
+        matte["parameters"] = {color("diffuse.color", {0.25, 0.5, 0.75}),
+                               color("emissive.color", {0, 0, 0})};
+        matte["parameters"][1]["emission"] = true;
+        folder.add("models", matte);
+    }
+    return folder.load();
+}
+
+class BlackColor : public testing::Test {
+  protected:
+    Material metal() const {
+        Material material = defaultMaterial(*catalog.find("models", "metal"));
+        material.model.parameters["diffuse.color"] = black;
+        return material;
+    }
+    Material swapped(const Material& material, const std::string& model) const {
+        return swappedModel(material, *catalog.find("models", model), catalog);
+    }
+    static Value diffuse(const Material& material) {
+        return material.model.parameters.at("diffuse.color");
+    }
+
+    const Catalog catalog = coloredCatalog();
+    const Value black = glm::dvec3(0.0);
+    const Value usual = glm::dvec3(0.25, 0.5, 0.75);
+};
+
+TEST_F(BlackColor, OfAMetal_IsTheMatteModelsOwn) {
+    EXPECT_EQ(diffuse(swapped(metal(), "matte")), usual);
+}
+
+TEST_F(BlackColor, OfAMetal_ComesBackWithIt) {
+    EXPECT_EQ(swapped(swapped(metal(), "matte"), "metal").model, metal().model);
+}
+
+TEST_F(BlackColor, OfAMetal_ComesBackAfterTwoMatteModels) {
+    const Material second = swapped(swapped(metal(), "matte"), "chalk");
+    EXPECT_EQ(diffuse(second), usual);
+    EXPECT_EQ(swapped(second, "metal").model, metal().model);
+}
+
+TEST_F(BlackColor, ChosenOneMeanwhile_CarriesOver) {
+    Material matte = swapped(metal(), "matte");
+    matte.model.parameters["diffuse.color"] = glm::dvec3(1.0, 0.0, 0.0);
+    EXPECT_EQ(diffuse(swapped(matte, "metal")), Value(glm::dvec3(1.0, 0.0, 0.0)));
+}
+
+TEST_F(BlackColor, OfAMatteModel_StaysBlack) {
+    Material matte = defaultMaterial(*catalog.find("models", "matte"));
+    matte.model.parameters["diffuse.color"] = black;
+    EXPECT_EQ(diffuse(swapped(matte, "chalk")), black);
+}
+
+TEST_F(BlackColor, BesideAGlow_StaysBlack) {
+    Material glowing = swapped(metal(), "matte");
+    glowing.model.parameters["diffuse.color"] = black;
+    glowing.model.parameters["emissive.color"] = glm::dvec3(1.0);
+    EXPECT_EQ(diffuse(swapped(glowing, "chalk")), black);
+}
+
 TEST(SwappedModel, UnknownModelBefore_KeepsTheParts) {
     Material before = with(made("plain"), "film", 0.75);
     before.model.id = "gone";
