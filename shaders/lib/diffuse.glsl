@@ -62,16 +62,13 @@ const float EON_AVERAGE_FALL = 0.07248821245692394;
 
 // Fujii's qualitative model that keeps what it reflects in bounds, r = 0 .. 1:
 //   A (1 + r s/t), A = 1 / (1 + (1/2 - 2/(3 pi)) r), s = q, t = max(n.l, n.v) where s > 0, else 1.
-// Y. Fujii, A Tiny Improvement of Oren-Nayar Reflectance Model, 2013. For s < 0,
-// 1 + s = (|P|^2 + (n.l)^2 + (n.v)^2) / 2 with P = l + v - (n.l + n.v) n: positive terms only.
+// Y. Fujii, A Tiny Improvement of Oren-Nayar Reflectance Model, 2013. As |l + v|^2 = 2 + 2 l.v,
+// 1 + s = |l + v|^2 / 2 - (n.l)(n.v), where the first term is at least twice the second: no digit
+// is lost where s is near -1. 1 + r s/t is ((t - r) + r (1 + s)) / t, so one division serves both.
 float fujiiDiffuse(Directions d, float r) {
-    float A = 1.0 / (1.0 + FUJII_FALL * r);
-    float s = azimuthTerm(d);
-    float shape = 1.0 + r * s;
-    if (s < 0.0) {
-        shape = (1.0 - r) + 0.5 * r * (d.sin2h + d.nl * d.nl + d.nv * d.nv);
-    }
-    return d.nl * A * shape;
+    float onePlusS = 0.5 * d.HH - d.nl * d.nv;
+    float t = onePlusS > 1.0 ? max(max(d.nl, d.nv), 1e-30) : 1.0;
+    return d.nl * ((t - r) + r * onePlusS) / (t + FUJII_FALL * r * t);
 }
 
 // q(c) = pi (1 - E(c)) / (A r): what one bounce of Fujii's model loses for light of cosine c,

@@ -70,9 +70,13 @@ std::string nameOf(const ModelChoice& choice) {
     return name;
 }
 
+std::filesystem::path textbookOf(const Block& model) {
+    return std::filesystem::path(PATINA_SOURCE_DIR) / "tests" / "benchmarks" / "textbook"
+        / (model.id + ".glsl");
+}
+
 Contest contestOf(const Catalog& catalog, const ModelChoice& choice) {
-    const auto file = std::filesystem::path(PATINA_SOURCE_DIR) / "tests" / "benchmarks"
-        / "textbook" / (choice.model->id + ".glsl");
+    const auto file = textbookOf(*choice.model);
     const std::string name = nameOf(choice);
     return {choice.model,
             name,
@@ -82,9 +86,21 @@ Contest contestOf(const Catalog& catalog, const ModelChoice& choice) {
             {}};
 }
 
+/// A model of one's own has no textbook form.
+bool hasTextbook(const Block& model) {
+    const bool has = std::filesystem::exists(textbookOf(model));
+    if (!has) {
+        fmt::print("{}: left out, there is no {}\n", model.id, textbookOf(model).string());
+    }
+    return has;
+}
+
 std::vector<Contest> contests(const Catalog& catalog) {
     std::vector<Contest> all;
     for (const Block* model : catalog.ofKind("models")) {
+        if (!hasTextbook(*model)) {
+            continue;
+        }
         for (const ModelChoice& choice : choicesOf(*model)) {
             all.push_back(contestOf(catalog, choice));
         }
