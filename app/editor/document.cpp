@@ -25,6 +25,7 @@ void Document::connectSignals() {
     connect(this, &Document::valueChanged, this, &Document::updateSecondScene);
     const auto forgetSecondScene = [this] { secondScene_.reset(); };
     connect(this, &Document::materialChanged, this, forgetSecondScene);
+    connect(this, &Document::textureChanged, this, forgetSecondScene);
     connect(this, &Document::fogReplaced, this, forgetSecondScene);
     connect(this, &Document::lightsChanged, this, forgetSecondScene);
     connect(this, &Document::objectsChanged, this, forgetSecondScene);
@@ -40,6 +41,11 @@ void Document::connectSignals() {
                 effectHold_.follow(state_, path, parameterId.toStdString());
             });
     connect(this, &Document::materialChanged, this, &Document::endEffectHold);
+    connect(this, &Document::textureChanged, this, [this] {
+        if (!isInteracting()) {
+            endEffectHold();
+        }
+    });
     connect(this, &Document::fogReplaced, this, &Document::endEffectHold);
     connect(this, &Document::lightsChanged, this, &Document::endEffectHold);
     connect(this, &Document::objectsChanged, this, &Document::endEffectHold);
@@ -50,6 +56,7 @@ void Document::connectSignals() {
 
     connect(this, &Document::valueChanged, this, &Document::changed);
     connect(this, &Document::materialChanged, this, &Document::changed);
+    connect(this, &Document::textureChanged, this, &Document::changed);
     connect(this, &Document::fogReplaced, this, &Document::changed);
     connect(this, &Document::lightsChanged, this, &Document::changed);
     connect(this, &Document::objectsChanged, this, &Document::changed);
@@ -225,6 +232,10 @@ int Document::beginInteraction(const BlockPath& path, std::string_view parameter
     const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
     if (parameter) {
         effectHold_.begin(state_, currentObject_, path, *parameter, *catalog_);
+        if (texture(path, parameterId)) {
+            effectHold_.keepTexture(state_, currentObject_, path,
+                                    textureKey(path.part, parameterId));
+        }
         if (effectHold_.differs(state_, *catalog_)) {
             Q_EMIT effectsChanged();
         }

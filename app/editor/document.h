@@ -17,6 +17,8 @@
 
 namespace patina {
 
+class TextureLibrary;
+
 /// What the document was opened from or saved to last.
 struct DocumentFile {
     enum class Kind { None, Preset, Scene };
@@ -67,6 +69,16 @@ class Document : public QObject {
     Value value(const BlockPath& path, const Parameter& parameter) const;
     void setValue(const BlockPath& path, std::string_view parameterId, const Value& value);
     void resetValue(const BlockPath& path, std::string_view parameterId);
+
+    // Images on values of a material.
+    /// The image of a value; null where there is none.
+    const TextureUse* texture(const BlockPath& path, std::string_view parameterId) const;
+    /// Lays an image on a value, changes it, or takes it away (nullopt).
+    void setTexture(const BlockPath& path, std::string_view parameterId,
+                    const std::optional<TextureUse>& use);
+    /// Where images come from, for whoever shows them; null where nothing reads any.
+    TextureLibrary* textureLibrary() const { return textureLibrary_; }
+    void setTextureLibrary(TextureLibrary* library);
 
     // One interaction (a drag, a held key) is one undo step: every edit between begin and end
     // merges, and one that ends where it began leaves no step. A new one ends the one before; a
@@ -133,9 +145,10 @@ class Document : public QObject {
     bool save();
 
   Q_SIGNALS:
-    /// Anything that is drawn changed. Comes with every signal below but the last four.
+    /// Anything that is drawn changed. Comes with every signal below but the last six.
     void changed();
     void valueChanged(const patina::BlockPath& path, const QString& parameterId);
+    void textureChanged(const patina::BlockPath& path, const QString& parameterId);
     /// Another model, part or whole material: the form's rows may differ.
     void materialChanged(int object, patina::Side side);
     void fogReplaced();
@@ -150,6 +163,8 @@ class Document : public QObject {
     void catalogChanged();
     /// The views need other programs for the same picture: a drag has begun or ended.
     void effectsChanged();
+    /// An image that was asked for is there, or will not come.
+    void imagesArrived();
     /// The current object, light or side.
     void currentChanged();
     void fileChanged();
@@ -170,6 +185,7 @@ class Document : public QObject {
     void markPresetSaved(Side side);
 
     std::shared_ptr<const Catalog> catalog_;
+    TextureLibrary* textureLibrary_ = nullptr;
     DocumentState state_;
     mutable std::optional<Scene> secondScene_; ///< what side B shows, made on demand
     int currentObject_ = -1;

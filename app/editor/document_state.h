@@ -43,6 +43,12 @@ struct BlockPath {
 /// The kind of block that a part of a material is beside the model; empty for the other parts.
 std::string_view partKind(BlockPath::Part part);
 
+/// Whether values of this part may have images.
+bool takesTextures(BlockPath::Part part);
+
+/// The key of a value's image in Material::textures.
+std::string textureKey(BlockPath::Part part, std::string_view parameterId);
+
 /// The material a path lies in; null when the object or side B is not there.
 const Material* materialAt(const DocumentState& state, int object, Side side);
 Material* materialAt(DocumentState& state, int object, Side side);

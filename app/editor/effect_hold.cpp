@@ -68,6 +68,19 @@ void EffectHold::begin(const DocumentState& state, int object, const BlockPath& 
     }
 }
 
+void EffectHold::keepTexture(const DocumentState& state, int object, const BlockPath& path,
+                             const std::string& key) {
+    if (!held_) {
+        held_ = Held{state, std::nullopt, object, path, {}};
+    }
+    Material* material = materialAt(held_->state, path.index, path.side);
+    const auto use = material->textures.find(key);
+    if (use != material->textures.end()) {
+        use->second.strength = 1.0;
+    }
+    showSecond();
+}
+
 void EffectHold::follow(const DocumentState& state, const BlockPath& path,
                         std::string_view parameterId) {
     if (!held_ || (path == held_->path && parameterId == held_->parameterId)) {

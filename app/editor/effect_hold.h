@@ -22,6 +22,10 @@ class EffectHold {
     void begin(const DocumentState& state, int object, const BlockPath& path,
                const Parameter& parameter, const Catalog& catalog);
 
+    /// Keeps an image of a material in the programs too, whatever becomes of its strength.
+    void keepTexture(const DocumentState& state, int object, const BlockPath& path,
+                     const std::string& key);
+
     /// A value of the document has changed: all but the dragged one count.
     void follow(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
 

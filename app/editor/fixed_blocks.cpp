@@ -158,8 +158,16 @@ Block materialBlock() {
     Block block;
     block.id = "material";
     block.label = "Material";
-    block.parameters = {described(ParameterType::Float, "opacity", "Opacity",
-                                  "1 is solid, 0 lets everything behind shine through.", 1.0)};
+    Parameter opacity = described(ParameterType::Float, "opacity", "Opacity",
+                                  "1 is solid, 0 lets everything behind shine through.", 1.0);
+    opacity.textureChannels = {"rgb", "r", "g", "b", "a"};
+    block.parameters = {std::move(opacity),
+                        described(ParameterType::Texture, "normal", "Normal map",
+                                  "An image that bends the surface: red to the right, green up.",
+                                  std::string()),
+                        described(ParameterType::Texture, "height", "Height map",
+                                  "An image that raises the surface: white is high.",
+                                  std::string())};
     return block;
 }
 

@@ -53,6 +53,7 @@ MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
       pictures_(new PictureExport(session_, this)),
       views_(new CompareArea(document_, meshes_, programCacheFolder(), this)),
       status_(new StatusLine(document_, meshes_, messages_, this)) {
+    document_.setTextureLibrary(&textures_);
     setAcceptDrops(true);
     setCentralWidget(views_);
     setStatusBar(status_);
@@ -113,6 +114,9 @@ void MainWindow::makeDocks() {
 void MainWindow::connectParts() {
     connect(&document_, &Document::message, &messages_, &MessageLog::add);
     connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::add);
+    connect(&textures_, &TextureLibrary::failed, this,
+            [this](const QString&, const Error& why) { messages_.add(why); });
+    connect(&document_, &Document::sceneReplaced, &textures_, &TextureLibrary::forgetFailures);
     connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
     connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
         status_->showMessage(tr("%1 is written").arg(QFileInfo(file).fileName()), saidMs);
@@ -134,6 +138,7 @@ void MainWindow::connectParts() {
     connect(&document_, &Document::currentChanged, this,
             [this] { status_->setViewport(&views_->active().viewport()); });
     status_->setViewport(&views_->first().viewport());
+    status_->watch(textures_);
     const auto listen = [this](SideView* view) {
         const QString group = "view " + letterOf(view->side());
         connect(&view->viewport(), &Viewport::messagesDrawn, this,

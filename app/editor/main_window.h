@@ -19,6 +19,7 @@
 #include "status_line.h"
 #include "theme.h"
 #include "viewport/compare_area.h"
+#include "viewport/texture_library.h"
 
 class QMenu;
 
@@ -80,6 +81,7 @@ class MainWindow : public QMainWindow {
     MessageLog messages_;
     Document document_;
     MeshLibrary meshes_;
+    TextureLibrary textures_{[this]() -> AssetClient& { return meshes_.client(); }};
     CatalogWatcher watcher_;
     PresetLibrary presets_;
     ThumbnailMaker thumbnails_;

@@ -57,7 +57,7 @@ void StatusLine::makeLoadingRow() {
     progress_->setRange(0, 100);
     progress_->setMaximumWidth(progressWidth);
     cancel_->setText(tr("Cancel"));
-    cancel_->setToolTip(tr("Stop reading the mesh"));
+    cancel_->setToolTip(tr("Stop reading the file"));
     addPermanentWidget(progress_);
     addPermanentWidget(cancel_);
     hideLoading();
@@ -67,6 +67,19 @@ void StatusLine::makeLoadingRow() {
     connect(&meshes_, &MeshLibrary::progressed, this, &StatusLine::showLoading);
     connect(&meshes_, &MeshLibrary::loaded, this, &StatusLine::hideLoading);
     connect(&meshes_, &MeshLibrary::failed, this, &StatusLine::hideLoading);
+}
+
+void StatusLine::watch(TextureLibrary& textures) {
+    textures_ = &textures;
+    connect(cancel_, &QToolButton::clicked, &textures, &TextureLibrary::cancelAll);
+    connect(&textures, &TextureLibrary::loadingStarted, this,
+            [this](const QString& file) { showLoading(file, 0.0f); });
+    connect(&textures, &TextureLibrary::loaded, this, &StatusLine::hideLoading);
+    connect(&textures, &TextureLibrary::failed, this, &StatusLine::hideLoading);
+}
+
+bool StatusLine::isLoading() const {
+    return meshes_.isLoading() || (textures_ && textures_->isLoading());
 }
 
 void StatusLine::setViewport(Viewport* viewport) {
@@ -105,7 +118,7 @@ void StatusLine::showFrame() {
 }
 
 void StatusLine::showLoading(const QString& file, float share) {
-    if (!meshes_.isLoading()) {
+    if (!isLoading()) {
         return;
     }
     progress_->setValue(static_cast<int>(share * 100.0f));
@@ -115,7 +128,7 @@ void StatusLine::showLoading(const QString& file, float share) {
 }
 
 void StatusLine::hideLoading() {
-    if (!meshes_.isLoading()) {
+    if (!isLoading()) {
         progress_->hide();
         cancel_->hide();
     }

@@ -7,6 +7,7 @@
 #include "document.h"
 #include "message_log.h"
 #include "viewport/mesh_library.h"
+#include "viewport/texture_library.h"
 #include "viewport/viewport.h"
 
 class QLabel;
@@ -24,6 +25,9 @@ class StatusLine : public QStatusBar {
     StatusLine(Document& document, MeshLibrary& meshes, MessageLog& messages,
                QWidget* parent = nullptr);
 
+    /// Tells about what it loads, too.
+    void watch(TextureLibrary& textures);
+
     /// Whose frames are told about.
     void setViewport(Viewport* viewport);
 
@@ -36,9 +40,11 @@ class StatusLine : public QStatusBar {
     void showLoading(const QString& file, float share);
     void hideLoading();
     void showBadge();
+    bool isLoading() const;
 
     Document& document_;
     MeshLibrary& meshes_;
+    TextureLibrary* textures_ = nullptr;
     MessageLog& messages_;
     Viewport* viewport_ = nullptr;
     QTimer settle_;

@@ -11,6 +11,7 @@ const char* const firstModel = R"({
   "parameters": [
     {"id": "diffuse.color", "label": "Base colour", "type": "color",
      "default": [0.5, 0.4, 0.3], "min": 0, "max": 1, "doc": "The colour of the surface.",
+     "texture": true,
      "physical": {"min": 0.02, "max": 0.9, "message": "Nothing real is this dark or bright."}},
     {"id": "roughness", "label": "Roughness", "type": "float", "default": 0.5, "min": 0,
      "max": 10, "softMin": 0, "softMax": 1, "step": 0.01, "group": "Surface",

@@ -34,7 +34,7 @@ std::vector<DockEntry> dockList() {
         {"presets", tr("Presets"), DockPlace::LeftBottom, make<PresetsDock>},
         {"parameters", tr("Parameters"), DockPlace::RightTop, make<ParametersDock>},
         {"fresnel", tr("Fresnel"), DockPlace::RightTop, make<FresnelDock>},
-        {"opacity", tr("Opacity"), DockPlace::RightTop, make<OpacityDock>},
+        {"opacity", tr("Surface"), DockPlace::RightTop, make<OpacityDock>},
         {"lights", tr("Lights"), DockPlace::RightBottom, make<LightsDock>},
         {"fog", tr("Fog"), DockPlace::RightBottom, make<FogDock>},
         {"scene", tr("Scene"), DockPlace::RightBottom, make<SceneDock>},

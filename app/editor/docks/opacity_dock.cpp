@@ -10,7 +10,8 @@ namespace patina {
 
 OpacityDock::OpacityDock(const DockContext& context) {
     QLabel* hint = hintLabel(this);
-    hint->setText(tr("Below 1 the object is drawn after the opaque ones, farthest first."));
+    hint->setText(tr("What lies over the whole surface, whatever its model. Below an opacity of 1 "
+                     "the object is drawn after the opaque ones, farthest first."));
     fillPanel(this, {hint}, new DocumentForm(context.document, BlockPath::Part::Material));
 }
 

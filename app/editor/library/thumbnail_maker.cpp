@@ -17,6 +17,7 @@
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "render/renderer.h"
+#include "render/texture_loader.h"
 #include "scene/primitives.h"
 #include "scene/scene_file.h"
 
@@ -88,6 +89,7 @@ class Studio {
             return nullptr;
         }
         studio->renderer_ = std::move(*renderer);
+        studio->renderer_->setTextures(studio->textures_.source());
         return studio;
     }
 
@@ -114,6 +116,8 @@ class Studio {
         return place->second.view();
     }
 
+    AssetClient files_; ///< starts nothing before an image is wanted
+    TextureLoader textures_{files_};
     std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
     std::shared_ptr<const Catalog> catalog_;

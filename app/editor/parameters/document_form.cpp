@@ -14,6 +14,13 @@ DocumentForm::DocumentForm(Document& document, BlockPath::Part part, QWidget* pa
                     refresh(id.toStdString());
                 }
             });
+    connect(&document_, &Document::textureChanged, this,
+            [this](const BlockPath& path, const QString& id) {
+                if (path == path_) {
+                    refresh(id.toStdString());
+                }
+            });
+    connect(&document_, &Document::imagesArrived, this, [this] { refresh(); });
     connect(&document_, &Document::materialChanged, this, &DocumentForm::follow);
     connect(&document_, &Document::fogReplaced, this, &DocumentForm::follow);
     connect(&document_, &Document::lightsChanged, this, &DocumentForm::follow);

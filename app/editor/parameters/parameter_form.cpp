@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "parameters/form_textures.h"
 #include "parameters/parameter_row.h"
 #include "parameters/parameter_section.h"
 #include "parameters/parameter_text.h"
@@ -15,8 +16,8 @@
 namespace patina {
 
 ParameterForm::ParameterForm(QWidget* parent)
-    : QWidget(parent), empty_(new QLabel(this)), ungrouped_(new QVBoxLayout),
-      column_(new QVBoxLayout(this)) {
+    : QWidget(parent), textures_(new FormTextures(this)), empty_(new QLabel(this)),
+      ungrouped_(new QVBoxLayout), column_(new QVBoxLayout(this)) {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // forms stack without gaps
     column_->setContentsMargins(6, 4, 6, 4);
     column_->setSpacing(4);
@@ -32,6 +33,7 @@ ParameterForm::~ParameterForm() = default;
 
 void ParameterForm::setBlock(const Block* block, std::unique_ptr<ParameterSource> source,
                              const QString& emptyText) {
+    textures_->setSource(source.get());
     source_ = std::move(source);
     const std::vector<Parameter> wanted = block ? block->parameters : std::vector<Parameter>();
     if (wanted != parameters_) {
@@ -92,6 +94,7 @@ ParameterRow* ParameterForm::makeRow(const Parameter& parameter) {
         source_->setValue(id, value);
         refresh(id); // shows the value as it was accepted, even when nothing changed
     });
+    textures_->attach(*row);
     return row;
 }
 
@@ -127,6 +130,7 @@ void ParameterForm::clearSections() {
 void ParameterForm::refresh(std::string_view parameterId) {
     if (ParameterRow* changed = row(parameterId)) {
         changed->present(source_->value(changed->parameter()));
+        textures_->present(*changed);
         updateDependents(*changed);
     }
 }
@@ -134,6 +138,7 @@ void ParameterForm::refresh(std::string_view parameterId) {
 void ParameterForm::refresh() {
     for (const auto& [id, row] : rows_) {
         row->present(source_->value(row->parameter()));
+        textures_->present(*row);
     }
     for (const auto& [id, row] : rows_) {
         updateCounting(*row);

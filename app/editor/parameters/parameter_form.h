@@ -18,6 +18,8 @@ class QVBoxLayout;
 
 namespace patina {
 
+class FormTextures;
+
 class ParameterRow;
 class ParameterSection;
 
@@ -42,6 +44,8 @@ class ParameterForm : public QWidget {
     /// The row of a parameter, or null.
     ParameterRow* row(std::string_view parameterId) const;
     std::vector<ParameterRow*> rows() const;
+    /// The images on the form's values.
+    FormTextures& textures() const { return *textures_; }
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -65,6 +69,7 @@ class ParameterForm : public QWidget {
     void alignLabels();
     void orderTabs();
 
+    FormTextures* textures_;
     std::unique_ptr<ParameterSource> source_;
     std::vector<Parameter> parameters_;
     Rows rows_;

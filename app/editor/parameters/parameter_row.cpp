@@ -9,12 +9,15 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMimeData>
 #include <QToolButton>
+#include <QUrl>
 
 #include "parameters/editor_factory.h"
 #include "parameters/parameter_text.h"
 #include "parameters/reset_mark.h"
 #include "parameters/scrub_label.h"
+#include "parameters/texture_line.h"
 #include "parameters/value_text.h"
 #include "parameters/warning_mark.h"
 
@@ -23,7 +26,8 @@ namespace patina {
 ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), editor_(makeEditor(parameter, this)),
       label_(new ScrubLabel(QString::fromStdString(parameter.label), this)),
-      foldButton_(new QToolButton(this)), warning_(new WarningMark(this)),
+      foldButton_(new QToolButton(this)), pair_(new QBoxLayout(QBoxLayout::LeftToRight)),
+      warning_(new WarningMark(this)),
       resetMark_(new ResetMark(this)), value_(parameter.defaultValue) {
     makeLayout();
     makeAccessible();
@@ -50,7 +54,9 @@ void ParameterRow::makeLayout() {
     auto* column = new QVBoxLayout;
     column->setSpacing(2);
     column->addWidget(foldButton_);
-    column->addWidget(editor_);
+    column->addLayout(pair_);
+    pair_->setSpacing(2);
+    pair_->addWidget(editor_, 1);
     line->addLayout(column, 1);
     line->addWidget(warning_, 0, Qt::AlignTop);
     line->addWidget(resetMark_, 0, Qt::AlignTop);
@@ -65,8 +71,8 @@ void ParameterRow::makeLayout() {
 
 /// Label and marks are as high as the editor's first line, so that their texts stand level.
 void ParameterRow::alignFirstLine() {
-    int height = resetMark_->sizeHint().height();
-    for (const QWidget* widget : focusChain()) {
+    int height = std::max(resetMark_->sizeHint().height(), foldButton_->sizeHint().height());
+    for (const QWidget* widget : tabStopsIn(editor_)) {
         height = std::max(height, widget->sizeHint().height());
     }
     label_->setMinimumHeight(height);
@@ -122,6 +128,9 @@ void ParameterRow::updateFolding() {
     foldButton_->setVisible(!isCounting_);
     foldButton_->setArrowType(isFolded() ? Qt::RightArrow : Qt::DownArrow);
     editor_->setVisible(!isFolded());
+    if (textureLine_) {
+        textureLine_->setVisible(takesTextures_ && !isFolded());
+    }
     QPalette colors;
     if (!isCounting_) {
         QColor grey = palette().color(QPalette::WindowText);
@@ -149,14 +158,57 @@ void ParameterRow::setLabelWidth(int width) {
     label_->setFixedWidth(width);
 }
 
-std::vector<QWidget*> ParameterRow::focusChain() const {
-    std::vector<QWidget*> chain{foldButton_};
-    for (QWidget* widget : editor_->findChildren<QWidget*>()) {
+std::vector<QWidget*> ParameterRow::tabStopsIn(const QWidget* part) const {
+    std::vector<QWidget*> stops;
+    for (QWidget* widget : part->findChildren<QWidget*>()) {
         if (widget->window() == window() && (widget->focusPolicy() & Qt::TabFocus)) {
-            chain.push_back(widget);
+            stops.push_back(widget);
         }
     }
+    return stops;
+}
+
+std::vector<QWidget*> ParameterRow::focusChain() const {
+    std::vector<QWidget*> chain{foldButton_};
+    const std::vector<QWidget*> editing = tabStopsIn(editor_);
+    chain.insert(chain.end(), editing.begin(), editing.end());
+    if (textureLine_) {
+        const std::vector<QWidget*> image = tabStopsIn(textureLine_);
+        chain.insert(chain.end(), image.begin(), image.end());
+    }
     return chain;
+}
+
+TextureLine* ParameterRow::makeTextureLine() {
+    textureLine_ = new TextureLine(editor_->name(), this);
+    pair_->addWidget(textureLine_);
+    setAcceptDrops(true);
+    updateFolding();
+    return textureLine_;
+}
+
+/// Without an image its button stands beside the editor; an image has a line of its own.
+void ParameterRow::presentTexture(bool takes, const std::optional<TextureUse>& use,
+                                  const TexturePreview& preview) {
+    takesTextures_ = takes;
+    textureLine_->present(use, preview);
+    textureLine_->setVisible(takes && !isFolded());
+    const bool hasEditor = parameter().type != ParameterType::Texture;
+    pair_->setDirection(use && hasEditor ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    pair_->setStretchFactor(editor_, hasEditor ? 1 : 0);
+    pair_->setAlignment(textureLine_, use ? Qt::Alignment() : Qt::AlignLeft);
+}
+
+void ParameterRow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (takesTextures_ && urls.size() == 1 && urls.front().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void ParameterRow::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    Q_EMIT imageDropped(event->mimeData()->urls().front().toLocalFile());
 }
 
 void ParameterRow::reset() {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QWidget>
 
 #include "catalog/parameter.h"
+#include "material/texture_use.h"
 
+class QBoxLayout;
 class QToolButton;
 
 namespace patina {
@@ -14,7 +17,9 @@ namespace patina {
 class ParameterEditor;
 class ResetMark;
 class ScrubLabel;
+class TextureLine;
 class WarningMark;
+struct TexturePreview;
 
 /// One line of a form: label, editor, and the marks of an unusual and of a changed value. While
 /// the parameter does not count it is grey and folded; it can be opened and set all the same.
@@ -28,11 +33,17 @@ class ParameterRow : public QWidget {
     ParameterEditor* editor() const { return editor_; }
     ScrubLabel* label() const { return label_; }
     QToolButton* foldButton() const { return foldButton_; }
+    /// The line of the value's image; null while the row was not told that it takes one.
+    TextureLine* textureLine() const { return textureLine_; }
+    TextureLine* makeTextureLine();
     bool isCounting() const { return isCounting_; }
     bool isFolded() const;
     bool isChanged() const { return isChanged_; }
 
     void present(const Value& value);
+    /// Shows the image of the value; none may be put there while nothing `takes` them.
+    void presentTexture(bool takes, const std::optional<TextureUse>& use,
+                        const TexturePreview& preview);
     /// Whether the parameter counts at present; `reason` says when it would.
     void setCounting(bool counts, const QString& reason);
     int labelWidthHint() const;
@@ -44,8 +55,11 @@ class ParameterRow : public QWidget {
     void interactionBegan();
     void edited(const patina::Value& value);
     void interactionEnded();
+    void imageDropped(const QString& file);
 
   protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -55,6 +69,7 @@ class ParameterRow : public QWidget {
     void makeLayout();
     void alignFirstLine();
     void makeAccessible();
+    std::vector<QWidget*> tabStopsIn(const QWidget* part) const;
     void reset();
     void paste();
     void updateFolding();
@@ -63,6 +78,9 @@ class ParameterRow : public QWidget {
     ParameterEditor* editor_;
     ScrubLabel* label_;
     QToolButton* foldButton_;
+    QBoxLayout* pair_; ///< the editor and the image of its value
+    TextureLine* textureLine_ = nullptr;
+    bool takesTextures_ = false;
     WarningMark* warning_;
     ResetMark* resetMark_;
     Value value_;

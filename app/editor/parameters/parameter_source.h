@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string_view>
 
+#include <QImage>
+#include <QString>
+
 #include "catalog/parameter.h"
+#include "material/texture_use.h"
 
 namespace patina {
+
+/// What is known of an image that lies on a value.
+struct TexturePreview {
+    QImage image;          ///< small; null while it is on its way
+    QString problem;       ///< why it is missing; empty while it is not
+    bool hasAlpha = false; ///< and not only 1
+};
 
 /// Where a form's values come from and where its edits go.
 class ParameterSource {
@@ -18,6 +30,12 @@ class ParameterSource {
     /// Edits between these are one undo step, and drag this value; see Document.
     virtual int beginInteraction(std::string_view parameterId) = 0;
     virtual void endInteraction(int token) = 0;
+
+    /// Whether values may have images.
+    virtual bool takesTextures() const { return false; }
+    virtual std::optional<TextureUse> texture(std::string_view) const { return std::nullopt; }
+    virtual void setTexture(std::string_view, const std::optional<TextureUse>&) {}
+    virtual TexturePreview preview(const TextureUse&) const { return {}; }
 };
 
 } // namespace patina

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Says that images cannot be chosen here; what a file says about them is kept.
+/// Takes no room: the row's line for its image is all there is to edit.
 class TextureEditor : public ParameterEditor {
     Q_OBJECT
 

@@ -42,6 +42,9 @@ class MeshLibrary : public QObject {
     /// Gives up on everything that is loading.
     void cancelAll();
 
+    /// The files process, for whoever else has files to read.
+    AssetClient& client();
+
     /// Forgets failures, so that the next view() tries again.
     void forgetFailures();
 
@@ -74,7 +77,6 @@ class MeshLibrary : public QObject {
     void load(const Key& key);
     void finish(const Key& key, const Answer& answer);
     void reportProgress();
-    AssetClient& client();
 
     std::unique_ptr<AssetClient> client_;
     std::map<Key, Mesh> builtins_;

@@ -10,6 +10,7 @@
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
 #include "viewport/ray_cast.h"
+#include "viewport/texture_library.h"
 #include "viewport/turning.h"
 
 namespace patina {
@@ -28,6 +29,13 @@ void storeTurned(Document& document, const BlockPath& path, const Values& before
     }
 }
 
+TextureSource texturesOf(const Document& document) {
+    return [&document](const TextureUse& use, TextureDecoding decoding) {
+        TextureLibrary* library = document.textureLibrary();
+        return library ? library->find(use, decoding) : TextureLookup();
+    };
+}
+
 } // namespace
 
 SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
@@ -35,7 +43,8 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
     : QFrame(parent), document_(document), meshes_(meshes), side_(side), title_(new QLabel(this)),
       viewport_(new Viewport({[this]() -> const Scene& { return document_.scene(side_); },
                               [this](const Object& object) { return meshes_.view(object); },
-                              [this] { return document_.effects(side_); }, programCache},
+                              [this] { return document_.effects(side_); }, programCache,
+                              texturesOf(document)},
                              this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(edge, edge, edge, edge);
@@ -51,6 +60,7 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
     connectNavigation();
     connect(&document, &Document::changed, viewport_, &Viewport::refresh);
     connect(&document, &Document::effectsChanged, viewport_, &Viewport::refresh);
+    connect(&document, &Document::imagesArrived, viewport_, &Viewport::refresh);
     connect(&document, &Document::changed, this, &SideView::updateTitle);
     connect(&document, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
     connect(&document, &Document::currentChanged, this, &SideView::updateTitle);

@@ -109,6 +109,7 @@ void Viewport::initializeGL() {
         return;
     }
     renderer_ = std::move(*renderer);
+    renderer_->setTextures(sources_.textures);
     timer_.emplace(FrameTimer::Method::WallClock);
     catalogIsNew_ = catalog_ != nullptr;
     stale_ = true;
@@ -184,6 +185,7 @@ void Viewport::finishFrame() {
     }
     probeSoon();
     Q_EMIT frameDrawn();
+    stale_ = stale_ || report.isWaiting;
     if (stale_) {
         update();
     }

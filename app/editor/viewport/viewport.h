@@ -34,6 +34,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
         MeshSource meshes;
         std::function<const Scene*()> effects; ///< see View::effects
         std::filesystem::path programCache;
+        TextureSource textures{}; ///< the images of materials; without it none are shown
     };
 
     explicit Viewport(Sources sources, QWidget* parent = nullptr);

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/form_textures.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QPixelFormat>
+
+#include "parameters/parameter_row.h"
+#include "parameters/texture_line.h"
+#include "parameters/texture_popup.h"
+
+namespace patina {
+namespace {
+
+bool takesImage(const Parameter& parameter) {
+    return parameter.type == ParameterType::Texture || !parameter.textureChannels.empty();
+}
+
+/// Masks come with an alpha channel or as a grey picture.
+bool lacksAlpha(const QString& file) {
+    const QImage::Format format = QImageReader(file).imageFormat();
+    return format != QImage::Format_Invalid &&
+           QImage::toPixelFormat(format).alphaUsage() == QPixelFormat::IgnoresAlpha;
+}
+
+/// An image as it lies at first. One on a number that goes beyond 1 darkens it.
+TextureUse firstUse(const Parameter& parameter, const QString& file) {
+    TextureUse use = textureUse(parameter.id, file.toStdString());
+    if (parameter.type == ParameterType::Float && parameter.max > 1.0) {
+        use.mode = TextureMode::Multiply;
+    }
+    if (textureRole(parameter.id) == TextureRole::Opacity && lacksAlpha(file)) {
+        use.channel = TextureChannel::Red;
+    }
+    return use;
+}
+
+} // namespace
+
+FormTextures::FormTextures(QWidget* form) : QObject(form), form_(form) {}
+
+void FormTextures::setSource(ParameterSource* source) {
+    source_ = source;
+    if (popup_) {
+        popup_->close();
+    }
+}
+
+void FormTextures::attach(ParameterRow& row) {
+    if (!takesImage(row.parameter())) {
+        return;
+    }
+    TextureLine* line = row.makeTextureLine();
+    connect(line, &TextureLine::chooseWished, this, [this, &row] { ask(row); });
+    connect(line, &TextureLine::settingsWished, this, [this, &row] { showSettings(row); });
+    connect(line, &TextureLine::allowWished, this, [this, &row] { allow(row.parameter()); });
+    connect(line, &TextureLine::removeWished, this,
+            [this, &row] { source_->setTexture(row.parameter().id, std::nullopt); });
+    connect(&row, &ParameterRow::imageDropped, this,
+            [this, &row](const QString& file) { lay(row.parameter(), file); });
+}
+
+void FormTextures::present(ParameterRow& row) {
+    if (!row.textureLine()) {
+        return;
+    }
+    const std::optional<TextureUse> use = source_->texture(row.parameter().id);
+    row.presentTexture(source_->takesTextures(), use,
+                       use ? source_->preview(*use) : TexturePreview());
+    if (popup_ && popupId_ == row.parameter().id) {
+        use ? popup_->refresh() : void(popup_->close());
+    }
+}
+
+void FormTextures::lay(const Parameter& parameter, const QString& file) {
+    const QString full = QFileInfo(file).absoluteFilePath();
+    folder_ = QFileInfo(full).path();
+    std::optional<TextureUse> use = source_->texture(parameter.id);
+    if (use) {
+        use->file = full.toStdString();
+        use->outside = false;
+    } else {
+        use = firstUse(parameter, full);
+    }
+    source_->setTexture(parameter.id, use);
+}
+
+void FormTextures::allow(const Parameter& parameter) {
+    if (std::optional<TextureUse> use = source_->texture(parameter.id)) {
+        use->outside = false;
+        source_->setTexture(parameter.id, use);
+    }
+}
+
+QString FormTextures::startFolder(const Parameter& parameter) const {
+    const std::optional<TextureUse> use = source_->texture(parameter.id);
+    return use ? QString::fromStdString(use->file) : folder_;
+}
+
+void FormTextures::ask(const ParameterRow& row) {
+    const Parameter parameter = row.parameter(); // the row may go while the dialog is open
+    const QString file = QFileDialog::getOpenFileName(
+        form_, tr("Image on %1").arg(QString::fromStdString(parameter.label)),
+        startFolder(parameter),
+        tr("Images (*.png *.jpg *.jpeg *.exr *.hdr *.tif *.tiff *.dds *.ktx *.tga *.bmp);;"
+           "All files (*)"));
+    if (!file.isEmpty()) {
+        lay(parameter, file);
+    }
+}
+
+void FormTextures::showSettings(const ParameterRow& row) {
+    popup_ = new TexturePopup(*source_, row.parameter(), form_);
+    popupId_ = row.parameter().id;
+    popup_->adjustSize();
+    const QWidget* button = row.textureLine()->settingsButton();
+    popup_->move(button->mapToGlobal(QPoint(button->width() - popup_->width(), button->height())));
+    popup_->show();
+}
+
+TexturePopup* FormTextures::popup() const {
+    return popup_;
+}
+
+} // namespace patina

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/texture_line.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+
+namespace patina {
+namespace {
+
+constexpr int thumbnailSide = 24;
+
+/// Four fields of a checker: "an image" without words; in alarming colours a missing one.
+QIcon checker(const QColor& light, const QColor& dark) {
+    QPixmap picture(thumbnailSide, thumbnailSide);
+    picture.fill(dark);
+    QPainter painter(&picture);
+    const int half = thumbnailSide / 2;
+    painter.fillRect(0, 0, half, half, light);
+    painter.fillRect(half, half, half, half, light);
+    return picture;
+}
+
+} // namespace
+
+TextureLine::TextureLine(const QString& valueName, QWidget* parent)
+    : QWidget(parent), valueName_(valueName),
+      choose_(button({}, tr("Put an image on it, or drop one here"))), name_(new QLabel(this)),
+      allow_(button(tr("Allow"), tr("Read this file although it is not in the preset's folder"))),
+      settings_(button(QStringLiteral("…"), tr("How the image is read and laid on"))),
+      remove_(button(QStringLiteral("×"), tr("Take the image away"))) {
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(4);
+    line->addWidget(choose_);
+    line->addWidget(name_, 1);
+    line->addWidget(allow_);
+    line->addWidget(settings_);
+    line->addWidget(remove_);
+    name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    name_->setTextFormat(Qt::PlainText);
+    choose_->setAccessibleName(tr("Image of %1").arg(valueName));
+    allow_->setAccessibleName(tr("Allow the image of %1").arg(valueName));
+    settings_->setAccessibleName(tr("Settings of the image of %1").arg(valueName));
+    remove_->setAccessibleName(tr("Remove the image of %1").arg(valueName));
+    connect(choose_, &QToolButton::clicked, this, &TextureLine::chooseWished);
+    connect(allow_, &QToolButton::clicked, this, &TextureLine::allowWished);
+    connect(settings_, &QToolButton::clicked, this, &TextureLine::settingsWished);
+    connect(remove_, &QToolButton::clicked, this, &TextureLine::removeWished);
+    present(std::nullopt, {});
+}
+
+QToolButton* TextureLine::button(const QString& text, const QString& toolTip) {
+    auto* made = new QToolButton(this);
+    made->setText(text);
+    made->setToolTip(toolTip);
+    made->setAutoRaise(true);
+    made->setFocusPolicy(Qt::StrongFocus);
+    return made;
+}
+
+void TextureLine::present(const std::optional<TextureUse>& use, const TexturePreview& preview) {
+    isBound_ = use.has_value();
+    for (QWidget* part : {static_cast<QWidget*>(name_), static_cast<QWidget*>(settings_),
+                          static_cast<QWidget*>(remove_)}) {
+        part->setVisible(isBound_);
+    }
+    allow_->setVisible(isBound_ && use->outside);
+    if (isBound_) {
+        showName(*use, preview.problem);
+    }
+    showPreview(preview.image, isBound_ && !preview.problem.isEmpty());
+}
+
+void TextureLine::showName(const TextureUse& use, const QString& problem) {
+    const QString file = QString::fromStdString(use.file);
+    const QString name = QFileInfo(file).fileName();
+    name_->setText(problem.isEmpty() ? name : tr("⚠ %1").arg(name));
+    name_->setToolTip(problem.isEmpty() ? file : file + '\n' + problem);
+    name_->setAccessibleDescription(problem);
+}
+
+void TextureLine::showPreview(const QImage& image, bool isMissing) {
+    const bool shows = isBound_ && !image.isNull() && !isMissing;
+    QColor quiet = palette().color(QPalette::WindowText);
+    quiet.setAlphaF(0.35f);
+    choose_->setIcon(shows       ? QIcon(QPixmap::fromImage(image.scaled(
+                               thumbnailSide, thumbnailSide, Qt::KeepAspectRatioByExpanding,
+                               Qt::SmoothTransformation)))
+                     : isMissing ? checker(QColor(255, 0, 255), QColor(40, 0, 40))
+                                 : checker(quiet, Qt::transparent));
+    const int side = isBound_ ? thumbnailSide : thumbnailSide / 2;
+    choose_->setIconSize({side, side});
+    choose_->setToolTip(isBound_ ? tr("Choose another image") : tr("Put an image on %1, or drop "
+                                                                   "one here")
+                                                                    .arg(valueName_));
+}
+
+} // namespace patina

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "parameters/parameter_source.h"
+
+class QLabel;
+class QToolButton;
+
+namespace patina {
+
+/// The image on a value, in one line: a small picture, its name, how it lies, and away with it.
+/// Without an image only a button that asks for one.
+class TextureLine : public QWidget {
+    Q_OBJECT
+
+  public:
+    TextureLine(const QString& valueName, QWidget* parent);
+
+    void present(const std::optional<TextureUse>& use, const TexturePreview& preview);
+    bool isBound() const { return isBound_; }
+
+    QToolButton* chooseButton() const { return choose_; }
+    QToolButton* settingsButton() const { return settings_; }
+    QToolButton* removeButton() const { return remove_; }
+    QToolButton* allowButton() const { return allow_; }
+    QLabel* nameLabel() const { return name_; }
+
+  Q_SIGNALS:
+    void chooseWished();
+    void settingsWished();
+    void removeWished();
+    void allowWished();
+
+  private:
+    QToolButton* button(const QString& text, const QString& toolTip);
+    void showName(const TextureUse& use, const QString& problem);
+    void showPreview(const QImage& image, bool isMissing);
+
+    QString valueName_;
+    QToolButton* choose_;
+    QLabel* name_;
+    QToolButton* allow_;
+    QToolButton* settings_;
+    QToolButton* remove_;
+    bool isBound_ = false;
+};
+
+} // namespace patina

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/texture_library.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include "core/color.h"
+
+namespace patina {
+namespace {
+
+constexpr int previewPixels = 64;
+
+/// The level that is no larger than a preview.
+const TexturePicture::Level& smallLevel(const TexturePicture& picture) {
+    const auto found = std::ranges::find_if(picture.levels, [](const auto& level) {
+        return level.size.x <= previewPixels && level.size.y <= previewPixels;
+    });
+    return found == picture.levels.end() ? picture.levels.back() : *found;
+}
+
+int displayed(float linear) {
+    return static_cast<int>(std::lround(255.0 * srgbEncoded(double(linear))));
+}
+
+/// A texel as a screen shows it.
+QRgb shown(const std::byte* at, TexelFormat format) {
+    if (format == TexelFormat::Grey32 || format == TexelFormat::Color32) {
+        float light[4] = {};
+        std::memcpy(light, at, texelBytes(format));
+        const bool isGrey = format == TexelFormat::Grey32;
+        return qRgb(displayed(light[0]), displayed(light[isGrey ? 0 : 1]),
+                    displayed(light[isGrey ? 0 : 2]));
+    }
+    const auto part = [at, format](int i) {
+        return std::to_integer<int>(at[format == TexelFormat::Grey8 ? 0 : i]);
+    };
+    return qRgb(part(0), part(1), part(2));
+}
+
+QImage previewOf(const TexturePicture& picture) {
+    const TexturePicture::Level& level = smallLevel(picture);
+    QImage image(level.size.x, level.size.y, QImage::Format_RGB32);
+    const std::byte* at = picture.bytes.data() + level.offset;
+    for (int y = level.size.y - 1; y >= 0; --y) { // a texture's rows go up
+        for (int x = 0; x < level.size.x; ++x) {
+            image.setPixel(x, y, shown(at, picture.format));
+            at += texelBytes(picture.format);
+        }
+    }
+    return image;
+}
+
+} // namespace
+
+TextureLibrary::TextureLibrary(Client client, QObject* parent)
+    : QObject(parent), client_(std::move(client)) {
+    worker_.setMaxThreadCount(1);
+    worker_.setExpiryTimeout(1000);
+}
+
+TextureLibrary::~TextureLibrary() {
+    cancelAll();
+    worker_.clear();
+    worker_.waitForDone();
+}
+
+TextureLookup TextureLibrary::find(const TextureUse& use, TextureDecoding decoding) {
+    if (use.outside) {
+        return {nullptr, true};
+    }
+    const std::pair<std::string_view, TextureDecoding> key(use.file, decoding);
+    if (const auto found = pictures_.find(key); found != pictures_.end()) {
+        return {found->second, false};
+    }
+    if (failures_.contains(key)) {
+        return {nullptr, true};
+    }
+    if (!loading_.contains(key)) {
+        load({use.file, decoding});
+    }
+    return {};
+}
+
+QImage TextureLibrary::preview(const std::string& file) const {
+    const auto found = known_.find(file);
+    return found == known_.end() ? QImage() : found->second.preview;
+}
+
+bool TextureLibrary::hasAlpha(const std::string& file) const {
+    const auto found = known_.find(file);
+    return found != known_.end() && found->second.hasAlpha;
+}
+
+QString TextureLibrary::problem(const TextureUse& use) const {
+    if (use.outside) {
+        return tr("The file lies outside the preset's folder and is not read until you allow it.");
+    }
+    for (const auto& [key, why] : failures_) {
+        if (key.first == use.file) {
+            return QString::fromStdString(why.problem);
+        }
+    }
+    return {};
+}
+
+void TextureLibrary::cancelAll() {
+    for (const auto& [key, progress] : loading_) {
+        progress->cancelled = true;
+    }
+}
+
+void TextureLibrary::forgetFailures() {
+    failures_.clear();
+}
+
+void TextureLibrary::load(const Key& key) {
+    dropUnused();
+    auto progress = std::make_shared<Progress>();
+    loading_[key] = progress;
+    Q_EMIT loadingStarted(QString::fromStdString(key.first));
+    // The destructor waits for the worker, so both outlive the job; its answer is queued to this
+    // object and dropped by Qt when this object is gone.
+    worker_.start([this, key, progress, &client = client_()] {
+        const Answer answer = client.loadTexture(key.first, key.second, progress.get());
+        QMetaObject::invokeMethod(
+            this, [this, key, answer] { finish(key, answer); }, Qt::QueuedConnection);
+    });
+}
+
+void TextureLibrary::finish(const Key& key, const Answer& answer) {
+    loading_.erase(key);
+    const QString file = QString::fromStdString(key.first);
+    if (answer) {
+        pictures_[key] = *answer;
+        known_[key.first] = {previewOf(**answer), (*answer)->hasAlpha};
+        Q_EMIT loaded(file);
+        return;
+    }
+    const bool isNews = problem(textureUse({}, key.first)).isEmpty();
+    failures_.insert_or_assign(key, answer.error());
+    if (isNews) {
+        Q_EMIT failed(file, answer.error());
+    } else {
+        Q_EMIT loaded(file); // whoever waits for it may go on
+    }
+}
+
+/// What no view has in its graphics memory any more.
+void TextureLibrary::dropUnused() {
+    std::erase_if(pictures_, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+} // namespace patina

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <QImage>
+#include <QObject>
+#include <QThreadPool>
+
+#include "assets/asset_client.h"
+#include "render/texture_source.h"
+
+namespace patina {
+
+/// Every image on a surface that the editor has, each once however many materials show it. Files
+/// are read by the files process, asked from a worker thread; the views draw without them until
+/// then.
+class TextureLibrary : public QObject {
+    Q_OBJECT
+
+  public:
+    using Client = std::function<AssetClient&()>;
+
+    /// `client` gives the files process; it outlives the library.
+    explicit TextureLibrary(Client client, QObject* parent = nullptr);
+    ~TextureLibrary() override;
+
+    /// What there is of an image. A file that was not asked for yet starts loading.
+    TextureLookup find(const TextureUse& use, TextureDecoding decoding);
+
+    /// A small picture of a file, as far as it is known; null while it is not.
+    QImage preview(const std::string& file) const;
+
+    /// Whether some of the file is not opaque, as far as it is known.
+    bool hasAlpha(const std::string& file) const;
+
+    /// Why a file is missing; empty while it is not.
+    QString problem(const TextureUse& use) const;
+
+    bool isLoading() const { return !loading_.empty(); }
+
+    /// Gives up on everything that is loading.
+    void cancelAll();
+
+    /// Forgets failures, so that the next frame tries again.
+    void forgetFailures();
+
+  Q_SIGNALS:
+    void loadingStarted(QString file);
+    void loaded(QString file);
+    void failed(QString file, patina::Error why); ///< also when it was cancelled
+
+  private:
+    using Key = std::pair<std::string, TextureDecoding>;
+    struct Less {
+        using is_transparent = void;
+        template <class A, class B>
+        bool operator()(const A& a, const B& b) const {
+            const int order = a.first.compare(b.first);
+            return order < 0 || (order == 0 && a.second < b.second);
+        }
+    };
+    using Picture = std::shared_ptr<const TexturePicture>;
+    using Answer = Result<Picture>;
+    struct Known {
+        QImage preview;
+        bool hasAlpha = false;
+    };
+
+    void load(const Key& key);
+    void finish(const Key& key, const Answer& answer);
+    void dropUnused();
+
+    Client client_;
+    std::map<Key, Picture, Less> pictures_;
+    std::map<Key, std::shared_ptr<Progress>, Less> loading_;
+    std::map<Key, Error, Less> failures_;
+    std::map<std::string, Known, std::less<>> known_;
+    QThreadPool worker_;
+};
+
+} // namespace patina

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Images on values: laying one on, how it lies, taking it away, and files that are not there.
+#include <QImage>
+#include <QLabel>
+#include <QMimeData>
+#include <QToolButton>
+#include <QUrl>
+
+#include "parameters/form_textures.h"
+#include "parameters/texture_line.h"
+#include "parameters/texture_popup.h"
+#include "ui/form_fixture.h"
+#include "viewport/texture_library.h"
+
+namespace patina::tests {
+namespace {
+
+constexpr int waitMs = 20000;
+const char* const color = "diffuse.color";
+
+struct TextureForm : Form {
+    TemporaryFolder folder;
+    AssetClient client;
+    TextureLibrary library{[this]() -> AssetClient& { return client; }};
+
+    TextureForm() { document.setTextureLibrary(&library); }
+
+    QString image(const std::string& name = "wood.png") const {
+        QImage picture(4, 4, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        const QString file = QString::fromStdString((folder / name).string());
+        picture.save(file);
+        return file;
+    }
+
+    TextureLine& line() const { return *row(color).textureLine(); }
+    const TextureUse* use() const { return document.texture(fixture.model(), color); }
+    void lay(const QString& file) { form->textures().lay(row(color).parameter(), file); }
+};
+
+TEST_F(TextureForm, ValueThatTakesNoImage_HasNoLine) {
+    EXPECT_EQ(row("roughness").textureLine(), nullptr);
+    EXPECT_NE(row(color).textureLine(), nullptr);
+}
+
+TEST_F(TextureForm, ChosenFile_IsOneStepAndShowsItsName) {
+    lay(image());
+    ASSERT_NE(use(), nullptr);
+    EXPECT_EQ(fixture.steps(), 1);
+    EXPECT_EQ(line().nameLabel()->text(), "wood.png");
+    EXPECT_TRUE(line().removeButton()->isVisible());
+}
+
+TEST_F(TextureForm, Undo_TakesTheImageAway) {
+    lay(image());
+    document.undoStack().undo();
+    EXPECT_EQ(use(), nullptr);
+    EXPECT_FALSE(line().isBound());
+    document.undoStack().redo();
+    EXPECT_NE(use(), nullptr);
+}
+
+TEST_F(TextureForm, RemoveButton_IsOneStep) {
+    lay(image());
+    line().removeButton()->click();
+    EXPECT_EQ(use(), nullptr);
+    EXPECT_EQ(fixture.steps(), 2);
+}
+
+TEST_F(TextureForm, FileDroppedOnTheRow_LiesOnItsValue) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(image())});
+    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&row(color), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&row(color), &drop);
+    ASSERT_NE(use(), nullptr);
+    EXPECT_EQ(use()->file, image().toStdString());
+}
+
+TEST_F(TextureForm, AnotherFile_KeepsHowTheImageLies) {
+    lay(image());
+    TextureUse turned = *use();
+    turned.rotation = 45.0;
+    document.setTexture(fixture.model(), color, turned);
+    lay(image("other.png"));
+    EXPECT_EQ(use()->rotation, 45.0);
+    EXPECT_TRUE(use()->file.ends_with("other.png"));
+}
+
+TEST_F(TextureForm, SettingsButton_ShowsTheSettingsAsAForm) {
+    lay(image());
+    line().settingsButton()->click();
+    TexturePopup* popup = form->textures().popup();
+    ASSERT_NE(popup, nullptr);
+    EXPECT_NE(popup->form()->row("wrap"), nullptr);
+    EXPECT_EQ(popup->form()->row("cutOut"), nullptr);
+    popup->close();
+}
+
+TEST_F(TextureForm, DraggedSetting_IsOneStep) {
+    lay(image());
+    line().settingsButton()->click();
+    drag(form->textures().popup()->form()->row("rotation")->findChild<ValueSlider*>(), 0.5, 0.75);
+    EXPECT_GT(use()->rotation, 45.0);
+    EXPECT_EQ(fixture.steps(), 2);
+    form->textures().popup()->close();
+}
+
+TEST_F(TextureForm, FileThatIsThere_ShowsItsPicture) {
+    lay(image());
+    library.find(*use(), TextureDecoding::Color);
+    QSignalSpy arrived(&document, &Document::imagesArrived);
+    ASSERT_TRUE(arrived.wait(waitMs));
+    EXPECT_EQ(library.preview(use()->file).pixelColor(0, 0), QColor(Qt::red));
+    EXPECT_EQ(line().nameLabel()->text(), "wood.png");
+}
+
+TEST_F(TextureForm, MissingFile_IsMarkedAndKept) {
+    lay("/nowhere/gone.png");
+    library.find(*use(), TextureDecoding::Color);
+    QSignalSpy arrived(&document, &Document::imagesArrived);
+    ASSERT_TRUE(arrived.wait(waitMs));
+    EXPECT_EQ(use()->file, "/nowhere/gone.png");
+    EXPECT_EQ(line().nameLabel()->text(), "⚠ gone.png");
+    EXPECT_TRUE(line().nameLabel()->toolTip().contains("no such file"));
+}
+
+TEST_F(TextureForm, MissingFile_IsToldOnce) {
+    QSignalSpy told(&library, &TextureLibrary::failed);
+    TextureUse gone = textureUse(color, "/nowhere/gone.png");
+    library.find(gone, TextureDecoding::Color);
+    library.find(gone, TextureDecoding::Linear);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !library.isLoading(); }, waitMs));
+    EXPECT_EQ(told.count(), 1);
+}
+
+TEST_F(TextureForm, FileOutsideTheFolder_IsReadWhenItIsAllowed) {
+    TextureUse outside = textureUse(color, image().toStdString());
+    outside.outside = true;
+    document.setTexture(fixture.model(), color, outside);
+    EXPECT_TRUE(library.find(*use(), TextureDecoding::Color).isMissing);
+    ASSERT_TRUE(line().allowButton()->isVisible());
+    line().allowButton()->click();
+    EXPECT_FALSE(use()->outside);
+    EXPECT_FALSE(line().allowButton()->isVisible());
+}
+
+TEST_F(TextureForm, CopiesOfAMaterial_ReadAFileOnce) {
+    lay(image());
+    QSignalSpy started(&library, &TextureLibrary::loadingStarted);
+    TextureUse other = *use();
+    other.rotation = 10.0;
+    library.find(*use(), TextureDecoding::Color);
+    library.find(other, TextureDecoding::Color);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !library.isLoading(); }, waitMs));
+    EXPECT_EQ(started.count(), 1);
+}
+
+TEST_F(TextureForm, SurfaceForm_TakesNormalAndHeightMaps) {
+    DocumentForm surface(document, BlockPath::Part::Material);
+    surface.textures().lay(surface.row("normal")->parameter(), image());
+    const Material* material = document.material(Side::A);
+    ASSERT_TRUE(material->textures.contains("normal"));
+    surface.textures().lay(surface.row("opacity")->parameter(), image());
+    // The picture has no alpha channel: its brightness counts.
+    EXPECT_EQ(material->textures.at("opacity").channel, TextureChannel::Red);
+}
+
+} // namespace
+} // namespace patina::tests
