@@ -46,6 +46,7 @@ const char* const secondModel = R"({
   "parameters": [
     {"id": "diffuse.color", "label": "Base colour", "type": "color",
      "default": [0.5, 0.4, 0.3], "min": 0, "max": 1, "doc": "The colour of the surface.",
+     "texture": true,
      "physical": {"min": 0.02, "max": 0.9, "message": "Nothing real is this dark or bright."}},
     {"id": "gloss", "label": "Gloss", "type": "float", "default": 0.1, "min": 0, "max": 1,
      "step": 0.01, "doc": "How much it shines."}

@@ -26,8 +26,8 @@ namespace patina {
 ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), editor_(makeEditor(parameter, this)),
       label_(new ScrubLabel(QString::fromStdString(parameter.label), this)),
-      foldButton_(new QToolButton(this)), pair_(new QBoxLayout(QBoxLayout::LeftToRight)),
-      warning_(new WarningMark(this)),
+      foldButton_(new QToolButton(this)), both_(new QWidget(this)),
+      pair_(new QBoxLayout(QBoxLayout::LeftToRight, both_)), warning_(new WarningMark(this)),
       resetMark_(new ResetMark(this)), value_(parameter.defaultValue) {
     makeLayout();
     makeAccessible();
@@ -54,7 +54,8 @@ void ParameterRow::makeLayout() {
     auto* column = new QVBoxLayout;
     column->setSpacing(2);
     column->addWidget(foldButton_);
-    column->addLayout(pair_);
+    column->addWidget(both_);
+    pair_->setContentsMargins(0, 0, 0, 0);
     pair_->setSpacing(2);
     pair_->addWidget(editor_, 1);
     line->addLayout(column, 1);
@@ -127,6 +128,7 @@ void ParameterRow::setCounting(bool counts, const QString& reason) {
 void ParameterRow::updateFolding() {
     foldButton_->setVisible(!isCounting_);
     foldButton_->setArrowType(isFolded() ? Qt::RightArrow : Qt::DownArrow);
+    both_->setVisible(!isFolded());
     editor_->setVisible(!isFolded());
     if (textureLine_) {
         textureLine_->setVisible(takesTextures_ && !isFolded());

@@ -78,7 +78,8 @@ class ParameterRow : public QWidget {
     ParameterEditor* editor_;
     ScrubLabel* label_;
     QToolButton* foldButton_;
-    QBoxLayout* pair_; ///< the editor and the image of its value
+    QWidget* both_;    ///< the editor and the image of its value
+    QBoxLayout* pair_; ///< how they stand in it
     TextureLine* textureLine_ = nullptr;
     bool takesTextures_ = false;
     WarningMark* warning_;
