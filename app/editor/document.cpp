@@ -73,8 +73,7 @@ const Scene& Document::scene(Side side) const {
         return state_.scene;
     }
     if (!secondScene_) {
-        secondScene_ = state_.scene;
-        secondScene_->objects[static_cast<std::size_t>(currentObject_)].material = *state_.second;
+        secondScene_ = shownScene(state_, currentObject_, Side::B);
     }
     return *secondScene_;
 }
@@ -241,6 +240,16 @@ int Document::beginInteraction(const BlockPath& path, std::string_view parameter
         }
     }
     return token;
+}
+
+void Document::foresee(const BlockPath& path, std::string_view parameterId) {
+    const Block* described = block(path);
+    const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
+    if (parameter && !isInteracting()) {
+        for (const DocumentState& state : foreseen(state_, path, *parameter, *catalog_)) {
+            Q_EMIT effectsForeseen(state);
+        }
+    }
 }
 
 void Document::endEffectHold() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -87,6 +88,8 @@ class Document : public QObject {
     void endInteraction(int token = 0);
     /// One that drags this value, which may pass what is left out of the programs: see effects().
     int beginInteraction(const BlockPath& path, std::string_view parameterId);
+    /// The artist is about to change this value: what the views need for it is made ready.
+    void foresee(const BlockPath& path, std::string_view parameterId);
     /// The scene whose effects a side's programs have while a value is dragged; null: its own.
     const Scene* effects(Side side) const { return effectHold_.scene(side); }
     bool isInteracting() const { return interaction_ != 0; }
@@ -113,6 +116,8 @@ class Document : public QObject {
     void removeObject(int index);
 
     void setCamera(const Camera& camera);
+    /// Edits in one undo step, which also takes the camera back where they moved it.
+    void editAsOneStep(const QString& label, const std::function<void()>& edits);
 
     // Undo.
     QUndoStack& undoStack() { return undoStack_; }
@@ -145,7 +150,7 @@ class Document : public QObject {
     bool save();
 
   Q_SIGNALS:
-    /// Anything that is drawn changed. Comes with every signal below but the last six.
+    /// Anything that is drawn changed. Comes with every signal below but the last seven.
     void changed();
     void valueChanged(const patina::BlockPath& path, const QString& parameterId);
     void textureChanged(const patina::BlockPath& path, const QString& parameterId);
@@ -165,6 +170,8 @@ class Document : public QObject {
     void effectsChanged();
     /// An image that was asked for is there, or will not come.
     void imagesArrived();
+    /// The views may need the programs of this state soon.
+    void effectsForeseen(const patina::DocumentState& state);
     /// The current object, light or side.
     void currentChanged();
     void fileChanged();

@@ -57,6 +57,16 @@ std::optional<Value> storedInBlock(const BlockValues& block, std::string_view pa
 
 } // namespace
 
+Scene shownScene(const DocumentState& state, int object, Side side) {
+    Scene scene = state.scene;
+    if (side == Side::B && state.second) {
+        if (Object* shown = elementAt(scene.objects, object)) {
+            shown->material = *state.second;
+        }
+    }
+    return scene;
+}
+
 std::string_view partKind(BlockPath::Part part) {
     switch (part) {
     case BlockPath::Part::Fresnel:

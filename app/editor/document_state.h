@@ -40,6 +40,9 @@ struct BlockPath {
     friend bool operator==(const BlockPath&, const BlockPath&) = default;
 };
 
+/// The scene as one side shows it: B has the second material on the current object.
+Scene shownScene(const DocumentState& state, int object, Side side);
+
 /// The kind of block that a part of a material is beside the model; empty for the other parts.
 std::string_view partKind(BlockPath::Part part);
 

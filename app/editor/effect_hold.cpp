@@ -45,7 +45,33 @@ Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& ca
             material != nullptr ? EffectKey::ofMaterial(*material, catalog) : 0};
 }
 
+bool isNumber(const Parameter& parameter) {
+    return !std::holds_alternative<bool>(parameter.defaultValue) &&
+           !std::holds_alternative<std::string>(parameter.defaultValue);
+}
+
 } // namespace
+
+std::vector<DocumentState> foreseen(const DocumentState& state, const BlockPath& path,
+                                    const Parameter& parameter, const Catalog& catalog) {
+    if (!isNumber(parameter)) {
+        return {};
+    }
+    std::vector<DocumentState> states;
+    std::vector<Keys> known{keysOf(state, path, catalog)};
+    for (const Value& value :
+         {inside(parameter), filled(parameter, 0.0), filled(parameter, parameter.softMin),
+          filled(parameter, parameter.softMax)}) {
+        DocumentState changed = state;
+        storeValue(changed, path, parameter.id, value);
+        const Keys keys = keysOf(changed, path, catalog);
+        if (std::find(known.begin(), known.end(), keys) == known.end()) {
+            known.push_back(keys);
+            states.push_back(std::move(changed));
+        }
+    }
+    return states;
+}
 
 void EffectHold::begin(const DocumentState& state, int object, const BlockPath& path,
                        const Parameter& parameter, const Catalog& catalog) {
@@ -106,11 +132,8 @@ const Scene* EffectHold::scene(Side side) const {
 
 void EffectHold::showSecond() {
     const bool isShown = held_->state.second.has_value() && held_->object >= 0;
-    held_->second = isShown ? std::optional(held_->state.scene) : std::nullopt;
-    if (isShown) {
-        held_->second->objects[static_cast<std::size_t>(held_->object)].material =
-            *held_->state.second;
-    }
+    held_->second = isShown ? std::optional(shownScene(held_->state, held_->object, Side::B))
+                            : std::nullopt;
 }
 
 } // namespace patina

@@ -5,11 +5,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "catalog/catalog.h"
 #include "document_state.h"
 
 namespace patina {
+
+/// What changing a value may soon call other programs for: a state of each kind that differs from
+/// this one in its programs.
+std::vector<DocumentState> foreseen(const DocumentState& state, const BlockPath& path,
+                                    const Parameter& parameter, const Catalog& catalog);
 
 /// Keeps the effects of a dragged value in the programs. A light of intensity 0, an opacity of 1 or
 /// a black ambient colour is left out of them; a slider that passes such a value would need another

@@ -48,15 +48,14 @@ bool isDrawn(const Object& object) {
     return object.visible && canBeSeen(object.material);
 }
 
-/// The scene whose effects the programs have.
-const Scene& effectsOf(const View& view, const Scene& scene) {
+} // namespace
+
+const Scene& FrameDrawer::effectsOf(const View& view, const Scene& scene) {
     const bool fits = view.effects != nullptr &&
                       view.effects->objects.size() == scene.objects.size() &&
                       view.effects->lights.size() == scene.lights.size();
     return fits ? *view.effects : scene;
 }
-
-} // namespace
 
 FrameDrawer::FrameDrawer(std::filesystem::path programCache)
     : pipelines_(std::move(programCache)), isSoftware_(gl::isSoftware()) {

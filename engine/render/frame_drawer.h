@@ -40,6 +40,9 @@ class FrameDrawer {
     /// done. The picture does not depend on the steps.
     bool proceed(const Scene& scene, const View& view, Deadline deadline);
 
+    /// See Renderer::foresee().
+    bool foresee(const Scene& scene, const View& view, const MeshSource& meshes);
+
     /// The linear target into a framebuffer; leaves it bound and the usual state at its defaults.
     void show(const Scene& scene, const View& view, unsigned framebuffer);
 
@@ -80,7 +83,10 @@ class FrameDrawer {
         glm::dmat4 cameraToWorld{1.0};
     };
 
+    /// The scene whose effects the programs have.
+    static const Scene& effectsOf(const View& view, const Scene& scene);
     Result<void> prepare(const Scene& scene);
+    bool hasPipelines(const Scene& effects);
     bool fail(Error error);
     void collect(const Scene& scene, const View& view, const MeshSource& meshes);
     void count();

@@ -32,6 +32,11 @@ class PipelineStore {
     const Entry& get(const Material& material, std::uint64_t materialKey, const Scene& scene,
                      std::uint64_t sceneKey);
 
+    /// Whether get() would find it, made before.
+    bool has(std::uint64_t materialKey, std::uint64_t sceneKey) const {
+        return entries_.contains({materialKey, sceneKey});
+    }
+
     /// A plain stand-in for an object whose own program never compiled.
     const Entry& standIn(const Scene& scene, std::uint64_t sceneKey);
 

@@ -123,6 +123,10 @@ void Renderer::show(unsigned framebuffer) {
     implementation_->show(implementation_->steppedScene, implementation_->steppedView, framebuffer);
 }
 
+bool Renderer::foresee(const Scene& scene, const View& view, const MeshSource& meshes) {
+    return implementation_->foresee(scene, view, meshes);
+}
+
 bool Renderer::hasMeshesOf(const Scene& scene) const {
     return std::ranges::equal(implementation_->steppedScene.objects, scene.objects,
                               [](const Object& a, const Object& b) {

@@ -77,6 +77,11 @@ class Renderer {
     bool proceed(std::chrono::milliseconds patience);
     void show(unsigned framebuffer);
 
+    /// Makes the programs that a frame of this view would need, so that it need not wait for them.
+    /// Nothing is shown, and the report stays; false when they are all there. Takes the place of a
+    /// frame that is not done.
+    bool foresee(const Scene& scene, const View& view, const MeshSource& meshes);
+
     /// Whether the frame that is not done has the same meshes in view as this scene, so that it is
     /// worth finishing first.
     bool hasMeshesOf(const Scene& scene) const;

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A value that is dragged across what makes an effect needless.
 #include <algorithm>
+#include <functional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 
+#include <QDockWidget>
+#include <QTest>
+
+#include "parameters/parameter_row.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests {
@@ -56,6 +62,26 @@ class EffectHolds : public WindowFixture, public testing::WithParamInterface<Dra
     }
 };
 
+TEST_P(EffectHolds, PressWithoutWarning_Compiles) {
+    press();
+    EXPECT_GT(view().report().compiled, 0); // or the next test could not fail
+}
+
+TEST_P(EffectHolds, PressAfterForesight_CompilesNothing) {
+    document().foresee(path(), GetParam().parameterId);
+    EXPECT_EQ(newFrames(), 0);
+    press();
+    EXPECT_TRUE(isInTheShader());
+    EXPECT_EQ(view().report().compiled, 0);
+}
+
+TEST_P(EffectHolds, Foresight_LeavesTheReport) {
+    const std::vector<std::string> before = view().report().effects;
+    document().foresee(path(), GetParam().parameterId);
+    newFrames();
+    EXPECT_EQ(view().report().effects, before);
+}
+
 TEST_P(EffectHolds, DragAcrossZero_CompilesNothing) {
     press();
     EXPECT_EQ(compiledFor(GetParam().with), 0);
@@ -94,6 +120,55 @@ TEST_F(HeldValue, OrdinaryValue_IsNotHeld) {
     document().beginInteraction(document().currentPath(BlockPath::Part::Scene), "exposure");
     EXPECT_EQ(document().effects(Side::A), nullptr);
     EXPECT_EQ(newFrames(), 0);
+}
+
+/// What is foreseen when the pointer comes to a row.
+class Foresight : public WindowFixture {
+  protected:
+    ParameterRow& row(const std::string& id, const QString& dock) {
+        window().dock(dock)->show();
+        window().dock(dock)->raise(); // docks are filled when they are first seen
+        QApplication::processEvents();
+        for (auto* row : window().findChildren<ParameterRow*>()) {
+            if (row->parameter().id == id) {
+                return *row;
+            }
+        }
+        throw std::runtime_error("no row " + id);
+    }
+    int foreseenAfter(const std::function<void()>& event) {
+        int count = 0;
+        const auto connection = QObject::connect(&document(), &Document::effectsForeseen,
+                                                 [&count] { ++count; });
+        event();
+        QTest::qWait(restMs);
+        QObject::disconnect(connection);
+        return count;
+    }
+    void hover(ParameterRow& row) {
+        QEnterEvent event({1, 1}, {1, 1}, row.mapToGlobal(QPointF(1, 1)));
+        QApplication::sendEvent(&row, &event);
+    }
+
+    static constexpr int restMs = 200;
+};
+
+TEST_F(Foresight, PointerThatRestsOnARow_Asks) {
+    EXPECT_GT(foreseenAfter([this] { hover(row("opacity", "opacity")); }), 0);
+}
+
+TEST_F(Foresight, PointerThatPassesARow_AsksNothing) {
+    ParameterRow& passed = row("opacity", "opacity");
+    EXPECT_EQ(foreseenAfter([&] {
+                  hover(passed);
+                  QEvent leave(QEvent::Leave);
+                  QApplication::sendEvent(&passed, &leave);
+              }),
+              0);
+}
+
+TEST_F(Foresight, RowOfAnOrdinaryValue_AsksNothing) {
+    EXPECT_EQ(foreseenAfter([this] { hover(row("exposure", "scene")); }), 0);
 }
 
 TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {

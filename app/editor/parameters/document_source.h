@@ -17,6 +17,7 @@ class DocumentSource : public ParameterSource {
     void setValue(std::string_view parameterId, const Value& value) override {
         document_.setValue(path_, parameterId, value);
     }
+    void foresee(std::string_view parameterId) override { document_.foresee(path_, parameterId); }
     int beginInteraction(std::string_view parameterId) override {
         return document_.beginInteraction(path_, parameterId);
     }

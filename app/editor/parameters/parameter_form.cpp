@@ -14,6 +14,12 @@
 #include "parameters/parameter_text.h"
 
 namespace patina {
+namespace {
+
+/// The pointer passes many rows on its way to one.
+constexpr int restMs = 80;
+
+} // namespace
 
 ParameterForm::ParameterForm(QWidget* parent)
     : QWidget(parent), textures_(new FormTextures(this)), empty_(new QLabel(this)),
@@ -27,6 +33,13 @@ ParameterForm::ParameterForm(QWidget* parent)
     ungrouped_->setSpacing(4);
     empty_->setWordWrap(true);
     empty_->hide();
+    approach_.setSingleShot(true);
+    approach_.setInterval(restMs);
+    connect(&approach_, &QTimer::timeout, this, [this] {
+        if (row(approached_)) {
+            source_->foresee(approached_);
+        }
+    });
 }
 
 ParameterForm::~ParameterForm() = default;
@@ -82,6 +95,11 @@ void ParameterForm::arrange(const std::vector<Parameter>& parameters) {
 ParameterRow* ParameterForm::makeRow(const Parameter& parameter) {
     auto* row = new ParameterRow(parameter, this);
     const auto token = std::make_shared<int>(0);
+    connect(row, &ParameterRow::approached, this, [this, row] {
+        approached_ = row->parameter().id;
+        approach_.start();
+    });
+    connect(row, &ParameterRow::left, &approach_, &QTimer::stop);
     connect(row, &ParameterRow::interactionBegan, this,
             [this, token, row] { *token = source_->beginInteraction(row->parameter().id); });
     connect(row, &ParameterRow::interactionEnded, this, [this, token] {

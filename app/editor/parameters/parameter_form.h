@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <QTimer>
 #include <QWidget>
 
 #include "catalog/block.h"
@@ -71,6 +72,8 @@ class ParameterForm : public QWidget {
 
     FormTextures* textures_;
     std::unique_ptr<ParameterSource> source_;
+    QTimer approach_; ///< runs out when the pointer or the keyboard rests on a row
+    std::string approached_;
     std::vector<Parameter> parameters_;
     Rows rows_;
     std::map<std::string, Condition, std::less<>> conditions_; ///< by the id of their row

@@ -249,8 +249,21 @@ void ParameterRow::mouseDoubleClickEvent(QMouseEvent* event) {
     }
 }
 
+void ParameterRow::enterEvent(QEnterEvent* event) {
+    QWidget::enterEvent(event);
+    Q_EMIT approached();
+}
+
+void ParameterRow::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    Q_EMIT left();
+}
+
 /// Backspace resets wherever the row has the focus, except where it edits text.
 bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn) {
+        Q_EMIT approached();
+    }
     const bool isKey =
         event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     if (!isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Backspace ||

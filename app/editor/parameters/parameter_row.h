@@ -52,6 +52,8 @@ class ParameterRow : public QWidget {
     std::vector<QWidget*> focusChain() const;
 
   Q_SIGNALS:
+    void approached(); ///< by the pointer or the keyboard
+    void left();       ///< by the pointer
     void interactionBegan();
     void edited(const patina::Value& value);
     void interactionEnded();
@@ -63,6 +65,8 @@ class ParameterRow : public QWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
   private:

@@ -27,6 +27,9 @@ class ParameterSource {
     virtual Value value(const Parameter& parameter) const = 0;
     virtual void setValue(std::string_view parameterId, const Value& value) = 0;
 
+    /// The value may be changed soon.
+    virtual void foresee(std::string_view /*parameterId*/) {}
+
     /// Edits between these are one undo step, and drag this value; see Document.
     virtual int beginInteraction(std::string_view parameterId) = 0;
     virtual void endInteraction(int token) = 0;

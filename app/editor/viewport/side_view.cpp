@@ -61,6 +61,9 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
     connect(&document, &Document::changed, viewport_, &Viewport::refresh);
     connect(&document, &Document::effectsChanged, viewport_, &Viewport::refresh);
     connect(&document, &Document::imagesArrived, viewport_, &Viewport::refresh);
+    connect(&document, &Document::effectsForeseen, this, [this](const DocumentState& state) {
+        viewport_->foresee(shownScene(state, document_.currentObject(), side_));
+    });
     connect(&document, &Document::changed, this, &SideView::updateTitle);
     connect(&document, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
     connect(&document, &Document::currentChanged, this, &SideView::updateTitle);

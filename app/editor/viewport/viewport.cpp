@@ -36,6 +36,8 @@ Viewport::Viewport(Sources sources, QWidget* parent)
     setUpdateBehavior(PartialUpdate); // the last picture stays until there is another one
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, &Viewport::proceed);
+    foresight_.setSingleShot(true);
+    connect(&foresight_, &QTimer::timeout, this, &Viewport::makeForeseen);
     probeTimer_.setSingleShot(true);
     connect(&probeTimer_, &QTimer::timeout, this, &Viewport::probe);
     idleTimer_.setSingleShot(true);
@@ -184,6 +186,9 @@ void Viewport::finishFrame() {
         Q_EMIT messagesDrawn(messages_);
     }
     probeSoon();
+    if (!foreseen_.empty()) {
+        foresight_.start(0);
+    }
     Q_EMIT frameDrawn();
     stale_ = stale_ || report.isWaiting;
     if (stale_) {

@@ -51,6 +51,10 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// Something that is drawn has changed.
     void refresh();
 
+    /// A frame with the effects of this scene may be wanted soon: its programs are made when there
+    /// is nothing else to do.
+    void foresee(const Scene& effects);
+
     /// A frame is being drawn that takes several turns.
     bool isDrawing() const { return progress_ != Progress::Idle; }
 
@@ -119,6 +123,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Image pictureOf(const Scene& scene, bool display);
     void probeSoon();
     void probe();
+    void makeForeseen();
     void watchForRest();
     void releaseWhenIdle();
     View view() const;
@@ -140,6 +145,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     int frameCount_ = 0;
     Progress progress_ = Progress::Idle; ///< of a frame that takes several turns
     QTimer turn_;                        ///< its next one
+    std::vector<Scene> foreseen_;        ///< whose programs are still to be made
+    QTimer foresight_;                   ///< one of them a turn
     QElapsedTimer sinceFrame_;
     QTimer idleTimer_;
     bool stale_ = true; ///< the picture is not of what would be drawn now

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of FrameDrawer that makes programs before a frame needs them.
+#include <algorithm>
+
+#include <epoxy/gl.h>
+
+#include "render/frame_drawer.h"
+
+namespace patina {
+
+bool FrameDrawer::hasPipelines(const Scene& effects) {
+    const std::uint64_t sceneKey = keys_.ofScene(effects, *catalog_);
+    return std::all_of(effects.objects.begin(), effects.objects.end(), [&](const Object& object) {
+        return !object.visible ||
+               pipelines_.has(EffectKey::ofMaterial(object.material, *catalog_), sceneKey);
+    });
+}
+
+/// Drivers put work off until a program is drawn with: it is, outside of what can be seen. Where
+/// there are very many triangles that would take longer than it saves.
+bool FrameDrawer::foresee(const Scene& scene, const View& view, const MeshSource& meshes) {
+    if (catalog_ == nullptr || hasPipelines(effectsOf(view, scene))) {
+        return false;
+    }
+    FrameReport before = report_;
+    if (begin(scene, view, meshes) && !isLarge() && uploadMeshes(never)) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, 0, 0);
+        drawItems(scene, never);
+        glDisable(GL_SCISSOR_TEST);
+        leaveState();
+    }
+    effects_ = nullptr;
+    report_ = std::move(before);
+    return true;
+}
+
+} // namespace patina
