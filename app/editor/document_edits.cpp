@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of a document that are more than one value.
+#include "commands/camera_command.h"
 #include "commands/compare_command.h"
 #include "commands/fog_command.h"
 #include "commands/light_command.h"
@@ -170,6 +171,16 @@ void Document::setFog(std::string_view blockId) {
     const Block* before = lastFog_ ? catalog_->find("fog", lastFog_->id) : nullptr;
     const BlockValues fog = lastFog_ ? swapped(*lastFog_, before, *wanted) : defaultsOf(*wanted);
     undoStack_.push(new FogCommand(*this, fog, tr("Fog %1").arg(labelOf(*wanted))));
+}
+
+void Document::editAsOneStep(const QString& label, const std::function<void()>& edits) {
+    const Camera before = state_.scene.camera;
+    undoStack_.beginMacro(label);
+    edits();
+    if (state_.scene.camera != before) {
+        undoStack_.push(new CameraCommand(*this, before, state_.scene.camera));
+    }
+    undoStack_.endMacro();
 }
 
 void Document::addObject(const Object& object) {

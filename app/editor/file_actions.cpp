@@ -266,12 +266,12 @@ void FileActions::meshLoaded(const QString& mesh) {
     if (const auto found = wanted_.find(mesh); found != wanted_.end()) {
         const Object object = found->second;
         wanted_.erase(found);
-        if (showsOnlyTheStart()) {
-            replaceObject(object);
-        } else {
-            addObject(placedBeside(document_.scene(), object, meshes_));
-        }
-        Q_EMIT meshPlaced();
+        const bool replaces = showsOnlyTheStart();
+        document_.editAsOneStep(tr("Add %1").arg(QString::fromStdString(object.name)), [&] {
+            replaces ? replaceObject(object)
+                     : addObject(placedBeside(document_.scene(), object, meshes_));
+            Q_EMIT meshPlaced();
+        });
         noteFile(mesh);
     }
 }

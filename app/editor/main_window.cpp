@@ -163,6 +163,9 @@ void MainWindow::arrangeDocks() {
         dock->raise();
     }
     hideBottom();
+    if (messages_.count() > 0) { // of the files that were opened before the window came
+        showMessages();
+    }
     const bool narrow = width() < narrowWindow;
     const int left = narrow ? 212 : 276;
     const int right = narrow ? 364 : 380;
