@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "docks/picture_grid.h"
+#include "ui/answer.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests {
@@ -25,28 +26,6 @@ class Window : public WindowFixture {
 };
 
 constexpr int waitMs = 20000;
-
-/// Presses a button of the next message box, and tells whether one came.
-class Answer {
-  public:
-    explicit Answer(QMessageBox::StandardButton button) {
-        timer_.setInterval(20);
-        QObject::connect(&timer_, &QTimer::timeout, [this, button] {
-            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-                asked_ = true;
-                timer_.stop();
-                box->button(button)->click();
-            }
-        });
-        timer_.start();
-    }
-
-    bool wasAsked() const { return asked_; }
-
-  private:
-    QTimer timer_;
-    bool asked_ = false;
-};
 
 void edit(Document& document) {
     document.setValue(document.currentPath(BlockPath::Part::Scene), "exposure", 0.5);
