@@ -100,6 +100,20 @@ TEST_F(SteadyStateTest, MovedCamera_AllocatesNothing) {
     EXPECT_EQ(ofTheNextFrame(), 0);
 }
 
+TEST_F(SteadyStateTest, MovedImage_AllocatesNothing) {
+    const auto picture = std::make_shared<const TexturePicture>(
+        madeTexture({{1, 1, 3, {1.0f, 1.0f, 1.0f}}, 8}, TextureDecoding::Color));
+    renderer->setTextures([picture](const TextureUse&, TextureDecoding) {
+        return TextureLookup{picture, false};
+    });
+    TextureUse& use = scene_.objects[0].material.textures["diffuse.color"];
+    use = textureUse("diffuse.color", "/a name that is too long to lie in a string itself.png");
+    draw();
+    draw();
+    use.offset.x = 0.25;
+    EXPECT_EQ(ofTheNextFrame(), 0);
+}
+
 TEST_F(SteadyStateTest, ChangedLight_AllocatesNothing) {
     draw();
     draw();

@@ -5,7 +5,7 @@ namespace patina {
 
 TextureEditor::TextureEditor(const Parameter& parameter, QWidget* parent)
     : ParameterEditor(parameter, parent) {
-    setFixedHeight(0);
+    setFixedSize(0, 0);
     setAccessibleName(name());
 }
 
