@@ -76,6 +76,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     report_.compiled = 0;
     report_.uploadedBuffers = 0;
     report_.drawnObjects = 0;
+    report_.isWaiting = false;
     lostLights_ = 0;
     cursor_ = Cursor();
     fence_ = gl::Fence();

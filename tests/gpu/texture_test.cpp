@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/srgb_table.h"
+#include "gl/framebuffer.h"
 #include "gpu_fixture.h"
 #include "shading/program_source.h"
 
@@ -302,6 +303,23 @@ TEST_F(TextureTest, OneFileInTwoMaterials_IsOneTexture) {
     scene.objects.push_back(scene.objects.front());
     drawn();
     EXPECT_EQ(pictures.size(), 1u);
+}
+
+TEST_F(TextureTest, LargeImageInAWindow_ComesOverSeveralFrames) {
+    file("large", {2048, 2048}, 1, std::vector<float>(2048 * 2048, 0.25f));
+    use("diffuse.color", "large");
+    const gl::Texture color = gl::Texture::create({8, 8}, 0x8058 /* GL_RGBA8 */,
+                                                  0x1908 /* GL_RGBA */, 0x1401 /* bytes */);
+    gl::Framebuffer target = gl::Framebuffer::create();
+    target.attachColor(color);
+    const auto mesh = [this](const Object&) { return quad(); };
+    int frames = 0;
+    do {
+        EXPECT_TRUE(renderer->drawSmall(scene, viewOf(scene, 8), mesh, target.name()));
+        ++frames;
+    } while (renderer->report().isWaiting && frames < 10);
+    EXPECT_EQ(frames, 3); // 16 MiB and a third, 8 MiB each
+    expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.25f));
 }
 
 TEST_F(TextureTest, Inspection_FindsNothingWrong) {
