@@ -8,6 +8,7 @@
 #include "commands/object_command.h"
 #include "commands/part_command.h"
 #include "document.h"
+#include "short_text.h"
 
 namespace patina {
 
@@ -175,7 +176,7 @@ void Document::setFog(std::string_view blockId) {
 
 void Document::editAsOneStep(const QString& label, const std::function<void()>& edits) {
     const Camera before = state_.scene.camera;
-    undoStack_.beginMacro(label);
+    undoStack_.beginMacro(shortened(label));
     edits();
     if (state_.scene.camera != before) {
         undoStack_.push(new CameraCommand(*this, before, state_.scene.camera));

@@ -16,6 +16,8 @@ namespace {
 const QString presetSuffix = QStringLiteral(".patina.json");
 const QString sceneSuffix = QStringLiteral(".patina-scene.json");
 
+constexpr int mostNameBytes = 160;
+
 QString presetFilter() {
     return QObject::tr("Patina presets (*.patina.json)");
 }
@@ -226,7 +228,12 @@ FileActions::Kind FileActions::kindOf(const QString& file) {
 
 QString FileActions::asFileName(const QString& name) {
     QString safe = name.trimmed().toLower();
-    safe.replace(QRegularExpression(QStringLiteral("[^\\w.-]+")), QStringLiteral("-"));
+    safe.replace(QRegularExpression(QStringLiteral("[^\\w.-]+"),
+                                    QRegularExpression::UseUnicodePropertiesOption),
+                 QStringLiteral("-"));
+    while (safe.toUtf8().size() > mostNameBytes) { // with an ending it must fit into 255
+        safe.chop(safe.back().isLowSurrogate() ? 2 : 1);
+    }
     return safe.isEmpty() ? QStringLiteral("untitled") : safe;
 }
 

@@ -12,6 +12,7 @@
 #include <QToolBar>
 
 #include "main_window.h"
+#include "short_text.h"
 
 namespace patina {
 
@@ -45,7 +46,8 @@ void MainWindow::fillRecentFiles() {
     recent_->clear();
     for (const QString& file : session_.recentFiles()) {
         // A single & would underline the letter after it.
-        const QString name = QFileInfo(file).fileName().replace('&', QLatin1String("&&"));
+        const QString name =
+            shortened(QFileInfo(file).fileName()).replace('&', QLatin1String("&&"));
         QAction* action = recent_->addAction(name, this, [this, file] {
             files_->open({file}, document_.activeSide());
         });

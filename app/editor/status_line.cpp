@@ -6,6 +6,8 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "short_text.h"
+
 namespace patina {
 namespace {
 
@@ -99,9 +101,9 @@ void StatusLine::showFrame() {
     const Material* material = document_.material(document_.activeSide());
     const Block* model =
         material ? document_.catalog().find("models", material->model.id) : nullptr;
-    model_->setText(model      ? QString::fromStdString(model->label)
-                    : material ? tr("%1 (not installed)").arg(QString::fromStdString(
-                                     material->model.id))
+    const QString id = material ? QString::fromStdString(material->model.id) : QString();
+    model_->setText(model      ? shortened(QString::fromStdString(model->label))
+                    : material ? tr("%1 (not installed)").arg(shortened(id))
                                : tr("No object"));
     if (!viewport_) {
         return;
@@ -122,7 +124,7 @@ void StatusLine::showLoading(const QString& file, float share) {
         return;
     }
     progress_->setValue(static_cast<int>(share * 100.0f));
-    progress_->setFormat(tr("%1 %p%").arg(QFileInfo(file).fileName()));
+    progress_->setFormat(tr("%1 %p%").arg(shortened(QFileInfo(file).fileName())));
     progress_->show();
     cancel_->show();
 }

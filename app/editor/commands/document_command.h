@@ -4,6 +4,7 @@
 #include <QUndoCommand>
 
 #include "document.h"
+#include "short_text.h"
 
 namespace patina {
 
@@ -17,7 +18,7 @@ class DocumentCommand : public QUndoCommand {
 
   protected:
     DocumentCommand(Document& document, Kind kind, const QString& label)
-        : QUndoCommand(label), document_(document), kind_(kind),
+        : QUndoCommand(shortened(label)), document_(document), kind_(kind),
           interaction_(document.interaction_) {}
 
     Document& document() const { return document_; }

@@ -8,6 +8,8 @@ namespace patina {
 BlockChooser::BlockChooser(Document& document, const QString& kind, Off off, QWidget* parent)
     : QComboBox(parent), document_(document), kind_(kind), off_(off) {
     setFocusPolicy(Qt::StrongFocus);
+    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setMinimumContentsLength(8); // or a long name would make the dock wide
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(this, &QComboBox::activated, this,
             [this](int index) { Q_EMIT chosen(itemData(index).toString()); });

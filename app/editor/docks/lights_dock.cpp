@@ -9,6 +9,7 @@
 #include "docks/check_list.h"
 #include "parameters/document_form.h"
 #include "docks/panel.h"
+#include "short_text.h"
 
 namespace patina {
 
@@ -50,7 +51,7 @@ void LightsDock::fillMenu() {
     kinds_->setToolTipsVisible(true);
     for (const Block* light : document_.catalog().ofKind("lights")) {
         const std::string id = light->id;
-        QAction* action = kinds_->addAction(QString::fromStdString(light->label));
+        QAction* action = kinds_->addAction(shortened(QString::fromStdString(light->label)));
         action->setToolTip(blockToolTip(*light));
         connect(action, &QAction::triggered, this, [this, id] {
             document_.addLight(id);

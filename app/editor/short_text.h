@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace patina {
+
+/// A name as it stands in a menu or a line of text: in full up to `most` letters, else its start
+/// and its end.
+QString shortened(const QString& name, int most = 36);
+
+} // namespace patina
