@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every kind of edit in the real window, taken back and made again.
+#include <functional>
+#include <ostream>
+#include <stdexcept>
+
+#include <QDockWidget>
+#include <QTest>
+
+#include "parameters/number_box.h"
+#include "parameters/parameter_row.h"
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+using Part = BlockPath::Part;
+
+struct Edit {
+    std::string name;
+    std::function<void(Document&)> apply;
+
+    friend std::ostream& operator<<(std::ostream& out, const Edit& edit) {
+        return out << edit.name;
+    }
+};
+
+void set(Document& document, Part part, const std::string& id, const Value& value) {
+    document.setValue(document.currentPath(part), id, value);
+}
+
+const std::vector<Edit> edits{
+    {"Parameter", [](Document& d) { set(d, Part::Model, "diffuse.color", glm::dvec3(0.1)); }},
+    {"Model", [](Document& d) { d.setModel(Side::A, "oren-nayar"); }},
+    {"FresnelBlend",
+     [](Document& d) {
+         d.setModel(Side::A, "lambert");
+         d.setPart(Side::A, Part::Fresnel, "schlick");
+     }},
+    {"Highlight",
+     [](Document& d) {
+         d.setModel(Side::A, "lambert");
+         d.setPart(Side::A, Part::Specular, "phong");
+     }},
+    {"Opacity", [](Document& d) { set(d, Part::Material, "opacity", 0.5); }},
+    {"LightAdded", [](Document& d) { d.addLight("point"); }},
+    {"LightRemoved", [](Document& d) { d.removeLight(0); }},
+    {"LightKind", [](Document& d) { d.setLightKind(0, "head"); }},
+    {"LightSwitched",
+     [](Document& d) {
+         Light light = d.scene().lights[0];
+         light.enabled = false;
+         d.setLight(0, light);
+     }},
+    {"LightValue", [](Document& d) { set(d, Part::Light, "intensity", 0.0); }},
+    {"Fog", [](Document& d) { d.setFog("exponential"); }},
+    {"FogValue",
+     [](Document& d) {
+         d.setFog("exponential");
+         set(d, Part::Fog, "density", 0.5);
+     }},
+    {"Ambient", [](Document& d) { set(d, Part::Scene, "ambient", glm::dvec3(0.3)); }},
+    {"Background", [](Document& d) { set(d, Part::Scene, "background", glm::dvec3(0.9)); }},
+    {"Exposure", [](Document& d) { set(d, Part::Scene, "exposure", 1.0); }},
+    {"ToneMapping", [](Document& d) { set(d, Part::Scene, "toneMapping", std::string("none")); }},
+    {"ObjectAdded",
+     [](Document& d) {
+         Object object = d.scene().objects[0];
+         object.mesh = "builtin:cube";
+         object.translation = {1.0, 0.5, 0.0};
+         d.addObject(object);
+     }},
+    {"ObjectRemoved", [](Document& d) { d.removeObject(0); }},
+    {"ObjectMesh",
+     [](Document& d) {
+         Object object = d.scene().objects[0];
+         object.mesh = "builtin:torus";
+         d.setObject(0, object);
+     }},
+    {"ObjectHidden", [](Document& d) { set(d, Part::Object, "visible", false); }},
+    {"ObjectTurned", [](Document& d) { set(d, Part::Object, "rotation", glm::dvec3(40.0)); }},
+    {"Preset",
+     [](Document& d) { ASSERT_TRUE(d.applyPreset(otherPreset(d), Side::A)); }},
+};
+
+class UndoneEdit : public WindowFixture, public testing::WithParamInterface<Edit> {
+  protected:
+    QImage picture() {
+        newFrames();
+        return view().grabFramebuffer();
+    }
+    void undoAll() {
+        while (document().undoStack().canUndo()) {
+            document().undoStack().undo();
+        }
+    }
+    void redoAll() {
+        while (document().undoStack().canRedo()) {
+            document().undoStack().redo();
+        }
+    }
+};
+
+TEST_P(UndoneEdit, PictureAndDocument_AreAsBefore) {
+    const QImage before = picture();
+    const DocumentState start = document().state();
+    GetParam().apply(document());
+    const QImage after = picture();
+    EXPECT_NE(after, before);
+    EXPECT_TRUE(window().isWindowModified());
+    undoAll();
+    EXPECT_EQ(picture(), before);
+    EXPECT_EQ(document().state(), start);
+    EXPECT_FALSE(window().isWindowModified());
+    redoAll();
+    EXPECT_EQ(picture(), after);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, UndoneEdit, testing::ValuesIn(edits),
+                         [](const auto& tested) { return tested.param.name; });
+
+class NumberField : public WindowFixture {
+  protected:
+    NumberBox& box(const std::string& id) {
+        window().dock("scene")->show();
+        window().dock("scene")->raise();
+        QApplication::processEvents();
+        for (auto* row : window().findChildren<ParameterRow*>()) {
+            if (row->parameter().id == id) {
+                return *row->findChild<NumberBox*>();
+            }
+        }
+        throw std::runtime_error("no row " + id);
+    }
+};
+
+TEST_F(NumberField, EscapeInIt_TakesTypingBackAndNothingElse) {
+    const DocumentState before = document().state();
+    NumberBox& exposure = box("exposure");
+    exposure.setFocus();
+    const QString shown = exposure.text();
+    exposure.selectAll();
+    QTest::keyClicks(&exposure, "7");
+    QTest::keyClick(&exposure, Qt::Key_Escape);
+    EXPECT_EQ(exposure.text(), shown);
+    EXPECT_EQ(document().state(), before);
+    EXPECT_FALSE(window().isWindowModified());
+    EXPECT_TRUE(window().isVisible());
+}
+
+} // namespace
+} // namespace patina::tests
