@@ -145,6 +145,7 @@ void Document::keepCurrentInside() {
 BlockPath Document::currentPath(BlockPath::Part part) const {
     switch (part) {
     case BlockPath::Part::Light:
+    case BlockPath::Part::Shadow:
         return {part, currentLight_, Side::A};
     case BlockPath::Part::Fog:
     case BlockPath::Part::Scene:
@@ -164,6 +165,8 @@ std::string_view kindOf(BlockPath::Part part) {
         return "models";
     case BlockPath::Part::Light:
         return "lights";
+    case BlockPath::Part::Shadow:
+        return "shadows";
     case BlockPath::Part::Fog:
         return "fog";
     default:

@@ -110,6 +110,8 @@ class Document : public QObject {
     /// Another kind of light; values with the same id carry over.
     void setLightKind(int index, std::string_view blockId);
     void removeLight(int index);
+    /// Another kind of shadows in a light; values with the same id carry over. Empty: none.
+    void setShadow(int index, std::string_view blockId);
     void setFog(std::string_view blockId);
     void addObject(const Object& object);
     void setObject(int index, const Object& object);

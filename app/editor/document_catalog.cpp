@@ -18,6 +18,9 @@ void Document::setCatalog(std::shared_ptr<const Catalog> catalog) {
     }
     for (Light& light : state_.scene.lights) {
         light.block = reconciled(light.block, "lights", *before, *catalog_);
+        if (light.shadow) {
+            light.shadow = reconciled(*light.shadow, "shadows", *before, *catalog_);
+        }
     }
     if (state_.scene.fog) {
         state_.scene.fog = reconciled(*state_.scene.fog, "fog", *before, *catalog_);

@@ -153,6 +153,25 @@ void Document::removeLight(int index) {
     }
 }
 
+void Document::setShadow(int index, std::string_view blockId) {
+    if (!hasIndex(state_.scene.lights, index)) {
+        return;
+    }
+    const Light& held = state_.scene.lights[static_cast<std::size_t>(index)];
+    const Block* wanted = blockId.empty() ? nullptr : catalog_->find("shadows", blockId);
+    if ((!wanted && !blockId.empty()) || (held.shadow ? held.shadow->id : "") == blockId) {
+        return;
+    }
+    Light light = held;
+    light.shadow.reset();
+    if (wanted) {
+        const Block* before = held.shadow ? catalog_->find("shadows", held.shadow->id) : nullptr;
+        light.shadow = held.shadow ? swapped(*held.shadow, before, *wanted) : defaultsOf(*wanted);
+    }
+    undoStack_.push(new LightCommand(*this, index, held, light,
+                                     wanted ? labelOf(*wanted) : tr("Shadows off")));
+}
+
 void Document::setFog(std::string_view blockId) {
     const std::optional<BlockValues>& held = state_.scene.fog;
     if ((held ? held->id : std::string()) == blockId) {

@@ -37,6 +37,10 @@ auto findBlockValues(State& state, const BlockPath& path) -> decltype(pointer(st
         auto* light = elementAt(state.scene.lights, path.index);
         return light ? &light->block : nullptr;
     }
+    if (path.part == BlockPath::Part::Shadow) {
+        auto* light = elementAt(state.scene.lights, path.index);
+        return light ? pointer(light->shadow) : nullptr;
+    }
     auto* material = findMaterial(state, path.index, path.side);
     if (material && path.part == BlockPath::Part::Model) {
         return &material->model;

@@ -29,12 +29,13 @@ struct BlockPath {
         Accuracy, ///< the accuracy levels of the model
         Material, ///< what every material has: its opacity
         Light,    ///< the values of a light
+        Shadow,   ///< the values of a light's shadows
         Fog,      ///< the values of the fog
         Object,   ///< an object's transform and switches
         Scene     ///< ambient, background, exposure, tone mapping
     };
     Part part = Part::Model;
-    int index = 0;       ///< of the object (material parts, Object) or of the light
+    int index = 0;       ///< of the object (material parts, Object) or of the light (Light, Shadow)
     Side side = Side::A; ///< material parts only
 
     friend bool operator==(const BlockPath&, const BlockPath&) = default;

@@ -45,17 +45,51 @@ Access<Scene> toneMappingAccess() {
             }};
 }
 
+const char* const noGround = "off";
+const char* const shadowGround = "shadows";
+const char* const planeGround = "plane";
+
+Access<Scene> groundModeAccess() {
+    return {[](const Scene& scene) {
+                const GroundMode mode = scene.ground.mode;
+                return Value(std::string(mode == GroundMode::Off       ? noGround
+                                         : mode == GroundMode::Shadows ? shadowGround
+                                                                       : planeGround));
+            },
+            [](Scene& scene, const Value& value) {
+                if (const auto* id = std::get_if<std::string>(&value)) {
+                    scene.ground.mode = *id == noGround       ? GroundMode::Off
+                                        : *id == shadowGround ? GroundMode::Shadows
+                                                              : GroundMode::Plane;
+                }
+            }};
+}
+
+/// A member of the scene's ground.
+template <class Member>
+Access<Scene> groundMember(Member Ground::*field) {
+    const Access<Ground> inner = member(field);
+    return {[inner](const Scene& scene) { return inner.read(scene.ground); },
+            [inner](Scene& scene, const Value& value) { inner.write(scene.ground, value); }};
+}
+
 const AccessTable<Scene>& sceneTable() {
     static const AccessTable<Scene> table{{"ambient", member(&Scene::ambient)},
                                           {"background", member(&Scene::background)},
                                           {"exposure", member(&Scene::exposure)},
-                                          {"toneMapping", toneMappingAccess()}};
+                                          {"toneMapping", toneMappingAccess()},
+                                          {"ground.mode", groundModeAccess()},
+                                          {"ground.automatic", groundMember(&Ground::automatic)},
+                                          {"ground.height", groundMember(&Ground::height)},
+                                          {"ground.color", groundMember(&Ground::color)},
+                                          {"ground.opacity", groundMember(&Ground::opacity)}};
     return table;
 }
 
 const AccessTable<Object>& objectTable() {
     static const AccessTable<Object> table{
-        {"visible", member(&Object::visible)},       {"translation", member(&Object::translation)},
+        {"visible", member(&Object::visible)},       {"castsShadow", member(&Object::castsShadow)},
+        {"translation", member(&Object::translation)},
         {"rotation", member(&Object::rotation)},     {"scale", member(&Object::scale)},
         {"fitUnitBox", member(&Object::fitUnitBox)}, {"flipNormals", member(&Object::flipNormals)}};
     return table;
@@ -113,6 +147,32 @@ Parameter toneMappingParameter() {
     return parameter;
 }
 
+std::vector<Parameter> groundParameters() {
+    Parameter mode = described(ParameterType::Enum, "ground.mode", "Ground",
+                               "A level plane under the objects. Shadows fall on it where a light "
+                               "has them.",
+                               std::string(noGround));
+    mode.values = {{noGround, "Off", "No ground."},
+                   {shadowGround, "Shadows only", "Only the shadows on it are seen: they darken "
+                                                  "the background."},
+                   {planeGround, "Plane", "A matt plane that the lights shine on."}};
+    Parameter automatic = described(ParameterType::Bool, "ground.automatic", "Under the objects",
+                                    "Lay the ground at the lowest point of the objects.", true);
+    automatic.enabledWhen = "ground.mode != off";
+    Parameter height = ranged(described(ParameterType::Float, "ground.height", "Height",
+                                        "How high the ground lies.", 0.0),
+                              {-1e5, 1e5}, {-5.0, 5.0}, 0.01, "m");
+    height.enabledWhen = "ground.mode != off and not ground.automatic";
+    Parameter color = described(ParameterType::Color, "ground.color", "Ground colour",
+                                "The share of the light that comes back from the plane.",
+                                Ground().color);
+    color.enabledWhen = "ground.mode == plane";
+    Parameter opacity = described(ParameterType::Float, "ground.opacity", "Ground opacity",
+                                  "How much of the ground, or of its shadows, is there.", 1.0);
+    opacity.enabledWhen = "ground.mode != off";
+    return {mode, automatic, height, color, opacity};
+}
+
 } // namespace
 
 Block sceneBlock() {
@@ -128,6 +188,9 @@ Block sceneBlock() {
                          "Brightness of the whole picture: each step up doubles it.", 0.0),
                {-20.0, 20.0}, {-4.0, 4.0}, 0.1, "EV"),
         toneMappingParameter()};
+    for (Parameter& parameter : groundParameters()) {
+        block.parameters.push_back(std::move(parameter));
+    }
     return block;
 }
 
@@ -138,6 +201,10 @@ Block objectBlock() {
     block.label = "Object";
     block.parameters = {
         described(ParameterType::Bool, "visible", "Visible", "Draw this object.", true),
+        described(ParameterType::Bool, "castsShadow", "Casts shadow",
+                  "Keep light from others, where a light has shadows. Objects that let more than "
+                  "half of the light through never do.",
+                  true),
         ranged(described(ParameterType::Vec3, "translation", "Position", "Where the object stands.",
                          glm::dvec3(0.0)),
                {-farMetres, farMetres}, {-5.0, 5.0}, 0.01, "m"),

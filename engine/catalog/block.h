@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catalog/parameter.h"
+#include "catalog/shadow_projection.h"
 
 namespace patina {
 
@@ -32,7 +33,7 @@ struct Slot {
 
 /// A lighting model, Fresnel term, light, fog, ...: a descriptor and a GLSL file with one stem.
 struct Block {
-    std::string kind; ///< the folder: "models", "fresnel", "specular", "lights", "fog"
+    std::string kind; ///< the folder: "models", "fresnel", "specular", "lights", ...
     std::string id;   ///< the stem of both files
     int version = 1;
     std::string label;
@@ -46,6 +47,7 @@ struct Block {
     std::vector<std::string> claims;
     std::map<std::string, std::string> exemptions; ///< claim -> why it is not made
     std::vector<std::string> gates; ///< "light", "view": below which horizons the value is 0
+    ShadowProjection shadowProjection = ShadowProjection::None; ///< lights only
     std::filesystem::path descriptorFile;
     std::filesystem::path shaderFile;
     bool shipped = true; ///< false: from the user's folder

@@ -255,6 +255,7 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
     block.exemptions = exemptionsFrom(fields);
     block.gates = {"light", "view"};
     fields.read("gates", block.gates);
+    fields.read("shadowProjection", shadowProjectionWords, block.shadowProjection);
     return block;
 }
 

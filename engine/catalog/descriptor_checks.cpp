@@ -12,6 +12,7 @@
 #include "catalog/expression.h"
 #include "catalog/fill_checks.h"
 #include "catalog/reserved_words.h"
+#include "catalog/shadow_checks.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
 #include "core/number_text.h"
@@ -357,8 +358,9 @@ class Checker {
 
 Errors descriptorMistakes(const Descriptor& descriptor) {
     Errors errors = Checker(descriptor).run();
-    const Errors more = fillMistakes(descriptor);
-    errors.insert(errors.end(), more.begin(), more.end());
+    for (const Errors& more : {fillMistakes(descriptor), shadowMistakes(descriptor)}) {
+        errors.insert(errors.end(), more.begin(), more.end());
+    }
     return errors;
 }
 

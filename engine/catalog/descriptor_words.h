@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "catalog/parameter.h"
+#include "catalog/shadow_projection.h"
 
 namespace patina {
 
@@ -31,6 +32,12 @@ inline constexpr Words<Space, 5> spaceWords{{{"none", Space::None},
                                              {"worldDirection", Space::WorldDirection},
                                              {"cameraPoint", Space::CameraPoint},
                                              {"cameraDirection", Space::CameraDirection}}};
+
+inline constexpr Words<ShadowProjection, 4> shadowProjectionWords{
+    {{"none", ShadowProjection::None},
+     {"parallel", ShadowProjection::Parallel},
+     {"cone", ShadowProjection::Cone},
+     {"sphere", ShadowProjection::Sphere}}};
 
 template <class T, std::size_t N>
 std::optional<T> meaningOf(const Words<T, N>& words, std::string_view word) {

@@ -117,7 +117,8 @@ nlohmann::json toJson(const Block& block) {
             {"slots", arrayOf(block.slots, slotJson)},
             {"claims", block.claims},
             {"exemptions", block.exemptions},
-            {"gates", block.gates}};
+            {"gates", block.gates},
+            {"shadowProjection", wordFor(shadowProjectionWords, block.shadowProjection)}};
 }
 
 } // namespace patina

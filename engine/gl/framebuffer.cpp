@@ -33,6 +33,13 @@ void Framebuffer::attachDepth(const Renderbuffer& buffer) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffer.name());
 }
 
+void Framebuffer::attachDepth(const TextureArray& texture, int layer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture.name(), 0, layer);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+}
+
 Result<void> Framebuffer::check() const {
     glBindFramebuffer(GL_FRAMEBUFFER, name());
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);

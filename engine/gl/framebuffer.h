@@ -5,6 +5,7 @@
 #include "gl/name.h"
 #include "gl/renderbuffer.h"
 #include "gl/texture.h"
+#include "gl/texture_array.h"
 
 namespace patina::gl {
 
@@ -20,6 +21,8 @@ class Framebuffer {
     void attachColor(const Texture& texture);
     void attachColor(const Renderbuffer& buffer);
     void attachDepth(const Renderbuffer& buffer);
+    /// A layer of depths; it may be attached again and again, and no colours are drawn then.
+    void attachDepth(const TextureArray& texture, int layer);
 
     /// Whether it can be drawn to; the error says what the driver does not like.
     Result<void> check() const;

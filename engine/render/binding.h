@@ -11,4 +11,7 @@ inline constexpr unsigned object = 2;
 /// Texture units of a material's images, one for each.
 inline constexpr unsigned firstTexture = 8;
 
+/// The texture unit of the shadows' depth maps.
+inline constexpr unsigned shadowMaps = 7;
+
 } // namespace patina::binding

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "shading/effect_choice.h"
 #include "shading/effect_key.h"
 #include "shading/parameter_packer.h"
 
@@ -21,16 +22,38 @@ float radianceOf(double channel) {
     return std::isfinite(channel) ? static_cast<float>(std::clamp(channel, 0.0, 65504.0)) : 0.0f;
 }
 
+void packShadow(std::span<glm::vec4> out, const BlockPlace& place, const Light& light,
+                const ShadowView& view, const glm::dmat4& cameraToWorld) {
+    static const Values none;
+    const auto first = static_cast<std::size_t>(place.first);
+    const auto size = static_cast<std::size_t>(place.vec4s());
+    packInto(out.subspan(first, size), place.layout,
+             light.shadow ? light.shadow->parameters : none, exact, cameraToWorld);
+    packView(out.subspan(first + size, ShadowLayout::vec4s), view);
+}
+
+void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToPack& packing,
+               std::size_t index, const glm::dmat4& cameraToWorld) {
+    static const ShadowView nowhere;
+    const Light& light = packing.scene.lights[index];
+    packInto(out, place.light.layout, light.block.parameters, exact, cameraToWorld);
+    if (place.shadow) {
+        packShadow(out, *place.shadow, light,
+                   index < packing.shadows.size() ? packing.shadows[index] : nowhere,
+                   cameraToWorld);
+    }
+}
+
 void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
                 const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
+    const bool casters = hasCaster(packing.effects);
     for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
-        const BlockPlace& group = pipeline.scene.groups[g];
+        const LightPlace& group = pipeline.scene.groups[g];
         const auto size = static_cast<std::size_t>(group.vec4s());
         const std::size_t start = packed.vec4s;
         int count = 0;
         for (std::size_t i = 0; i < packing.scene.lights.size(); ++i) {
-            const Light& light = packing.scene.lights[i];
-            if (EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog) !=
+            if (EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog, casters) !=
                 pipeline.effects.scene.lights[g].key) {
                 continue;
             }
@@ -38,12 +61,11 @@ void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& p
                 ++packed.lostLights;
                 continue;
             }
-            packInto(out.subspan(packed.vec4s, size), group.layout, light.block.parameters, exact,
-                     cameraToWorld);
+            packLight(out.subspan(packed.vec4s, size), group, packing, i, cameraToWorld);
             packed.vec4s += size;
             ++count;
         }
-        out[static_cast<std::size_t>(group.first)] = glm::vec4(count, start, 0.0f, 0.0f);
+        out[static_cast<std::size_t>(group.light.first)] = glm::vec4(count, start, 0.0f, 0.0f);
     }
 }
 
@@ -143,6 +165,17 @@ void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object
                   material.accuracy, cameraToWorld);
     }
     packTextures(out, pipeline, material);
+}
+
+void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground& ground,
+                const GroundPlace& place) {
+    const glm::dmat4 world = worldMatrix(place);
+    packRows(out, ObjectLayout::world, world);
+    packRows(out, ObjectLayout::normal, normalMatrix(world));
+    const auto first = static_cast<std::size_t>(*pipeline.object.ground);
+    out[first] = glm::vec4(glm::vec3(glm::clamp(ground.color, 0.0, 1.0)),
+                           std::clamp(static_cast<float>(ground.opacity), 0.0f, 1.0f));
+    out[first + 1] = glm::vec4(place.middle.x, place.middle.z, 1.0 / place.radius, 0.0);
 }
 
 void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye) {

@@ -6,7 +6,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "render/ground_place.h"
 #include "render/pipeline.h"
+#include "render/shadow_view.h"
 #include "scene/scene.h"
 
 namespace patina {
@@ -21,6 +23,7 @@ struct PackedScene {
 struct SceneToPack {
     const Scene& scene;
     const Scene& effects;
+    std::span<const ShadowView> shadows; ///< by light; lights beyond its end have no map
 };
 
 /// Fills `sceneData` for a pipeline; `out` holds all of the scene's block. Allocates
@@ -31,6 +34,10 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 /// Fills `objectData`; `out` holds pipeline.object.vec4s. Allocates nothing.
 void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object& object,
                 const glm::dmat4& world, const glm::dmat4& cameraToWorld);
+
+/// Fills `objectData` of the ground's program; `out` holds pipeline.object.vec4s.
+void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground& ground,
+                const GroundPlace& place);
 
 /// Fills `viewData`; `out` holds ViewLayout::vec4s.
 void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye);

@@ -66,6 +66,7 @@ FrameDrawer::FrameDrawer(std::filesystem::path programCache)
 void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
     pipelines_.setCatalog(catalog_);
+    shadows_.setCatalog(catalog_);
     display_.forget();
     described_.clear();
     describedLost_ = -1;
@@ -77,6 +78,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     report_.uploadedBuffers = 0;
     report_.drawnObjects = 0;
     report_.isWaiting = false;
+    report_.shadowMaps = 0;
     lostLights_ = 0;
     cursor_ = Cursor();
     fence_ = gl::Fence();
@@ -87,6 +89,8 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     effects_ = &effectsOf(view, scene);
     collect(scene, view, meshes);
     count();
+    planGround(scene, view);
+    planShadows(scene);
     if (auto fitting = target_.fit(view.size, view.samples, isDense(view)); !fitting) {
         return fail(fitting.error());
     }
@@ -103,8 +107,8 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
 bool FrameDrawer::proceed(const Scene& scene, const View& view, Deadline deadline) {
     effects_ = &effectsOf(view, scene); // both may have moved since the last turn
     const Deadline limit = isLarge() ? deadline : never;
-    if (!deviceIsDone(limit) || !uploadMeshes(limit) || !drawItems(scene, limit) ||
-        !resolve(limit)) {
+    if (!deviceIsDone(limit) || !uploadMeshes(limit) || !drawShadows(limit) ||
+        !drawItems(scene, limit) || !resolve(limit)) {
         return false;
     }
     meshes_.endFrame();
@@ -176,7 +180,7 @@ void FrameDrawer::count() {
 }
 
 bool FrameDrawer::isLarge() const {
-    return triangles_ > mostTrianglesAtOnce;
+    return triangles_ + shadows_.pendingTriangles() > mostTrianglesAtOnce;
 }
 
 bool FrameDrawer::isDense(const View& view) const {
@@ -211,6 +215,7 @@ void FrameDrawer::choosePipelines() {
     for (const Item& item : items_) {
         choosePipeline(effects_->objects[item.index].material, slots_[item.index], sceneKey);
     }
+    chooseGround(sceneKey);
     report_.compiled += pipelines_.programs().compiledCount() - before;
 }
 
@@ -251,8 +256,18 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
     fedScene_ = nullptr;
-    while (cursor_.item < items_.size() && drawItem(scene, items_[cursor_.item], deadline)) {
+    shadows_.bind();
+    while (cursor_.item < items_.size()) {
+        if (isTransparent(effects_->objects[items_[cursor_.item].index].material)) {
+            drawGround(scene); // behind what shines through
+        }
+        if (!drawItem(scene, items_[cursor_.item], deadline)) {
+            break;
+        }
         ++cursor_.item;
+    }
+    if (cursor_.item == items_.size()) {
+        drawGround(scene);
     }
     setPass(Pass::opaque);
     if (deadline != never) {
@@ -340,7 +355,8 @@ void FrameDrawer::feedScene(const Scene& scene, const Pipeline& pipeline) {
         return;
     }
     const PackedScene packed =
-        packScene(sceneData_.staging(), pipeline, {scene, *effects_}, cameras_.cameraToWorld);
+        packScene(sceneData_.staging(), pipeline, {scene, *effects_, shadows_.views()},
+                  cameras_.cameraToWorld);
     report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
     lostLights_ = std::max(lostLights_, packed.lostLights);
     sceneData_.bind(binding::scene);

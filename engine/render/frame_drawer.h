@@ -2,16 +2,20 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "gl/fence.h"
 #include "render/display_pass.h"
 #include "render/frustum.h"
+#include "render/ground_place.h"
 #include "render/gpu_mesh_store.h"
 #include "render/gpu_texture_store.h"
 #include "render/hdr_target.h"
 #include "render/pipeline_store.h"
 #include "render/renderer.h"
+#include "render/shadow_maps.h"
 #include "render/uniform_buffer.h"
 #include "shading/effect_key.h"
 
@@ -56,6 +60,7 @@ class FrameDrawer {
 
     /// So many bytes of images the next frames take into the GPU's memory, each.
     void limitTextures(std::size_t bytes) { textureBytes_ = bytes; }
+    ShadowMaps& shadowMaps() { return shadows_; }
 
   private:
     /// What is kept of an object from frame to frame, by its place in the scene.
@@ -71,11 +76,22 @@ class FrameDrawer {
         glm::dmat4 world{1.0};
         double distance = 0.0; ///< from the eye to the middle of its box
     };
+    /// The ground of the frame that is being drawn.
+    struct GroundItem {
+        bool isSeen = false;
+        GroundPlace place;
+        std::shared_ptr<const Pipeline> pipeline; ///< the last good one
+        UniformBuffer data;
+        std::optional<GpuMesh> mesh; ///< once it was needed
+        std::vector<std::pair<glm::dmat4, double>> lowest; ///< by object: of which matrix, height
+        std::vector<std::uint64_t> lowestOf;               ///< by object: of which mesh
+    };
     /// Where drawing goes on.
     struct Cursor {
         std::size_t item = 0;
         int pass = 0;
         int triangle = 0;
+        bool hasGround = false;
         bool resolved = false;
     };
     struct Cameras {
@@ -94,6 +110,13 @@ class FrameDrawer {
     void uploadView(const View& view);
     void choosePipelines();
     void choosePipeline(const Material& material, Slot& slot, std::uint64_t sceneKey);
+    void planShadows(const Scene& scene);
+    bool drawShadows(Deadline deadline);
+    void planGround(const Scene& scene, const View& view);
+    double lowestHeight(const Item& item);
+    void chooseGround(std::uint64_t sceneKey);
+    void drawGround(const Scene& scene);
+    void addLost();
     bool uploadMeshes(Deadline deadline);
     bool drawItems(const Scene& scene, Deadline deadline);
     bool drawItem(const Scene& scene, const Item& item, Deadline deadline);
@@ -118,6 +141,9 @@ class FrameDrawer {
     DisplayPass display_;
     UniformBuffer viewData_;
     UniformBuffer sceneData_;
+    ShadowMaps shadows_;
+    std::optional<Error> shadowError_;
+    GroundItem ground_;
     EffectKey keys_;
     std::vector<Slot> slots_;
     std::vector<Item> items_;
@@ -133,6 +159,7 @@ class FrameDrawer {
     std::vector<const void*> sources_;   ///< what this frame's report is made from
     std::vector<const void*> described_; ///< what report_'s lists were made from
     int describedLost_ = 0;
+    std::optional<Error> describedShadowError_;
     FrameReport report_;
 };
 

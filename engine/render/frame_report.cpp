@@ -36,12 +36,14 @@ void FrameDrawer::describe() {
         }
     }
     report_.programs = static_cast<int>(programs_.size());
-    if (sources_ == described_ && lostLights_ == describedLost_) {
+    if (sources_ == described_ && lostLights_ + shadows_.lost() == describedLost_ &&
+        shadowError_ == describedShadowError_) {
         return;
     }
     describeEffects();
     described_ = sources_;
-    describedLost_ = lostLights_;
+    describedLost_ = lostLights_ + shadows_.lost();
+    describedShadowError_ = shadowError_;
 }
 
 void FrameDrawer::describeEffects() {
@@ -61,16 +63,29 @@ void FrameDrawer::describeEffects() {
             }
         }
     }
+    if (ground_.isSeen && ground_.pipeline) {
+        for (const EffectLine& line : effectLines(ground_.pipeline->effects)) {
+            addOnce(report_.effects, line.effect);
+        }
+    }
+    addLost();
+}
+
+void FrameDrawer::addLost() {
+    const auto add = [this](Error error) {
+        ++report_.warnings;
+        report_.messages.push_back(std::move(error));
+    };
     if (lostLights_ > 0) {
-        report_.warnings = 1;
-        report_.messages.push_back(
-            {{},
-             0,
-             0,
-             fmt::format("{} lights are left out because the graphics card's memory for "
-                         "lights is full",
-                         lostLights_),
-             {}});
+        add({{}, 0, 0, fmt::format("{} lights are left out because the graphics card's memory for "
+                                   "lights is full", lostLights_), {}});
+    }
+    if (shadows_.lost() > 0) {
+        add({{}, 0, 0, fmt::format("{} lights have no shadows because there is no room for more",
+                                   shadows_.lost()), {}});
+    }
+    if (shadowError_) {
+        add(*shadowError_);
     }
 }
 

@@ -17,11 +17,14 @@ void DepthRange::add(const Bounds& bounds, const glm::dmat4& objectToCamera) {
         const glm::dvec4 point((corner & 1) != 0 ? bounds.upper.x : bounds.lower.x,
                                (corner & 2) != 0 ? bounds.upper.y : bounds.lower.y,
                                (corner & 4) != 0 ? bounds.upper.z : bounds.lower.z, 1.0);
-        const double depth = -(objectToCamera * point).z;
-        if (std::isfinite(depth)) {
-            nearest_ = std::min(nearest_, depth);
-            farthest_ = std::max(farthest_, depth);
-        }
+        add(-(objectToCamera * point).z);
+    }
+}
+
+void DepthRange::add(double depth) {
+    if (std::isfinite(depth)) {
+        nearest_ = std::min(nearest_, depth);
+        farthest_ = std::max(farthest_, depth);
     }
 }
 

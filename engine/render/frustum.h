@@ -14,6 +14,9 @@ class DepthRange {
     /// Adds a box of object space.
     void add(const Bounds& bounds, const glm::dmat4& objectToCamera);
 
+    /// Adds a distance along the view.
+    void add(double depth);
+
     /// Distances of the near and the far plane: around everything that was added, the near one at
     /// least a ten-thousandth of the far one so that depths stay apart. 0.1 and 100 for nothing.
     double near() const;

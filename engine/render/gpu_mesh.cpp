@@ -9,7 +9,8 @@
 
 namespace patina {
 
-GpuMesh::GpuMesh(const MeshView& mesh) : triangles_(static_cast<int>(mesh.indices.size() / 3)) {
+GpuMesh::GpuMesh(const MeshView& mesh, std::uint64_t serial)
+    : triangles_(static_cast<int>(mesh.indices.size() / 3)), serial_(serial) {
     array_.bind();
     vertices_.reserve(GL_ARRAY_BUFFER, mesh.vertices.size_bytes(), gl::Buffer::Content::Lasting);
     indices_.reserve(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "core/mesh.h"
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
@@ -11,8 +13,8 @@ namespace patina {
 /// 3 texture coordinates, 4 on which side the bitangent is.
 class GpuMesh {
   public:
-    /// Room for this mesh; upload() brings the content.
-    explicit GpuMesh(const MeshView& mesh);
+    /// Room for this mesh; upload() brings the content. `serial` tells it from every other one.
+    explicit GpuMesh(const MeshView& mesh, std::uint64_t serial = 0);
 
     /// Takes in at most `bytes` more of the mesh it was made for, and at least one.
     void upload(const MeshView& mesh, std::size_t bytes);
@@ -22,6 +24,7 @@ class GpuMesh {
     void draw(int first, int count) const;
     void draw() const { draw(0, triangles_); }
     int triangles() const { return triangles_; }
+    std::uint64_t serial() const { return serial_; }
 
   private:
     gl::VertexArray array_ = gl::VertexArray::create();
@@ -29,6 +32,7 @@ class GpuMesh {
     gl::Buffer indices_ = gl::Buffer::create();
     std::size_t uploaded_ = 0; ///< bytes: of the vertices, then of the indices
     int triangles_ = 0;
+    std::uint64_t serial_ = 0;
 };
 
 } // namespace patina

@@ -42,7 +42,7 @@ GpuMesh& GpuMeshStore::prepare(const MeshView& mesh) {
                   mesh.indices.size(), sample};
     auto found = meshes_.find(key);
     if (found == meshes_.end()) {
-        found = meshes_.emplace(key, Entry{GpuMesh(mesh), frame_}).first;
+        found = meshes_.emplace(key, Entry{GpuMesh(mesh, ++made_), frame_}).first;
     }
     found->second.lastFrame = frame_;
     return found->second.mesh;

@@ -32,6 +32,7 @@ class GpuMeshStore {
 
     std::map<Key, Entry> meshes_;
     std::uint64_t frame_ = 0;
+    std::uint64_t made_ = 0;
 };
 
 } // namespace patina

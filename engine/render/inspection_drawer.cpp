@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <epoxy/gl.h>
@@ -11,6 +12,7 @@
 
 #include "render/binding.h"
 #include "render/data_packer.h"
+#include "shading/effect_choice.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -38,10 +40,11 @@ void add(Errors& errors, const Errors& more) {
 
 /// The scene's lights in the order of the program's terms.
 std::vector<std::size_t> lightsOf(const Scene& scene, const Pipeline& pipeline) {
+    const bool casters = hasCaster(scene);
     std::vector<std::size_t> order;
     for (const LightGroup& group : pipeline.effects.scene.lights) {
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog) == group.key) {
+            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog, casters) == group.key) {
                 order.push_back(i);
             }
         }
@@ -52,10 +55,10 @@ std::vector<std::size_t> lightsOf(const Scene& scene, const Pipeline& pipeline) 
 } // namespace
 
 InspectionDrawer::InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
-                                   GpuTextureStore& textures)
+                                   GpuTextureStore& textures, ShadowMaps& shadows)
     : pipelines_(programCache, SurfaceOutput::Inspection),
       tables_(std::move(programCache), SurfaceOutput::AlbedoTable), meshes_(meshes),
-      textures_(textures) {
+      textures_(textures), shadows_(shadows) {
     viewData_.reserve(ViewLayout::vec4s);
     sceneData_.reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
 }
@@ -112,6 +115,7 @@ Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
     }
     collect(scene, view, meshes);
     choosePipelines(scene);
+    drawShadows(scene);
     feed(scene, view);
     return {};
 }
@@ -128,7 +132,7 @@ void InspectionDrawer::collect(const Scene& scene, const View& view, const MeshS
         if (!mesh.indices.empty()) {
             const glm::dmat4 world = worldMatrix(object);
             depths_.add(mesh.bounds, worldToCamera * world);
-            items_.push_back({i, &meshes_.get(mesh), world});
+            items_.push_back({i, &meshes_.get(mesh), mesh.bounds, world});
         }
     }
     while (slots_.size() < scene.objects.size()) {
@@ -163,6 +167,24 @@ void InspectionDrawer::choosePipelines(const Scene& scene) {
     report_.compiled = pipelines_.programs().compiledCount() - before;
 }
 
+/// The same maps as the picture's; where they cannot be made everything is lit.
+void InspectionDrawer::drawShadows(const Scene& scene) {
+    shadows_.clearCasters();
+    for (const Item& item : items_) {
+        if (isCaster(scene.objects[item.index])) {
+            shadows_.addCaster(*item.mesh, item.bounds, item.world);
+        }
+    }
+    if (auto planned = shadows_.plan(scene, scene, cameraToWorld_, pipelines_.programs());
+        !planned) {
+        report_.messages.push_back(planned.error());
+    }
+    report_.shadowMaps = shadows_.pending();
+    while (shadows_.pending() > 0) {
+        shadows_.drawSome(std::numeric_limits<int>::max());
+    }
+}
+
 void InspectionDrawer::feed(const Scene& scene, const View& view) {
     const double aspect = double(view.size.x) / double(view.size.y);
     const glm::dmat4 worldToClip =
@@ -175,7 +197,8 @@ void InspectionDrawer::feed(const Scene& scene, const View& view) {
         if (slot.pipeline) {
             // All were made for this scene: they read the same data.
             const PackedScene packed =
-                packScene(sceneData_.staging(), *slot.pipeline, {scene, scene}, cameraToWorld_);
+                packScene(sceneData_.staging(), *slot.pipeline, {scene, scene, shadows_.views()},
+                          cameraToWorld_);
             report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
             break;
         }
@@ -215,6 +238,7 @@ void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
     glDisable(GL_DITHER);
     glDepthFunc(GL_LESS);
     sceneData_.bind(binding::scene);
+    shadows_.bind();
     for (const Item& item : items_) {
         Slot& slot = slots_[item.index];
         if (slot.pipeline) {

@@ -13,6 +13,7 @@
 #include "render/pixel_probe.h"
 #include "render/probe_target.h"
 #include "render/renderer.h"
+#include "render/shadow_maps.h"
 #include "render/uniform_buffer.h"
 #include "shading/effect_key.h"
 
@@ -22,9 +23,9 @@ namespace patina {
 /// objects are drawn as opaque ones and with one sample per pixel, so that nothing is averaged.
 class InspectionDrawer {
   public:
-    /// `meshes` and `textures` outlive it.
+    /// `meshes`, `textures` and `shadows` outlive it.
     InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
-                     GpuTextureStore& textures);
+                     GpuTextureStore& textures, ShadowMaps& shadows);
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
@@ -50,6 +51,7 @@ class InspectionDrawer {
     struct Item {
         std::size_t index = 0;
         const GpuMesh* mesh = nullptr;
+        Bounds bounds;
         glm::dmat4 world{1.0};
     };
 
@@ -57,6 +59,7 @@ class InspectionDrawer {
     void collect(const Scene& scene, const View& view, const MeshSource& meshes);
     void choosePipelines(const Scene& scene);
     void note(const PipelineStore::Entry& entry);
+    void drawShadows(const Scene& scene);
     void feed(const Scene& scene, const View& view);
     void feedObject(const Object& object, const Item& item);
     void drawItems(const Scene& scene, int firstTerm);
@@ -68,6 +71,7 @@ class InspectionDrawer {
     PipelineStore tables_;
     GpuMeshStore& meshes_;
     GpuTextureStore& textures_;
+    ShadowMaps& shadows_;
     HdrTarget target_;
     std::optional<ProbeTarget> probeTarget_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();

@@ -32,6 +32,15 @@ const PipelineStore::Entry& PipelineStore::standIn(const Scene& scene, std::uint
     return find({0, sceneKey}, nothing, scene);
 }
 
+const PipelineStore::Entry& PipelineStore::ground(const Scene& scene, std::uint64_t sceneKey) {
+    const Key key{1 + static_cast<std::uint64_t>(scene.ground.mode), sceneKey};
+    auto known = entries_.find(key);
+    if (known == entries_.end()) {
+        known = entries_.emplace(key, make(groundEffects(scene, *catalog_), sceneKey)).first;
+    }
+    return known->second;
+}
+
 const PipelineStore::Entry& PipelineStore::find(const Key& key, const Material& material,
                                                 const Scene& scene) {
     auto known = entries_.find(key);
@@ -59,6 +68,7 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
         found.program->bindSampler(samplerName(i).c_str(),
                                    binding::firstTexture + static_cast<unsigned>(i));
     }
+    found.program->bindSampler("shadowMaps", binding::shadowMaps);
     pipeline->catalog = catalog_;
     pipeline->object = objectLayout(effects, *catalog_);
     pipeline->scene = sceneLayout(effects.scene, *catalog_);

@@ -40,6 +40,9 @@ class PipelineStore {
     /// A plain stand-in for an object whose own program never compiled.
     const Entry& standIn(const Scene& scene, std::uint64_t sceneKey);
 
+    /// The scene's ground, which must be seen.
+    const Entry& ground(const Scene& scene, std::uint64_t sceneKey);
+
     ProgramCache& programs() { return programs_; }
 
   private:

@@ -36,7 +36,7 @@ class Renderer::Implementation : public FrameDrawer {
     InspectionDrawer& inspection() {
         if (!inspection_) {
             inspection_ = std::make_unique<InspectionDrawer>(programCache_, meshStore(),
-                                                             textureStore());
+                                                             textureStore(), shadowMaps());
             inspection_->setCatalog(catalog_);
         }
         return *inspection_;

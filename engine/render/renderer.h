@@ -39,6 +39,7 @@ struct FrameReport {
     int uploadedBuffers = 0;  ///< uniform buffers written
     int drawnObjects = 0;
     bool isWaiting = false;   ///< images are not whole yet: another frame shows more of them
+    int shadowMaps = 0;       ///< depth maps drawn (six for a light that shines everywhere)
     std::vector<std::string> effects; ///< the blocks in the shaders, canonical order
     Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
     std::size_t warnings = 0; ///< so many of the messages, the last ones, say what was left out of

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "material/material.h"
+#include "scene/ground.h"
 
 namespace patina {
 
@@ -19,6 +20,7 @@ struct Object {
     bool fitUnitBox = false;   ///< scale and centre the mesh into a unit box before the transform
     bool flipNormals = false;
     bool visible = true;
+    bool castsShadow = true;   ///< in the light of lights with shadows
     glm::dvec3 translation{0.0}; ///< metres
     glm::dvec3 rotation{0.0};    ///< degrees about x, then y, then z
     glm::dvec3 scale{1.0};
@@ -33,6 +35,7 @@ struct Light {
     std::string name;
     bool enabled = true;
     BlockValues block; ///< of kind "lights"
+    std::optional<BlockValues> shadow{}; ///< of kind "shadows"; absent: objects cast none in it
 
     friend bool operator==(const Light&, const Light&) = default;
 };
@@ -58,6 +61,7 @@ struct Scene {
     std::optional<BlockValues> fog;  ///< of kind "fog"; absent: off
     glm::dvec3 ambient{0.0};         ///< linear colour of the light from everywhere
     glm::dvec3 background{0.18f};    ///< linear; a float, as files hold it
+    Ground ground;
     Camera camera;
     double exposure = 0.0;           ///< EV, powers of two
     ToneMapping toneMapping = ToneMapping::KhronosNeutral;

@@ -47,6 +47,7 @@ class SceneReader {
         readLights();
         readFog();
         readPicture();
+        readGround();
         readCamera();
         reader_.readObject("environment", scene().environment);
         reader_.readObject("extras", scene().extras);
@@ -100,6 +101,7 @@ class SceneReader {
         reader.read("fitUnitBox", object.fitUnitBox);
         reader.read("flipNormals", object.flipNormals);
         reader.read("visible", object.visible);
+        reader.read("castsShadow", object.castsShadow);
         readTransform(reader, object);
         readMesh(reader, object);
         object.material = materialOf(reader);
@@ -192,9 +194,19 @@ class SceneReader {
             Light light;
             reader.read("name", light.name);
             reader.read("enabled", light.enabled);
+            readShadow(reader, light);
             light.block = blocks_.read(reader, "lights");
             light.block.unknown.update(reader.unknown());
             scene().lights.push_back(std::move(light));
+        }
+    }
+
+    void readShadow(JsonReader& light, Light& into) {
+        const Json* shadow = light.find("shadow");
+        if (shadow != nullptr && !shadow->is_null()) {
+            JsonReader reader = light.child("shadow");
+            into.shadow = blocks_.read(reader, "shadows");
+            into.shadow->unknown.update(reader.unknown());
         }
     }
 
@@ -219,20 +231,38 @@ class SceneReader {
     }
 
     void readToneMapping() {
+        readWord(reader_, "toneMapping", toneMappingWords, "tone mapping", scene().toneMapping);
+    }
+
+    template <class Words, class Meaning>
+    void readWord(JsonReader& reader, std::string_view key, const Words& known,
+                  std::string_view what, Meaning& into) {
         std::string word;
-        reader_.read("toneMapping", word);
+        reader.read(key, word);
         std::vector<std::string> words;
-        for (const auto& [known, meaning] : toneMappingWords) {
-            words.emplace_back(known);
-            if (known == word) {
-                scene().toneMapping = meaning;
-            }
+        for (const auto& [text, meaning] : known) {
+            words.emplace_back(text);
+            into = text == word ? meaning : into;
         }
         if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) {
-            note("/toneMapping",
-                 fmt::format("\"{}\" is no tone mapping; the default is used", word),
+            note(reader.pointer(key),
+                 fmt::format("\"{}\" is no {}; the default is used", word, what),
                  oneOf(word, words));
         }
+    }
+
+    void readGround() {
+        Ground& ground = scene().ground;
+        JsonReader reader = reader_.child("ground");
+        readWord(reader, "mode", groundModeWords, "mode of the ground", ground.mode);
+        reader.read("automatic", ground.automatic);
+        reader.read("height", ground.height);
+        reader.read("color", ground.color);
+        reader.read("opacity", ground.opacity);
+        limit(reader, "height", ground.height, -farthest, farthest);
+        limit(reader, "color", ground.color, 0.0, 1.0);
+        limit(reader, "opacity", ground.opacity, 0.0, 1.0);
+        groundUnknown_ = reader.unknown();
     }
 
     void readCamera() {
@@ -256,6 +286,9 @@ class SceneReader {
         if (!cameraUnknown_.empty()) {
             scene().unknown["camera"] = std::move(cameraUnknown_);
         }
+        if (!groundUnknown_.empty()) {
+            scene().unknown["ground"] = std::move(groundUnknown_);
+        }
     }
 
     const LocatedJson& document_;
@@ -265,6 +298,7 @@ class SceneReader {
     JsonReader reader_;
     BlockReader blocks_;
     Json cameraUnknown_;
+    Json groundUnknown_;
 };
 
 } // namespace

@@ -16,4 +16,8 @@ inline constexpr FileFormat sceneFormat{"patina.scene", 1, "scene"};
 inline constexpr std::array<std::pair<std::string_view, ToneMapping>, 2> toneMappingWords{
     {{"none", ToneMapping::None}, {"khronosNeutral", ToneMapping::KhronosNeutral}}};
 
+/// The words for the modes of the ground in scene files.
+inline constexpr std::array<std::pair<std::string_view, GroundMode>, 3> groundModeWords{
+    {{"off", GroundMode::Off}, {"shadows", GroundMode::Shadows}, {"plane", GroundMode::Plane}}};
+
 } // namespace patina

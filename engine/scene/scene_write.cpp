@@ -22,6 +22,7 @@ Json toJson(const Object& object, const std::filesystem::path& folder) {
     json["fitUnitBox"] = object.fitUnitBox;
     json["flipNormals"] = object.flipNormals;
     json["visible"] = object.visible;
+    json["castsShadow"] = object.castsShadow;
     json["translation"] = triple(object.translation);
     json["rotation"] = triple(object.rotation);
     json["scale"] = triple(object.scale);
@@ -33,6 +34,7 @@ Json toJson(const Light& light) {
     Json json = toJson(light.block);
     json["name"] = light.name;
     json["enabled"] = light.enabled;
+    json["shadow"] = light.shadow ? toJson(*light.shadow) : Json();
     return json;
 }
 
@@ -44,13 +46,22 @@ Json toJson(const Camera& camera) {
             {"fieldOfView", camera.fieldOfView}};
 }
 
-std::string wordFor(ToneMapping toneMapping) {
-    for (const auto& [word, meaning] : toneMappingWords) {
-        if (meaning == toneMapping) {
+template <class Words, class Meaning>
+std::string wordFor(const Words& words, Meaning wanted) {
+    for (const auto& [word, meaning] : words) {
+        if (meaning == wanted) {
             return std::string(word);
         }
     }
     return {};
+}
+
+Json toJson(const Ground& ground) {
+    return {{"mode", wordFor(groundModeWords, ground.mode)},
+            {"automatic", ground.automatic},
+            {"height", ground.height},
+            {"color", triple(ground.color)},
+            {"opacity", ground.opacity}};
 }
 
 } // namespace
@@ -72,8 +83,9 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     json["ambient"] = triple(scene.ambient);
     json["background"] = triple(scene.background);
     json["camera"].update(toJson(scene.camera)); // beside the keys that were not known
+    json["ground"].update(toJson(scene.ground));
     json["exposure"] = scene.exposure;
-    json["toneMapping"] = wordFor(scene.toneMapping);
+    json["toneMapping"] = wordFor(toneMappingWords, scene.toneMapping);
     json["environment"] = scene.environment;
     json["extras"] = scene.extras;
     return json;

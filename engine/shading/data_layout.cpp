@@ -17,6 +17,10 @@ std::optional<BlockPlace> placed(const BlockUse& use, const Catalog& catalog, in
 
 } // namespace
 
+int LightPlace::vec4s() const {
+    return light.vec4s() + (shadow ? shadow->vec4s() + ShadowLayout::vec4s : 0);
+}
+
 ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
     ObjectLayout layout;
     if (set.model) {
@@ -32,6 +36,10 @@ ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
     }
     layout.firstTexture = layout.vec4s;
     layout.vec4s = layout.texture(set.textures.size());
+    if (set.ground != GroundMode::Off) {
+        layout.ground = layout.vec4s;
+        layout.vec4s += 2;
+    }
     return layout;
 }
 
@@ -42,7 +50,12 @@ SceneLayout sceneLayout(const SceneEffects& effects, const Catalog& catalog) {
     }
     for (const LightGroup& group : effects.lights) {
         if (const Block* block = catalog.find(group.block.kind, group.block.id)) {
-            layout.groups.push_back({block, layoutOf(*block), layout.firstLight++});
+            LightPlace place{{block, layoutOf(*block), layout.firstLight++}, std::nullopt};
+            if (group.shadow) {
+                int behind = place.light.vec4s();
+                place.shadow = placed(*group.shadow, catalog, behind);
+            }
+            layout.groups.push_back(std::move(place));
         }
     }
     return layout;

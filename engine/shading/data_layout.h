@@ -19,6 +19,19 @@ struct BlockPlace {
     int vec4s() const { return static_cast<int>(layout.floats / 4); }
 };
 
+/// Where one light's values lie in those of its group: the light's, its shadows' and its map's.
+struct LightPlace {
+    BlockPlace light; ///< `first` is the index of the group's header
+    std::optional<BlockPlace> shadow; ///< `first` counts from the light's first vec4
+
+    int vec4s() const;
+};
+
+/// How a light's depth map looks at the scene (passes/shadow.glsl says what is where).
+struct ShadowLayout {
+    static constexpr int vec4s = 6;
+};
+
 /// The array `objectData`: what belongs to one object and its material.
 struct ObjectLayout {
     static constexpr int world = 0;   ///< three rows of the matrix to world space
@@ -33,6 +46,7 @@ struct ObjectLayout {
     std::vector<BlockPlace> slots; ///< right behind the model, in its order
     std::optional<BlockPlace> blend;
     int firstTexture = fixed; ///< of EffectSet::textures, each with vec4sPerTexture
+    std::optional<int> ground; ///< of the ground: colour and opacity, then its disk
     int vec4s = fixed;
 
     int texture(std::size_t index) const {
@@ -49,7 +63,7 @@ struct SceneLayout {
     static constexpr int mostCapacity = 4096;
 
     std::optional<BlockPlace> fog;
-    std::vector<BlockPlace> groups; ///< as SceneEffects::lights; `first` is the header's index:
+    std::vector<LightPlace> groups; ///< as SceneEffects::lights; a group's header:
                                     ///< x: number of lights, y: index of the first one's values
     int firstLight = fixed;
 };

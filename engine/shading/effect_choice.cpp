@@ -83,6 +83,19 @@ bool canHide(const BlockValues& fog, const Block& block) {
     return !isNothing(block, fog.parameters, "density");
 }
 
+bool isCaster(const Object& object) {
+    return object.visible && object.castsShadow && object.material.opacity >= 0.5;
+}
+
+bool hasCaster(const Scene& scene) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(), isCaster);
+}
+
+const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {
+    const bool casts = light.shadow && block.shadowProjection != ShadowProjection::None;
+    return casts ? catalog.find("shadows", light.shadow->id) : nullptr;
+}
+
 bool hasFresnelSlot(const Block& model) {
     return model.slot("fresnel") != nullptr;
 }

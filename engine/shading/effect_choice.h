@@ -31,6 +31,14 @@ std::size_t compiledState(const Parameter& parameter, const Values& values);
 bool canShine(const Light& light, const Block& block);
 bool canHide(const BlockValues& fog, const Block& block);
 
+/// Whether an object keeps light from others: it is drawn, may do so, and lets less than half of
+/// the light through.
+bool isCaster(const Object& object);
+bool hasCaster(const Scene& scene);
+
+/// The block that draws the shadows in a light of kind `light`; null where it has none.
+const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog);
+
 /// Whether the model calls a Fresnel block itself; else one blends the sum, see EffectSet.
 bool hasFresnelSlot(const Block& model);
 

@@ -79,7 +79,7 @@ void addTextures(Hash& hash, const Material& material, const Catalog& catalog) {
 
 } // namespace
 
-std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog) {
+std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog, bool hasCaster) {
     const Block* block = catalog.find("lights", light.block.id);
     if (block == nullptr || !canShine(light, *block)) {
         return 0;
@@ -87,13 +87,18 @@ std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog) {
     static const AccuracyLevels exact;
     Hash hash;
     addBlock(hash, *block, light.block.parameters, exact);
+    const Block* shadow = hasCaster ? shadowBlock(light, *block, catalog) : nullptr;
+    if (shadow != nullptr) {
+        addBlock(hash, *shadow, light.shadow->parameters, exact);
+    }
     return hash.value();
 }
 
 std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog) {
     groups_.clear();
+    const bool casters = hasCaster(scene);
     for (const Light& light : scene.lights) {
-        groups_.push_back(ofLight(light, catalog));
+        groups_.push_back(ofLight(light, catalog, casters));
     }
     std::sort(groups_.begin(), groups_.end());
     groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());

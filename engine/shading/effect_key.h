@@ -20,8 +20,9 @@ class EffectKey {
     /// Of what effectSet() adds for the material.
     static std::uint64_t ofMaterial(const Material& material, const Catalog& catalog);
 
-    /// Of one light's block and compiled values; 0 when it is left out.
-    static std::uint64_t ofLight(const Light& light, const Catalog& catalog);
+    /// Of one light's block and compiled values, and of its shadows' where objects cast any (as
+    /// hasCaster() says); 0 when it is left out.
+    static std::uint64_t ofLight(const Light& light, const Catalog& catalog, bool hasCaster);
 
   private:
     std::vector<std::uint64_t> groups_; ///< kept for its memory

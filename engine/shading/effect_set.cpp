@@ -53,28 +53,58 @@ std::string lightName(const Light& light) {
                               : fmt::format("the light \"{}\"", light.name);
 }
 
-void addLight(SceneEffects& effects, const Block& block, const Light& light, std::uint64_t key) {
+void addLight(SceneEffects& effects, const Block& block, const Light& light, std::uint64_t key,
+              const Block* shadow) {
     const auto group = std::find_if(effects.lights.begin(), effects.lights.end(),
                                     [key](const LightGroup& known) { return known.key == key; });
     if (group != effects.lights.end()) {
         ++group->count;
     } else {
-        effects.lights.push_back({useOf(block, light.block.parameters, {}, {}), 1, key});
+        LightGroup made{useOf(block, light.block.parameters, {}, {}), std::nullopt,
+                        ShadowProjection::None, 1, key};
+        if (shadow != nullptr) {
+            made.shadow = useOf(*shadow, light.shadow->parameters, {},
+                                "Objects cast shadows in this light.");
+            made.projection = block.shadowProjection;
+        }
+        effects.lights.push_back(std::move(made));
     }
 }
 
-bool before(const LightGroup& a, const LightGroup& b) {
+/// Why a light's shadows are not drawn; empty when they are, or none are asked for.
+std::string reasonWithoutShadow(const Light& light, const Block& block, const Catalog& catalog,
+                                bool hasCaster) {
+    if (!light.shadow) {
+        return {};
+    }
+    if (block.shadowProjection == ShadowProjection::None) {
+        return "Lights of this kind cast none.";
+    }
+    if (catalog.find("shadows", light.shadow->id) == nullptr) {
+        return fmt::format("No kind of shadow \"{}\" is known.", light.shadow->id);
+    }
+    return hasCaster ? std::string() : "No object casts a shadow.";
+}
+
+bool before(const BlockUse& a, const BlockUse& b) {
     const auto key = [](const CompiledValue& value) { return std::tie(value.id, value.value); };
-    if (a.block.id != b.block.id) {
-        return a.block.id < b.block.id;
+    if (a.id != b.id) {
+        return a.id < b.id;
     }
     return std::lexicographical_compare(
-        a.block.compiled.begin(), a.block.compiled.end(), b.block.compiled.begin(),
-        b.block.compiled.end(),
+        a.compiled.begin(), a.compiled.end(), b.compiled.begin(), b.compiled.end(),
         [&key](const CompiledValue& x, const CompiledValue& y) { return key(x) < key(y); });
 }
 
+bool groupBefore(const LightGroup& a, const LightGroup& b) {
+    if (before(a.block, b.block) || before(b.block, a.block)) {
+        return before(a.block, b.block);
+    }
+    return b.shadow && (!a.shadow || before(*a.shadow, *b.shadow));
+}
+
 void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
+    const bool casters = hasCaster(scene);
     for (const Light& light : scene.lights) {
         const Block* block = catalog.find("lights", light.block.id);
         if (!light.enabled) {
@@ -85,10 +115,14 @@ void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog
         } else if (!canShine(light, *block)) {
             effects.leftOut.push_back({lightName(light), "It is black."});
         } else {
-            addLight(effects, *block, light, EffectKey::ofLight(light, catalog));
+            const Block* shadow = casters ? shadowBlock(light, *block, catalog) : nullptr;
+            addLight(effects, *block, light, EffectKey::ofLight(light, catalog, casters), shadow);
+            if (auto why = reasonWithoutShadow(light, *block, catalog, casters); !why.empty()) {
+                effects.leftOut.push_back({"the shadows of " + lightName(light), std::move(why)});
+            }
         }
     }
-    std::sort(effects.lights.begin(), effects.lights.end(), before);
+    std::sort(effects.lights.begin(), effects.lights.end(), groupBefore);
     for (LightGroup& group : effects.lights) {
         group.block.reason = group.count == 1
                                  ? "One light of this kind shines."
@@ -221,6 +255,19 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     return set;
 }
 
+EffectSet groundEffects(const Scene& scene, const Catalog& catalog) {
+    EffectSet set;
+    set.scene = sceneEffects(scene, catalog);
+    set.ground = isSeen(scene.ground) ? scene.ground.mode : GroundMode::Off;
+    const bool shadowed = std::any_of(set.scene.lights.begin(), set.scene.lights.end(),
+                                      [](const LightGroup& group) { return bool(group.shadow); });
+    if (set.ground == GroundMode::Shadows && !shadowed) {
+        set.ground = GroundMode::Off;
+        set.leftOut.push_back({"the ground", "It shows shadows only, and no light has any."});
+    }
+    return set;
+}
+
 std::vector<EffectLine> effectLines(const EffectSet& set) {
     std::vector<EffectLine> lines;
     if (set.model) {
@@ -229,8 +276,14 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
     for (const BlockUse& slot : set.slots) {
         lines.push_back(lineOf(slot));
     }
+    if (set.ground != GroundMode::Off) {
+        lines.push_back({"ground", {}, "The scene has a ground."});
+    }
     for (const LightGroup& group : set.scene.lights) {
         lines.push_back(lineOf(group.block));
+        if (group.shadow) {
+            lines.push_back(lineOf(*group.shadow));
+        }
     }
     if (set.scene.ambient) {
         lines.push_back({"ambient", {}, "The scene's ambient colour is not black."});

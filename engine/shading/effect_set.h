@@ -33,6 +33,8 @@ struct BlockUse {
 /// All lights of one kind with the same compiled values: one loop in the program.
 struct LightGroup {
     BlockUse block;
+    std::optional<BlockUse> shadow; ///< how their shadows are drawn; nothing: there are none
+    ShadowProjection projection = ShadowProjection::None; ///< of the shadows
     int count = 0; ///< lights in it now; data, not text: another light compiles nothing
     std::uint64_t key = 0; ///< EffectKey::ofLight of each of its lights
 
@@ -88,6 +90,7 @@ struct EffectSet {
     std::vector<std::string> emission; ///< the model's colours that are emitted and not black
     std::vector<TextureEffect> textures; ///< sorted by id
     bool opacity = false;
+    GroundMode ground = GroundMode::Off; ///< the ground is drawn so, in place of a model
     SceneEffects scene;
     std::vector<LeftOut> leftOut;
 
@@ -96,11 +99,14 @@ struct EffectSet {
 
 /// What the scene's lights, fog and ambient colour call for. A light is left out when it is
 /// disabled or cannot send anything (its `color` is black or its `intensity` is 0), fog when its
-/// `density` is 0, and blocks that the catalogue does not know.
+/// `density` is 0, shadows when no object casts any, and blocks that the catalogue does not know.
 SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog);
 
 /// What shading `material` in the scene calls for. A pure function of its arguments.
 EffectSet effectSet(const Material& material, const Scene& scene, const Catalog& catalog);
+
+/// What drawing the scene's ground calls for; its `ground` is Off when there is nothing to draw.
+EffectSet groundEffects(const Scene& scene, const Catalog& catalog);
 
 /// One line of a listing of effects.
 struct EffectLine {

@@ -10,11 +10,15 @@
 namespace patina {
 namespace {
 
-/// The body of the loop over lights; {} is a light's Illumination.
-constexpr const char* litSource = "        sum += lit(s, {}, p);\n";
-constexpr const char* inspectedLitSource =
-    "        Illumination light = inspectedLight({});\n        sum += lit(s, light, p);\n"
-    "        noteLight(s, light);\n";
+/// The body of the loop over lights: {0} is a light's Illumination, {1} what shadows leave of it.
+constexpr const char* litSource = "        sum += lit(s, {0}, p);\n";
+constexpr const char* shadowedLitSource = "        Illumination light = {0};\n"
+                                          "{1}"
+                                          "        sum += lit(s, light, p);\n";
+constexpr const char* inspectedLitSource = "        Illumination light = inspectedLight({0});\n"
+                                           "{1}"
+                                           "        sum += lit(s, light, p);\n"
+                                           "        noteLight(s, light);\n";
 
 bool hasGate(const Block& model, std::string_view gate) {
     return std::find(model.gates.begin(), model.gates.end(), gate) != model.gates.end();
@@ -34,6 +38,10 @@ std::string gateSource(const Block& model) {
 
 } // namespace
 
+bool SurfaceWriter::isLitFromBehind() const {
+    return object_.model && !hasGate(*object_.model->block, "light");
+}
+
 SurfaceWriter::SurfaceWriter(SourceBuilder& out, const EffectSet& set, const ObjectLayout& object,
                              const SceneLayout& scene)
     : out_(out), set_(set), object_(object), scene_(scene), textures_(set, object) {}
@@ -49,7 +57,9 @@ void SurfaceWriter::write(SurfaceOutput output) {
 
 void SurfaceWriter::writeSurface() {
     writeFrame();
-    if (object_.model) {
+    if (object_.ground) {
+        writeGround();
+    } else if (object_.model) {
         writeSlots();
         writeModel();
         writeLights();
@@ -161,18 +171,34 @@ void SurfaceWriter::writeLights() {
     }
     out_.addFile("passes/lit.glsl");
     readFrom("sceneData");
+    if (hasShadows()) {
+        writeShadowCode();
+    }
     for (std::size_t i = 0; i < scene_.groups.size(); ++i) {
         writeLightGroup(i);
     }
 }
 
 void SurfaceWriter::writeLightGroup(std::size_t index) {
-    const BlockPlace& group = scene_.groups[index];
-    const std::string type = structName(*group.block);
-    writeBlock(*group.block);
-    writeUnpack(*group.block, set_.scene.lights[index].block,
+    const LightPlace& group = scene_.groups[index];
+    const Block& block = *group.light.block;
+    const std::string type = structName(block);
+    writeBlock(block);
+    writeUnpack(block, set_.scene.lights[index].block,
                 fmt::format("unpack{}{}", type, index));
-    const std::string arrives = fmt::format("{}(s.x, source)", functionName(*group.block));
+    std::string shadowed;
+    const char* body = isInspected() ? inspectedLitSource : litSource;
+    if (group.shadow) {
+        writeShadow(index);
+        body = isInspected() ? body : shadowedLitSource;
+        shadowed = fmt::format("        light.radiance *= arriving{}(s, light, first + i * {});\n",
+                               index, group.vec4s());
+    }
+    if (set_.ground == GroundMode::Shadows) {
+        body = shadowedLitSource;
+        shadowed = "        sent += lit(s, light, p);\n" + shadowed;
+    }
+    const std::string arrives = fmt::format("{}(s.x, source)", functionName(block));
     out_.add(fmt::format("vec3 from{0}{1}(Surface s, Model p) {{\n"
                          "    vec3 sum = vec3(0.0);\n"
                          "    int count = int(sceneData[{2}].x);\n"
@@ -183,9 +209,8 @@ void SurfaceWriter::writeLightGroup(std::size_t index) {
                          "    }}\n"
                          "    return sum;\n"
                          "}}\n",
-                         type, index, group.first, group.vec4s(),
-                         fmt::format(fmt::runtime(isInspected() ? inspectedLitSource : litSource),
-                                     arrives)));
+                         type, index, group.light.first, group.vec4s(),
+                         fmt::format(fmt::runtime(body), arrives, shadowed)));
     main_ += fmt::format("    shaded += from{}{}(s, model);\n", type, index);
 }
 
@@ -239,6 +264,9 @@ void SurfaceWriter::writeFog() {
     out_.add(fmt::format("#define Fog {}\n#define {}\n#define fogColor {}Color\n",
                          structName(block), fmt::format(fmt::runtime(share), function), function));
     out_.addFile("passes/fog.glsl");
+    if (set_.ground == GroundMode::Shadows) {
+        return; // they thin out with what they fall on
+    }
     main_ += fmt::format("    shaded = fogged(s, shaded, unpackFog({}));\n", scene_.fog->first);
     noteTerm("FOGGED", "shaded", "share");
 }
@@ -255,8 +283,8 @@ void SurfaceWriter::writeMain() {
     // The table knows one value for the whole surface.
     const char* albedo = object_.model && set_.textures.empty() ? "albedoAt(s)" : "vec4(0.0)";
     const std::string store =
-        isInspected() ? fmt::format("storeInspected(s, shaded, {}, {})", albedo, alpha_)
-                      : fmt::format("store(shaded, {})", alpha_);
+        isInspected() ? fmt::format("storeInspected(s, {}, {}, {})", stored_, albedo, alpha_)
+                      : fmt::format("store({}, {})", stored_, alpha_);
     out_.add(
         fmt::format("void main() {{\n{}    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
                     "{}{}    {};\n}}\n",

@@ -31,11 +31,16 @@ class SurfaceWriter {
     void writeModel();
     void writeLights();
     void writeLightGroup(std::size_t index);
+    void writeShadowCode();
+    void writeShadow(std::size_t index);
+    bool hasShadows() const;
+    bool isLitFromBehind() const;
     void writeAmbient();
     void writeEmission();
     void writeBlend();
     void writeFog();
     void writeOpacity();
+    void writeGround();
     void writeMain();
     void writeBlock(const Block& block);
     void writeUnpack(const Block& block, const BlockUse& use, const std::string& function);
@@ -54,6 +59,7 @@ class SurfaceWriter {
     std::string main_;
     std::string last_; ///< behind everything else in main
     std::string alpha_ = "1.0";
+    std::string stored_ = "shaded";
 };
 
 } // namespace patina

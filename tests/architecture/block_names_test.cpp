@@ -12,9 +12,10 @@ namespace {
 
 /// Block ids that are also ordinary words of this trade. They may stand in a sentence or a name
 /// (a point in space, the head of a list, linear light), but never as a string equal to the id.
-constexpr std::array<std::string_view, 10> ordinaryWords = {
+constexpr std::array<std::string_view, 13> ordinaryWords = {
     "point",       "head",      "spot",       "linear",    "directional",
-    "exponential", "empirical", "dielectric", "conductor", "constant"};
+    "exponential", "empirical", "dielectric", "conductor", "constant",
+    "hard",        "filtered",  "soft"};
 
 /// Strings that equal an id and mean something else.
 struct OtherMeaning {

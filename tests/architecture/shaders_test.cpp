@@ -15,7 +15,8 @@ const std::map<std::string, std::string> kindWords = {{"models", ""},
                                                       {"fresnel", "Fresnel"},
                                                       {"specular", "Specular"},
                                                       {"lights", "Light"},
-                                                      {"fog", "Fog"}};
+                                                      {"fog", "Fog"},
+                                                      {"shadows", "Shadow"}};
 
 std::string pascalCase(const std::string& id) {
     std::string name;
@@ -41,7 +42,8 @@ std::string structNameOf(const SourceFile& file) {
 
 std::vector<SourceFile> blockShaders() {
     return filesUnder(
-        {"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog"},
+        {"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog",
+         "shaders/shadows"},
         {".glsl"});
 }
 

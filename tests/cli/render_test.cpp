@@ -45,6 +45,27 @@ TEST(RenderCommand, MeshWithATriangleThatCannotBeDrawn_IsDrawnWithARemark) {
     EXPECT_NE(outcome.err.find("nan.obj: 1 of 2 triangles"), std::string::npos) << outcome.err;
 }
 
+TEST(RenderCommand, SceneWithShadows_IsDrawnWithThem) {
+    const TemporaryFolder folder;
+    auto scene = nlohmann::json::parse(readFile(shipped("presets/default.patina-scene.json")));
+    scene["objects"][0]["preset"] = nlohmann::json::parse(readFile(gold));
+    const auto picture = [&folder, &scene] {
+        writeFile(folder / "a.patina-scene.json", scene.dump());
+        const Outcome outcome = patina({"render", "--scene",
+                                        (folder / "a.patina-scene.json").string(), "--size",
+                                        "48x48", "-o", "-"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        return outcome.out;
+    };
+    const std::string without = picture();
+    scene["lights"][0]["shadow"] = {{"id", "soft"}, {"version", 1}};
+    const std::string onItself = picture();
+    EXPECT_NE(onItself, without);
+    scene["ground"] = {{"mode", "shadows"}};
+    EXPECT_NE(picture(), onItself);
+}
+
 TEST(RenderCommand, Highlight_IsChosenAndSet) {
     const auto picture = [](std::vector<std::string> more) {
         std::vector<std::string> arguments{"render", "--model", "lambert", "--size", "32x32", "-o",

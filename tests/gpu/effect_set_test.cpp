@@ -129,6 +129,76 @@ TEST_F(EffectSetTest, EveryEffect_HasAReason) {
     }
 }
 
+/// A sphere in one light with shadows.
+class ShadowEffects : public ShadingTest {
+  protected:
+    static Scene shadowed(const std::string& kindOfLight, const std::string& kindOfShadow) {
+        Scene scene;
+        scene.objects.emplace_back();
+        scene.objects[0].material = material("lambert");
+        scene.lights = {light(kindOfLight)};
+        scene.lights[0].shadow = block("shadows", kindOfShadow);
+        return scene;
+    }
+
+    static std::string textOf(const Scene& scene) {
+        return fragment(scene.objects[0].material, scene);
+    }
+};
+
+TEST_F(ShadowEffects, Shadow_IsInTheGroupOfItsLight) {
+    const Scene scene = shadowed("point", "soft");
+    const SceneEffects effects = sceneEffects(scene, catalog());
+    ASSERT_EQ(effects.lights.size(), 1u);
+    ASSERT_TRUE(effects.lights[0].shadow);
+    EXPECT_EQ(effects.lights[0].shadow->id, "soft");
+    EXPECT_EQ(effects.lights[0].projection, ShadowProjection::Sphere);
+}
+
+TEST_F(ShadowEffects, LightsWithAndWithout_AreGroupsOfTheirOwn) {
+    Scene scene = shadowed("point", "soft");
+    scene.lights.push_back(light("point"));
+    EXPECT_EQ(sceneEffects(scene, catalog()).lights.size(), 2u);
+}
+
+TEST_F(ShadowEffects, WithoutCaster_AreLeftOutWithAReason) {
+    Scene scene = shadowed("point", "soft");
+    scene.objects[0].castsShadow = false;
+    const SceneEffects effects = sceneEffects(scene, catalog());
+    EXPECT_FALSE(effects.lights[0].shadow);
+    ASSERT_EQ(effects.leftOut.size(), 1u);
+    EXPECT_EQ(effects.leftOut[0].reason, "No object casts a shadow.");
+    EXPECT_EQ(textOf(scene).find("hadow"), std::string::npos);
+}
+
+TEST_F(ShadowEffects, OfOneProjection_HaveNothingOfTheOtherInTheText) {
+    EXPECT_EQ(textOf(shadowed("directional", "hard")).find("localShadow"), std::string::npos);
+    EXPECT_EQ(textOf(shadowed("spot", "hard")).find("parallelShadow"), std::string::npos);
+}
+
+TEST_F(ShadowEffects, Key_DiffersExactlyWhereTheTextDoes) {
+    std::vector<Scene> scenes{shadowed("point", "soft"), shadowed("point", "hard"),
+                              shadowed("point", "filtered"), shadowed("spot", "soft")};
+    scenes.push_back(scenes[0]);
+    scenes.back().objects[0].castsShadow = false;
+    scenes.push_back(scenes[0]);
+    scenes.back().objects[0].material.opacity = 0.4; // casts none either, and is no longer solid
+    scenes.push_back(scenes[0]);
+    scenes.back().lights[0].shadow.reset();
+    scenes.push_back(scenes[0]);
+    scenes.back().lights[0].shadow->parameters["samples"] = std::string("fine");
+    scenes.push_back(scenes[0]);
+    scenes.back().lights[0].shadow->parameters["size"] = 0.7;
+    EffectKey keys;
+    for (const Scene& a : scenes) {
+        for (const Scene& b : scenes) {
+            const bool sameKey = keys.ofScene(a, catalog()) == keys.ofScene(b, catalog());
+            EXPECT_EQ(sameKey,
+                      sceneEffects(a, catalog()).lights == sceneEffects(b, catalog()).lights);
+        }
+    }
+}
+
 TEST_F(EffectSetTest, Key_StaysWhenAValueChanges) {
     Material phong = material("phong");
     const std::uint64_t before = EffectKey::ofMaterial(phong, catalog());

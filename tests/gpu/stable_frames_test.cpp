@@ -177,16 +177,20 @@ class HardFrame : public ExaminedFrame, public testing::WithParamInterface<HardS
         ASSERT_NO_FATAL_FAILURE(examine(ExaminedShaders::Stage::Surface));
     }
 
-    /// Every kind of light in front of the object, and fog of the given kind.
+    /// Every kind of light in front of the object, with shadows, and fog of the given kind.
     Scene fullScene(const Material& material, const Block& fog) const {
         Scene scene = simpleScene();
         scene.background = glm::dvec3(0.0);
         scene.ambient = glm::dvec3(0.5);
         scene.objects[0].mesh = "builtin:hard";
         scene.objects[0].material = material;
+        const auto shadows = catalog->ofKind("shadows");
         for (const Block* kind : catalog->ofKind("lights")) {
             scene.lights.push_back(light(kind->id));
+            scene.lights.back().shadow =
+                block("shadows", shadows[scene.lights.size() % shadows.size()]->id);
         }
+        scene.ground.mode = GroundMode::Plane;
         scene.fog = block("fog", fog.id);
         return scene;
     }

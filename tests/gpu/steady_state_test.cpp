@@ -58,6 +58,9 @@ class SteadyStateTest : public GpuTest {
         scene_.lights.push_back(light("point"));
         scene_.lights.push_back(light("head"));
         scene_.fog = block("fog", "exponential");
+        scene_.lights[0].shadow = block("shadows", "soft");
+        scene_.lights[1].shadow = block("shadows", "filtered");
+        scene_.ground.mode = GroundMode::Plane;
     }
 
     void TearDown() override {
@@ -111,6 +114,15 @@ TEST_F(SteadyStateTest, MovedImage_AllocatesNothing) {
     draw();
     draw();
     use.offset.x = 0.25;
+    EXPECT_EQ(ofTheNextFrame(), 0);
+}
+
+/// The driver makes its own state for the map at its second drawing.
+TEST_F(SteadyStateTest, TurnedLight_AllocatesNothing) {
+    draw();
+    scene_.lights[0].block.parameters["direction"] = glm::dvec3(-0.3, -1.0, 0.2);
+    draw();
+    scene_.lights[0].block.parameters["direction"] = glm::dvec3(0.3, -1.0, 0.2);
     EXPECT_EQ(ofTheNextFrame(), 0);
 }
 

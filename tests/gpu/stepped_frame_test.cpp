@@ -129,6 +129,33 @@ TEST_F(SteppedFrame, OfTransparentObjects_IsThePictureDrawnAtOnce) {
     EXPECT_EQ(stepped, drawnAtOnce(scene));
 }
 
+TEST_F(SteppedFrame, WithShadowsAndAGround_IsThePictureDrawnAtOnce) {
+    Scene scene = gridScene();
+    scene.lights = {sun({0.5, -1.0, -1.0}), light("point")};
+    scene.lights[0].shadow = block("shadows", "filtered");
+    scene.lights[1].shadow = block("shadows", "hard");
+    scene.ground.mode = GroundMode::Plane;
+    ASSERT_FALSE(beginFrame(scene));
+    EXPECT_EQ(renderer->report().shadowMaps, 7);
+    EXPECT_GT(finishFrame(), 7 * 13); // each map takes thirteen slices or so
+    const auto stepped = picture();
+    EXPECT_EQ(stepped, drawnAtOnce(scene));
+}
+
+TEST_F(SteppedFrame, GivenUpInMidShadows_DrawsThemTheNextTime) {
+    Scene scene = gridScene();
+    scene.lights[0].shadow = block("shadows", "hard");
+    ASSERT_FALSE(beginFrame(scene));
+    for (int i = 0; i < 12; ++i) {
+        renderer->proceed(noPatience);
+    }
+    const auto resumed = drawnAtOnce(scene);
+    scene.objects[0].translation.x = 1.0;
+    drawnAtOnce(scene);
+    scene.objects[0].translation.x = 0.0;
+    EXPECT_EQ(resumed, drawnAtOnce(scene));
+}
+
 TEST_F(SteppedFrame, NotDone_GivesWayToAnother) {
     const Scene other = simpleScene();
     const auto expected = drawnAtOnce(other);

@@ -222,11 +222,13 @@ inline std::string described(const EvalCase& request, const std::vector<double>&
     return text;
 }
 
-/// "models/..." of every block in the catalogue.
+/// "models/..." of every block in the catalogue that can be evaluated alone.
 inline std::vector<std::string> blockNames() {
     std::vector<std::string> names;
     for (const Block& block : catalog().blocks) {
-        names.push_back(block.kind + '/' + block.id);
+        if (subjectOfKind(block.kind)) {
+            names.push_back(block.kind + '/' + block.id);
+        }
     }
     return names;
 }

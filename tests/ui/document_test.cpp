@@ -148,6 +148,33 @@ TEST_F(DocumentEdit, Objects_UndoAndRedo) {
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
 
+TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
+    document.addLight("sun");
+    const int light = document.currentLight();
+    const auto shadow = [this, light] {
+        return document.scene().lights.at(static_cast<std::size_t>(light)).shadow;
+    };
+    document.setShadow(light, "veil");
+    document.setValue(document.currentPath(Part::Shadow), "width", 0.5);
+    ASSERT_TRUE(shadow());
+    EXPECT_EQ(shadow()->parameters.at("width"), Value(0.5));
+    document.undoStack().undo();
+    EXPECT_EQ(shadow()->parameters.at("width"), Value(0.1));
+    document.undoStack().undo();
+    EXPECT_FALSE(shadow());
+}
+
+TEST_F(DocumentEdit, Ground_IsSetAndUndone) {
+    const Ground untouched = document.scene().ground;
+    document.setValue(document.currentPath(Part::Scene), "ground.mode", std::string("plane"));
+    EXPECT_EQ(document.scene().ground.mode, GroundMode::Plane);
+    document.setValue(document.currentPath(Part::Scene), "ground.height", -0.5);
+    EXPECT_EQ(document.scene().ground.height, -0.5);
+    document.undoStack().undo();
+    document.undoStack().undo();
+    EXPECT_EQ(document.scene().ground, untouched);
+}
+
 TEST_F(DocumentEdit, Fog_UndoesAndRedoes) {
     document.setFog("mist");
     EXPECT_TRUE(survivesUndoAndRedo(document, before));

@@ -106,6 +106,16 @@ const char* const mistBlock = R"({
   "claims": ["finite"]
 })";
 
+const char* const veilBlock = R"({
+  "id": "veil", "version": 1, "label": "Veil", "summary": "For tests.",
+  "applications": "Tests.", "source": "None", "doc": "For tests.",
+  "parameters": [
+    {"id": "width", "label": "Width", "type": "float", "default": 0.1, "min": 0, "max": 1,
+     "step": 0.01, "unit": "m", "doc": "How wide its edge is."}
+  ],
+  "claims": []
+})";
+
 const char* const diffuseShader = "// SPDX-License-Identifier: MIT-0\n"
                                   "#include \"lib/directions.glsl\"\n";
 
@@ -125,6 +135,7 @@ FixtureBlocks::FixtureBlocks() {
     write("lights", "lamp", lampBlock, "");
     write("lights", "sun", sunBlock, "");
     write("fog", "mist", mistBlock, "");
+    write("shadows", "veil", veilBlock, "");
     load();
 }
 

@@ -225,6 +225,15 @@ TEST_F(Mistakes, SpaceOfANumber_IsOne) {
               "only a vec3 lies in a space; expected no such key\n");
 }
 
+TEST_F(Mistakes, ShadowProjectionOfAModel_IsOne) {
+    json descriptor = plainDescriptor("a");
+    descriptor["shadowProjection"] = "none";
+    EXPECT_EQ(of(descriptor), "");
+    descriptor["shadowProjection"] = "parallel";
+    EXPECT_NE(of(descriptor).find("only a light casts shadows"), std::string::npos);
+    EXPECT_NE(of(descriptor).find("the light has no direction"), std::string::npos);
+}
+
 TEST_F(Mistakes, ConditionThatDoesNotParse_IsOne) {
     EXPECT_EQ(problem({{"enabledWhen", "gloss >"}}),
               "the expression ends here (column 8 of the text); expected a parameter, a number or "

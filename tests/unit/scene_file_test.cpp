@@ -21,6 +21,7 @@ const Catalog& catalog() {
         folder.add("models", plainDescriptor("velvet"));
         folder.add("lights", plainDescriptor("lamp"));
         folder.add("fog", plainDescriptor("mist"));
+        folder.add("shadows", plainDescriptor("veil"));
         return folder.load();
     }();
     return made;
@@ -113,6 +114,44 @@ TEST_F(SceneFile, LightsAndFog_HaveTheirValues) {
     const Scene scene = read(plainScene())->scene;
     EXPECT_EQ(scene.lights[0].block.parameters, (Values{{"gloss", 0.25}}));
     EXPECT_EQ(scene.fog->parameters, (Values{{"gloss", 0.125}}));
+}
+
+TEST_F(SceneFile, Shadow_IsReadAndWrittenWithItsLight) {
+    const json shadow{{"id", "veil"}, {"version", 1}, {"parameters", {{"gloss", 0.5}}}, {"x", 7}};
+    const auto reading = readChanged({{"lights", {{{"id", "lamp"}, {"shadow", shadow}}}}});
+    EXPECT_EQ(text(reading->notes), "");
+    ASSERT_TRUE(reading->scene.lights[0].shadow);
+    EXPECT_EQ(reading->scene.lights[0].shadow->parameters, (Values{{"gloss", 0.5}}));
+    EXPECT_EQ(toJson(reading->scene, folder_.path())["lights"][0]["shadow"], shadow);
+}
+
+TEST_F(SceneFile, LightWithoutShadow_IsWrittenWithNone) {
+    const Scene scene = read(plainScene())->scene;
+    EXPECT_FALSE(scene.lights[0].shadow);
+    EXPECT_TRUE(toJson(scene, folder_.path())["lights"][0]["shadow"].is_null());
+}
+
+TEST_F(SceneFile, Ground_IsReadAndWritten) {
+    const json ground{{"mode", "plane"},          {"automatic", false}, {"height", -0.5},
+                      {"color", {0.25, 0.5, 1.0}}, {"opacity", 0.75},    {"later", 1}};
+    const auto reading = readChanged({{"ground", ground}});
+    EXPECT_EQ(text(reading->notes), "");
+    const Ground expected{GroundMode::Plane, false, -0.5, {0.25, 0.5, 1.0}, 0.75};
+    EXPECT_EQ(reading->scene.ground, expected);
+    EXPECT_EQ(toJson(reading->scene, folder_.path())["ground"], ground);
+}
+
+TEST_F(SceneFile, UnknownGround_IsOffWithANoteAtItsPlace) {
+    const auto reading = readChanged({{"ground", {{"mode", "sand"}}}});
+    EXPECT_EQ(reading->scene.ground.mode, GroundMode::Off);
+    ASSERT_EQ(reading->notes.size(), 1u);
+    EXPECT_GT(reading->notes[0].line, 1);
+}
+
+TEST_F(SceneFile, ObjectThatCastsNoShadow_StaysSo) {
+    const Scene scene = readObject({{"castsShadow", false}})->scene;
+    EXPECT_FALSE(scene.objects[0].castsShadow);
+    EXPECT_EQ(toJson(scene, folder_.path())["objects"][0]["castsShadow"], false);
 }
 
 TEST_F(SceneFile, UnknownLight_IsKeptWithANote) {

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "docks/block_chooser.h"
 #include "docks/check_list.h"
@@ -18,18 +19,28 @@ LightsDock::LightsDock(const DockContext& context)
       add_(textButton(tr("Add"), tr("Add a light"), this)),
       remove_(textButton(tr("Remove"), tr("Remove the chosen light (Del)"), this)),
       kinds_(new QMenu(this)),
-      kind_(new BlockChooser(document_, "lights", BlockChooser::Off::Absent, this)) {
+      kind_(new BlockChooser(document_, "lights", BlockChooser::Off::Absent, this)),
+      shadow_(new BlockChooser(document_, "shadows", BlockChooser::Off::Offered, this)) {
     add_->setMenu(kinds_);
     add_->setPopupMode(QToolButton::InstantPopup);
     kind_->setToolTip(tr("Kind of the chosen light"));
     kind_->setAccessibleName(tr("Kind of light"));
     list_->setAccessibleName(tr("Lights"));
-    fillPanel(this, {list_, rowOf({kind_, add_, remove_})},
-              new DocumentForm(document_, BlockPath::Part::Light));
+    shadow_->setAccessibleName(tr("Shadows"));
+    auto* forms = new QWidget;
+    auto* layout = new QVBoxLayout(forms);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Light));
+    layout->addWidget(labelled(tr("&Shadows"), shadow_));
+    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Shadow));
+    fillPanel(this, {list_, rowOf({kind_, add_, remove_})}, forms);
     connectList();
     connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);
     connect(kind_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setLightKind(document_.currentLight(), id.toStdString());
+    });
+    connect(shadow_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setShadow(document_.currentLight(), id.toStdString());
     });
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.removeLight(document_.currentLight()); });
@@ -76,6 +87,19 @@ void LightsDock::update() {
     const auto& lights = document_.scene().lights;
     kind_->show(any ? QString::fromStdString(lights[static_cast<std::size_t>(current)].block.id)
                     : QString());
+    updateShadow();
+}
+
+/// Lights of a kind that casts no shadows have no choice of them.
+void LightsDock::updateShadow() {
+    const auto index = static_cast<std::size_t>(document_.currentLight());
+    const auto& lights = document_.scene().lights;
+    const Light* light = index < lights.size() ? &lights[index] : nullptr;
+    const Block* block = light ? document_.catalog().find("lights", light->block.id) : nullptr;
+    const bool isSet = light && light->shadow;
+    shadow_->setEnabled(isSet ||
+                        (block && block->shadowProjection != ShadowProjection::None));
+    shadow_->show(isSet ? QString::fromStdString(light->shadow->id) : QString());
 }
 
 void LightsDock::switchLight(int index, bool on) {

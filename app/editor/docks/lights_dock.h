@@ -24,6 +24,7 @@ class LightsDock : public QWidget {
     void connectList();
     void fillMenu();
     void update();
+    void updateShadow();
     void switchLight(int index, bool on);
     void renameLight(int index, const QString& name);
 
@@ -33,6 +34,7 @@ class LightsDock : public QWidget {
     QToolButton* remove_;
     QMenu* kinds_;
     BlockChooser* kind_;
+    BlockChooser* shadow_;
 };
 
 } // namespace patina

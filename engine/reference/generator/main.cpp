@@ -85,8 +85,14 @@ Result<void> writeLibrary(const std::filesystem::path& root, const std::filesyst
                 : done;
 }
 
-Result<void> writeBlocks(const Catalog& catalog, const std::filesystem::path& target) {
+/// Shadows read maps that the graphics card has drawn.
+bool hasTwin(const Block& block) {
+    return block.kind != "shadows";
+}
+
+Result<void> writeBlocks(Catalog catalog, const std::filesystem::path& target) {
     const std::filesystem::path root = catalog.roots.front().folder;
+    std::erase_if(catalog.blocks, [](const Block& block) { return !hasTwin(block); });
     for (const Block& block : catalog.blocks) {
         const Result<GlslLines> lines = GlslReader(root, {elementary}).read(block.shaderFile);
         if (!lines) {

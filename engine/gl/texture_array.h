@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "gl/texture.h"
+
+namespace patina::gl {
+
+/// Depths in layers of one size, of one level, sampled as they are at texel centres.
+class TextureArray {
+  public:
+    TextureArray() = default;
+
+    /// `internalFormat` is a sized depth format; the content is undefined.
+    static TextureArray create(glm::ivec2 size, int layers, unsigned internalFormat);
+
+    unsigned name() const { return name_.get(); }
+    glm::ivec2 size() const { return size_; }
+    int layers() const { return layers_; }
+
+  private:
+    Name<deleteTexture> name_;
+    glm::ivec2 size_{0};
+    int layers_ = 0;
+};
+
+} // namespace patina::gl

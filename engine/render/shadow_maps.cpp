@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/shadow_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <epoxy/gl.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "render/binding.h"
+#include "shading/effect_choice.h"
+#include "shading/program_source.h"
+
+namespace patina {
+namespace {
+
+constexpr int mostTexels = 2048;
+constexpr int leastTexels = 256;
+constexpr std::int64_t mostBytes = std::int64_t(256) << 20;
+
+/// As many texels per side as all layers have room for.
+int texelsFor(int layers) {
+    int texels = mostTexels;
+    while (texels > leastTexels && std::int64_t(4) * texels * texels * layers > mostBytes) {
+        texels /= 2;
+    }
+    return texels;
+}
+
+int mostLayers() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+    return std::min(most, static_cast<int>(mostBytes / (4 * leastTexels * leastTexels)));
+}
+
+const Block* shadowedLight(const Light& light, const Catalog& catalog) {
+    const Block* block = catalog.find("lights", light.block.id);
+    const bool shines = block != nullptr && canShine(light, *block);
+    return shines && shadowBlock(light, *block, catalog) != nullptr ? block : nullptr;
+}
+
+} // namespace
+
+void ShadowMaps::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+    program_.reset();
+    layers_.clear();
+}
+
+void ShadowMaps::clearCasters() {
+    meshes_.clear();
+    boxes_.clear();
+    serials_.clear();
+    views_.clear();
+}
+
+void ShadowMaps::addCaster(const GpuMesh& mesh, const Bounds& bounds, const glm::dmat4& world) {
+    meshes_.push_back(&mesh);
+    boxes_.push_back({bounds, world});
+    serials_.push_back(mesh.serial());
+}
+
+Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
+                              const glm::dmat4& cameraToWorld, ProgramCache& programs) {
+    layer_ = 0;
+    caster_ = 0;
+    triangle_ = 0;
+    lost_ = 0;
+    makeViews(scene, effects, cameraToWorld, mostTexels);
+    if (neededLayers() == 0) {
+        layers_.clear();
+        texture_ = gl::TextureArray();
+        return {};
+    }
+    placeLayers(mostLayers());
+    const int texels = texelsFor(neededLayers());
+    if (texels != mostTexels) {
+        makeViews(scene, effects, cameraToWorld, texels);
+        placeLayers(mostLayers());
+    }
+    Result<void> made = makeProgram(programs);
+    if (made) {
+        made = makeTexture(texels, neededLayers());
+    }
+    if (!made) {
+        views_.clear();
+        layers_.clear();
+        return made;
+    }
+    planLayers(hasChanged());
+    return {};
+}
+
+bool ShadowMaps::hasChanged() const {
+    return boxes_ != drawnBoxes_ || serials_ != drawnSerials_;
+}
+
+void ShadowMaps::makeViews(const Scene& scene, const Scene& effects,
+                           const glm::dmat4& cameraToWorld, int texels) {
+    views_.assign(scene.lights.size(), ShadowView());
+    if (boxes_.empty() || !hasCaster(effects)) {
+        return;
+    }
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        if (const Block* light = shadowedLight(effects.lights[i], *catalog_)) {
+            views_[i] = shadowViewOf(*light, scene.lights[i].block.parameters, cameraToWorld,
+                                     boxes_, texels);
+        }
+    }
+}
+
+int ShadowMaps::neededLayers() const {
+    int layers = 0;
+    for (const ShadowView& view : views_) {
+        layers += view.faces;
+    }
+    return layers;
+}
+
+/// One after the other; a light that does not fit has no map.
+void ShadowMaps::placeLayers(int most) {
+    int next = 0;
+    lost_ = 0;
+    for (ShadowView& view : views_) {
+        if (next + view.faces > most) {
+            view = ShadowView();
+            ++lost_;
+            continue;
+        }
+        view.layer = next;
+        next += view.faces;
+    }
+}
+
+void ShadowMaps::planLayers(bool allAnew) {
+    layers_.resize(static_cast<std::size_t>(neededLayers()));
+    for (const ShadowView& view : views_) {
+        for (int face = 0; face < view.faces; ++face) {
+            Layer& layer = layers_[static_cast<std::size_t>(view.layer + face)];
+            layer.isDrawn =
+                layer.isDrawn && !allAnew && layer.view == view && layer.face == face;
+            layer.view = view;
+            layer.face = face;
+        }
+    }
+    if (allAnew) {
+        drawnBoxes_ = boxes_;
+        drawnSerials_ = serials_;
+    }
+}
+
+Result<void> ShadowMaps::makeProgram(ProgramCache& programs) {
+    if (program_) {
+        return {};
+    }
+    const std::array<std::string, 1> files{"passes/shadow_map.frag"};
+    const auto source = passProgram(*catalog_, "passes/shadow_map.vert", files);
+    if (!source) {
+        return tl::unexpected(source.error().front());
+    }
+    const ProgramCache::Found found = programs.get(*source);
+    if (!found.program) {
+        return tl::unexpected(found.errors.front());
+    }
+    program_ = found.program;
+    return {};
+}
+
+Result<void> ShadowMaps::makeTexture(int texels, int layers) {
+    if (texture_.size().x == texels && texture_.layers() == layers) {
+        return {};
+    }
+    layers_.clear();
+    texture_ = gl::TextureArray();
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    texture_ = gl::TextureArray::create(glm::ivec2(texels), layers, GL_DEPTH_COMPONENT32F);
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        texture_ = gl::TextureArray();
+        return failure("there is not enough graphics memory for the shadows");
+    }
+    if (framebuffer_.name() == 0) {
+        framebuffer_ = gl::Framebuffer::create();
+    }
+    framebuffer_.attachDepth(texture_, 0);
+    return framebuffer_.check();
+}
+
+int ShadowMaps::pending() const {
+    return static_cast<int>(std::count_if(layers_.begin(), layers_.end(),
+                                          [](const Layer& layer) { return !layer.isDrawn; }));
+}
+
+std::int64_t ShadowMaps::pendingTriangles() const {
+    std::int64_t triangles = 0;
+    for (const GpuMesh* mesh : meshes_) {
+        triangles += mesh->triangles();
+    }
+    return triangles * pending();
+}
+
+void ShadowMaps::drawSome(int triangles) {
+    while (triangles > 0 && layer_ < layers_.size()) {
+        Layer& layer = layers_[layer_];
+        if (layer.isDrawn || caster_ == meshes_.size()) {
+            layer.isDrawn = true;
+            ++layer_;
+            caster_ = 0;
+            continue;
+        }
+        beginLayer(layer, static_cast<int>(layer_));
+        for (; triangles > 0 && caster_ < meshes_.size(); ++caster_) {
+            if (!isSeen(layer, caster_)) {
+                continue;
+            }
+            const GpuMesh& mesh = *meshes_[caster_];
+            feed(layer, caster_);
+            const int count = std::min(triangles, mesh.triangles() - triangle_);
+            mesh.draw(triangle_, count);
+            triangles -= count;
+            triangle_ += count;
+            if (triangle_ < mesh.triangles()) {
+                return;
+            }
+            triangle_ = 0;
+        }
+    }
+}
+
+/// Everything is drawn from both sides, so that open meshes cast shadows too.
+void ShadowMaps::beginLayer(const Layer& layer, int index) {
+    framebuffer_.attachDepth(texture_, index);
+    glViewport(0, 0, texture_.size().x, texture_.size().y);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    program_->use();
+    if (caster_ == 0 && triangle_ == 0 && !layer.isDrawn) {
+        glClear(GL_DEPTH_BUFFER_BIT);
+    }
+}
+
+void ShadowMaps::feed(const Layer& layer, std::size_t caster) {
+    const glm::mat4 matrix(shadowClip(layer.view, layer.face) * boxes_[caster].world);
+    glUniformMatrix4fv(program_->uniform("objectToMap"), 1, GL_FALSE, glm::value_ptr(matrix));
+}
+
+/// False when the caster's box lies beyond one side of the map.
+bool ShadowMaps::isSeen(const Layer& layer, std::size_t caster) const {
+    const glm::dmat4 clip = shadowClip(layer.view, layer.face) * boxes_[caster].world;
+    glm::bvec4 outside(true);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 x = clip * cornerOf(boxes_[caster].bounds, corner);
+        outside.x = outside.x && x.x < -x.w;
+        outside.y = outside.y && x.x > x.w;
+        outside.z = outside.z && x.y < -x.w;
+        outside.w = outside.w && x.y > x.w;
+    }
+    return !(outside.x || outside.y || outside.z || outside.w);
+}
+
+void ShadowMaps::bind() const {
+    if (texture_.name() != 0) {
+        glActiveTexture(GL_TEXTURE0 + binding::shadowMaps);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
+        glActiveTexture(GL_TEXTURE0);
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace patina {
+
+/// How a scene's ground is drawn.
+enum class GroundMode {
+    Off,
+    Shadows, ///< only its shadows are seen: it darkens what is behind
+    Plane    ///< a matt plane that the lights shine on
+};
+
+/// A level plane on which shadows fall. It casts none, and is seen from above only.
+struct Ground {
+    GroundMode mode = GroundMode::Off;
+    bool automatic = true;     ///< the height is the lowest point of the objects that are drawn
+    double height = 0.0;       ///< metres, where it is not automatic
+    glm::dvec3 color{0.5f};    ///< the plane's share of the light that comes back; a float
+    double opacity = 1.0;      ///< 0 .. 1: of the plane, or of the shadows on it
+
+    friend bool operator==(const Ground&, const Ground&) = default;
+};
+
+/// Whether anything of it can be seen.
+inline bool isSeen(const Ground& ground) {
+    return ground.mode != GroundMode::Off && ground.opacity > 0.0;
+}
+
+} // namespace patina

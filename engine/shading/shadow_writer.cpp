@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of SurfaceWriter that writes shadows and the ground.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "shading/surface_writer.h"
+
+namespace patina {
+namespace {
+
+/// "parallel" or "local": the file, and the functions in it.
+const char* mapOf(const LightGroup& group) {
+    return group.projection == ShadowProjection::Parallel ? "parallel" : "local";
+}
+
+/// How a point of a light with a map of one kind or the other calls it.
+std::string dispatch(bool parallel, bool local, const std::string& name,
+                     const std::string& arguments) {
+    const std::string call = parallel ? "parallel" + name + arguments : "local" + name + arguments;
+    return parallel && local ? fmt::format("s.isParallel ? {} : local{}{}", call, name, arguments)
+                             : call;
+}
+
+} // namespace
+
+bool SurfaceWriter::hasShadows() const {
+    return std::any_of(scene_.groups.begin(), scene_.groups.end(),
+                       [](const LightPlace& group) { return group.shadow.has_value(); });
+}
+
+/// What all shadows share. Of the two kinds of map only those are in the text that lights have.
+void SurfaceWriter::writeShadowCode() {
+    bool parallel = false;
+    bool local = false;
+    out_.add("#define SHADOW_DATA(i) sceneData[base + (i)]\n");
+    out_.addFile("passes/shadow.glsl");
+    for (const LightGroup& group : set_.scene.lights) {
+        if (group.shadow) {
+            const bool isParallel = group.projection == ShadowProjection::Parallel;
+            (isParallel ? parallel : local) = true;
+            out_.addFile(fmt::format("passes/shadow_{}.glsl", mapOf(group)));
+        }
+    }
+    out_.add(fmt::format("ShadowRay shadowRay(ShadowPoint s, vec2 offset) {{\n    return {};\n}}\n"
+                         "vec4 shadowDepths(ShadowPoint s, vec4 stored) {{\n    return {};\n}}\n",
+                         dispatch(parallel, local, "ShadowRay", "(s, offset)"),
+                         dispatch(parallel, local, "ShadowDepths", "(s, stored)")));
+    out_.addFile("passes/shadow_taps.glsl");
+    main_ += "    shadowFace = faceNormal(s.v);\n    shadowLift = shadingNormal(s.v);\n";
+}
+
+/// `arriving<index>`: the share of a light of this group that nothing keeps away.
+void SurfaceWriter::writeShadow(std::size_t index) {
+    const LightPlace& group = scene_.groups[index];
+    const LightGroup& effect = set_.scene.lights[index];
+    const Block& block = *group.shadow->block;
+    const std::string unpack = fmt::format("unpack{}{}", structName(block), index);
+    writeBlock(block);
+    writeUnpack(block, *effect.shadow, unpack);
+    const char* gate = isLitFromBehind() ? "" : " || dot(s.n, light.l) <= 0.0";
+    out_.add(fmt::format(
+        "float arriving{0}(Surface s, Illumination light, int base) {{\n"
+        "    vec3 sent = light.radiance;\n"
+        "    if (!(max(max(sent.r, sent.g), sent.b) > 0.0){1}) {{\n"
+        "        return 1.0;\n"
+        "    }}\n"
+        "    ShadowView view = shadowViewAt(base + {2});\n"
+        "    ShadowPoint point = shadowPoint(s, light.l, view, {3});\n"
+        "    return clamp({4}(point, {5}(base + {6})), 0.0, 1.0);\n"
+        "}}\n",
+        index, gate, group.shadow->first + group.shadow->vec4s(),
+        effect.projection == ShadowProjection::Parallel, functionName(block), unpack,
+        group.shadow->first));
+}
+
+/// A surface without a model: how much light arrives, and how much was sent.
+void SurfaceWriter::writeGround() {
+    const bool isPlane = set_.ground == GroundMode::Plane;
+    out_.add(fmt::format("#define GROUND {}\n#define IS_DARK(d) ((d).nl <= 0.0)\n",
+                         *object_.ground));
+    out_.addFile("passes/ground.glsl");
+    out_.addFile(isPlane ? "passes/ground_plane.glsl" : "passes/ground_shadows.glsl");
+    main_ += isPlane ? "    Model model = unpackModel(0);\n"
+                     : "    Model model = unpackModel(0);\n    sent = vec3(0.0);\n";
+    writeLights();
+    if (set_.scene.ambient) {
+        const std::string color = fmt::format("sceneData[{}].rgb;\n", SceneLayout::ambient);
+        main_ += "    shaded += " + color + (isPlane ? "" : "    sent += " + color);
+    }
+    if (isPlane) {
+        main_ += "    shaded = groundColored(shaded);\n";
+        alpha_ = "groundShare()";
+        return;
+    }
+    stored_ = scene_.fog ? fmt::format("groundDarkened(shaded, sent, groundShare() * "
+                                       "fogShare(s.range, unpackFog({})))",
+                                       scene_.fog->first)
+                         : "groundDarkened(shaded, sent, groundShare())";
+}
+
+} // namespace patina

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT-0
+// A point that catches shadows, and the map of the light that may not reach it.
+#include "lib/directions.glsl"
+#include "lib/math.glsl"
+
+// One layer, or six, for each light that casts shadows: depths as the light sees them.
+uniform sampler2DArray shadowMaps;
+
+// How a light's map looks at the scene. Where nothing casts shadows the window is nowhere.
+struct ShadowView {
+    vec3 right;   // unit
+    vec3 up;
+    vec3 forward; // the way the light travels
+    vec3 origin;  // the light, or for a light from very far away the scene's middle
+    vec4 window;  // scale and shift into the map: of slopes, or of metres of a light from far away
+    float near;   // depths, metres along forward
+    float far;
+    float texel;  // metres a texel spans, for a light with a place one metre in front of it
+    float layer;
+    float faces;  // 1, or 6: forward, backward, right, left, up, down
+};
+
+// SHADOW_DATA(i) is vec4 i from `base` on.
+ShadowView shadowViewAt(int base) {
+    ShadowView view;
+    view.right = SHADOW_DATA(0).xyz;
+    view.texel = SHADOW_DATA(0).w;
+    view.up = SHADOW_DATA(1).xyz;
+    view.layer = SHADOW_DATA(1).w;
+    view.forward = SHADOW_DATA(2).xyz;
+    view.faces = SHADOW_DATA(2).w;
+    view.origin = SHADOW_DATA(3).xyz;
+    view.near = SHADOW_DATA(3).w;
+    view.window = SHADOW_DATA(4);
+    view.far = SHADOW_DATA(5).x;
+    return view;
+}
+
+struct ShadowPoint {
+    ShadowView view;
+    bool isParallel;
+    vec3 x;             // on the surface, lifted by what its map can be wrong about it
+    vec3 n;             // unit normal of the triangle, on the light's side
+    vec3 l;             // unit, to the light
+    vec3 across;        // unit, at right angles to l and to each other
+    vec3 along;
+    float inverseRange; // 1 / metres to the light; 0: the light is very far away
+    float texel;        // metres a texel spans here
+    float turn;         // of the pixel's pattern of places, radians
+};
+
+// Light that comes in flatter is taken as this: what is left of it is too little to see.
+const float LEAST_SHADOWED_NL = 0.002;
+
+// A number in 0 .. 1 for each pixel, as different as can be from its neighbours' (J. Jimenez, Next
+// Generation Post Processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014).
+float pixelNoise() {
+    return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+}
+
+// The normals of the triangle itself and of the mesh, without any image: set before the lights.
+vec3 shadowFace;
+vec3 shadowLift;
+
+// Lifted along the normal of the mesh by one and a half texels times the sine of the light's angle:
+// that is by how much a level surface differs from itself within the four texels that are read.
+ShadowPoint shadowPoint(Surface s, vec3 l, ShadowView view, bool isParallel) {
+    ShadowPoint p;
+    p.view = view;
+    p.isParallel = isParallel;
+    float lack = LEAST_SHADOWED_NL - dot(shadowFace, l);
+    p.n = lack > 0.0 ? normalize(shadowFace + lack * l) : shadowFace;
+    p.l = l;
+    p.across = isParallel ? view.right : tangentAlong(l, vec3(1.0, 0.0, 0.0));
+    p.along = isParallel ? view.up : cross(l, p.across);
+    float range = max(length(view.origin - s.x), 1e-6);
+    p.inverseRange = isParallel ? 0.0 : 1.0 / range;
+    p.texel = isParallel ? view.texel : view.texel * range;
+    p.x = s.x + shadowLift * (p.texel * (0.25 + 1.5 * safeSqrt(1.0 - sqr(dot(p.n, l)))));
+    p.turn = 2.0 * PI * pixelNoise();
+    return p;
+}
+
+// The slope by which the surface may rise above its own plane, away from the point, without shading
+// itself: the few degrees between the triangles of a hollow.
+const float SHADOWED_RISE = 0.08;
+
+// That rise along the light's way, of a place so far beside the point; at most that of a surface at
+// 80 degrees to the light.
+float shadowedRise(ShadowPoint s, vec2 offset) {
+    return SHADOWED_RISE * length(offset) / max(sqr(dot(s.l, s.n)), 0.03);
+}
+
+// A way from the light towards the surface's own plane.
+struct ShadowRay {
+    vec3 place;    // in the maps: 0 .. 1 across and up, layer
+    float depth;   // of the plane, metres along the map's view
+    float stretch; // metres along the ray for each of these
+    float doubt;   // metres along the view that are nothing
+};
