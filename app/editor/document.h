@@ -32,7 +32,7 @@ struct DocumentFile {
 
 /// Holds the truth of an editing session as values. Widgets show it and ask it to change; every
 /// change is a command on the undo stack. Which object, light and side are current, and where the
-/// camera stands, is view state: it is kept here and saved, but not undone.
+/// camera stands, is view state: it is kept here and saved, but neither undone nor asked about.
 class Document : public QObject {
     Q_OBJECT
 

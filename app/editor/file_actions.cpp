@@ -54,7 +54,8 @@ bool FileActions::save() {
     if (file.kind == DocumentFile::Kind::None || file.readOnly || document_.outgrewPreset()) {
         return saveAs();
     }
-    const bool isSaved = !document_.isModified() || document_.save();
+    // Also when nothing was edited: the camera is no edit, and the file may be gone or another.
+    const bool isSaved = document_.save();
     if (isSaved) {
         noteSaved(QString::fromStdString(file.path.string()));
     }

@@ -289,6 +289,29 @@ TEST_F(Window, SaveOfAPresetWithMoreThanItsMaterial_OffersAScene) {
     EXPECT_TRUE(offered.contains("*.patina-scene.json")) << offered.toStdString();
 }
 
+TEST_F(Window, Save_WritesAMovedCamera) {
+    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    const std::string before = readFile(home("a.patina-scene.json"));
+    drag(Qt::LeftButton, Qt::NoModifier, {60, 20});
+    ASSERT_TRUE(window().files().save());
+    EXPECT_NE(readFile(home("a.patina-scene.json")), before);
+}
+
+TEST_F(Window, CloseAfterAnOrbit_AsksNothing) {
+    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    drag(Qt::LeftButton, Qt::NoModifier, {60, 20});
+    EXPECT_FALSE(window().isWindowModified());
+    EXPECT_TRUE(window().QWidget::close());
+}
+
+TEST_F(Window, SaveOfAFileThatIsGone_WritesItAgain) {
+    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    const std::string saved = readFile(home("a.patina-scene.json"));
+    std::filesystem::remove(home("a.patina-scene.json"));
+    ASSERT_TRUE(window().files().save());
+    EXPECT_EQ(readFile(home("a.patina-scene.json")), saved);
+}
+
 TEST_F(Window, RunningProgramsWork_IsNotOffered) {
     window().autosave().setIntervals(1, 1);
     edit(document());
