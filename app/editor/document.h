@@ -47,7 +47,7 @@ class Document : public QObject {
     const Scene& scene(Side side) const;
     /// The current object's material of that side; null when there is none.
     const Material* material(Side side) const;
-    /// What a scene file of this document holds: the scene, and side B in its extras.
+    /// What a scene file of this document holds: the scene, in its extras side B and its object.
     Scene sceneToSave() const;
     bool isComparing() const { return state_.second.has_value(); }
     const Catalog& catalog() const { return *catalog_; }
@@ -187,7 +187,8 @@ class Document : public QObject {
     void endEffectHold();
     void updateSecondScene(const BlockPath& path, const QString& parameterId);
     void keepCurrentInside();
-    void replaceState(DocumentState state, DocumentFile file);
+    void replaceState(DocumentState state, DocumentFile file, int object = 0);
+    bool savePreset(const std::filesystem::path& path, const BlockPath& of);
     void tell(const Errors& messages);
     bool mayOverwrite(const std::filesystem::path& path);
     void setFile(DocumentFile file);
@@ -204,6 +205,7 @@ class Document : public QObject {
     int lastInteraction_ = 0;
     EffectHold effectHold_;
     DocumentFile file_;
+    int presetObject_ = -1; ///< whose material is in file_, when that is a preset
     bool isRecovered_ = false;
     DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
     std::optional<BlockValues> lastFog_; ///< comes back when fog is turned on again

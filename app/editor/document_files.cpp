@@ -9,14 +9,25 @@ namespace patina {
 
 namespace {
 
-/// Where a scene file keeps side B.
+/// Where a scene file keeps side B, and the number of the object that has it.
 const char* const compareKey = "compare";
+const char* const compareObjectKey = "compareObject";
 
-Scene withSecond(Scene scene, const std::optional<Material>& second) {
+Scene withSecond(Scene scene, const std::optional<Material>& second, int object) {
     if (second) {
         scene.extras[compareKey] = toJson(*second);
+        scene.extras[compareObjectKey] = object;
     }
     return scene;
+}
+
+/// Takes the object of side B out of a scene that was read; the first one where none is named.
+int takeSecondObject(Scene& scene) {
+    const nlohmann::json named = scene.extras.value(compareObjectKey, nlohmann::json());
+    scene.extras.erase(compareObjectKey);
+    const auto count = static_cast<int>(scene.objects.size());
+    const bool isThere = named.is_number_integer() && named >= 0 && named < count;
+    return isThere ? named.get<int>() : 0;
 }
 
 /// Takes side B out of a scene that was read.
@@ -35,7 +46,7 @@ Checked<std::optional<Material>> takeSecond(Scene& scene, const std::filesystem:
     return reading->material;
 }
 
-/// What saving the preset of the current object does not save.
+/// What saving the preset of an object does not save.
 DocumentState withoutMaterial(DocumentState state, int object) {
     if (Material* material = materialAt(state, object, Side::A)) {
         *material = Material();
@@ -61,14 +72,15 @@ void Document::setFile(DocumentFile file) {
     Q_EMIT fileChanged();
 }
 
-void Document::replaceState(DocumentState state, DocumentFile file) {
+void Document::replaceState(DocumentState state, DocumentFile file, int object) {
     undoStack_.clear();
     interaction_ = 0;
     lastFog_.reset();
     isRecovered_ = false;
     state_ = std::move(state);
     savedState_ = state_;
-    currentObject_ = state_.scene.objects.empty() ? -1 : 0;
+    currentObject_ = state_.scene.objects.empty() ? -1 : object;
+    presetObject_ = currentObject_;
     currentLight_ = state_.scene.lights.empty() ? -1 : 0;
     activeSide_ = Side::A;
     setFile(std::move(file));
@@ -87,8 +99,9 @@ bool Document::openScene(const std::filesystem::path& path) {
         return false;
     }
     const Checked<std::optional<Material>> second = takeSecond(reading->scene, path, *catalog_);
+    const int object = second && *second ? takeSecondObject(reading->scene) : 0;
     replaceState({reading->scene, second.value_or(std::nullopt)},
-                 {DocumentFile::Kind::Scene, path, reading->readOnly});
+                 {DocumentFile::Kind::Scene, path, reading->readOnly}, object);
     tell(reading->notes);
     tell(second ? Errors() : second.error());
     return true;
@@ -124,8 +137,9 @@ bool Document::openPreset(const std::filesystem::path& path) {
     if (state.scene.objects.empty()) {
         state.scene.objects.emplace_back();
     }
-    materialAt(state, std::max(currentObject_, 0), Side::A)->operator=(reading->material);
-    replaceState(std::move(state), {DocumentFile::Kind::Preset, path, reading->readOnly});
+    const int object = std::max(currentObject_, 0);
+    *materialAt(state, object, Side::A) = reading->material;
+    replaceState(std::move(state), {DocumentFile::Kind::Preset, path, reading->readOnly}, object);
     tell(reading->notes);
     return true;
 }
@@ -146,7 +160,7 @@ bool Document::applyPreset(const std::filesystem::path& path, Side side) {
 }
 
 Scene Document::sceneToSave() const {
-    return withSecond(state_.scene, state_.second);
+    return withSecond(state_.scene, state_.second, currentObject_);
 }
 
 bool Document::mayOverwrite(const std::filesystem::path& path) {
@@ -175,7 +189,12 @@ bool Document::saveScene(const std::filesystem::path& path) {
 }
 
 bool Document::savePreset(const std::filesystem::path& path, Side side) {
-    const Material* held = material(side);
+    return material(side) &&
+           savePreset(path, {BlockPath::Part::Material, currentObject_, side});
+}
+
+bool Document::savePreset(const std::filesystem::path& path, const BlockPath& of) {
+    const Material* held = materialAt(state_, of.index, of.side);
     if (!held || !mayOverwrite(path)) {
         return false;
     }
@@ -184,16 +203,17 @@ bool Document::savePreset(const std::filesystem::path& path, Side side) {
         Q_EMIT message(written.error());
         return false;
     }
-    if (side == Side::A && file_.kind != DocumentFile::Kind::Scene) {
+    if (of.side == Side::A && file_.kind != DocumentFile::Kind::Scene) {
+        presetObject_ = of.index;
         setFile({DocumentFile::Kind::Preset, path, false});
     }
-    markPresetSaved(side);
+    markPresetSaved(of.side);
     return true;
 }
 
 bool Document::outgrewPreset() const {
     return file_.kind == DocumentFile::Kind::Preset &&
-           withoutMaterial(state_, currentObject_) != withoutMaterial(savedState_, currentObject_);
+           withoutMaterial(state_, presetObject_) != withoutMaterial(savedState_, presetObject_);
 }
 
 /// The document is clean only when the preset held everything that changed: lights, fog and
@@ -206,22 +226,23 @@ void Document::markPresetSaved(Side side) {
         savedState_.second = state_.second;
     }
     const bool everything =
-        withoutMaterial(state_, currentObject_) == withoutMaterial(savedState_, currentObject_);
+        withoutMaterial(state_, presetObject_) == withoutMaterial(savedState_, presetObject_);
     if (everything && (side == Side::A ||
-                       *material(Side::A) == *materialAt(savedState_, currentObject_, Side::A))) {
+                       *materialAt(state_, presetObject_, Side::A) ==
+                           *materialAt(savedState_, presetObject_, Side::A))) {
         isRecovered_ = false;
         undoStack_.setClean();
     }
-    if (Material* savedMaterial = materialAt(savedState_, currentObject_, Side::A);
+    if (Material* savedMaterial = materialAt(savedState_, presetObject_, Side::A);
         savedMaterial && side == Side::A) {
-        *savedMaterial = *material(Side::A);
+        *savedMaterial = *materialAt(state_, presetObject_, Side::A);
     }
 }
 
 bool Document::save() {
     switch (file_.kind) {
     case DocumentFile::Kind::Preset:
-        return savePreset(file_.path, Side::A);
+        return savePreset(file_.path, {BlockPath::Part::Material, presetObject_, Side::A});
     case DocumentFile::Kind::Scene:
         return saveScene(file_.path);
     default:

@@ -42,6 +42,40 @@ TEST_F(DocumentFile_, SavedScene_OpensAsItWas) {
     EXPECT_EQ(messages, std::vector<std::string>());
 }
 
+TEST_F(DocumentFile_, SideB_StaysOnItsObject) {
+    document.addObject(document.scene().objects.front());
+    document.setComparing(true);
+    document.setValue({BlockPath::Part::Model, 1, Side::B}, "roughness", 0.25);
+    const Scene shown = document.scene(Side::B);
+    ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    document.startFrom(Scene());
+    ASSERT_TRUE(document.openScene(folder / "a.patina-scene.json"));
+    EXPECT_EQ(document.currentObject(), 1);
+    EXPECT_EQ(document.scene(Side::B), shown);
+}
+
+TEST_F(DocumentFile_, SideBOfAnObjectThatIsNotThere_IsOnTheFirst) {
+    document.setComparing(true);
+    ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    std::string file = readFile(folder / "a.patina-scene.json");
+    const std::string named = "\"compareObject\": 0";
+    ASSERT_NE(file.find(named), std::string::npos);
+    file.replace(file.find(named), named.size(), "\"compareObject\": 1e99");
+    writeFile(folder / "a.patina-scene.json", file);
+    ASSERT_TRUE(document.openScene(folder / "a.patina-scene.json"));
+    EXPECT_EQ(document.currentObject(), 0);
+}
+
+TEST_F(DocumentFile_, PresetOfTheSecondObject_IsSavedFromIt) {
+    document.addObject(document.scene().objects.front());
+    ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+    ASSERT_TRUE(document.openPreset(folder / "a.patina.json"));
+    document.setValue({BlockPath::Part::Model, 1, Side::A}, "roughness", 0.75);
+    document.setCurrentObject(0);
+    ASSERT_TRUE(document.save());
+    EXPECT_NE(readFile(folder / "a.patina.json").find("0.75"), std::string::npos);
+}
+
 TEST_F(DocumentFile_, SavedScene_IsNotModified) {
     document.setValue(fixture.model(), "roughness", 0.75);
     EXPECT_TRUE(document.isModified());

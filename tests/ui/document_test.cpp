@@ -180,6 +180,17 @@ TEST_F(DocumentEdit, Fog_UndoesAndRedoes) {
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
 
+TEST_F(DocumentEdit, SideB_IsOnItsObjectAfterUndoAndRedo) {
+    document.addObject(document.scene().objects.front());
+    document.setCurrentObject(0);
+    document.setComparing(true);
+    document.setCurrentObject(1);
+    document.setValue({Part::Model, 1, Side::B}, "roughness", 0.9);
+    const Scene shown = document.scene(Side::B);
+    ASSERT_TRUE(survivesUndoAndRedo(document, before));
+    EXPECT_EQ(document.scene(Side::B), shown);
+}
+
 TEST_F(DocumentEdit, Comparing_UndoesAndRedoes) {
     document.setComparing(true);
     document.setValue({Part::Model, 0, Side::B}, "roughness", 0.9);

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <variant>
-
 #include "commands/change_command.h"
 
 namespace patina {
 
-/// Starts comparing with a second material, replaces it, or stops.
-class CompareCommand : public ChangeCommand<std::monostate, std::optional<Material>> {
+/// Starts comparing with a second material on the current object, replaces it, or stops.
+class CompareCommand : public ChangeCommand<int, std::optional<Material>> {
   public:
     CompareCommand(Document& document, std::optional<Material> after);
 

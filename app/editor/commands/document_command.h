@@ -23,6 +23,8 @@ class DocumentCommand : public QUndoCommand {
 
     Document& document() const { return document_; }
     DocumentState& state() const { return document_.state_; }
+    /// Side B is on the current object: an edit of it that is done again makes its own current.
+    void showSecondOn(int object) const { document_.setCurrentObject(object); }
     bool isSameInteraction(const DocumentCommand& other) const {
         return interaction_ == other.interaction_;
     }

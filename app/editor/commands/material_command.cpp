@@ -11,6 +11,9 @@ MaterialCommand::MaterialCommand(Document& document, const MaterialTarget& targe
 void MaterialCommand::apply(const Material& material) {
     if (Material* held = materialAt(state(), target().object, target().side)) {
         *held = material;
+        if (target().side == Side::B) {
+            showSecondOn(target().object);
+        }
         Q_EMIT document().materialChanged(target().object, target().side);
     }
 }

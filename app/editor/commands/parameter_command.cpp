@@ -42,6 +42,9 @@ void ParameterCommand::apply(const Values& values) {
     for (const auto& [id, value] : values) {
         storeValue(state(), target().path, id, value);
     }
+    if (target().path.side == Side::B) {
+        showSecondOn(target().path.index);
+    }
     for (const auto& [id, value] : values) {
         Q_EMIT document().valueChanged(target().path, QString::fromStdString(id));
     }
