@@ -33,6 +33,14 @@ QStringList foldersAndFiles(const std::filesystem::path& root) {
     return paths;
 }
 
+/// The folder that a missing one would come back into.
+QString nearestFolderAbove(std::filesystem::path folder) {
+    do {
+        folder = folder.parent_path();
+    } while (!QDir(QString::fromStdString(folder.string())).exists());
+    return QString::fromStdString(folder.string());
+}
+
 } // namespace
 
 CatalogWatcher::CatalogWatcher(std::shared_ptr<const Catalog> catalog, QObject* parent)
@@ -43,9 +51,6 @@ CatalogWatcher::CatalogWatcher(std::shared_ptr<const Catalog> catalog, QObject* 
 }
 
 void CatalogWatcher::start() {
-    watcher_ = std::make_unique<QFileSystemWatcher>();
-    connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, &CatalogWatcher::reload);
-    connect(watcher_.get(), &QFileSystemWatcher::directoryChanged, this, &CatalogWatcher::reload);
     for (const BlockRoot& root : catalog_->roots) {
         if (!root.shipped) {
             std::error_code ignored; // a folder that cannot be made is one that cannot be watched
@@ -59,24 +64,29 @@ void CatalogWatcher::reload() {
     settle_.start();
 }
 
+/// A folder is watched by what it is, not by its name: one that was moved away and made again has
+/// to be found anew.
 void CatalogWatcher::watchAll() {
+    watcher_ = std::make_unique<QFileSystemWatcher>();
+    connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, &CatalogWatcher::reload);
+    connect(watcher_.get(), &QFileSystemWatcher::directoryChanged, this, &CatalogWatcher::reload);
     QStringList wanted;
     for (const BlockRoot& root : catalog_->roots) {
         wanted << foldersAndFiles(root.folder);
+        if (!root.shipped) {
+            wanted << nearestFolderAbove(root.folder);
+        }
     }
-    const QStringList watched = watcher_->files() + watcher_->directories();
-    wanted.removeIf([&](const QString& path) { return watched.contains(path); });
-    if (!wanted.isEmpty()) {
-        watcher_->addPaths(wanted);
-    }
+    wanted.removeDuplicates();
+    watcher_->addPaths(wanted);
 }
 
 void CatalogWatcher::read() {
+    if (watcher_) {
+        watchAll(); // first, so that a change while it reads is another reading
+    }
     Catalog read = loadCatalog(catalog_->roots);
     catalog_ = std::make_shared<const Catalog>(withLastGoodBlocks(std::move(read), *catalog_));
-    if (watcher_) {
-        watchAll();
-    }
     Q_EMIT changed(catalog_);
 }
 

@@ -122,6 +122,8 @@ void MainWindow::connectParts() {
         status_->showMessage(tr("%1 is written").arg(QFileInfo(file).fileName()), saidMs);
     });
     connect(&autosave_, &Autosave::failed, &messages_, &MessageLog::add);
+    connect(&presets_, &PresetLibrary::checked, this,
+            [this](const Errors& mistakes) { messages_.setGroup("presets", mistakes); });
     connect(&messages_, &MessageLog::arrived, this, &MainWindow::showMessages);
     connect(&document_, &Document::fileChanged, this, &MainWindow::updateTitle);
     connect(&document_, &Document::sceneReplaced, this, &MainWindow::updateTitle);

@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QDirIterator>
+#include <QFileInfo>
 
 #include "material/preset_file.h"
 #include "session.h"
@@ -21,38 +22,50 @@ QString text(const std::filesystem::path& path) {
     return QString::fromStdString(path.string());
 }
 
+struct Folders {
+    std::vector<PresetEntry> entries;
+    Errors errors; ///< of the files that cannot be read
+};
+
 void readFolder(const std::filesystem::path& folder, bool shipped, const Catalog& catalog,
-                std::vector<PresetEntry>& entries) {
+                Folders& read) {
     QDirIterator walk(text(folder), {presetPattern}, QDir::Files, QDirIterator::Subdirectories);
     while (walk.hasNext()) {
         const std::filesystem::path file = walk.next().toStdString();
         if (Checked<PresetReading> reading = readPreset(file, catalog)) {
-            entries.push_back({file, std::move(reading->material), shipped});
+            read.entries.push_back({file, std::move(reading->material), shipped});
+        } else {
+            const Errors& errors = reading.error();
+            read.errors.insert(read.errors.end(), errors.begin(), errors.end());
         }
     }
 }
 
-std::vector<PresetEntry> readAll(const Catalog& catalog) {
-    std::vector<PresetEntry> entries;
-    readFolder(PresetLibrary::shippedFolder(), true, catalog, entries);
-    readFolder(PresetLibrary::userFolder(), false, catalog, entries);
+Folders readAll(const Catalog& catalog) {
+    Folders read;
+    readFolder(PresetLibrary::shippedFolder(), true, catalog, read);
+    readFolder(PresetLibrary::userFolder(), false, catalog, read);
+    std::vector<PresetEntry>& entries = read.entries;
     std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
         return QString::localeAwareCompare(QString::fromStdString(a.material.name),
                                            QString::fromStdString(b.material.name)) < 0;
     });
-    return entries;
+    return read;
 }
 
-QStringList foldersBelow(const std::filesystem::path& top) {
+/// With the presets in them: one that is written in place changes no folder.
+QStringList pathsBelow(const std::filesystem::path& top) {
     if (!QDir(text(top)).exists()) {
         return {};
     }
-    QStringList folders{text(top)};
-    QDirIterator walk(text(top), QDir::Dirs | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+    QStringList paths{text(top)};
+    QDirIterator walk(text(top), {presetPattern},
+                      QDir::AllDirs | QDir::Files | QDir::NoDotAndDotDot,
+                      QDirIterator::Subdirectories);
     while (walk.hasNext()) {
-        folders << walk.next();
+        paths << walk.next();
     }
-    return folders;
+    return paths;
 }
 
 } // namespace
@@ -64,8 +77,6 @@ PresetLibrary::PresetLibrary(std::shared_ptr<const Catalog> catalog, QObject* pa
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     connect(&settle_, &QTimer::timeout, this, &PresetLibrary::scan);
-    connect(&watcher_, &QFileSystemWatcher::directoryChanged, &settle_,
-            qOverload<>(&QTimer::start));
 }
 
 PresetLibrary::~PresetLibrary() {
@@ -81,14 +92,15 @@ void PresetLibrary::setCatalog(std::shared_ptr<const Catalog> catalog) {
 void PresetLibrary::scan() {
     std::error_code ignored; // a folder that cannot be made has no presets in it
     std::filesystem::create_directories(userFolder(), ignored);
-    watchFolders();
+    watchAll();
     worker_.start([this, catalog = catalog_] {
-        auto read = std::make_shared<std::vector<PresetEntry>>(readAll(*catalog));
+        auto read = std::make_shared<Folders>(readAll(*catalog));
         const auto take = [this, read] {
-            if (*read != entries_) {
-                entries_ = std::move(*read);
+            if (read->entries != entries_) {
+                entries_ = std::move(read->entries);
                 Q_EMIT changed();
             }
+            Q_EMIT checked(read->errors);
         };
         QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
     });
@@ -102,13 +114,17 @@ std::filesystem::path PresetLibrary::userFolder() {
     return userDataFolder() / "presets";
 }
 
-void PresetLibrary::watchFolders() {
-    const QStringList wanted = foldersBelow(shippedFolder()) + foldersBelow(userFolder());
-    const QStringList watched = watcher_.directories();
-    for (const QString& folder : wanted) {
-        if (!watched.contains(folder)) {
-            watcher_.addPath(folder);
-        }
+/// Anew each time: a folder that was moved away and made again is another one.
+void PresetLibrary::watchAll() {
+    watcher_ = std::make_unique<QFileSystemWatcher>();
+    const auto settle = [this] { settle_.start(); };
+    connect(watcher_.get(), &QFileSystemWatcher::directoryChanged, this, settle);
+    connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, settle);
+    QStringList wanted = pathsBelow(shippedFolder()) + pathsBelow(userFolder());
+    wanted << text(userDataFolder());
+    wanted.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
+    if (!wanted.isEmpty()) {
+        watcher_->addPaths(wanted);
     }
 }
 

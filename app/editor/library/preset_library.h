@@ -44,13 +44,15 @@ class PresetLibrary : public QObject {
 
   Q_SIGNALS:
     void changed();
+    /// All files were read; these mistakes keep some of them out of the entries.
+    void checked(patina::Errors mistakes);
 
   private:
-    void watchFolders();
+    void watchAll();
 
     std::shared_ptr<const Catalog> catalog_;
     std::vector<PresetEntry> entries_;
-    QFileSystemWatcher watcher_;
+    std::unique_ptr<QFileSystemWatcher> watcher_;
     QTimer settle_;
     QThreadPool worker_;
 };
