@@ -96,6 +96,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     }
     uploadView(view);
     choosePipelines();
+    bands_.begin(sources_, target_.drawnSize(), triangles_);
     target_.bind();
     glClearColor(storable(scene.background.x), storable(scene.background.y),
                  storable(scene.background.z), 1.0f);
@@ -106,9 +107,10 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
 
 bool FrameDrawer::proceed(const Scene& scene, const View& view, Deadline deadline) {
     effects_ = &effectsOf(view, scene); // both may have moved since the last turn
-    const Deadline limit = isLarge() ? deadline : never;
+    const bool quick = !isLarge() && pace() == FrameBands::Pace::Quick;
+    const Deadline limit = quick ? never : deadline;
     if (!deviceIsDone(limit) || !uploadMeshes(limit) || !drawShadows(limit) ||
-        !drawItems(scene, limit) || !resolve(limit)) {
+        !drawBands(scene, limit) || !resolve(limit)) {
         return false;
     }
     meshes_.endFrame();
@@ -244,6 +246,30 @@ void FrameDrawer::noteSource(const void* source) {
     if (std::find(sources_.begin(), sources_.end(), source) == sources_.end()) {
         sources_.push_back(source);
     }
+}
+
+/// Of few triangles it is the pixels that take long: all objects, band by band.
+bool FrameDrawer::drawBands(const Scene& scene, Deadline deadline) {
+    if (isLarge() || deadline == never) {
+        return drawItems(scene, deadline);
+    }
+    bands_.passed(Clock::now()); // one that the last step did not wait for
+    while (!bands_.isDone()) {
+        cursor_ = Cursor();
+        report_.drawnObjects = 0;
+        bands_.enter(Clock::now());
+        drawItems(scene, never);
+        FrameBands::leave();
+        fence_ = gl::Fence::afterCommandsSoFar();
+        if (!deviceIsDone(deadline)) {
+            return false;
+        }
+        bands_.passed(Clock::now());
+        if (Clock::now() >= deadline) {
+            break;
+        }
+    }
+    return bands_.isDone();
 }
 
 bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {

@@ -8,6 +8,7 @@
 
 #include "gl/fence.h"
 #include "render/display_pass.h"
+#include "render/frame_bands.h"
 #include "render/frustum.h"
 #include "render/ground_place.h"
 #include "render/gpu_mesh_store.h"
@@ -38,10 +39,16 @@ class FrameDrawer {
     /// Whether the frame that was begun has so many triangles that it is drawn in steps.
     bool isLarge() const;
 
+    /// How long the frame that was begun may take otherwise: a slow one is drawn in steps too.
+    FrameBands::Pace pace() const { return bands_.pace(); }
+
+    /// What the last frame has taken.
+    void noteTime(double milliseconds) { bands_.noteTime(milliseconds); }
+
     /// Works on the frame that was begun with this scene: its meshes into the GPU's memory, its
-    /// triangles into the linear target. False when the deadline came before the end; only frames
-    /// of many triangles heed it, and they also wait for the device before they say that they are
-    /// done. The picture does not depend on the steps.
+    /// triangles into the linear target. False when the deadline came before the end; frames of few
+    /// triangles that are quick do not heed it, the others also wait for the device before they say
+    /// that they are done. The picture does not depend on the steps.
     bool proceed(const Scene& scene, const View& view, Deadline deadline);
 
     /// See Renderer::foresee().
@@ -118,6 +125,7 @@ class FrameDrawer {
     void drawGround(const Scene& scene);
     void addLost();
     bool uploadMeshes(Deadline deadline);
+    bool drawBands(const Scene& scene, Deadline deadline);
     bool drawItems(const Scene& scene, Deadline deadline);
     bool drawItem(const Scene& scene, const Item& item, Deadline deadline);
     bool drawTriangles(const GpuMesh& mesh, Deadline deadline);
@@ -150,6 +158,7 @@ class FrameDrawer {
     Cameras cameras_;
     DepthRange depths_;
     Cursor cursor_;
+    FrameBands bands_;
     gl::Fence fence_; ///< behind the last commands of a frame that is drawn in steps
     std::int64_t triangles_ = 0;
     bool isSoftware_;

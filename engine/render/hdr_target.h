@@ -24,6 +24,9 @@ class HdrTarget {
     /// Binds it for drawing, with its whole area as the viewport.
     void bind() const;
 
+    /// The size of the image that is drawn.
+    glm::ivec2 drawnSize() const { return built_.fineness * built_.size; }
+
     /// Averages the samples into the resolved image.
     void resolve() const;
 

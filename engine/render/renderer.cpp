@@ -17,6 +17,9 @@ namespace {
 /// What a frame of a window takes of images into the GPU's memory: some milliseconds.
 constexpr std::size_t textureBytesAtOnce = std::size_t(8) << 20;
 
+/// So long a frame may take that might be a quick one.
+constexpr std::chrono::milliseconds firstPatience{80};
+
 } // namespace
 
 class Renderer::Implementation : public FrameDrawer {
@@ -100,7 +103,9 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
     if (!implementation_->begin(scene, view, meshes)) {
         return true;
     }
-    if (!implementation_->isLarge()) {
+    const bool isLarge = implementation_->isLarge();
+    const FrameBands::Pace pace = implementation_->pace();
+    if (!isLarge && pace == FrameBands::Pace::Quick) {
         implementation_->proceed(scene, view, FrameDrawer::never);
         implementation_->show(scene, view, framebuffer);
         return true;
@@ -111,7 +116,15 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
         implementation_->steppedView.effects =
             &implementation_->steppedEffects.emplace(*view.effects);
     }
-    return false;
+    const bool isDone = !isLarge && pace == FrameBands::Pace::Unknown && proceed(firstPatience);
+    if (isDone) {
+        show(framebuffer);
+    }
+    return isDone;
+}
+
+void Renderer::noteTime(double milliseconds) {
+    implementation_->noteTime(milliseconds);
 }
 
 bool Renderer::proceed(std::chrono::milliseconds patience) {

@@ -68,14 +68,17 @@ class Renderer {
     const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
                             unsigned framebuffer);
 
-    /// As draw(), for a window that must not stand still: a frame of very many triangles is only
-    /// prepared, and the result is false. Then proceed() draws it bit by bit, each time for about
-    /// as long as `patience`, until it is true, and show() brings it into a framebuffer. Until then
-    /// the meshes' triangles stay where they are. Another frame, drawn or captured, takes the place
-    /// of one that is not done.
+    /// As draw(), for a window that must not stand still: a frame of very many triangles, or one
+    /// that takes long, is only prepared, and the result is false. Then proceed() draws it bit by
+    /// bit, each time for about as long as `patience`, until it is true, and show() brings it into
+    /// a framebuffer. Until then the meshes' triangles stay where they are. Another frame, drawn or
+    /// captured, takes the place of one that is not done.
     bool drawSmall(const Scene& scene, const View& view, const MeshSource& meshes,
                    unsigned framebuffer);
     bool proceed(std::chrono::milliseconds patience);
+
+    /// What the last drawSmall(), with all that followed, has taken: the next one goes by it.
+    void noteTime(double milliseconds);
     void show(unsigned framebuffer);
 
     /// Makes the programs that a frame of this view would need, so that it need not wait for them.

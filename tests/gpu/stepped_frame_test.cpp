@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames of many triangles, drawn bit by bit.
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
 #include "gpu_fixture.h"
+#include "render/frame_bands.h"
 
 namespace patina {
 namespace {
@@ -69,6 +71,14 @@ class SteppedFrame : public GpuTest {
 
     bool beginFrame(const Scene& scene) {
         return renderer->drawSmall(scene, viewOf(scene, pixels), meshSource(), target_.name());
+    }
+
+    /// A frame that takes as long as it likes, and what it is then said to have taken.
+    void drawFrame(const Scene& scene, double taken) {
+        if (!beginFrame(scene)) {
+            finishFrame();
+        }
+        renderer->noteTime(taken);
     }
 
     /// The number of further steps.
@@ -179,8 +189,56 @@ TEST_F(SteppedFrame, Reported_CountsEachObjectOnce) {
     EXPECT_EQ(renderer->report().drawnObjects, 1);
 }
 
-TEST_F(SteppedFrame, OfFewTriangles_IsDrawnAtOnceWithoutPatience) {
-    EXPECT_TRUE(beginFrame(simpleScene()));
+/// A scene of few triangles and all kinds of passes.
+Scene costlyScene(Scene scene, const Object& behind) {
+    scene.objects[0].material.opacity = 0.5;
+    scene.objects.push_back(behind);
+    scene.objects.back().translation.z = -0.5;
+    return scene;
+}
+
+TEST_F(SteppedFrame, ThatTookLongTheLastTime_TakesManySteps) {
+    const Scene scene = simpleScene("phong");
+    drawFrame(scene, 5000.0);
+    ASSERT_FALSE(beginFrame(scene));
+    EXPECT_GT(finishFrame(), 2);
+}
+
+TEST_F(SteppedFrame, ThatTookLongTheLastTime_IsThePictureDrawnAtOnce) {
+    const Scene scene = costlyScene(simpleScene("phong"), object("lambert"));
+    drawFrame(scene, 5000.0);
+    ASSERT_FALSE(beginFrame(scene));
+    finishFrame();
+    EXPECT_EQ(renderer->report().drawnObjects, 2);
+    const auto stepped = picture();
+    EXPECT_EQ(stepped, drawnAtOnce(scene));
+}
+
+TEST_F(SteppedFrame, ThatTookLittleTheLastTime_IsDrawnAtOnce) {
+    const Scene scene = simpleScene("phong");
+    drawFrame(scene, 5000.0);
+    drawFrame(scene, 20.0);
+    EXPECT_TRUE(beginFrame(scene));
+}
+
+TEST(FrameBands, PaceOfAFrameOfOtherPrograms_IsUnknown) {
+    const int program = 0;
+    const int other = 1;
+    FrameBands bands;
+    bands.begin(std::array<const void*, 1>{&program}, {64, 64}, 100);
+    EXPECT_EQ(bands.pace(), FrameBands::Pace::Unknown);
+    bands.noteTime(20.0);
+    EXPECT_EQ(bands.pace(), FrameBands::Pace::Quick);
+    bands.begin(std::array<const void*, 1>{&other}, {64, 64}, 100);
+    EXPECT_EQ(bands.pace(), FrameBands::Pace::Unknown);
+}
+
+TEST(FrameBands, PaceOfAFrameThatTookLong_IsSlow) {
+    FrameBands bands;
+    bands.begin({}, {64, 64}, 100);
+    bands.noteTime(500.0);
+    bands.begin({}, {64, 64}, 100);
+    EXPECT_EQ(bands.pace(), FrameBands::Pace::Slow);
 }
 
 } // namespace

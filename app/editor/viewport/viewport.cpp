@@ -175,6 +175,9 @@ void Viewport::proceed() {
 
 void Viewport::finishFrame() {
     timer_->end();
+    if (!inspecting_) {
+        renderer_->noteTime(timer_->milliseconds());
+    }
     progress_ = Progress::Idle;
     ++frameCount_;
     isNew_ = false;

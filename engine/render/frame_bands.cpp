@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/frame_bands.h"
+
+#include <algorithm>
+
+#include <epoxy/gl.h>
+
+namespace patina {
+namespace {
+
+constexpr double longestMs = 100.0; ///< that a window may stand still
+constexpr double bandMs = 15.0;
+constexpr double firstRows = 16.0; ///< before it is known how long they take
+constexpr int fewestRows = 4;      ///< and a multiple of it: no quad of pixels is cut
+constexpr double mostRows = 65536.0;
+constexpr double mostGrowth = 4.0; ///< from band to band: what is below may take longer
+
+int whole(double rows) {
+    return static_cast<int>(std::clamp(rows, 1.0 * fewestRows, mostRows)) / fewestRows * fewestRows;
+}
+
+} // namespace
+
+void FrameBands::begin(std::span<const void* const> programs, glm::ivec2 drawn,
+                       std::int64_t triangles) {
+    work_.programs.assign(programs.begin(), programs.end());
+    work_.drawn = drawn;
+    work_.triangles = triangles;
+    row_ = 0;
+    const double rows = isKnown() ? drawn.y * bandMs / milliseconds_ : firstRows;
+    rows_ = whole(rows);
+    entered_.reset();
+}
+
+bool FrameBands::isKnown() const {
+    return milliseconds_ > 0.0 && work_.programs == known_.programs &&
+           work_.drawn == known_.drawn && work_.triangles == known_.triangles;
+}
+
+FrameBands::Pace FrameBands::pace() const {
+    if (!isKnown()) {
+        return Pace::Unknown;
+    }
+    return milliseconds_ > longestMs ? Pace::Slow : Pace::Quick;
+}
+
+void FrameBands::noteTime(double milliseconds) {
+    if (!isKnown()) {
+        known_.programs.assign(work_.programs.begin(), work_.programs.end());
+        known_.drawn = work_.drawn;
+        known_.triangles = work_.triangles;
+    }
+    milliseconds_ = milliseconds;
+}
+
+void FrameBands::enter(Clock::time_point now) {
+    entered_ = now;
+    rows_ = std::min(rows_, work_.drawn.y - row_);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, row_, work_.drawn.x, rows_);
+    row_ += rows_;
+}
+
+void FrameBands::leave() {
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void FrameBands::passed(Clock::time_point now) {
+    if (!entered_) {
+        return;
+    }
+    const std::chrono::duration<double, std::milli> taken = now - *entered_;
+    entered_.reset();
+    rows_ = whole(rows_ * std::min(bandMs / std::max(taken.count(), 1e-3), mostGrowth));
+}
+
+} // namespace patina
