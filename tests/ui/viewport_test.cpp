@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cstdlib>
+
 #include <glm/geometric.hpp>
 
 #include <QAbstractItemView>
 #include <QDockWidget>
 #include <QMimeData>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -40,6 +45,27 @@ TEST_F(Viewports, Resized_DrawOneFrameInTheNewSize) {
     newFrames();
     EXPECT_EQ(view().grabFramebuffer().size(), view().size());
     EXPECT_EQ(frames.count(), 1);
+}
+
+/// The widget's own buffer as it is now; grabbing it would paint first.
+QColor middleOf(Viewport& view) {
+    const QSize size = view.size() * view.devicePixelRatioF();
+    std::array<unsigned char, 4> pixel{};
+    view.makeCurrent();
+    view.context()->functions()->glReadPixels(size.width() / 2, size.height() / 2, 1, 1, GL_RGBA,
+                                              GL_UNSIGNED_BYTE, pixel.data());
+    view.doneCurrent();
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+TEST_F(Viewports, Resized_ShowTheirLastPictureUntilTheNextFrame) {
+    const int frames = view().frameCount();
+    const QColor before = middleOf(view());
+    view().resize(view().size() - QSize(0, 100));
+    const QColor after = middleOf(view());
+    EXPECT_EQ(view().frameCount(), frames);
+    EXPECT_GT(before.lightness(), 30);
+    EXPECT_LT(std::abs(after.lightness() - before.lightness()), 30);
 }
 
 TEST_F(Viewports, Repainted_KeepTheirPictureWithoutAFrame) {

@@ -16,6 +16,8 @@
 #include <QTimer>
 #include <QUrl>
 
+#include "viewport/last_picture.h"
+
 namespace patina {
 namespace {
 
@@ -117,20 +119,13 @@ void Viewport::initializeGL() {
     stale_ = true;
 }
 
-/// Qt paints at once at every step of a change of layout; once after the last step is enough.
-void Viewport::resizeEvent(QResizeEvent* event) {
-    giveUpFrame();
-    resizing_ = true;
-    QOpenGLWidget::resizeEvent(event);
-    resizing_ = false;
-    refresh();
-}
-
 void Viewport::paintGL() {
-    if (!renderer_ || resizing_) {
+    if (!renderer_) {
         return;
     }
-    if (progress_ == Progress::Drawn) {
+    if (resizing_) {
+        showLast();
+    } else if (progress_ == Progress::Drawn) {
         renderer_->show(defaultFramebufferObject());
         finishFrame();
     } else if (progress_ == Progress::Idle && std::exchange(stale_, false)) {
@@ -268,9 +263,8 @@ const FrameReport& Viewport::report() const {
 }
 
 View Viewport::view() const {
-    const QSize pixels = size() * devicePixelRatioF();
     View view;
-    view.size = {std::max(pixels.width(), 1), std::max(pixels.height(), 1)};
+    view.size = pixelsOf(size());
     view.camera = camera_;
     view.effects = sources_.effects ? sources_.effects() : nullptr;
     return view;

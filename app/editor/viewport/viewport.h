@@ -19,6 +19,8 @@ class QLabel;
 
 namespace patina {
 
+class LastPicture;
+
 /// Shows a scene with a Renderer of its own and hands the mouse and the keys to a
 /// CameraNavigation. A frame is drawn only after refresh(), once however often that was called.
 /// One that takes long is drawn over several turns of the event loop with the last picture on the
@@ -120,6 +122,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
 
     void dropRenderer();
     void showNote();
+    void showLast();
+    glm::ivec2 pixelsOf(const QSize& size) const;
     Image pictureOf(const Scene& scene, bool display);
     void probeSoon();
     void probe();
@@ -151,6 +155,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     QTimer idleTimer_;
     bool stale_ = true; ///< the picture is not of what would be drawn now
     bool resizing_ = false;
+    std::unique_ptr<LastPicture> last_; ///< while the size changes
     QLabel* note_; ///< that a picture is on its way
     bool isNew_ = true; ///< no picture of this scene has been shown yet
     bool inspecting_ = false;
