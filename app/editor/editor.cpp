@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QTimer>
@@ -54,6 +56,16 @@ QString whyNothingIsDrawn(const Viewport& viewport) {
                                     .arg(foundOpenGL());
 }
 
+/// What Qt leaves of the command line; a word like an option that is no file is a slip of the pen.
+std::optional<QString> unknownOption(const QStringList& arguments) {
+    for (const QString& argument : arguments) {
+        if (argument.startsWith('-') && !QFileInfo::exists(argument)) {
+            return argument;
+        }
+    }
+    return std::nullopt;
+}
+
 void tellFirstFrame() {
     if (qEnvironmentVariableIsSet("PATINA_TIME_STARTUP")) {
         const std::chrono::duration<double> now =
@@ -89,11 +101,17 @@ int runEditor(int argc, char** argv) {
     QApplication application(argc, argv);
     qInstallMessageHandler(ordinary);
     QGuiApplication::setDesktopFileName("patina");
+    const QStringList files = QApplication::arguments().mid(1);
+    if (const auto option = unknownOption(files)) {
+        say(QStringLiteral("there is no option %1; `patina --help` names those there are")
+                .arg(*option));
+        return 1;
+    }
 
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
     window.document().openTemplate(FileActions::defaultScene());
-    window.files().open(QApplication::arguments().mid(1), Side::A);
+    window.files().open(files, Side::A);
     Viewport& viewport = window.views().first().viewport();
     afterFirstFrame(window, viewport);
     window.show();

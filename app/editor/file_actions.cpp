@@ -152,16 +152,24 @@ void FileActions::importMesh() {
 }
 
 void FileActions::open(const QStringList& files, Side side) {
-    bool documentTaken = false;
+    QStringList documents;
     for (const QString& file : files) {
         if (kindOf(file) == Kind::Mesh) {
             load(file);
-        } else if (!documentTaken) {
-            documentTaken = true;
-            openDocument(file);
-        } else if (kindOf(file) == Kind::Preset) {
-            document_.applyPreset(file.toStdString(), side == Side::A ? Side::B : Side::A);
+        } else {
+            documents << file;
         }
+    }
+    if (!documents.isEmpty()) {
+        openDocument(documents.takeFirst());
+    }
+    if (!documents.isEmpty() && kindOf(documents.front()) == Kind::Preset) {
+        document_.applyPreset(documents.takeFirst().toStdString(),
+                              side == Side::A ? Side::B : Side::A);
+    }
+    for (const QString& file : documents) {
+        tell({file.toStdString(), 0, 0, "is not opened: there is room for one scene or preset",
+              "beside it a preset for the other side, and meshes"});
     }
 }
 
@@ -224,7 +232,11 @@ FileActions::Kind FileActions::kindOf(const QString& file) {
     if (file.endsWith(sceneSuffix, Qt::CaseInsensitive)) {
         return Kind::Scene;
     }
-    return file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive) ? Kind::Preset : Kind::Mesh;
+    if (!file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
+        return Kind::Mesh;
+    }
+    const bool isNamed = file.endsWith(presetSuffix, Qt::CaseInsensitive);
+    return !isNamed && saysItIsAScene(file.toStdString()) ? Kind::Scene : Kind::Preset;
 }
 
 QString FileActions::asFileName(const QString& name) {

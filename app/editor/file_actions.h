@@ -21,7 +21,7 @@ class FileActions : public QObject {
     Q_OBJECT
 
   public:
-    /// What a file is, by its name.
+    /// What a file is, by its name, and where that says no more than JSON, by its "format".
     enum class Kind { Preset, Scene, Mesh };
 
     FileActions(Document& document, MeshLibrary& meshes, Session& session, QWidget* window);

@@ -21,6 +21,9 @@ struct SceneReading {
 /// in the value; presets may be inline objects or relative paths of preset files.
 Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog);
 
+/// Whether a JSON file says by its "format" that it is a scene, whatever it is called.
+bool saysItIsAScene(const std::filesystem::path& path);
+
 /// The scene's JSON; mesh paths relative to `folder`.
 nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder);
 

@@ -313,4 +313,13 @@ Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog
     return SceneReader(*document, folder, catalog).run();
 }
 
+bool saysItIsAScene(const std::filesystem::path& path) {
+    const Result<LocatedJson> document = readJson(path);
+    if (!document || !document->value.is_object()) {
+        return false;
+    }
+    const auto format = document->value.find("format");
+    return format != document->value.end() && *format == sceneFormat.name;
+}
+
 } // namespace patina
