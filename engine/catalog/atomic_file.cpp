@@ -105,7 +105,10 @@ Result<void> replace(const fs::path& target, const struct stat* old, std::string
     const bool written = file.write(bytes) && (old == nullptr || file.copyRights(*old)) &&
                          file.flush() && file.close();
     if (!written || ::rename(remover.path.c_str(), target.c_str()) != 0) {
-        return tl::unexpected(systemError(target, "cannot be saved, the old file is unchanged"));
+        return tl::unexpected(systemError(target, old == nullptr
+                                                      ? "cannot be saved"
+                                                      : "cannot be saved, the old file is "
+                                                        "unchanged"));
     }
     remover.armed = false;
     flushFolder(target.parent_path());

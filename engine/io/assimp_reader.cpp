@@ -129,6 +129,9 @@ Error unreadable(const std::filesystem::path& file, std::string why) {
     while (why.ends_with('.') || why.ends_with(' ')) {
         why.pop_back();
     }
+    if (why.ends_with("bad_alloc")) {
+        why = "it is damaged, or asks for more memory than there is";
+    }
     if (why.empty() || why.starts_with("No suitable reader")) {
         why = "it is damaged, or not in the format its name says";
     }
