@@ -42,7 +42,15 @@ float poissonLog(float m, float g) {
     return -deviance - stirlingError(m) - 0.34657359027997265 * log2(m);
 }
 
-// sum over m >= 1 of g^(m-1) e^(-g - x / m) / (m! m), the series of the paper's D over g. The terms
+// 2^(exponent + 60). The sum is formed only where it is exact; what devices take as 0 because a
+// float has too few digits for it begins at 1e-56 in place of 1e-38.
+float waveTerm(float exponent) {
+    bool tiny = exponent < -60.0;
+    return exp2(tiny ? exponent + 60.0 : exponent) * (tiny ? 1.0 : 1152921504606846976.0);
+}
+
+// 2^60 times the sum over m >= 1 of g^(m-1) e^(-g - x / m) / (m! m), the series of the paper's D
+// over g; the factor keeps sums that a large factor brings back into a float's range. The terms
 // have one peak, at m = g e^(W(2 x / g^2) / 2), of about the width (1 / m + 2 x / m^3)^(-1/2). What
 // lies within `reach` widths and `spare` terms of it is summed: every term while the peak is low,
 // where the series begins, and else about 2 nodes + 1 in even steps, which for a smooth peak is as
@@ -57,11 +65,11 @@ float waveSeries(float g, float x, float nodes, float reach, float spare) {
     float above = ceil((reach * width + spare) / stride);
     int first = -int(min(above, floor((middle - 2.0) / stride)));
     int last = int(above);
-    float sum = stride > 1.0 ? 0.0 : exp2(-1.4426950408889634 * (g + x));
+    float sum = stride > 1.0 ? 0.0 : waveTerm(-1.4426950408889634 * (g + x));
     for (int j = first; j <= last; ++j) {
         float m = middle + stride * float(j);
         float exponent = poissonLog(m, gg) - x / m;
-        sum += stride * 0.39894228040143268 * exp2(1.4426950408889634 * exponent) / (m * gg);
+        sum += stride * 0.39894228040143268 * waveTerm(1.4426950408889634 * exponent) / (m * gg);
     }
     return sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/directions.glsl"
 #include "lib/fresnel.glsl"
+#include "lib/gloss.glsl"
 #include "lib/wave.glsl"
 
 // The directional diffuse part of one wavelength without |F|^2, times pi (n.l):
@@ -18,7 +19,8 @@ float heTorranceDiffuse(Directions d, HeTorrance p, float sigma2, float waveleng
     } else {
         series = waveSeries(g, x, 6.0, 3.3, 1.0);
     }
-    return sqr(d.HH * 2.0 * PI / wavelength) * sigma2 * 0.25 * q * series;
+    float front = sqr(d.HH * 2.0 * PI / wavelength) * sigma2 * 0.25 * q;
+    return front * series * 8.6736173798840355e-19; // the series comes times 2^60
 }
 
 // The mirror part, e^-g of the light, spread over the disc that the light is seen as: a cone in
@@ -39,7 +41,7 @@ vec3 heTorrance(Directions d, HeTorrance p) {
     // The mirror part is a Dirac delta under a smaller light; 0.01 degrees is the least.
     float size = versineOf(max(p.lightRadius, 1.7453293e-4));
     vec3 F = slotFresnel(halfIncidence(d), p.fresnel);
-    vec3 sum = p.diffuseColor * d.nl;
+    vec3 sum = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
         float g = sqr(2.0 * PI * d.nH / p.wavelengths[i]) * sigma2;
         sum[i] += F[i] * Sl * Sv * heTorranceDiffuse(d, p, sigma2, p.wavelengths[i], g);
@@ -47,5 +49,6 @@ vec3 heTorrance(Directions d, HeTorrance p) {
             sum[i] += F[i] * Sl * (Sv * d.nv) * heTorranceMirror(d, size, g);
         }
     }
-    return sum;
+    return p.diffuseColor * d.nl
+        + glossed(sum, p.gloss, p.glossMode == HE_TORRANCE_GLOSS_MODE_LIMIT, d.nl);
 }

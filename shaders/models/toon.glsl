@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/directions.glsl"
 #include "lib/elementary.glsl"
+#include "lib/gloss.glsl"
 
 // The share of `above` where x is above an edge as wide as `softness`, and of `below` under it;
 // each share by itself, so that neither is a difference. An edge is never narrower than 0.001: a
@@ -25,7 +26,9 @@ vec3 toonSpot(Directions d, Toon p) {
         return vec3(0.0);
     }
     float inside = 1.0 - min(d.versineRv / radius, 1e6);
-    return toonEdge(inside, p.softness, vec3(0.0), p.gloss * p.specularColor);
+    bool limits = p.glossMode == TOON_GLOSS_MODE_LIMIT;
+    return toonEdge(inside, p.softness, vec3(0.0),
+        glossed(p.specularColor, p.gloss, limits, 1.0));
 }
 
 // Two or three flat tones by n.l, per fragment. A. Lake et al., Stylized Rendering Techniques for
