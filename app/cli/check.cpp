@@ -140,8 +140,8 @@ void printReport(const SweepReport& report) {
     for (const Error& error : report.errors) {
         std::cout << error.text() << '\n';
     }
-    std::cout << fmt::format("{} cases in {} programs: {}\n", report.cases, report.programs,
-                             report.sound() ? "nothing breaks" : "see above");
+    std::cout << fmt::format("{} cases in {} programs{}: {}\n", report.cases, report.programs,
+                             limitText(report), report.sound() ? "nothing breaks" : "see above");
 }
 
 void print(const StabilitySweep& sweep, const Options& options) {

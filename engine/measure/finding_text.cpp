@@ -74,7 +74,7 @@ Json findingJson(const SweepFinding& finding) {
               {"place", placeText(finding.request)},
               {"value", listJson(finding.value, finding.numbers)},
               {"excess", numberJson(finding.excess)}};
-    if (finding.defect == Defect::Inaccurate) {
+    if (finding.defect >= Defect::Inaccurate) {
         json["exact"] = listJson(finding.exact, finding.numbers);
     }
     return json;
@@ -97,15 +97,35 @@ std::string placeText(const EvalCase& request) {
 
 std::string amountText(const SweepFinding& finding) {
     const std::string value = listText(finding.value, finding.numbers);
-    if (finding.defect != Defect::Inaccurate) {
+    const std::string exact = listText(finding.exact, finding.numbers);
+    switch (finding.defect) {
+    case Defect::Inaccurate:
+        return fmt::format("gives {}, exactly {}: {:.3g} times what rounding explains", value,
+                           exact, finding.excess);
+    case Defect::NotReciprocal:
+        return fmt::format("gives {} of n.l, with light and viewer exchanged {}", value, exact);
+    case Defect::NotIsotropic:
+        return fmt::format("gives {}, turned about the normal {}", value, exact);
+    case Defect::NotConserving:
+        return fmt::format("gives {} of the light back, {} at most by its claim", value, exact);
+    case Defect::NotContinuous:
+        return fmt::format("gives {}, {} at most by its claim", value, exact);
+    case Defect::NotMonotonic:
+        return fmt::format("gives {}, less than the {} before it", value, exact);
+    default:
         return "gives " + value;
     }
-    return fmt::format("gives {}, exactly {}: {:.3g} times what rounding explains", value,
-                       listText(finding.exact, finding.numbers), finding.excess);
 }
 
 const char* precisionText(bool gpu) {
     return gpu ? "on the graphics device" : "on the CPU in double precision";
+}
+
+const char* limitText(const SweepReport& report) {
+    if (report.withoutDouble) {
+        return " on the graphics device only";
+    }
+    return report.withoutDevice ? " in double precision only" : "";
 }
 
 Json toJson(const SweepReport& report) {
@@ -120,9 +140,14 @@ Json toJson(const SweepReport& report) {
     for (const Error& error : report.errors) {
         errors.push_back(error.text());
     }
-    return {{"cases", report.cases},   {"programs", report.programs},
-            {"sound", report.sound()}, {"largestError", numberJson(report.largestError)},
-            {"defects", defects},      {"errors", errors}};
+    return {{"cases", report.cases},
+            {"programs", report.programs},
+            {"sound", report.sound()},
+            {"largestError", numberJson(report.largestError)},
+            {"defects", defects},
+            {"errors", errors},
+            {"gpuOnly", report.withoutDouble},
+            {"doubleOnly", report.withoutDevice}};
 }
 
 } // namespace patina

@@ -18,6 +18,10 @@ std::string amountText(const SweepFinding& finding);
 /// "on the graphics device" or "on the CPU in double precision".
 const char* precisionText(bool gpu);
 
+/// What a verdict has to add where not everything was evaluated twice: " on the graphics device
+/// only", " in double precision only", or nothing.
+const char* limitText(const SweepReport& report);
+
 /// Everything of a report; what is not finite is the text "nan", "inf" or "-inf".
 nlohmann::json toJson(const SweepReport& report);
 

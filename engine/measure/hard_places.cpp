@@ -15,8 +15,8 @@ namespace {
 using Subject = EvalCase::Subject;
 using Places = std::vector<EvalPlace>;
 
-constexpr double cosines[] = {0.0, 1e-8,       1e-6,       1e-4,       1e-2, 0.1,
-                              0.5, 1.0 - 1e-4, 1.0 - 1e-6, 1.0 - 1e-8, 1.0};
+constexpr double cosines[] = {0.0, 1e-8, 1e-6, 1e-4,       1e-2,       0.1,        0.3,
+                              0.5, 0.7,  0.9,  1.0 - 1e-4, 1.0 - 1e-6, 1.0 - 1e-8, 1.0};
 
 /// Between light and viewer, in radians; pi is the mirror's side.
 constexpr double azimuths[] = {0.0,
@@ -216,7 +216,7 @@ Places hardPlaces(Subject subject) {
     case Subject::Light:
         return hardPoints();
     case Subject::Fresnel:
-        return hardNumbers({-1.0, -1e-8, 1.0 + 1e-6, 1e-3, 0.05, 0.2, 0.7, 0.9});
+        return hardNumbers({-1.0, -1e-8, 1.0 + 1e-6, 1e-3, 0.05, 0.2, 0.8});
     default:
         return hardNumbers({1e-30, 1e-3, 2.0, 10.0, 1e2, 1e3, 1e6, 1e20, 3e38});
     }

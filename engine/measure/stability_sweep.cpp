@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "measure/claim_sweep.h"
 #include "measure/error_bound.h"
 #include "measure/eval_program.h"
 #include "measure/hard_places.h"
@@ -36,6 +37,13 @@ bool hasLostDigits(const std::vector<double>& values) {
                        [](double x) { return x != 0.0 && std::abs(x) < leastExact; });
 }
 
+/// Places between the hard ones, where a formula of its own may break as well; a band of cosines
+/// that is 1/200 wide meets several.
+constexpr std::size_t ordinaryCount = 2048;
+
+/// Of the places with a further set of values, one in so many is an ordinary one.
+constexpr std::size_t ordinaryEvery = 4;
+
 /// A step through the places that meets every one: it has no divisor in common with their number.
 std::size_t strideFor(std::size_t places) {
     std::size_t stride = places / 3 + 1;
@@ -47,38 +55,55 @@ std::size_t strideFor(std::size_t places) {
 
 } // namespace
 
-/// One program's cases, numbered: every place with the variant's own values, then a few places with
-/// every other row of values.
+/// One program's cases, numbered: every place with the variant's own values, then a few places,
+/// hard and ordinary ones, with every other row of values.
 class StabilitySweep::Variant {
   public:
     Variant(const EvalCase& variant, const SweepOptions& options, std::size_t cases)
         : options_(options), variant_(variant), rows_(sweepRows(variant)),
-          places_(hardPlaces(variant.subject)),
+          places_(hardPlaces(variant.subject)), hard_(places_.size()),
           placesPerRow_(std::clamp<std::size_t>(cases / rows_.size(), 16, places_.size())),
-          stride_(strideFor(places_.size())), checks_(variant) {}
+          stride_(strideFor(hard_)), checks_(variant) {
+        const auto ordinary = ordinaryPlaces(variant.subject, ordinaryCount);
+        places_.insert(places_.end(), ordinary.begin(), ordinary.end());
+    }
 
     /// Makes what evaluates: an error when neither the CPU nor the device can.
-    Result<void> open(std::string& withoutReference) {
+    Result<void> open(std::string& withoutReference, SweepReport& report) {
         if (options_.cpu) {
             const auto code = ReferenceCode::find(variant_);
             code_ = code ? std::optional(*code) : std::nullopt;
             withoutReference = code ? withoutReference : code.error().problem;
         }
+        report.withoutDouble = report.withoutDouble || !code_;
+        report.withoutDevice = report.withoutDevice || !options_.gpu;
         if (!options_.gpu) {
-            return {};
+            return code_ ? Result<void>() : failure(withoutReference, "a graphics device");
         }
         auto program = EvalProgram::link(variant_, options_.shaders);
         if (!program) {
             return tl::unexpected(program.error());
         }
         program_.emplace(std::move(*program));
+        if (!code_) {
+            claims_.emplace(variant_);
+        }
         return {};
     }
 
-    bool finished() const { return done_ >= count(); }
-    double progress() const { return static_cast<double>(done_) / static_cast<double>(count()); }
+    bool finished() const { return done_ >= count() && (!claims_ || claims_->finished()); }
+
+    double progress() const {
+        const double values = static_cast<double>(done_) / static_cast<double>(count());
+        return claims_ ? 0.5 * (values + claims_->progress()) : values;
+    }
 
     Result<void> step(SweepReport& report) {
+        return done_ < count() ? stepValues(report) : claims_->step(*program_, report);
+    }
+
+  private:
+    Result<void> stepValues(SweepReport& report) {
         const std::size_t size = std::min(options_.slice, count() - done_);
         std::vector<float> drawn;
         if (program_) {
@@ -100,7 +125,6 @@ class StabilitySweep::Variant {
         return {};
     }
 
-  private:
     std::size_t count() const { return places_.size() + (rows_.size() - 1) * placesPerRow_; }
 
     std::size_t rowOf(std::size_t i) const {
@@ -108,7 +132,13 @@ class StabilitySweep::Variant {
     }
 
     const EvalPlace& placeOf(std::size_t i) const {
-        return places_[i < places_.size() ? i : (i - places_.size()) * stride_ % places_.size()];
+        if (i < places_.size()) {
+            return places_[i];
+        }
+        const std::size_t further = i - places_.size();
+        const std::size_t ordinary = further / ordinaryEvery;
+        return further % ordinaryEvery == 0 ? places_[hard_ + ordinary % ordinaryCount]
+                                            : places_[(further - ordinary) * stride_ % hard_];
     }
 
     EvalCase caseOf(std::size_t i) const {
@@ -217,12 +247,14 @@ class StabilitySweep::Variant {
     SweepOptions options_;
     EvalCase variant_;
     std::vector<EvalCase> rows_;
-    std::vector<EvalPlace> places_;
+    std::vector<EvalPlace> places_; ///< the hard ones, then ordinary ones
+    std::size_t hard_;
     std::size_t placesPerRow_;
     std::size_t stride_;
     ValueChecks checks_;
     std::optional<ReferenceCode> code_;
     std::optional<EvalProgram> program_;
+    std::optional<ClaimSweep> claims_; ///< of what is not there in double precision
     std::size_t done_ = 0;
 };
 
@@ -247,7 +279,7 @@ void StabilitySweep::open() {
     const EvalCase& variant = variants_[next_++];
     current_ = std::make_unique<Variant>(variant, options_, options_.cases / variants_.size());
     ++report_.programs;
-    if (const auto opened = current_->open(withoutReference_); !opened) {
+    if (const auto opened = current_->open(withoutReference_, report_); !opened) {
         report_.errors.push_back(opened.error());
         current_.reset();
     }

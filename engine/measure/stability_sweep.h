@@ -20,10 +20,11 @@ struct SweepOptions {
     std::filesystem::path shaders; ///< the folder that holds lib/ and passes/
 };
 
-/// Evaluates programs of blocks at every hard place with their own values and at some with every
-/// set of hard values, looks at each value before it is cut or clamped, and holds the graphics
-/// device against the double-precision code. Works in steps, so that a caller can show progress and
-/// stop between them.
+/// Evaluates programs of blocks at every hard place and at ordinary ones between with their own
+/// values, and at some of both with every set of hard values; looks at each value before it is cut
+/// or clamped, and holds the graphics device against the double-precision code. Where there is
+/// none, for a block that came after this program was built, what the block claims is tried on the
+/// device. Works in steps, so that a caller can show progress and stop between them.
 class StabilitySweep {
   public:
     /// `variants` come from sweepVariants() or sweepVariant(); their blocks must outlive the sweep.

@@ -25,6 +25,16 @@ const char* wordsFor(Defect defect) {
         return "negative";
     case Defect::BelowHorizon:
         return "light from below the horizon";
+    case Defect::NotReciprocal:
+        return "claim broken: reciprocal";
+    case Defect::NotIsotropic:
+        return "claim broken: isotropic";
+    case Defect::NotConserving:
+        return "claim broken: energy_conserving";
+    case Defect::NotContinuous:
+        return "claim broken: continuous_at_horizon";
+    case Defect::NotMonotonic:
+        return "claim broken: monotonic";
     default:
         return "further from the exact value than rounding explains";
     }
@@ -41,6 +51,8 @@ void SweepReport::add(const SweepReport& other) {
     for (const auto& [key, tally] : other.defects) {
         addTally(defects[key], tally.count, tally.worst);
     }
+    withoutDouble = withoutDouble || other.withoutDouble;
+    withoutDevice = withoutDevice || other.withoutDevice;
     errors.insert(errors.end(), other.errors.begin(), other.errors.end());
 }
 

@@ -12,8 +12,19 @@
 
 namespace patina {
 
-/// What can be wrong with a value.
-enum class Defect { NotANumber, Infinite, Negative, BelowHorizon, Inaccurate };
+/// What can be wrong with a value, and then with the values that a claim is about.
+enum class Defect {
+    NotANumber,
+    Infinite,
+    Negative,
+    BelowHorizon,
+    Inaccurate,
+    NotReciprocal,
+    NotIsotropic,
+    NotConserving,
+    NotContinuous,
+    NotMonotonic
+};
 
 /// "not a number", "negative", ...
 const char* wordsFor(Defect defect);
@@ -24,8 +35,8 @@ struct SweepFinding {
     EvalCase request;         ///< with `gpu` set to where it went wrong
     ReferenceNumbers value{}; ///< what was returned, as many numbers as the block answers
     std::size_t numbers = 3;
-    ReferenceNumbers exact{}; ///< in double precision; Inaccurate only
-    /// How bad: |error| over its bound for Inaccurate, the size of the number for the others.
+    ReferenceNumbers exact{}; ///< in double precision, or by the claim; for a claim one number
+    /// How bad: |error| over its bound for Inaccurate and claims, else the size of the number.
     double excess = 0.0;
 };
 
@@ -42,6 +53,8 @@ struct SweepReport {
     double largestError = 0.0;                             ///< the largest |error| over its bound
     std::map<std::pair<bool, Defect>, SweepTally> defects; ///< by (on the graphics device, defect)
     Errors errors;                                         ///< why a program could not be tried
+    bool withoutDouble = false; ///< some program was tried on the graphics device only
+    bool withoutDevice = false; ///< some program was tried in double precision only
 
     bool sound() const { return defects.empty() && errors.empty(); }
 

@@ -35,6 +35,7 @@ StabilityOutcome outcomeOf(const StabilitySweep& sweep) {
     StabilityOutcome outcome;
     outcome.complete = sweep.finished();
     outcome.cases = sweep.report().cases;
+    outcome.limit = limitText(sweep.report());
     for (const auto& [key, tally] : sweep.report().defects) {
         outcome.failures.push_back(failureOf(tally, key.first, key.second));
     }
@@ -42,7 +43,7 @@ StabilityOutcome outcomeOf(const StabilitySweep& sweep) {
         outcome.problems << asText(error.text());
     }
     if (!sweep.withoutReference().empty()) {
-        outcome.remarks << StabilityCheck::tr("On the graphics device only: %1")
+        outcome.remarks << StabilityCheck::tr("Not in double precision: %1")
                                .arg(asText(sweep.withoutReference()));
     }
     return outcome;

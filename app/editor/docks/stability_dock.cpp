@@ -32,17 +32,18 @@ QString grouped(std::size_t number) {
 }
 
 QString verdictOf(const StabilityOutcome& outcome) {
-    const QString cases = grouped(outcome.cases);
+    const QString cases =
+        StabilityDock::tr("%1 cases%2").arg(grouped(outcome.cases), outcome.limit);
     if (!outcome.problems.isEmpty()) {
         return StabilityDock::tr("Could not be checked: %1").arg(outcome.problems.join(' '));
     }
     if (!outcome.failures.empty()) {
-        return outcome.complete ? StabilityDock::tr("It breaks: %1 cases tried").arg(cases)
-                                : StabilityDock::tr("Stopped after %1 cases: it breaks").arg(cases);
+        return outcome.complete ? StabilityDock::tr("It breaks: %1").arg(cases)
+                                : StabilityDock::tr("Stopped after %1: it breaks").arg(cases);
     }
     return outcome.complete
-               ? StabilityDock::tr("Nothing breaks: %1 cases").arg(cases)
-               : StabilityDock::tr("Stopped after %1 cases: nothing broke so far").arg(cases);
+               ? StabilityDock::tr("Nothing breaks: %1").arg(cases)
+               : StabilityDock::tr("Stopped after %1: nothing broke so far").arg(cases);
 }
 
 } // namespace
