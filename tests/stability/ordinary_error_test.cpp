@@ -65,12 +65,22 @@ double growthOf(const EvalBlock& block, bool diffuse) {
     return growth;
 }
 
+/// Whether the block makes a choice whose formula is a difference; a third word names the number
+/// that makes it one where it is below 0.
+bool isDifference(const EvalBlock& block, const Json& choice) {
+    const auto form = block.values.find(choice[0].get<std::string>());
+    if (form == block.values.end() || form->second != Value(choice[1].get<std::string>())) {
+        return false;
+    }
+    return choice.size() < 3 ||
+           std::get<double>(block.values.at(choice[2].get<std::string>())) < 0.0;
+}
+
 /// What an error is judged against where the value is smaller.
 double smallestOf(const EvalBlock& block) {
     double least = smallestJudged;
     for (const Json& choice : bounds().at("differences")) {
-        const auto form = block.values.find(choice[0].get<std::string>());
-        if (form != block.values.end() && form->second == Value(choice[1].get<std::string>())) {
+        if (isDifference(block, choice)) {
             const auto& color = std::get<glm::dvec3>(block.values.at("diffuse.color"));
             least = std::max(least, 0.1 * std::max({color.x, color.y, color.z}));
         }
