@@ -78,7 +78,7 @@ void conductorReflectances(Incidence i, float etaI, float eta, float k, OUT(floa
         Rp = 0.0;
     } else if (i.c > 0.0 && a > 0.0) {
         float difference = ((eta - etaI) * (eta + etaI) / (etaI * etaI) - k2 + b2) / (a + i.c);
-        Rs = (sqr(difference) + b2) / (sqr(a + i.c) + b2);
+        Rs = min((sqr(difference) + b2) / (sqr(a + i.c) + b2), 1.0); // rounding may pass 1
         float bc2 = b2 * i.c * i.c;
         Rp = Rs * (sqr(a * i.c - s2) + bc2) / (sqr(a * i.c + s2) + bc2);
     }
@@ -96,7 +96,7 @@ float fresnelConductor(float c, float eta, float k) {
 // The same for eta^2 + k^2 >> 1, where a = eta and b = k at every angle; with m = eta^2 + k^2:
 //   Rs = (m - 2 eta c + c^2) / (m + 2 eta c + c^2)
 //   Rp = (m c^2 - 2 eta c + 1) / (m c^2 + 2 eta c + 1)
-// Born and Wolf, section 14.2, equation 17. For gold and copper within 0.007, and exact facing the
+// Born and Wolf, section 14.2, equation 17. For bare metals within 0.0071, and exact facing the
 // surface. Numerators are written as sums of squares, (eta - c)^2 + k^2 and (eta c - 1)^2 + k^2
 // c^2.
 float fresnelConductorHighIndex(float c, float eta, float k) {

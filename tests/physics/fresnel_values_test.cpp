@@ -68,6 +68,41 @@ TEST(ConductorFresnel, StrongAbsorption_KeepsWhatIsLost) {
     EXPECT_NEAR((1.0 - conductor(1.0, 100.0).reflectance(1.0)) / lost, 1.0, 1e-11);
 }
 
+/// How far the form for a high index is from the exact one over all angles: below and above.
+std::pair<double, double> highIndexErrors(const Values& metal, double outside) {
+    Values values = metal;
+    values["index.outside"] = outside;
+    const Subject exact("fresnel", "conductor", values);
+    Subject near = exact;
+    near.parameters = packed(*near.block, values, {{"reflectance", "high-index"}});
+    std::pair<double, double> errors{0.0, 0.0};
+    for (int i = 1; i <= 2000; ++i) {
+        const auto a = near.code->fresnel(i / 2000.0, 1.0 - i / 2000.0, near.parameters);
+        const auto b = exact.code->fresnel(i / 2000.0, 1.0 - i / 2000.0, exact.parameters);
+        for (const double error : {a.x - b.x, a.y - b.y, a.z - b.z}) {
+            errors = {std::min(errors.first, error), std::max(errors.second, error)};
+        }
+    }
+    return errors;
+}
+
+TEST(ConductorFresnel, HighIndex_IsAsFarOffAsItsLabelSays) {
+    double inAir = 0.0;
+    double underWater = 0.0;
+    double underLacquer = 0.0;
+    const Parameter& metals = *catalog().find("fresnel", "conductor")->parameter("metal");
+    for (const EnumValue& metal : metals.values) {
+        const auto [below, above] = highIndexErrors(metal.fills, 1.0);
+        EXPECT_GE(below, -1e-9) << metal.id;
+        inAir = std::max(inAir, above);
+        underWater = std::min(underWater, highIndexErrors(metal.fills, 1.333).first);
+        underLacquer = std::min(underLacquer, highIndexErrors(metal.fills, 1.5).first);
+    }
+    EXPECT_NEAR(inAir, 0.0071, 5e-5);
+    EXPECT_NEAR(underWater, -0.014, 5e-4);
+    EXPECT_NEAR(underLacquer, -0.027, 1e-3);
+}
+
 TEST(ConductorFresnel, HardIndices_StayBetweenZeroAndOne) {
     for (const double eta : {0.0, 1e-6, 0.05, 1.0, 1.0 + 1e-6, 1.5, 100.0}) {
         for (const double k : {0.0, 1e-6, 1e-3, 1.0, 10.0, 100.0}) {
