@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(EveryBlock, ClaimsOnTheGpu,
                          nameOf);
 
 /// Exemptions whose cases chance does not meet: a light along the ridges, a steep lobe that ends at
-/// the horizon, and light below 3 degrees.
+/// the horizon, and light below 3 degrees. RareExemptions has a case of each.
 bool isRare(const Block& block, const Claim& claim) {
     const std::string name = block.id + ' ' + claim.name;
     return name == "poulin-fournier continuous_at_horizon" ||

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Claims that a descriptor does not make because of cases that chance does not meet: one of each.
+#include <gtest/gtest.h>
+
+#include "measure/hemisphere_rule.h"
+#include "physics_cases.h"
+
+namespace patina::physics {
+namespace {
+
+constexpr double grazing = 1e-7;
+
+TEST(RareExemptions, RawPoulinFournierLobe_DoesNotFadeAlongTheRidges) {
+    const Subject model("models", "poulin-fournier",
+                        {{"diffuse.color", black},
+                         {"specular.color", white},
+                         {"shininess", 0.0},
+                         {"normalisation", "raw"}});
+    const Subject mirror("fresnel", "constant", {{"f0", white}});
+    const auto under = [&](double c) {
+        const glm::dvec3 l{std::sqrt(1.0 - c * c), 0.0, c};
+        return model.shade(geometry(l, {0.0, 0.0, 1.0}), mirror.filler()).x;
+    };
+    EXPECT_GT(under(0.3), 0.1);
+    EXPECT_NEAR(under(grazing), under(0.3), 0.05 * under(0.3));
+}
+
+TEST(RareExemptions, SteepLafortuneLobe_IsBrighterAtTheHorizonThanTenDegreesAboveIt) {
+    const Subject model("models", "lafortune",
+                        {{"diffuse.color", black},
+                         {"lobe1.color", white},
+                         {"lobe1.x", glm::dvec3(1.2)},
+                         {"lobe1.z", glm::dvec3(0.0)},
+                         {"lobe1.exponent", glm::dvec3(1000.0)}});
+    const glm::dvec3 viewer = direction(60.0, 0.0);
+    const double low = model.shade(geometry({1.0, 0.0, grazing}, viewer)).x;
+    EXPECT_GT(low, 1.0);
+    EXPECT_GT(low, model.shade(geometry(direction(80.0, 0.0), viewer)).x);
+}
+
+TEST(RareExemptions, StraussUnderLightBelowThreeDegrees_GivesBackMoreThanArrives) {
+    const Subject model("models", "strauss", {{"diffuse.color", white}});
+    const glm::dvec3 l = direction(89.0, 0.0);
+    double sum = 0.0;
+    for (const WeightedDirection& to : hemisphereRule(l)) {
+        sum += to.weight * model.shade(geometry(l, to.v)).x;
+    }
+    EXPECT_GT(sum / l.z, 1.1);
+}
+
+} // namespace
+} // namespace patina::physics
