@@ -72,24 +72,6 @@ Result<void> checkKeys(const Json& json, std::vector<std::string> known) {
     return {};
 }
 
-/// Every component within the parameter's hard range.
-bool inRange(const Parameter& parameter, const Value& value) {
-    const auto within = [&](double x) { return x >= parameter.min && x <= parameter.max; };
-    if (const auto* x = std::get_if<double>(&value)) {
-        return within(*x);
-    }
-    if (const auto* x = std::get_if<int>(&value)) {
-        return within(*x);
-    }
-    if (const auto* x = std::get_if<glm::dvec2>(&value)) {
-        return within(x->x) && within(x->y);
-    }
-    if (const auto* x = std::get_if<glm::dvec3>(&value)) {
-        return within(x->x) && within(x->y) && within(x->z);
-    }
-    return true;
-}
-
 /// One number stands for three where a colour or the like is wanted.
 Json asWanted(const Parameter& parameter, const Json& json) {
     const bool three =
@@ -105,7 +87,7 @@ Result<Value> readParameter(const Parameter& parameter, const Json& json) {
     if (!value) {
         return at(parameter.id, value.error());
     }
-    if (!inRange(parameter, *value)) {
+    if (conformed(parameter, *value) != *value) {
         return failure(fmt::format("{}: {} is outside its range", parameter.id, json.dump()),
                        fmt::format("{} to {}", shortestText(static_cast<float>(parameter.min)),
                                    shortestText(static_cast<float>(parameter.max))));

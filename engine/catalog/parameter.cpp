@@ -5,7 +5,8 @@
 #include <cctype>
 #include <cmath>
 
-#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace patina {
 namespace {
@@ -15,18 +16,27 @@ int clampedInt(const Parameter& parameter, int value) {
         std::clamp<double>(value, std::ceil(parameter.min), std::floor(parameter.max)));
 }
 
+/// Into the range; a number that is the same float as an end of it, as 0.01 read back from a float
+/// is, stays as it is.
+double clampedNumber(const Parameter& parameter, double x) {
+    const double near = std::clamp(x, parameter.min, parameter.max);
+    const bool sameFloat = static_cast<float>(near) == static_cast<float>(x);
+    return sameFloat && near != 0.0 ? x : near; // nothing beyond 0, which has its own sign
+}
+
 Value clamped(const Parameter& parameter, const Value& value) {
+    const auto component = [&parameter](double x) { return clampedNumber(parameter, x); };
     if (const auto* number = std::get_if<double>(&value)) {
-        return std::clamp(*number, parameter.min, parameter.max);
+        return component(*number);
     }
     if (const auto* whole = std::get_if<int>(&value)) {
         return clampedInt(parameter, *whole);
     }
     if (const auto* two = std::get_if<glm::dvec2>(&value)) {
-        return glm::clamp(*two, parameter.min, parameter.max);
+        return glm::dvec2(component(two->x), component(two->y));
     }
     if (const auto* three = std::get_if<glm::dvec3>(&value)) {
-        return glm::clamp(*three, parameter.min, parameter.max);
+        return glm::dvec3(component(three->x), component(three->y), component(three->z));
     }
     return value;
 }

@@ -44,6 +44,14 @@ TEST(EvalCommand, Id_ComesBackAsItWas) {
     }
 }
 
+TEST(EvalCommand, FloatOfAnEndOfARange_IsWithinIt) {
+    Json request = facing("he-torrance");
+    request["parameters"] = {{"tau", static_cast<double>(0.01F)}};
+    EXPECT_EQ(errorOf(request), "");
+    request["parameters"] = {{"tau", 0.0099}};
+    EXPECT_NE(errorOf(request).find("outside its range"), std::string::npos);
+}
+
 TEST(EvalCommand, BrokenLine_KeepsItsId) {
     const Outcome outcome = evalLines(R"({"id": "far", "model": "phong", "l": [0, 0, 1e999]})"
                                       "\n");

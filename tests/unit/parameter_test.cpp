@@ -33,6 +33,17 @@ TEST(Conformed, NumberInRange_StaysAsItIs) {
 TEST(Conformed, NumberAboveTheRange_IsTheLargest) {
     EXPECT_EQ(conformed(number, 7.0), Value(1.0));
 }
+TEST(Conformed, FloatOfAnEnd_StaysAsItIs) {
+    Parameter index = number;
+    index.min = 0.01;
+    const double read = static_cast<double>(0.01F);
+    ASSERT_LT(read, index.min);
+    EXPECT_EQ(conformed(index, read), Value(read));
+    EXPECT_EQ(conformed(index, 0.0099), Value(0.01));
+}
+TEST(Conformed, TinyNumberBelowZero_IsZero) {
+    EXPECT_EQ(conformed(number, -1e-60), Value(0.0));
+}
 TEST(Conformed, NotANumber_IsTheDefault) {
     EXPECT_EQ(conformed(number, std::numeric_limits<double>::quiet_NaN()), Value(0.5));
 }
