@@ -168,6 +168,19 @@ Result<EvalBlock> readNested(const Catalog& catalog, const std::string& kind, co
                      json.is_object() ? json.value("accuracy", none) : none);
 }
 
+/// Where on the picture, for models that draw marks; (0, 0) unless it is given.
+Result<void> readPixel(const Json& json, EvalCase& request) {
+    if (!json.contains("pixel")) {
+        return {};
+    }
+    const Json& value = json["pixel"];
+    if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) {
+        return failure("pixel is not a place", "an array of 2 numbers");
+    }
+    request.pixel = {value[0].get<double>(), value[1].get<double>()};
+    return {};
+}
+
 Result<void> readFrame(const Json& json, EvalCase& request) {
     for (const auto& [key, target] : {std::pair{"n", &request.n}, {"t", &request.t}}) {
         const Result<void> done =
@@ -176,8 +189,13 @@ Result<void> readFrame(const Json& json, EvalCase& request) {
             return done;
         }
     }
-    const Result<void> done = readDirection(json, "l", request.l);
-    return done ? readDirection(json, "v", request.v) : done;
+    for (const auto& done : {readDirection(json, "l", request.l),
+                             readDirection(json, "v", request.v), readPixel(json, request)}) {
+        if (!done) {
+            return done;
+        }
+    }
+    return {};
 }
 
 /// Fills the slot of a model with the given block or the descriptor's default.
@@ -200,7 +218,8 @@ Result<void> readSlot(const Json& json, const Catalog& catalog, EvalCase& reques
 }
 
 Result<void> checkModelKeys(const Json& json) {
-    std::vector<std::string> known{"model", "parameters", "accuracy", "l", "v", "n", "t"};
+    std::vector<std::string> known{"model", "parameters", "accuracy", "l",
+                                   "v",     "n",          "t",        "pixel"};
     known.insert(known.end(), partKinds.begin(), partKinds.end());
     return checkKeys(json, known);
 }
@@ -244,7 +263,7 @@ Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase re
 /// A block of a slot that is a function of directions as a model is.
 Result<EvalCase> readSurfacePart(const Json& json, const Catalog& catalog, EvalCase request,
                                  const std::string& kind) {
-    const auto keys = checkKeys(json, {kind, "l", "v", "n", "t"});
+    const auto keys = checkKeys(json, {kind, "l", "v", "n", "t", "pixel"});
     const Result<EvalBlock> block = readNested(catalog, kind, json[kind]);
     if (!keys || !block) {
         return tl::unexpected(keys ? block.error() : keys.error());

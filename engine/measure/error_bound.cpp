@@ -56,7 +56,8 @@ ReferenceNumbers larger(const ReferenceNumbers& a, const ReferenceNumbers& b) {
 /// Signs of moves of everything at once: bit i of pattern p. From a fixed generator, so that every
 /// two numbers meet with like and with unlike signs.
 double signOf(std::size_t pattern, std::size_t i) {
-    constexpr std::uint32_t patterns[] = {0x000, 0xfff, 0x5a3, 0x939, 0x6c6, 0x3f0, 0xc0f, 0xa95};
+    constexpr std::uint32_t patterns[] = {0x0000, 0x3fff, 0x15a3, 0x2939,
+                                          0x06c6, 0x33f0, 0x2c0f, 0x1a95};
     return (patterns[pattern] >> i & 1U) != 0 ? 1.0 : -1.0;
 }
 constexpr std::size_t signPatterns = 8;
@@ -108,7 +109,7 @@ void moveTowardsMirror(reference::Geometry& geometry) {
 
 ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
                             const ReferenceNumbers& exact) {
-    reference::Geometry geometry = reference::geometry(place.n, place.t, place.l, place.v);
+    reference::Geometry geometry = geometryOf(place);
     Movable movable;
     for (glm::dvec3* vector : {&geometry.l, &geometry.v, &geometry.n, &geometry.t}) {
         for (int i = 0; i < 3; ++i) {
@@ -116,6 +117,10 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
         }
     }
     movable.steps.assign(movable.numbers.size(), rounding);
+    for (double* coordinate : {&geometry.pixel.x, &geometry.pixel.y}) {
+        movable.numbers.push_back(coordinate);
+        movable.steps.push_back(rounding * std::abs(*coordinate));
+    }
     movable.evaluate = [&] { return bound.evaluate(geometry); };
     ReferenceNumbers noise = noiseOf(movable, exact);
     moveTowardsMirror(geometry);

@@ -34,6 +34,9 @@ Json modelJson(const EvalCase& request) {
               {"t", numbers(request.t)},
               {"l", numbers(request.l)},
               {"v", numbers(request.v)}};
+    if (request.pixel != glm::dvec2(0.0)) {
+        json["pixel"] = {request.pixel.x, request.pixel.y};
+    }
     if (request.block.block->kind != "models") {
         json[request.block.block->kind] = nested(request.block);
         return json;

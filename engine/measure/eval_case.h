@@ -30,6 +30,7 @@ struct EvalPlace {
     glm::dvec3 t{1.0, 0.0, 0.0};
     glm::dvec3 l{0.0};
     glm::dvec3 v{0.0};
+    glm::dvec2 pixel{0.0}; ///< for models that draw marks on the picture
     double number = 0.0; ///< the cosine of a Fresnel block, the distance of fog
 };
 

@@ -113,8 +113,8 @@ void addFunctionProgram(SourceBuilder& builder, const EvalCase& request,
     builder.addFile("passes/evaluate_function.glsl");
 }
 
-void append(std::vector<float>& texels, const glm::dvec3& v) {
-    for (const double x : {v.x, v.y, v.z, 0.0}) {
+void append(std::vector<float>& texels, const glm::dvec3& v, double last = 0.0) {
+    for (const double x : {v.x, v.y, v.z, last}) {
         texels.push_back(static_cast<float>(x));
     }
 }
@@ -191,9 +191,10 @@ std::vector<float> placeTexels(const EvalCase& request) {
     std::vector<float> texels;
     switch (request.subject) {
     case Subject::Model:
-        for (const glm::dvec3& v : {request.n, request.t, request.l, request.v}) {
-            append(texels, v);
-        }
+        append(texels, request.n, request.pixel.x);
+        append(texels, request.t, request.pixel.y);
+        append(texels, request.l);
+        append(texels, request.v);
         break;
     case Subject::Function:
         texels.assign(request.arguments.begin(), request.arguments.end());

@@ -53,6 +53,12 @@ Result<ReferenceCode> ReferenceCode::find(const EvalCase& request) {
     return ReferenceCode{request.subject, *block, *slot};
 }
 
+reference::Geometry geometryOf(const EvalPlace& place) {
+    reference::Geometry geometry = reference::geometry(place.n, place.t, place.l, place.v);
+    geometry.pixel = place.pixel;
+    return geometry;
+}
+
 ReferenceCase::ReferenceCase(const ReferenceCode& code, std::vector<double> values,
                              std::vector<double> slotValues)
     : code_(code), values_(std::move(values)), slotValues_(std::move(slotValues)) {
@@ -68,7 +74,7 @@ ReferenceNumbers ReferenceCase::evaluate(const reference::Geometry& geometry) co
 ReferenceNumbers ReferenceCase::evaluate(const EvalPlace& place) const {
     switch (code_.subject) {
     case Subject::Model:
-        return evaluate(reference::geometry(place.n, place.t, place.l, place.v));
+        return evaluate(geometryOf(place));
     case Subject::Fresnel: {
         const double c = std::clamp(place.number, 0.0, 1.0);
         return numbers(code_.block->fresnel(c, 1.0 - c, values_));

@@ -18,6 +18,9 @@ struct ReferenceCode {
     static Result<ReferenceCode> find(const EvalCase& request);
 };
 
+/// Where a model is evaluated at a place, its vectors normalised.
+reference::Geometry geometryOf(const EvalPlace& place);
+
 /// The numbers that answer a case; what is not used is 0.
 using ReferenceNumbers = std::array<double, 6>;
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 /// The shading code of shaders/ compiled for the CPU in double precision: what the GPU's answers
@@ -21,6 +22,7 @@ struct Geometry {
     glm::dvec3 b{0.0, 1.0, 0.0};
     glm::dvec3 l{0.0, 0.0, 1.0};
     glm::dvec3 v{0.0, 0.0, 1.0};
+    glm::dvec2 pixel{0.0}; ///< place on the picture; where models that draw put their marks
 };
 
 /// Directions of any length made into a Geometry by the shaders' own functions: n, l and v are

@@ -178,11 +178,12 @@ void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground
     out[first + 1] = glm::vec4(place.middle.x, place.middle.z, 1.0 / place.radius, 0.0);
 }
 
-void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye) {
+void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye,
+              double pixel) {
     for (int column = 0; column < 4; ++column) {
         out[static_cast<std::size_t>(ViewLayout::clip + column)] = glm::vec4(worldToClip[column]);
     }
-    out[ViewLayout::eye] = glm::vec4(eye, 1.0);
+    out[ViewLayout::eye] = glm::vec4(eye, pixel);
 }
 
 } // namespace patina

@@ -39,7 +39,9 @@ void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object
 void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground& ground,
                 const GroundPlace& place);
 
-/// Fills `viewData`; `out` holds ViewLayout::vec4s.
-void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye);
+/// Fills `viewData`; `out` holds ViewLayout::vec4s. `pixel`: how wide a pixel of the target is in
+/// pixels of the picture.
+void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye,
+              double pixel);
 
 } // namespace patina

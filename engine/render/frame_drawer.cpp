@@ -205,7 +205,7 @@ void FrameDrawer::uploadView(const View& view) {
     const double aspect = double(view.size.x) / double(view.size.y);
     const glm::dmat4 worldToClip =
         projection(view.camera, aspect, depths_) * cameras_.worldToCamera;
-    packView(viewData_.staging(), worldToClip, eye(view.camera));
+    packView(viewData_.staging(), worldToClip, eye(view.camera), 1.0 / target_.fineness());
     report_.uploadedBuffers += viewData_.upload(ViewLayout::vec4s) ? 1 : 0;
     viewData_.bind(binding::view);
 }

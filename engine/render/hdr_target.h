@@ -30,6 +30,9 @@ class HdrTarget {
     /// Averages the samples into the resolved image.
     void resolve() const;
 
+    /// Pixels of the image that is drawn per side of a resolved one.
+    int fineness() const { return built_.fineness; }
+
     const gl::Texture& resolved() const { return resolvedImage_; }
     unsigned resolvedFramebuffer() const { return resolvedFramebuffer_.name(); }
 

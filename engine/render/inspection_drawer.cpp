@@ -189,7 +189,7 @@ void InspectionDrawer::feed(const Scene& scene, const View& view) {
     const double aspect = double(view.size.x) / double(view.size.y);
     const glm::dmat4 worldToClip =
         projection(view.camera, aspect, depths_) * glm::inverse(cameraToWorld_);
-    packView(viewData_.staging(), worldToClip, eye(view.camera));
+    packView(viewData_.staging(), worldToClip, eye(view.camera), 1.0);
     report_.uploadedBuffers += viewData_.upload(ViewLayout::vec4s) ? 1 : 0;
     viewData_.bind(binding::view);
     for (const Item& item : items_) {

@@ -29,6 +29,7 @@ struct Directions {
     float sin2v;
     float tH;    // t.(l + v) and b.(l + v), which keep their digits where l and v oppose
     float bH;
+    vec2 pixel; // where on the picture, in its pixels, for models that draw marks; 0 without one
 };
 
 // Squared length of the part of u that is perpendicular to the unit vector n, given nu = n.u.
@@ -47,6 +48,7 @@ float perpendicular2(vec3 u, vec3 n, float nu) {
 // special here: their cosines are negative, and the engine's gates leave them out.
 Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     Directions d;
+    d.pixel = vec2(0.0);
     d.nl = dot(n, l);
     d.nv = dot(n, v);
     d.lv = dot(l, v);

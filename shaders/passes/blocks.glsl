@@ -2,7 +2,8 @@
 // What the engine hands to every surface program. The meaning of each vec4 is written into the
 // program where it is read.
 layout(std140) uniform ViewBlock {
-    vec4 viewData[5]; // 0 .. 3: world to clip space, by columns; 4: the eye
+    vec4 viewData[5]; // 0 .. 3: world to clip space, by columns; 4: the eye, and how
+                      // wide a pixel of the target is in pixels of the picture
 };
 
 layout(std140) uniform ObjectBlock {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // A model's pi f cos(theta_l), not cut at 0: who looks for mistakes must see what the model gave.
-// Texels: n, t, l, v, then the parameters. The program defines EVALUATED_BLOCK, the model's
-// function, and LIGHT_GATE and VIEW_GATE.
+// Texels: n and the x of the pixel, t and its y, l, v, then the parameters. The program defines
+// EVALUATED_BLOCK, the model's function, and LIGHT_GATE and VIEW_GATE.
 #include "lib/directions.glsl"
 
 vec4 evaluated(int part) {
@@ -10,6 +10,7 @@ vec4 evaluated(int part) {
     vec3 l = safeNormalize(caseData(2).xyz, n);
     vec3 v = safeNormalize(caseData(3).xyz, n);
     Directions d = directions(n, t, cross(n, t), l, v);
+    d.pixel = vec2(caseData(0).w, caseData(1).w);
     if ((LIGHT_GATE && !(d.nl > 0.0)) || (VIEW_GATE && !(d.nv > 0.0))) {
         return vec4(0.0);
     }

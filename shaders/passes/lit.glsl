@@ -6,7 +6,7 @@ vec3 lit(Surface s, Illumination light, Model p) {
     if (!(max(max(light.radiance.r, light.radiance.g), light.radiance.b) > 0.0)) {
         return vec3(0.0);
     }
-    Directions d = directions(s.n, s.t, s.b, light.l, s.v);
+    Directions d = directionsAt(s, light.l, s.v);
     if (IS_DARK(d)) {
         return vec3(0.0);
     }

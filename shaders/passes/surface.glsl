@@ -26,6 +26,7 @@ struct Surface {
     vec3 n;         // unit normal on the viewer's side
     vec3 t;         // unit tangents, orthogonal to n and to each other
     vec3 b;
+    vec2 pixel;     // of the picture, whatever the target's fineness
 };
 
 // The normal of the triangle itself, on the viewer's side.
@@ -56,7 +57,14 @@ Surface surface() {
     s.n = shadingNormal(s.v);
     s.t = tangentAlong(s.n, worldTangent);
     s.b = cross(s.n, s.t);
+    s.pixel = gl_FragCoord.xy * viewData[4].w;
     return s;
+}
+
+Directions directionsAt(Surface s, vec3 l, vec3 v) {
+    Directions d = directions(s.n, s.t, s.b, l, v);
+    d.pixel = s.pixel;
+    return d;
 }
 
 // A half float ends at 65504; what is not a number is not light.

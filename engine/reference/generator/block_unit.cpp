@@ -141,7 +141,8 @@ std::string entryFunctions(const Block& block) {
         return fmt::format("vec3 callModel(const Geometry& g, Parameters data,\n"
                            "               [[maybe_unused]] Fillers fillers) {{\n"
                            "    {} p = unpack(data);\n{}"
-                           "    return {}(directions(g.n, g.t, g.b, g.l, g.v), p);\n}}\n",
+                           "    Directions d = directions(g.n, g.t, g.b, g.l, g.v);\n"
+                           "    d.pixel = g.pixel;\n    return {}(d, p);\n}}\n",
                            structName(block), slots, name);
     }
     if (block.kind == "fresnel") {
