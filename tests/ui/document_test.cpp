@@ -159,7 +159,7 @@ TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
     ASSERT_TRUE(shadow());
     EXPECT_EQ(shadow()->parameters.at("width"), Value(0.5));
     document.undoStack().undo();
-    EXPECT_EQ(shadow()->parameters.at("width"), Value(0.1));
+    EXPECT_EQ(shadow()->parameters.at("width"), roundedToFloat(0.1));
     document.undoStack().undo();
     EXPECT_FALSE(shadow());
 }

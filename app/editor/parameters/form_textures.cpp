@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QImageReader>
 #include <QPixelFormat>
+#include <QToolButton>
 
 #include "parameters/parameter_row.h"
 #include "parameters/texture_line.h"
