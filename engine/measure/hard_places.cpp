@@ -193,7 +193,7 @@ EvalPlace ordinaryPlace(Subject subject, Random& random) {
     case Subject::Model:
         place.l = random.upperDirection();
         place.v = random.below(3) == 0 ? random.nearMirror(place.l) : random.upperDirection();
-        place.pixel = {inFloat(random.uniform(0, 64)), inFloat(random.uniform(0, 64))};
+        place.pixel = {inFloat(random.uniform(0, 24)), inFloat(random.uniform(0, 24))};
         break;
     case Subject::Light:
         place.l = inFloat(

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT-0
-// Marks of ink on paper, for models that draw. Lengths are pixels of the picture.
+// Marks of ink on paper, for models that draw. Lengths are pixels of the picture. A vec2 has what
+// is inked and what is bare, each as it comes, so that neither is a difference of the other.
 #include "lib/math.glsl"
 
-// How much of a pixel's width lies inside a mark whose edge is `inside` away, towards its inside.
-float inked(float inside) {
-    return clamp(inside + 0.5, 0.0, 1.0);
+// How much of a pixel's width lies inside a mark whose edge is `inside` away, towards its inside,
+// and how much outside.
+vec2 inked(float inside) {
+    return vec2(clamp(0.5 + inside, 0.0, 1.0), clamp(0.5 - inside, 0.0, 1.0));
 }
 
 // The place in axes that are turned by `angle`, in radians.
@@ -19,8 +21,23 @@ float offWhole(float x) {
     return abs(x - floor(x + 0.5));
 }
 
-// How dark a surface is drawn: 0 where n.l is at least `light`, 1 where it is at most `dark`. Both
-// at one place is a hard edge, 0.001 wide.
-float darkness(float nl, float dark, float light) {
-    return clamp((light - nl) / max(light - dark, 1e-3), 0.0, 1.0);
+// How dark and how bright a surface is drawn, together 1: all dark where n.l is at most `dark`, all
+// bright where it is at least `light`. Both at one place is a hard edge, 0.001 wide.
+vec2 tones(float nl, float dark, float light) {
+    float width = max(light - dark, 1e-3);
+    float lead = width > 1e-3 ? nl - dark : nl - (light - width);
+    return vec2(clamp((light - nl) / width, 0.0, 1.0), clamp(lead / width, 0.0, 1.0));
+}
+
+// Ink with the strength f of a mark, where 1 - f is given too so that it is no difference.
+vec2 faded(vec2 mark, float strength, float lack) {
+    return vec2(strength * mark.x, lack + strength * mark.y);
+}
+
+// A line of any width whose middle is `aside` away. The ramps of its edges make a line of w < 1
+// pixels ((w + 1) / 2)^2 wide, which the strength takes away again.
+vec2 lineMark(float width, float aside) {
+    vec2 mark = inked(0.5 * width - aside);
+    float drawn = sqr(0.5 * width + 0.5);
+    return width < 1.0 ? faded(mark, width / drawn, sqr(0.5 - 0.5 * width) / drawn) : mark;
 }

@@ -106,7 +106,7 @@ class OrdinaryCases : public RandomCases {
         request.l = upperDirection();
         request.v = any(3) == 0 ? nearMirror(request.l) : upperDirection();
         // Some marks from the corner: far out the rounding of a place moves their edges.
-        request.pixel = {inFloat(uniform(0.0, 64.0)), inFloat(uniform(0.0, 64.0))};
+        request.pixel = {inFloat(uniform(0.0, 24.0)), inFloat(uniform(0.0, 24.0))};
     }
     double cosine() override { return uniform(0.05, 1.0); }
     double coordinate() override { return uniform(-5.0, 5.0); }

@@ -143,7 +143,7 @@ void Viewport::beginFrame() {
                                   defaultFramebufferObject());
         finishFrame();
     } else if (renderer_->drawSmall(sources_.scene(), view(), sources_.meshes,
-                             defaultFramebufferObject())) {
+                                    defaultFramebufferObject())) {
         finishFrame();
     } else {
         progress_ = Progress::Drawing;
