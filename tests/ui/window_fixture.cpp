@@ -48,7 +48,7 @@ void WindowFixture::close() {
 
 int WindowFixture::newFrames() {
     QTest::qWait(settleMs);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !view().isDrawing(); }, frameLimitMs));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return view().isUpToDate(); }, frameLimitMs));
     const int before = framesBefore_;
     framesBefore_ = view().frameCount();
     return framesBefore_ - before;

@@ -60,6 +60,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// A frame is being drawn that takes several turns.
     bool isDrawing() const { return progress_ != Progress::Idle; }
 
+    /// Whether the picture shows what would be drawn now.
+    bool isUpToDate() const { return !stale_ && !isDrawing(); }
+
     /// Another scene is shown. A note says so while its first picture takes several turns.
     void announceScene();
 
