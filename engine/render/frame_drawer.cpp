@@ -97,6 +97,9 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     uploadView(view);
     choosePipelines();
     bands_.begin(sources_, target_.drawnSize(), triangles_);
+    blends_ = ground_.isSeen || std::ranges::any_of(items_, [this](const Item& item) {
+        return isTransparent(effects_->objects[item.index].material);
+    });
     target_.bind();
     glClearColor(storable(scene.background.x), storable(scene.background.y),
                  storable(scene.background.z), 1.0f);

@@ -40,7 +40,8 @@ class FrameDrawer {
     bool isLarge() const;
 
     /// How long the frame that was begun may take otherwise: a slow one is drawn in steps too.
-    FrameBands::Pace pace() const { return bands_.pace(); }
+    /// Not one that blends: a software driver covers the rows where bands meet twice.
+    FrameBands::Pace pace() const { return blends_ ? FrameBands::Pace::Quick : bands_.pace(); }
 
     /// What the last frame has taken.
     void noteTime(double milliseconds) { bands_.noteTime(milliseconds); }
@@ -148,6 +149,7 @@ class FrameDrawer {
     HdrTarget target_;
     DisplayPass display_;
     UniformBuffer viewData_;
+    bool blends_ = false; ///< something of the frame lets what is behind it through
     UniformBuffer sceneData_;
     ShadowMaps shadows_;
     std::optional<Error> shadowError_;

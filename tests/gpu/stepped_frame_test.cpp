@@ -189,9 +189,8 @@ TEST_F(SteppedFrame, Reported_CountsEachObjectOnce) {
     EXPECT_EQ(renderer->report().drawnObjects, 1);
 }
 
-/// A scene of few triangles and all kinds of passes.
+/// A scene of few triangles of which some cover others.
 Scene costlyScene(Scene scene, const Object& behind) {
-    scene.objects[0].material.opacity = 0.5;
     scene.objects.push_back(behind);
     scene.objects.back().translation.z = -0.5;
     return scene;
@@ -212,6 +211,13 @@ TEST_F(SteppedFrame, ThatTookLongTheLastTime_IsThePictureDrawnAtOnce) {
     EXPECT_EQ(renderer->report().drawnObjects, 2);
     const auto stepped = picture();
     EXPECT_EQ(stepped, drawnAtOnce(scene));
+}
+
+TEST_F(SteppedFrame, ThatTookLongAndBlends_IsDrawnAtOnceSoThatNoRowBlendsTwice) {
+    Scene scene = costlyScene(simpleScene("phong"), object("lambert"));
+    scene.objects[0].material.opacity = 0.5;
+    drawFrame(scene, 5000.0);
+    EXPECT_TRUE(beginFrame(scene));
 }
 
 TEST_F(SteppedFrame, ThatTookLittleTheLastTime_IsDrawnAtOnce) {
