@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 
 #include <QApplication>
@@ -66,27 +67,32 @@ std::optional<QString> unknownOption(const QStringList& arguments) {
     return std::nullopt;
 }
 
-void tellFirstFrame() {
+void tellTime(const char* what) {
     if (qEnvironmentVariableIsSet("PATINA_TIME_STARTUP")) {
         const std::chrono::duration<double> now =
             std::chrono::steady_clock::now().time_since_epoch();
-        say(QStringLiteral("first frame at %1 s").arg(now.count(), 0, 'f', 6));
+        say(QStringLiteral("%1 at %2 s").arg(QLatin1String(what)).arg(now.count(), 0, 'f', 6));
     }
+}
+
+/// Once, when what the view has drawn next is on the screen.
+void whenShown(Viewport& viewport, void (Viewport::*drawn)(), const std::function<void()>& then) {
+    QObject::connect(
+        &viewport, drawn, &viewport,
+        [&viewport, then] {
+            QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, &viewport, then,
+                             Qt::SingleShotConnection);
+        },
+        Qt::SingleShotConnection);
 }
 
 /// Leaves the rest of the start to the turn after the first frame is on the screen.
 void afterFirstFrame(MainWindow& window, Viewport& viewport) {
-    const auto shown = [&window] {
-        tellFirstFrame();
+    whenShown(viewport, &Viewport::sketchDrawn, [] { tellTime("sketch"); });
+    whenShown(viewport, &Viewport::frameDrawn, [&window] {
+        tellTime("first frame");
         QTimer::singleShot(0, &window, [&window] { window.startRest(); });
-    };
-    QObject::connect(
-        &viewport, &Viewport::frameDrawn, &window,
-        [&window, &viewport, shown] {
-            QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, &window, shown,
-                             Qt::SingleShotConnection);
-        },
-        Qt::SingleShotConnection);
+    });
 }
 
 } // namespace

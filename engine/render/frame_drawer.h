@@ -61,6 +61,9 @@ class FrameDrawer {
     /// Gives the linear target's memory back until the next frame.
     void releaseTargets();
 
+    /// Another linear target for the frames to come, and the one until now in its place.
+    void exchangeTarget(HdrTarget& other) { std::swap(target_, other); }
+
     unsigned linearFramebuffer() const { return target_.resolvedFramebuffer(); }
     const FrameReport& report() const { return report_; }
     GpuMeshStore& meshStore() { return meshes_; }

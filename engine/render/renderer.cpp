@@ -9,16 +9,24 @@
 #include "gl/driver.h"
 #include "render/capture_image.h"
 #include "render/frame_drawer.h"
+#include "render/hdr_target.h"
 #include "render/inspection_drawer.h"
+#include "render/stretched_picture.h"
 
 namespace patina {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 /// What a frame of a window takes of images into the GPU's memory: some milliseconds.
 constexpr std::size_t textureBytesAtOnce = std::size_t(8) << 20;
 
 /// So long a frame may take that might be a quick one.
 constexpr std::chrono::milliseconds firstPatience{80};
+
+/// A whole frame that takes no longer needs no sketch, which has about this share of its work.
+constexpr std::chrono::milliseconds longestQuick{48};
+constexpr int sketchShare = 8;
 
 } // namespace
 
@@ -52,16 +60,63 @@ class Renderer::Implementation : public FrameDrawer {
     }
 
     bool drawLinear(const Scene& scene, const View& view, const MeshSource& meshes) {
+        endSketch();
         limitTextures(GpuTextureStore::everything);
         return begin(scene, view, meshes) && proceed(scene, view, never);
+    }
+
+    /// Keeps what the frame that was begun shows, for its next steps.
+    void keep(const Scene& scene, const View& view) {
+        steppedScene = scene;
+        steppedView = view;
+        if (view.effects != nullptr) {
+            steppedView.effects = &steppedEffects.emplace(*view.effects);
+        }
+    }
+
+    bool goOn(std::chrono::milliseconds patience) {
+        return proceed(steppedScene, steppedView, Clock::now() + patience);
+    }
+
+    /// Half as wide and high as the view, with one sample per pixel. False where so many triangles
+    /// are seen that this would take hardly less.
+    bool beginSketch(const Scene& scene, const View& view, const MeshSource& meshes) {
+        endSketch();
+        exchangeTarget(spareTarget_); // the frames' own one need not be made anew
+        sketchedSize = view.size;
+        View few = view;
+        few.size = glm::max(view.size / 2, glm::ivec2(1));
+        few.samples = 1;
+        if (!begin(scene, few, meshes) || isLarge()) {
+            endSketch();
+            return false;
+        }
+        keep(scene, few);
+        return true;
+    }
+
+    void endSketch() {
+        if (sketchedSize) {
+            sketchedSize.reset();
+            exchangeTarget(spareTarget_);
+            spareTarget_ = HdrTarget();
+        }
+    }
+
+    void showSketch(unsigned framebuffer) {
+        const StretchedPicture picture(steppedView.size);
+        FrameDrawer::show(steppedScene, steppedView, picture.framebuffer());
+        picture.show(framebuffer, *sketchedSize);
     }
 
     /// What the frame that is drawn in steps shows.
     Scene steppedScene;
     std::optional<Scene> steppedEffects;
     View steppedView;
+    std::optional<glm::ivec2> sketchedSize; ///< of the view, when that frame is a sketch
 
   private:
+    HdrTarget spareTarget_;
     std::filesystem::path programCache_;
     std::shared_ptr<const Catalog> catalog_;
     std::unique_ptr<InspectionDrawer> inspection_;
@@ -99,6 +154,7 @@ const FrameReport& Renderer::draw(const Scene& scene, const View& view, const Me
 bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource& meshes,
                          unsigned framebuffer) {
     implementation_->endInspection();
+    implementation_->endSketch();
     implementation_->limitTextures(textureBytesAtOnce);
     if (!implementation_->begin(scene, view, meshes)) {
         return true;
@@ -110,12 +166,7 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
         implementation_->show(scene, view, framebuffer);
         return true;
     }
-    implementation_->steppedScene = scene;
-    implementation_->steppedView = view;
-    if (view.effects != nullptr) {
-        implementation_->steppedView.effects =
-            &implementation_->steppedEffects.emplace(*view.effects);
-    }
+    implementation_->keep(scene, view);
     const bool isDone = !isLarge && pace == FrameBands::Pace::Unknown && proceed(firstPatience);
     if (isDone) {
         show(framebuffer);
@@ -127,16 +178,40 @@ void Renderer::noteTime(double milliseconds) {
     implementation_->noteTime(milliseconds);
 }
 
+Renderer::Sketch Renderer::sketch(const Scene& scene, const View& view, const MeshSource& meshes,
+                                  unsigned framebuffer) {
+    implementation_->endInspection();
+    implementation_->limitTextures(textureBytesAtOnce);
+    const Clock::time_point began = Clock::now();
+    if (!implementation_->beginSketch(scene, view, meshes)) {
+        return Sketch::Needless;
+    }
+    if (!proceed(firstPatience)) {
+        return Sketch::Begun;
+    }
+    if (Clock::now() - began < longestQuick / sketchShare) {
+        implementation_->endSketch();
+        return Sketch::Needless;
+    }
+    show(framebuffer);
+    return Sketch::Shown;
+}
+
 bool Renderer::proceed(std::chrono::milliseconds patience) {
-    return implementation_->proceed(implementation_->steppedScene, implementation_->steppedView,
-                                    std::chrono::steady_clock::now() + patience);
+    return implementation_->goOn(patience);
 }
 
 void Renderer::show(unsigned framebuffer) {
-    implementation_->show(implementation_->steppedScene, implementation_->steppedView, framebuffer);
+    if (implementation_->sketchedSize) {
+        implementation_->showSketch(framebuffer);
+    } else {
+        implementation_->show(implementation_->steppedScene, implementation_->steppedView,
+                              framebuffer);
+    }
 }
 
 bool Renderer::foresee(const Scene& scene, const View& view, const MeshSource& meshes) {
+    implementation_->endSketch();
     return implementation_->foresee(scene, view, meshes);
 }
 
@@ -186,6 +261,7 @@ Result<std::optional<PixelProbe>> Renderer::probe(const Scene& scene, const View
 }
 
 void Renderer::releaseTargets() {
+    implementation_->endSketch();
     implementation_->releaseTargets();
 }
 

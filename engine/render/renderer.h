@@ -77,6 +77,17 @@ class Renderer {
                    unsigned framebuffer);
     bool proceed(std::chrono::milliseconds patience);
 
+    enum class Sketch {
+        Needless, ///< the whole frame takes little, or hardly more than its sketch would
+        Begun,    ///< goes on with proceed() and show(), as drawSmall()
+        Shown
+    };
+
+    /// A first look at a frame that may take long: half as wide and high, with one sample per pixel
+    /// and stretched to the view's size.
+    Sketch sketch(const Scene& scene, const View& view, const MeshSource& meshes,
+                  unsigned framebuffer);
+
     /// What the last drawSmall(), with all that followed, has taken: the next one goes by it.
     void noteTime(double milliseconds);
     void show(unsigned framebuffer);

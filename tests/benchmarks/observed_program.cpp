@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "observed_program.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <initializer_list>
 #include <sstream>
 #include <thread>
 
@@ -43,6 +45,20 @@ class ObservedProgram::Implementation {
         return std::chrono::duration<double>(Clock::now() - began_).count();
     }
 
+    /// Until one of the words was printed; negative as in secondsToFirstFrame().
+    double secondsUntil(std::initializer_list<const char*> words, double limitSeconds) {
+        while (running() && secondsRunning() < limitSeconds) {
+            const std::string said = messages();
+            if (std::any_of(words.begin(), words.end(), [&](const char* word) {
+                    return said.find(word) != std::string::npos;
+                })) {
+                return secondsRunning();
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return -1.0;
+    }
+
   private:
     tests::TemporaryFolder folder_;
     Clock::time_point began_;
@@ -56,13 +72,11 @@ ObservedProgram::ObservedProgram(const std::filesystem::path& program,
 ObservedProgram::~ObservedProgram() = default;
 
 double ObservedProgram::secondsToFirstFrame(double limitSeconds) {
-    while (implementation_->running() && implementation_->secondsRunning() < limitSeconds) {
-        if (implementation_->messages().find("first frame") != std::string::npos) {
-            return implementation_->secondsRunning();
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return -1.0;
+    return implementation_->secondsUntil({"first frame"}, limitSeconds);
+}
+
+double ObservedProgram::secondsToFirstPicture(double limitSeconds) {
+    return implementation_->secondsUntil({"sketch", "first frame"}, limitSeconds);
 }
 
 double ObservedProgram::residentMegabytes() const {

@@ -19,6 +19,9 @@ class ObservedProgram {
     /// negative number when it ended or `limitSeconds` passed without that.
     double secondsToFirstFrame(double limitSeconds = 30.0);
 
+    /// As secondsToFirstFrame(), until there was a "sketch" or a first frame, whichever came first.
+    double secondsToFirstPicture(double limitSeconds = 30.0);
+
     double residentMegabytes() const;
     long cpuTicks() const; ///< user and system time so far
 

@@ -141,6 +141,8 @@ bool modelSwap() {
     for (const char* model : models) {
         stage.use(model);
         first.push_back(stage.frameSeconds());
+        report(fmt::format("Model swap, first time: {}", model),
+               fmt::format("{:.3g} ms", first.back() * 1e3), true, "");
     }
     for (int round = 0; round < 3; ++round) {
         for (const char* model : models) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <cstdlib>
 
 #include <glm/geometric.hpp>
@@ -66,6 +67,43 @@ TEST_F(Viewports, Resized_ShowTheirLastPictureUntilTheNextFrame) {
     EXPECT_EQ(view().frameCount(), frames);
     EXPECT_GT(before.lightness(), 30);
     EXPECT_LT(std::abs(after.lightness() - before.lightness()), 30);
+}
+
+/// The share of the way between black and white by which the pictures differ on average.
+double difference(const QImage& a, const QImage& b) {
+    double sum = 0.0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+        }
+    }
+    return sum / 255.0 / a.width() / a.height();
+}
+
+TEST_F(Viewports, NewSceneOnASlowDevice_ShowASketchBeforeTheWholeFrame) {
+    const QImage whole = view().grabFramebuffer();
+    QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    QImage sketch;
+    int framesBefore = -1;
+    QObject::connect(&view(), &Viewport::sketchDrawn, &view(), [&] {
+        framesBefore = int(frames.count());
+        const QSize size = view().size() * view().devicePixelRatioF();
+        sketch = QImage(size, QImage::Format_RGBA8888);
+        view().context()->functions()->glReadPixels(0, 0, size.width(), size.height(), GL_RGBA,
+                                                    GL_UNSIGNED_BYTE, sketch.bits());
+        sketch = sketch.mirrored();
+    });
+    view().announceScene();
+    ASSERT_TRUE(frames.wait());
+    newFrames();
+    EXPECT_EQ(view().grabFramebuffer(), whole);
+    if (sketch.isNull()) { // a device that takes next to nothing for a whole frame
+        EXPECT_LT(view().frameTime().split(' ').first().toDouble(), 50.0);
+        return;
+    }
+    EXPECT_EQ(framesBefore, 0);
+    EXPECT_LT(difference(sketch, whole), 0.02);
+    EXPECT_NE(sketch.convertToFormat(whole.format()), whole);
 }
 
 TEST_F(Viewports, Repainted_KeepTheirPictureWithoutAFrame) {

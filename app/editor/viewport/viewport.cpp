@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/viewport.h"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include <QApplication>
@@ -12,19 +10,12 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QTimer>
 #include <QUrl>
 
-#include "viewport/last_picture.h"
+#include "render/stretched_picture.h"
 
 namespace patina {
-namespace {
-
-/// How long a step of a frame may keep the window waiting.
-constexpr std::chrono::milliseconds patience{20};
-
-} // namespace
 
 Viewport::Viewport(Sources sources, QWidget* parent)
     : QOpenGLWidget(parent), sources_(std::move(sources)),
@@ -76,21 +67,6 @@ void Viewport::announceScene() {
     refresh();
 }
 
-/// Before the first frame there is nothing yet that could stay on the screen.
-void Viewport::showNote() {
-    if (frameCount_ == 0) {
-        QOpenGLFunctions& gl = *context()->functions();
-        const QColor empty = palette().color(QPalette::Dark);
-        gl.glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-        gl.glClearColor(empty.redF(), empty.greenF(), empty.blueF(), 1.0f);
-        gl.glClear(GL_COLOR_BUFFER_BIT);
-    }
-    // A note over all of the view would hide it from Qt, which then paints it no more.
-    note_->adjustSize();
-    note_->move(rect().center() - note_->rect().center());
-    note_->show();
-}
-
 void Viewport::setCamera(const Camera& camera) {
     if (!(camera == camera_)) {
         camera_ = camera;
@@ -117,90 +93,6 @@ void Viewport::initializeGL() {
     timer_.emplace(FrameTimer::Method::WallClock);
     catalogIsNew_ = catalog_ != nullptr;
     stale_ = true;
-}
-
-void Viewport::paintGL() {
-    if (!renderer_) {
-        return;
-    }
-    if (resizing_) {
-        showLast();
-    } else if (progress_ == Progress::Drawn) {
-        renderer_->show(defaultFramebufferObject());
-        finishFrame();
-    } else if (progress_ == Progress::Idle && std::exchange(stale_, false)) {
-        beginFrame();
-    }
-}
-
-void Viewport::beginFrame() {
-    if (std::exchange(catalogIsNew_, false)) {
-        renderer_->setCatalog(catalog_);
-    }
-    timer_->begin();
-    if (inspecting_) {
-        renderer_->drawInspection(sources_.scene(), view(), sources_.meshes,
-                                  defaultFramebufferObject());
-        finishFrame();
-    } else if (renderer_->drawSmall(sources_.scene(), view(), sources_.meshes,
-                                    defaultFramebufferObject())) {
-        finishFrame();
-    } else {
-        progress_ = Progress::Drawing;
-        turn_.start(0);
-        if (isNew_) {
-            showNote();
-        }
-    }
-}
-
-/// Another turn of a long frame. Where the same objects are seen in another way it is finished
-/// before a newer one begins: dropping it for every move of a drag would show none.
-void Viewport::proceed() {
-    makeCurrent();
-    const bool done = renderer_->proceed(patience);
-    doneCurrent();
-    if (done) {
-        progress_ = Progress::Drawn;
-        update();
-    } else {
-        turn_.start(0);
-    }
-}
-
-void Viewport::finishFrame() {
-    timer_->end();
-    if (!inspecting_) {
-        renderer_->noteTime(timer_->milliseconds());
-    }
-    progress_ = Progress::Idle;
-    ++frameCount_;
-    isNew_ = false;
-    note_->hide();
-    const FrameReport& report = renderer_->report();
-    watchForRest();
-    if (report.messages != messages_) {
-        messages_ = report.messages;
-        Q_EMIT messagesDrawn(messages_);
-    }
-    probeSoon();
-    if (!foreseen_.empty()) {
-        foresight_.start(0);
-    }
-    Q_EMIT frameDrawn();
-    stale_ = stale_ || report.isWaiting;
-    if (stale_) {
-        update();
-    }
-}
-
-void Viewport::giveUpFrame() {
-    turn_.stop();
-    if (std::exchange(progress_, Progress::Idle) != Progress::Idle) {
-        makeCurrent();
-        timer_->end();
-        doneCurrent();
-    }
 }
 
 Image Viewport::linearPicture() {

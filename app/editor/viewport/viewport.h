@@ -19,12 +19,12 @@ class QLabel;
 
 namespace patina {
 
-class LastPicture;
+class StretchedPicture;
 
 /// Shows a scene with a Renderer of its own and hands the mouse and the keys to a
 /// CameraNavigation. A frame is drawn only after refresh(), once however often that was called.
 /// One that takes long is drawn over several turns of the event loop with the last picture on the
-/// screen; what changes meanwhile is in the next one.
+/// screen, or a sketch where the scene is a new one; what changes meanwhile is in the next one.
 class Viewport : public QOpenGLWidget, public ColorSource {
     Q_OBJECT
 
@@ -63,7 +63,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// Whether the picture shows what would be drawn now.
     bool isUpToDate() const { return !stale_ && !isDrawing(); }
 
-    /// Another scene is shown. A note says so while its first picture takes several turns.
+    /// Another scene is shown. While its first picture takes several turns a sketch of it is on the
+    /// screen, or a note that says so.
     void announceScene();
 
     int frameCount() const { return frameCount_; }
@@ -92,6 +93,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     const QString& failure() const { return failure_; }
 
   Q_SIGNALS:
+    void sketchDrawn(); ///< something of a new scene is to be seen while its frame is drawn
     void frameDrawn();
     void failed(QString why);
     void messagesDrawn(patina::Errors messages); ///< what the last frame has to say
@@ -136,6 +138,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     View view() const;
     void beginFrame();
     void proceed();
+    void finishSketch();
     void finishFrame();
     void giveUpFrame();
 
@@ -151,6 +154,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     QString failure_;
     int frameCount_ = 0;
     Progress progress_ = Progress::Idle; ///< of a frame that takes several turns
+    bool sketching_ = false;             ///< that frame is a sketch
     QTimer turn_;                        ///< its next one
     std::vector<Scene> foreseen_;        ///< whose programs are still to be made
     QTimer foresight_;                   ///< one of them a turn
@@ -158,9 +162,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     QTimer idleTimer_;
     bool stale_ = true; ///< the picture is not of what would be drawn now
     bool resizing_ = false;
-    std::unique_ptr<LastPicture> last_; ///< while the size changes
+    std::unique_ptr<StretchedPicture> last_; ///< while the size changes
     QLabel* note_; ///< that a picture is on its way
-    bool isNew_ = true; ///< no picture of this scene has been shown yet
+    bool isNew_ = true; ///< no frame of this scene has been begun yet
     bool inspecting_ = false;
     std::optional<QPoint> pointer_; ///< where it is, while it is over the view
     QTimer probeTimer_;             ///< its moves are gathered

@@ -4,7 +4,7 @@
 
 #include <QResizeEvent>
 
-#include "viewport/last_picture.h"
+#include "render/stretched_picture.h"
 #include "viewport/viewport.h"
 
 namespace patina {
@@ -20,8 +20,8 @@ void Viewport::resizeEvent(QResizeEvent* event) {
     const bool hasPicture = renderer_ && frameCount_ > 0 && !event->oldSize().isEmpty();
     if (hasPicture) {
         makeCurrent();
-        last_ = std::make_unique<LastPicture>(defaultFramebufferObject(),
-                                              pixelsOf(event->oldSize()));
+        last_ = std::make_unique<StretchedPicture>(pixelsOf(event->oldSize()));
+        last_->take(defaultFramebufferObject());
     }
     resizing_ = true;
     QOpenGLWidget::resizeEvent(event); // paints

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/last_picture.h"
+#include "render/stretched_picture.h"
 
 #include <epoxy/gl.h>
 
@@ -16,14 +16,17 @@ void stretch(unsigned from, glm::ivec2 size, unsigned to, glm::ivec2 newSize) {
 
 } // namespace
 
-LastPicture::LastPicture(unsigned framebuffer, glm::ivec2 size)
+StretchedPicture::StretchedPicture(glm::ivec2 size)
     : size_(size), image_(gl::Texture::create(size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE)),
       kept_(gl::Framebuffer::create()) {
     kept_.attachColor(image_);
+}
+
+void StretchedPicture::take(unsigned framebuffer) {
     stretch(framebuffer, size_, kept_.name(), size_);
 }
 
-void LastPicture::show(unsigned framebuffer, glm::ivec2 size) const {
+void StretchedPicture::show(unsigned framebuffer, glm::ivec2 size) const {
     stretch(kept_.name(), size_, framebuffer, size);
 }
 

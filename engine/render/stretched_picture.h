@@ -8,12 +8,17 @@
 
 namespace patina {
 
-/// What a framebuffer showed, while another takes its place: stretched, it stands in for a picture
-/// of the new size that is not drawn yet. Used with one context current.
-class LastPicture {
+/// A finished picture that stands in, stretched, for one of another size that is not drawn yet.
+/// Used with one context current.
+class StretchedPicture {
   public:
-    /// Copies what a framebuffer of that size shows.
-    LastPicture(unsigned framebuffer, glm::ivec2 size);
+    explicit StretchedPicture(glm::ivec2 size);
+
+    /// Where it is drawn.
+    unsigned framebuffer() const { return kept_.name(); }
+
+    /// Copies what a framebuffer of its size shows.
+    void take(unsigned framebuffer);
 
     /// Fills a framebuffer of that size with it.
     void show(unsigned framebuffer, glm::ivec2 size) const;
