@@ -73,6 +73,9 @@ struct Block {
     Illumination (*light)(const glm::dvec3& x, Parameters) = nullptr;
     double (*fog)(double distance, Parameters) = nullptr;
     glm::dvec3 (*fogColor)(Parameters) = nullptr;
+    /// What comes from the unit direction d, E / pi, and the picture's colour there.
+    glm::dvec3 (*environment)(const glm::dvec3& d, const glm::dvec3& picture,
+                              Parameters) = nullptr;
 };
 
 /// Every block, sorted by kind and id.

@@ -7,11 +7,18 @@ namespace patina::binding {
 inline constexpr unsigned view = 0;
 inline constexpr unsigned scene = 1;
 inline constexpr unsigned object = 2;
+inline constexpr unsigned environment = 3;
 
-/// Texture units of a material's images, one for each.
-inline constexpr unsigned firstTexture = 8;
+/// Texture units, of the 16 that every driver has. Passes that draw no surface use the first ones.
+/// Of an environment: where it is bright, its picture, and that in small.
+inline constexpr unsigned environmentTable = 4;
+inline constexpr unsigned environmentImage = 5;
+inline constexpr unsigned environmentSmall = 6;
 
-/// The texture unit of the shadows' depth maps.
+/// Of the shadows' depth maps.
 inline constexpr unsigned shadowMaps = 7;
+
+/// Of a material's images, one for each.
+inline constexpr unsigned firstTexture = 8;
 
 } // namespace patina::binding

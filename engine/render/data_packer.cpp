@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -42,6 +43,18 @@ void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToP
                    index < packing.shadows.size() ? packing.shadows[index] : nowhere,
                    cameraToWorld);
     }
+}
+
+glm::vec4 radianceOf(const glm::dvec3& color) {
+    return {radianceOf(color.x), radianceOf(color.y), radianceOf(color.z), 0.0f};
+}
+
+void packHemisphere(std::span<glm::vec4> out, const Hemisphere& hemisphere) {
+    const double length = glm::length(hemisphere.up);
+    const bool isDirection = std::isfinite(length) && length > 1e-30;
+    out[0] = radianceOf(hemisphere.sky);
+    out[1] = radianceOf(hemisphere.ground);
+    out[2] = glm::vec4(isDirection ? hemisphere.up / length : glm::dvec3(0.0, 1.0, 0.0), 0.0);
 }
 
 void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
@@ -136,8 +149,11 @@ glm::dmat4 normalMatrix(const glm::dmat4& world) {
 PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
                       const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
     const Scene& scene = packing.scene;
-    out[SceneLayout::ambient] = glm::vec4(radianceOf(scene.ambient.x), radianceOf(scene.ambient.y),
-                                          radianceOf(scene.ambient.z), 0.0f);
+    out[SceneLayout::ambient] = radianceOf(scene.ambient);
+    if (pipeline.scene.hemisphere) {
+        packHemisphere(out.subspan(static_cast<std::size_t>(*pipeline.scene.hemisphere)),
+                       scene.hemisphere);
+    }
     if (pipeline.scene.fog && scene.fog) {
         packPlace(out, *pipeline.scene.fog, scene.fog->parameters, exact, cameraToWorld);
     }
@@ -168,7 +184,8 @@ void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object
 }
 
 void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground& ground,
-                const GroundPlace& place) {
+                const GroundToPack& packing) {
+    const GroundPlace& place = packing.place;
     const glm::dmat4 world = worldMatrix(place);
     packRows(out, ObjectLayout::world, world);
     packRows(out, ObjectLayout::normal, normalMatrix(world));
@@ -176,6 +193,9 @@ void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground
     out[first] = glm::vec4(glm::vec3(glm::clamp(ground.color, 0.0, 1.0)),
                            std::clamp(static_cast<float>(ground.opacity), 0.0f, 1.0f));
     out[first + 1] = glm::vec4(place.middle.x, place.middle.z, 1.0 / place.radius, 0.0);
+    if (pipeline.scene.environment != nullptr) {
+        out[first + 2] = radianceOf(packing.environment);
+    }
 }
 
 void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye,

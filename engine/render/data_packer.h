@@ -35,9 +35,15 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object& object,
                 const glm::dmat4& world, const glm::dmat4& cameraToWorld);
 
+/// Where the ground is, and the environment's light on it if it were white.
+struct GroundToPack {
+    const GroundPlace& place;
+    glm::dvec3 environment{0.0};
+};
+
 /// Fills `objectData` of the ground's program; `out` holds pipeline.object.vec4s.
 void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground& ground,
-                const GroundPlace& place);
+                const GroundToPack& packing);
 
 /// Fills `viewData`; `out` holds ViewLayout::vec4s. `pixel`: how wide a pixel of the target is in
 /// pixels of the picture.

@@ -2,10 +2,8 @@
 #include "render/frame_drawer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <span>
 
 #include <epoxy/gl.h>
 #include <glm/geometric.hpp>
@@ -28,21 +26,7 @@ using Clock = std::chrono::steady_clock;
 /// Frames of more triangles are drawn in steps when there is a deadline.
 constexpr std::int64_t mostTrianglesAtOnce = 200000;
 
-/// What a software driver does in a few milliseconds.
-constexpr int drawnAtOnce = 16384;
 constexpr std::size_t uploadBytes = std::size_t(4) << 20;
-
-enum class Pass { opaque, depths, blended };
-constexpr std::array opaquePasses{Pass::opaque};
-constexpr std::array transparentPasses{Pass::depths, Pass::blended};
-
-void setPass(Pass pass) {
-    const GLboolean colours = pass == Pass::depths ? GL_FALSE : GL_TRUE;
-    glColorMask(colours, colours, colours, colours);
-    glDepthFunc(pass == Pass::blended ? GL_LEQUAL : GL_LESS);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    (pass == Pass::blended ? glEnable : glDisable)(GL_BLEND);
-}
 
 bool isDrawn(const Object& object) {
     return object.visible && canBeSeen(object.material);
@@ -68,11 +52,13 @@ void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     pipelines_.setCatalog(catalog_);
     shadows_.setCatalog(catalog_);
     display_.forget();
+    environment_.forget();
     described_.clear();
     describedLost_ = -1;
 }
 
-bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& meshes) {
+bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& meshes,
+                        Purpose purpose) {
     report_.programs = 0;
     report_.compiled = 0;
     report_.uploadedBuffers = 0;
@@ -94,18 +80,38 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     if (auto fitting = target_.fit(view.size, view.samples, isDense(view)); !fitting) {
         return fail(fitting.error());
     }
+    if (auto begun = beginEnvironment(scene, view, purpose); !begun) {
+        return fail(begun.error());
+    }
     uploadView(view);
     choosePipelines();
     bands_.begin(sources_, target_.drawnSize(), triangles_);
-    blends_ = ground_.isSeen || std::ranges::any_of(items_, [this](const Item& item) {
-        return isTransparent(effects_->objects[item.index].material);
-    });
+    clear(scene, view);
+    return true;
+}
+
+Result<void> FrameDrawer::beginEnvironment(const Scene& scene, const View& view,
+                                           Purpose purpose) {
+    const SceneToPack packing{scene, *effects_, {}};
+    if (purpose == Purpose::Foresight) {
+        environment_.foresee(packing, view, *catalog_, pipelines_.programs());
+        return {};
+    }
+    const int before = pipelines_.programs().compiledCount();
+    auto begun = environment_.begin(packing, view, *catalog_, pipelines_.programs());
+    report_.compiled += pipelines_.programs().compiledCount() - before;
+    return begun;
+}
+
+/// What is behind the objects.
+void FrameDrawer::clear(const Scene& scene, const View& view) {
     target_.bind();
     glClearColor(storable(scene.background.x), storable(scene.background.y),
                  storable(scene.background.z), 1.0f);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    return true;
+    environment_.drawBackground(view.camera, cameras_.cameraToWorld,
+                                double(view.size.x) / double(view.size.y));
 }
 
 bool FrameDrawer::proceed(const Scene& scene, const View& view, Deadline deadline) {
@@ -175,6 +181,9 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
         }
         return transparent ? a.distance > b.distance : a.distance < b.distance;
     });
+    opaqueItems_ = static_cast<std::size_t>(std::ranges::count_if(items_, [this](const Item& item) {
+        return !isTransparent(effects_->objects[item.index].material);
+    }));
 }
 
 void FrameDrawer::count() {
@@ -251,110 +260,15 @@ void FrameDrawer::noteSource(const void* source) {
     }
 }
 
-/// Of few triangles it is the pixels that take long: all objects, band by band.
-bool FrameDrawer::drawBands(const Scene& scene, Deadline deadline) {
-    if (isLarge() || deadline == never) {
-        return drawItems(scene, deadline);
-    }
-    bands_.passed(Clock::now()); // one that the last step did not wait for
-    while (!bands_.isDone()) {
-        cursor_ = Cursor();
-        report_.drawnObjects = 0;
-        bands_.enter(Clock::now());
-        drawItems(scene, never);
-        FrameBands::leave();
-        fence_ = gl::Fence::afterCommandsSoFar();
-        if (!deviceIsDone(deadline)) {
-            return false;
-        }
-        bands_.passed(Clock::now());
-        if (Clock::now() >= deadline) {
-            break;
-        }
-    }
-    return bands_.isDone();
-}
-
-bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
-    if (cursor_.item == items_.size()) {
-        return true;
-    }
-    target_.bind();
-    viewData_.bind(binding::view);
-    glEnable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DITHER);
-    fedScene_ = nullptr;
-    shadows_.bind();
-    while (cursor_.item < items_.size()) {
-        if (isTransparent(effects_->objects[items_[cursor_.item].index].material)) {
-            drawGround(scene); // behind what shines through
-        }
-        if (!drawItem(scene, items_[cursor_.item], deadline)) {
-            break;
-        }
-        ++cursor_.item;
-    }
-    if (cursor_.item == items_.size()) {
-        drawGround(scene);
-    }
-    setPass(Pass::opaque);
-    if (deadline != never) {
-        fence_ = gl::Fence::afterCommandsSoFar();
-    }
-    return cursor_.item == items_.size();
-}
-
-/// Of a transparent object only the nearest layer is blended, so that the order of its triangles
-/// does not show: depths first, then colours where the depth is the same.
-bool FrameDrawer::drawItem(const Scene& scene, const Item& item, Deadline deadline) {
-    if (!slots_[item.index].pipeline) {
-        return true;
-    }
-    feed(scene, item);
-    const bool transparent = isTransparent(effects_->objects[item.index].material);
-    const std::span<const Pass> passes =
-        transparent ? std::span<const Pass>(transparentPasses) : opaquePasses;
-    for (; cursor_.pass < std::ssize(passes); ++cursor_.pass) {
-        setPass(passes[static_cast<std::size_t>(cursor_.pass)]);
-        if (!drawTriangles(*item.mesh, deadline)) {
-            return false;
-        }
-    }
-    cursor_.pass = 0;
-    ++report_.drawnObjects;
-    return true;
-}
-
-bool FrameDrawer::drawTriangles(const GpuMesh& mesh, Deadline deadline) {
-    const int slice = deadline == never ? mesh.triangles() : drawnAtOnce;
-    while (cursor_.triangle < mesh.triangles()) {
-        const int count = std::min(slice, mesh.triangles() - cursor_.triangle);
-        mesh.draw(cursor_.triangle, count);
-        cursor_.triangle += count;
-        if (cursor_.triangle < mesh.triangles() && mustStop(deadline)) {
-            return false;
-        }
-    }
-    cursor_.triangle = 0;
-    return true;
-}
-
-/// A device that is the CPU itself works in the background, and what the window draws has to wait
-/// behind that: it gets the next slice when it has done the last one.
-bool FrameDrawer::mustStop(Deadline deadline) {
-    if (isSoftware_ && deadline != never) {
-        fence_ = gl::Fence::afterCommandsSoFar();
-    }
-    return !deviceIsDone(deadline) || Clock::now() >= deadline;
-}
-
 bool FrameDrawer::resolve(Deadline deadline) {
     if (!deviceIsDone(deadline)) {
         return false;
     }
     if (!cursor_.resolved) {
         target_.resolve();
+        if (environment_.isIn()) {
+            environment_.add(target_.resolved());
+        }
         cursor_.resolved = true;
         if (deadline != never) {
             fence_ = gl::Fence::afterCommandsSoFar();

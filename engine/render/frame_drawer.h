@@ -8,6 +8,7 @@
 
 #include "gl/fence.h"
 #include "render/display_pass.h"
+#include "render/environment_pass.h"
 #include "render/frame_bands.h"
 #include "render/frustum.h"
 #include "render/ground_place.h"
@@ -34,14 +35,15 @@ class FrameDrawer {
 
     /// Prepares a frame, in place of one that is not done yet. False when there is nothing to
     /// show; the report's first message then says why.
-    bool begin(const Scene& scene, const View& view, const MeshSource& meshes);
+    bool begin(const Scene& scene, const View& view, const MeshSource& meshes) {
+        return begin(scene, view, meshes, Purpose::Frame);
+    }
 
     /// Whether the frame that was begun has so many triangles that it is drawn in steps.
     bool isLarge() const;
 
     /// How long the frame that was begun may take otherwise: a slow one is drawn in steps too.
-    /// Not one that blends: a software driver covers the rows where bands meet twice.
-    FrameBands::Pace pace() const { return blends_ ? FrameBands::Pace::Quick : bands_.pace(); }
+    FrameBands::Pace pace() const { return bands_.pace(); }
 
     /// What the last frame has taken.
     void noteTime(double milliseconds) { bands_.noteTime(milliseconds); }
@@ -64,7 +66,11 @@ class FrameDrawer {
     /// Another linear target for the frames to come, and the one until now in its place.
     void exchangeTarget(HdrTarget& other) { std::swap(target_, other); }
 
-    unsigned linearFramebuffer() const { return target_.resolvedFramebuffer(); }
+    unsigned linearFramebuffer() const {
+        return environment_.hasPicture() ? environment_.framebuffer()
+                                         : target_.resolvedFramebuffer();
+    }
+    const EnvironmentPass& environment() const { return environment_; }
     const FrameReport& report() const { return report_; }
     GpuMeshStore& meshStore() { return meshes_; }
     GpuTextureStore& textureStore() { return textures_; }
@@ -110,6 +116,12 @@ class FrameDrawer {
         glm::dmat4 cameraToWorld{1.0};
     };
 
+    /// What a frame is prepared for: to be seen, or for its programs alone.
+    enum class Purpose { Frame, Foresight };
+
+    bool begin(const Scene& scene, const View& view, const MeshSource& meshes, Purpose purpose);
+    Result<void> beginEnvironment(const Scene& scene, const View& view, Purpose purpose);
+
     /// The scene whose effects the programs have.
     static const Scene& effectsOf(const View& view, const Scene& scene);
     Result<void> prepare(const Scene& scene);
@@ -119,6 +131,7 @@ class FrameDrawer {
     void count();
     bool isDense(const View& view) const; ///< more triangles than pixels
     void uploadView(const View& view);
+    void clear(const Scene& scene, const View& view);
     void choosePipelines();
     void choosePipeline(const Material& material, Slot& slot, std::uint64_t sceneKey);
     void planShadows(const Scene& scene);
@@ -130,6 +143,9 @@ class FrameDrawer {
     void addLost();
     bool uploadMeshes(Deadline deadline);
     bool drawBands(const Scene& scene, Deadline deadline);
+    bool hasDrawnItems() const;
+    void prepareToDraw();
+    void drawOpaque(const Scene& scene);
     bool drawItems(const Scene& scene, Deadline deadline);
     bool drawItem(const Scene& scene, const Item& item, Deadline deadline);
     bool drawTriangles(const GpuMesh& mesh, Deadline deadline);
@@ -150,9 +166,9 @@ class FrameDrawer {
     GpuTextureStore textures_;
     std::size_t textureBytes_ = GpuTextureStore::everything;
     HdrTarget target_;
+    EnvironmentPass environment_;
     DisplayPass display_;
     UniformBuffer viewData_;
-    bool blends_ = false; ///< something of the frame lets what is behind it through
     UniformBuffer sceneData_;
     ShadowMaps shadows_;
     std::optional<Error> shadowError_;
@@ -160,6 +176,7 @@ class FrameDrawer {
     EffectKey keys_;
     std::vector<Slot> slots_;
     std::vector<Item> items_;
+    std::size_t opaqueItems_ = 0; ///< that come first
     Cameras cameras_;
     DepthRange depths_;
     Cursor cursor_;

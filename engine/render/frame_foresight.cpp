@@ -23,7 +23,7 @@ bool FrameDrawer::foresee(const Scene& scene, const View& view, const MeshSource
         return false;
     }
     FrameReport before = report_;
-    if (begin(scene, view, meshes) && !isLarge() && uploadMeshes(never)) {
+    if (begin(scene, view, meshes, Purpose::Foresight) && !isLarge() && uploadMeshes(never)) {
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, 0, 0);
         drawItems(scene, never);

@@ -92,7 +92,8 @@ void FrameDrawer::addLost() {
 void FrameDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);
-    display_.draw(target_.resolved(), scene.exposure);
+    display_.draw(environment_.hasPicture() ? environment_.picture() : target_.resolved(),
+                  scene.exposure);
     leaveState();
 }
 

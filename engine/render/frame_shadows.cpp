@@ -149,7 +149,8 @@ void FrameDrawer::drawGround(const Scene& scene) {
     cursor_.hasGround = true;
     const Pipeline& pipeline = *ground_.pipeline;
     feedScene(scene, pipeline);
-    packGround(ground_.data.staging(), pipeline, scene.ground, ground_.place);
+    packGround(ground_.data.staging(), pipeline, scene.ground,
+               {ground_.place, environment_.upward()});
     report_.uploadedBuffers +=
         ground_.data.upload(static_cast<std::size_t>(pipeline.object.vec4s)) ? 1 : 0;
     ground_.data.bind(binding::object);

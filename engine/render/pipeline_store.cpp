@@ -7,6 +7,7 @@
 
 #include "gl/driver.h"
 #include "render/binding.h"
+#include "render/environment_units.h"
 #include "shading/program_source.h"
 #include "shading/texture_writer.h"
 
@@ -69,6 +70,9 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
                                    binding::firstTexture + static_cast<unsigned>(i));
     }
     found.program->bindSampler("shadowMaps", binding::shadowMaps);
+    if (effects.scene.environment) {
+        environment::assignUnits(*found.program);
+    }
     pipeline->catalog = catalog_;
     pipeline->object = objectLayout(effects, *catalog_);
     pipeline->scene = sceneLayout(effects.scene, *catalog_);

@@ -59,10 +59,19 @@ class Renderer::Implementation : public FrameDrawer {
         return inspection_ ? inspection_->report() : FrameDrawer::report();
     }
 
+    /// With all the samples of an environment that are wanted, which may take several frames.
     bool drawLinear(const Scene& scene, const View& view, const MeshSource& meshes) {
         endSketch();
         limitTextures(GpuTextureStore::everything);
-        return begin(scene, view, meshes) && proceed(scene, view, never);
+        View part = view;
+        bool drawn = begin(scene, part, meshes) && proceed(scene, part, never);
+        part.isContinued = true;
+        while (drawn && environment().isIn() &&
+               environment().samples() < view.environmentSamples) {
+            part.environmentSamples = view.environmentSamples - environment().samples();
+            drawn = begin(scene, part, meshes) && proceed(scene, part, never);
+        }
+        return drawn;
     }
 
     /// Keeps what the frame that was begun shows, for its next steps.
@@ -215,6 +224,10 @@ bool Renderer::foresee(const Scene& scene, const View& view, const MeshSource& m
     return implementation_->foresee(scene, view, meshes);
 }
 
+int Renderer::environmentSamples() const {
+    return implementation_->environment().samples();
+}
+
 bool Renderer::hasMeshesOf(const Scene& scene) const {
     return std::ranges::equal(implementation_->steppedScene.objects, scene.objects,
                               [](const Object& a, const Object& b) {
@@ -224,7 +237,8 @@ bool Renderer::hasMeshesOf(const Scene& scene) const {
 
 Result<Image> Renderer::capture(const Scene& scene, const View& view, const MeshSource& meshes,
                                 bool display) {
-    if (!implementation_->drawLinear(scene, view, meshes)) {
+    const bool isThere = view.isContinued && implementation_->environment().holds(view.size);
+    if (!isThere && !implementation_->drawLinear(scene, view, meshes)) {
         return tl::unexpected(implementation_->report().messages.front());
     }
     if (!display) {

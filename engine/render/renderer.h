@@ -13,6 +13,7 @@
 
 #include "core/image.h"
 #include "core/mesh.h"
+#include "render/environment_image.h"
 #include "render/pixel_probe.h"
 #include "render/texture_source.h"
 #include "scene/scene.h"
@@ -27,6 +28,14 @@ struct View {
     /// Whose effects the programs have; nothing: the scene's own. The same objects and lights with
     /// other values, so that a value may pass what makes an effect needless without a new program.
     const Scene* effects = nullptr;
+    /// The picture of the scene's environment; nothing: it is not there yet, and black.
+    std::shared_ptr<const EnvironmentImage> environmentImage;
+    /// Directions per pixel that are drawn for an environment's light, in whole rounds of four; 0:
+    /// what takes about as long as the lights.
+    int environmentSamples = 0;
+    /// Nothing has changed but that more samples are wanted: the picture is the mean of all since
+    /// the last frame that was new.
+    bool isContinued = false;
 };
 
 /// Gives the triangles of a mesh name, or an empty view while it is not there yet.
@@ -72,7 +81,8 @@ class Renderer {
     /// that takes long, is only prepared, and the result is false. Then proceed() draws it bit by
     /// bit, each time for about as long as `patience`, until it is true, and show() brings it into
     /// a framebuffer. Until then the meshes' triangles stay where they are. Another frame, drawn or
-    /// captured, takes the place of one that is not done.
+    /// captured, takes the place of one that is not done. Of an environment's samples it takes at
+    /// most 256.
     bool drawSmall(const Scene& scene, const View& view, const MeshSource& meshes,
                    unsigned framebuffer);
     bool proceed(std::chrono::milliseconds patience);
@@ -97,12 +107,17 @@ class Renderer {
     /// frame that is not done.
     bool foresee(const Scene& scene, const View& view, const MeshSource& meshes);
 
+    /// Samples per pixel of the environment's light in the picture that was drawn last; 0 where
+    /// programs look at none.
+    int environmentSamples() const;
+
     /// Whether the frame that is not done has the same meshes in view as this scene, so that it is
     /// worth finishing first.
     bool hasMeshesOf(const Scene& scene) const;
 
     /// The same frame as linear floats before tone mapping (RGBA, straight alpha), or as the
-    /// 8-bit display values / 255 when `display` is true.
+    /// 8-bit display values / 255 when `display` is true. With an environment, a continued view is
+    /// not drawn again where its picture is still there.
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                           bool display);
 

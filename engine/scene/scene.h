@@ -51,6 +51,15 @@ struct Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// Ambient light that differs above and below: what a point on the ground under an even sky gets.
+struct Hemisphere {
+    glm::dvec3 sky{0.0};    ///< linear colour of the light on a surface that faces up
+    glm::dvec3 ground{0.0}; ///< on one that faces down
+    glm::dvec3 up{0.0, 1.0, 0.0}; ///< of any length; without one it counts as +y
+
+    friend bool operator==(const Hemisphere&, const Hemisphere&) = default;
+};
+
 enum class ToneMapping { None, KhronosNeutral };
 
 /// Everything that is drawn. A value: copying it is how undo works.
@@ -59,13 +68,15 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<Light> lights;
     std::optional<BlockValues> fog;  ///< of kind "fog"; absent: off
+    /// Of kind "environment"; absent: off. Its picture is a path that scene files resolve.
+    std::optional<BlockValues> environment;
     glm::dvec3 ambient{0.0};         ///< linear colour of the light from everywhere
+    Hemisphere hemisphere;           ///< beside it
     glm::dvec3 background{0.18f};    ///< linear; a float, as files hold it
     Ground ground;
     Camera camera;
     double exposure = 0.0;           ///< EV, powers of two
     ToneMapping toneMapping = ToneMapping::KhronosNeutral;
-    nlohmann::json environment = nlohmann::json::object(); ///< as read; kept whole
     nlohmann::json extras = nlohmann::json::object();
     nlohmann::json unknown = nlohmann::json::object();
 

@@ -11,6 +11,7 @@
 #include "catalog/suggestion.h"
 #include "material/block_values.h"
 #include "material/texture_path.h"
+#include "scene/environment.h"
 #include "scene/mesh_path.h"
 #include "scene/primitives.h"
 #include "scene/scene_words.h"
@@ -49,7 +50,7 @@ class SceneReader {
         readPicture();
         readGround();
         readCamera();
-        reader_.readObject("environment", scene().environment);
+        readEnvironment();
         reader_.readObject("extras", scene().extras);
         keepUnknown();
         return settled(std::move(reading_), std::move(errors_));
@@ -220,14 +221,60 @@ class SceneReader {
         scene().fog->unknown.update(reader.unknown());
     }
 
+    /// Scenes of before there were environments have an object without an id, which is kept.
+    void readEnvironment() {
+        const Json* environment = reader_.find("environment");
+        if (environment == nullptr || environment->is_null()) {
+            return;
+        }
+        if (environment->is_object() && !environment->contains("id")) {
+            formerEnvironment_ = *environment;
+            return;
+        }
+        JsonReader reader = reader_.child("environment");
+        scene().environment = blocks_.read(reader, "environment");
+        scene().environment->unknown.update(reader.unknown());
+        readPictureFile();
+    }
+
+    /// A picture is named from the scene's folder.
+    void readPictureFile() {
+        BlockValues& environment = *scene().environment;
+        const Block* block = blocks_.catalog.find("environment", environment.id);
+        const Parameter* parameter = block == nullptr ? nullptr : pictureParameter(*block);
+        const std::string file(parameter == nullptr ? "" : pictureFile(environment, *block));
+        if (file.empty()) {
+            return;
+        }
+        if (!staysInFolder(file)) {
+            note("/environment/parameters/" + escapedToken(parameter->id),
+                 fmt::format("the picture \"{}\" is not in the scene's folder", file),
+                 "a relative path with forward slashes, if the scene is to move with its pictures");
+        }
+        environment.parameters[parameter->id] = meshFromFile(file, folder_);
+    }
+
     void readPicture() {
         reader_.read("ambient", scene().ambient);
         reader_.read("background", scene().background);
         reader_.read("exposure", scene().exposure);
         limit(reader_, "ambient", scene().ambient, 0.0, brightest);
+        readHemisphere();
         limit(reader_, "background", scene().background, 0.0, brightest);
         limit(reader_, "exposure", scene().exposure, -mostStops, mostStops);
         readToneMapping();
+    }
+
+    void readHemisphere() {
+        Hemisphere& hemisphere = scene().hemisphere;
+        JsonReader reader = reader_.child("hemisphere");
+        reader.read("sky", hemisphere.sky);
+        reader.read("ground", hemisphere.ground);
+        reader.read("up", hemisphere.up);
+        limit(reader, "sky", hemisphere.sky, 0.0, brightest);
+        limit(reader, "ground", hemisphere.ground, 0.0, brightest);
+        limit(reader, "up", hemisphere.up, -farthest, farthest);
+        hemisphereUnknown_ = reader.unknown();
     }
 
     void readToneMapping() {
@@ -289,6 +336,12 @@ class SceneReader {
         if (!groundUnknown_.empty()) {
             scene().unknown["ground"] = std::move(groundUnknown_);
         }
+        if (!hemisphereUnknown_.empty()) {
+            scene().unknown["hemisphere"] = std::move(hemisphereUnknown_);
+        }
+        if (!formerEnvironment_.empty()) {
+            scene().unknown["environment"] = std::move(formerEnvironment_);
+        }
     }
 
     const LocatedJson& document_;
@@ -299,6 +352,8 @@ class SceneReader {
     BlockReader blocks_;
     Json cameraUnknown_;
     Json groundUnknown_;
+    Json hemisphereUnknown_;
+    Json formerEnvironment_;
 };
 
 } // namespace

@@ -38,6 +38,23 @@ Json toJson(const Light& light) {
     return json;
 }
 
+/// The picture's path is the only text in it that can be one.
+Json toJson(const BlockValues& environment, const std::filesystem::path& folder) {
+    BlockValues moved = environment;
+    for (auto& [id, value] : moved.parameters) {
+        if (auto* text = std::get_if<std::string>(&value)) {
+            *text = meshForFile(*text, folder);
+        }
+    }
+    return toJson(moved);
+}
+
+Json toJson(const Hemisphere& hemisphere) {
+    return {{"sky", triple(hemisphere.sky)},
+            {"ground", triple(hemisphere.ground)},
+            {"up", triple(hemisphere.up)}};
+}
+
 Json toJson(const Camera& camera) {
     return {{"pivot", triple(camera.pivot)},
             {"yaw", camera.yaw},
@@ -81,12 +98,15 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     }
     json["fog"] = scene.fog ? toJson(*scene.fog) : Json();
     json["ambient"] = triple(scene.ambient);
+    json["hemisphere"].update(toJson(scene.hemisphere)); // as the camera below
     json["background"] = triple(scene.background);
     json["camera"].update(toJson(scene.camera)); // beside the keys that were not known
     json["ground"].update(toJson(scene.ground));
     json["exposure"] = scene.exposure;
     json["toneMapping"] = wordFor(toneMappingWords, scene.toneMapping);
-    json["environment"] = scene.environment;
+    if (scene.environment || !json.contains("environment")) {
+        json["environment"] = scene.environment ? toJson(*scene.environment, folder) : Json();
+    }
     json["extras"] = scene.extras;
     return json;
 }

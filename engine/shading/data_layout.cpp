@@ -38,7 +38,7 @@ ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
     layout.vec4s = layout.texture(set.textures.size());
     if (set.ground != GroundMode::Off) {
         layout.ground = layout.vec4s;
-        layout.vec4s += 2;
+        layout.vec4s += set.scene.environment ? 3 : 2;
     }
     return layout;
 }
@@ -47,6 +47,10 @@ SceneLayout sceneLayout(const SceneEffects& effects, const Catalog& catalog) {
     SceneLayout layout;
     if (effects.fog) {
         layout.fog = placed(*effects.fog, catalog, layout.firstLight);
+    }
+    if (effects.hemisphere) {
+        layout.hemisphere = layout.firstLight;
+        layout.firstLight += 3;
     }
     for (const LightGroup& group : effects.lights) {
         if (const Block* block = catalog.find(group.block.kind, group.block.id)) {
@@ -57,6 +61,10 @@ SceneLayout sceneLayout(const SceneEffects& effects, const Catalog& catalog) {
             }
             layout.groups.push_back(std::move(place));
         }
+    }
+    if (effects.environment) {
+        layout.environment =
+            catalog.find(effects.environment->kind, effects.environment->id);
     }
     return layout;
 }

@@ -46,7 +46,8 @@ struct ObjectLayout {
     std::vector<BlockPlace> slots; ///< right behind the model, in its order
     std::optional<BlockPlace> blend;
     int firstTexture = fixed; ///< of EffectSet::textures, each with vec4sPerTexture
-    std::optional<int> ground; ///< of the ground: colour and opacity, then its disk
+    std::optional<int> ground; ///< of the ground: colour and opacity, its disk, and the
+                               ///< environment's light on it where there is one
     int vec4s = fixed;
 
     int texture(std::size_t index) const {
@@ -63,9 +64,19 @@ struct SceneLayout {
     static constexpr int mostCapacity = 4096;
 
     std::optional<BlockPlace> fog;
+    std::optional<int> hemisphere; ///< index of three: sky, ground, the unit direction up
     std::vector<LightPlace> groups; ///< as SceneEffects::lights; a group's header:
                                     ///< x: number of lights, y: index of the first one's values
     int firstLight = fixed;
+    const Block* environment = nullptr; ///< its values are in an array of their own
+};
+
+/// The array `environmentData`, shared by all programs that look at the environment.
+struct EnvironmentLayout {
+    static constexpr int turn = 0;  ///< x, y: cosine and sine of its rotation; z: the first round
+                                    ///< of samples; w: how many rounds
+    static constexpr int sizes = 1; ///< x, y: columns and rows of the table
+    static constexpr int fixed = 2; ///< the block's values follow
 };
 
 /// The array `viewData`.

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "scene/environment.h"
+
 namespace patina {
 namespace {
 
@@ -94,6 +96,28 @@ bool hasCaster(const Scene& scene) {
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {
     const bool casts = light.shadow && block.shadowProjection != ShadowProjection::None;
     return casts ? catalog.find("shadows", light.shadow->id) : nullptr;
+}
+
+bool hasHemisphere(const Scene& scene) {
+    return !notPositive(scene.hemisphere.sky) || !notPositive(scene.hemisphere.ground);
+}
+
+EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog) {
+    if (!scene.environment) {
+        return {};
+    }
+    const Block* block = catalog.find("environment", scene.environment->id);
+    if (block == nullptr) {
+        return {nullptr, "No environment of this kind is known."};
+    }
+    if (isNothing(*block, scene.environment->parameters, "intensity") ||
+        isNothing(*block, scene.environment->parameters, "tint")) {
+        return {nullptr, "It is dark."};
+    }
+    if (pictureParameter(*block) != nullptr && pictureFile(*scene.environment, *block).empty()) {
+        return {nullptr, "No picture is chosen for it."};
+    }
+    return {block, ""};
 }
 
 bool hasFresnelSlot(const Block& model) {

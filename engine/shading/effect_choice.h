@@ -39,6 +39,16 @@ bool hasCaster(const Scene& scene);
 /// The block that draws the shadows in a light of kind `light`; null where it has none.
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog);
 
+/// Whether the sky or the ground of the ambient hemisphere sends light.
+bool hasHemisphere(const Scene& scene);
+
+/// What an environment is made of, when it sends light; else a null block and a sentence why not.
+struct EnvironmentChoice {
+    const Block* block = nullptr;
+    const char* whyNot = ""; ///< empty where there is no environment at all
+};
+EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog);
+
 /// Whether the model calls a Fresnel block itself; else one blends the sum, see EffectSet.
 bool hasFresnelSlot(const Block& model);
 

@@ -94,6 +94,17 @@ std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog, boo
     return hash.value();
 }
 
+std::uint64_t EffectKey::ofEnvironment(const Scene& scene, const Catalog& catalog) {
+    const Block* block = environmentChoice(scene, catalog).block;
+    if (block == nullptr) {
+        return 0;
+    }
+    static const AccuracyLevels exact;
+    Hash hash;
+    addBlock(hash, *block, scene.environment->parameters, exact);
+    return hash.value();
+}
+
 std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog) {
     groups_.clear();
     const bool casters = hasCaster(scene);
@@ -111,6 +122,8 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog) {
         static const AccuracyLevels exact;
         addBlock(hash, *fog, scene.fog->parameters, exact);
     }
+    hash.add(ofEnvironment(scene, catalog));
+    hash.add(hasHemisphere(scene) ? 1 : 0);
     hash.add(scene.ambient.x > 0.0 || scene.ambient.y > 0.0 || scene.ambient.z > 0.0 ? 1 : 0);
     return hash.value();
 }

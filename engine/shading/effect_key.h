@@ -20,6 +20,9 @@ class EffectKey {
     /// Of what effectSet() adds for the material.
     static std::uint64_t ofMaterial(const Material& material, const Catalog& catalog);
 
+    /// Of the scene's environment and its compiled values; 0 when it is left out.
+    static std::uint64_t ofEnvironment(const Scene& scene, const Catalog& catalog);
+
     /// Of one light's block and compiled values, and of its shadows' where objects cast any (as
     /// hasCaster() says); 0 when it is left out.
     static std::uint64_t ofLight(const Light& light, const Catalog& catalog, bool hasCaster);

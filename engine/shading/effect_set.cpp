@@ -144,6 +144,16 @@ void addFog(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     }
 }
 
+void addEnvironment(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
+    const EnvironmentChoice choice = environmentChoice(scene, catalog);
+    if (choice.block != nullptr) {
+        effects.environment = useOf(*choice.block, scene.environment->parameters, {},
+                                    "The scene has an environment that sends light.");
+    } else if (scene.environment) {
+        effects.leftOut.push_back({"environment/" + scene.environment->id, choice.whyNot});
+    }
+}
+
 const char* reasonOf(const SlotChoice& choice) {
     return choice.chosen ? "The model calls the block that the material chooses."
                          : "The model calls a block of this kind and the material chooses none.";
@@ -241,7 +251,9 @@ SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog) {
     SceneEffects effects;
     addLights(effects, scene, catalog);
     addFog(effects, scene, catalog);
+    addEnvironment(effects, scene, catalog);
     effects.ambient = scene.ambient.x > 0.0 || scene.ambient.y > 0.0 || scene.ambient.z > 0.0;
+    effects.hemisphere = hasHemisphere(scene);
     return effects;
 }
 
@@ -287,6 +299,13 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
     }
     if (set.scene.ambient) {
         lines.push_back({"ambient", {}, "The scene's ambient colour is not black."});
+    }
+    if (set.scene.hemisphere) {
+        lines.push_back(
+            {"hemisphere", {}, "The sky or the ground of the ambient light is not black."});
+    }
+    if (set.scene.environment) {
+        lines.push_back(lineOf(*set.scene.environment));
     }
     for (const std::string& color : set.emission) {
         lines.push_back(

@@ -53,7 +53,9 @@ struct LeftOut {
 struct SceneEffects {
     std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
     std::optional<BlockUse> fog;
+    std::optional<BlockUse> environment;
     bool ambient = false;
+    bool hemisphere = false;
     std::vector<LeftOut> leftOut;
 
     friend bool operator==(const SceneEffects&, const SceneEffects&) = default;
@@ -99,7 +101,8 @@ struct EffectSet {
 
 /// What the scene's lights, fog and ambient colour call for. A light is left out when it is
 /// disabled or cannot send anything (its `color` is black or its `intensity` is 0), fog when its
-/// `density` is 0, shadows when no object casts any, and blocks that the catalogue does not know.
+/// `density` is 0, shadows when no object casts any, an environment that is dark or lacks its
+/// picture, and blocks that the catalogue does not know.
 SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog);
 
 /// What shading `material` in the scene calls for. A pure function of its arguments.

@@ -62,6 +62,17 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
     return joined(vertex, fragment);
 }
 
+Checked<ProgramSource> screenProgram(const Catalog& catalog,
+                                     const std::function<void(SourceBuilder&)>& write) {
+    SourceBuilder vertex(shaderRoot(catalog));
+    vertex.add(prelude);
+    vertex.addFile("passes/screen.vert");
+    SourceBuilder fragment(shaderRoot(catalog));
+    fragment.add(prelude);
+    write(fragment);
+    return joined(vertex, fragment);
+}
+
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,
                                    std::span<const std::string> fragmentFiles) {
     SourceBuilder vertex(shaderRoot(catalog));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -27,6 +28,12 @@ struct ProgramSource {
 Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
                                       SurfaceOutput output = SurfaceOutput::Picture,
                                       int sceneVec4s = SceneLayout::leastCapacity);
+
+class SourceBuilder;
+
+/// A program that covers the target; `write` adds its fragment stage.
+Checked<ProgramSource> screenProgram(const Catalog& catalog,
+                                     const std::function<void(SourceBuilder&)>& write);
 
 /// A program made of files of the shader folder alone.
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,

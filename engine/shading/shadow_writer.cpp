@@ -85,8 +85,14 @@ void SurfaceWriter::writeGround() {
                      : "    Model model = unpackModel(0);\n    sent = vec3(0.0);\n";
     writeLights();
     if (set_.scene.ambient) {
-        const std::string color = fmt::format("sceneData[{}].rgb;\n", SceneLayout::ambient);
-        main_ += "    shaded += " + color + (isPlane ? "" : "    sent += " + color);
+        addToGround(fmt::format("sceneData[{}].rgb", SceneLayout::ambient));
+    }
+    if (scene_.hemisphere) {
+        out_.addFile("passes/hemisphere.glsl");
+        addToGround(hemisphereSource());
+    }
+    if (scene_.environment != nullptr) {
+        addToGround(fmt::format("objectData[{}].rgb", *object_.ground + 2));
     }
     if (isPlane) {
         main_ += "    shaded = groundColored(shaded);\n";
@@ -97,6 +103,14 @@ void SurfaceWriter::writeGround() {
                                        "fogShare(s.range, unpackFog({})))",
                                        scene_.fog->first)
                          : "groundDarkened(shaded, sent, groundShare())";
+}
+
+/// Light from all around, of which shadows take nothing away.
+void SurfaceWriter::addToGround(const std::string& light) {
+    main_ += fmt::format("    shaded += {};\n", light);
+    if (set_.ground == GroundMode::Shadows) {
+        main_ += fmt::format("    sent += {};\n", light);
+    }
 }
 
 } // namespace patina

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "shading/block_source.h"
+#include "shading/environment_source.h"
 
 namespace patina {
 namespace {
@@ -64,6 +65,8 @@ void SurfaceWriter::writeSurface() {
         writeModel();
         writeLights();
         writeAmbient();
+        writeHemisphere();
+        writeEnvironment();
         writeEmission();
     } else {
         out_.addFile("passes/stand_in.glsl");
@@ -222,6 +225,37 @@ void SurfaceWriter::writeAmbient() {
         noteTerm("AMBIENT", fmt::format("sceneData[{}].rgb * modelled", SceneLayout::ambient),
                  "0.0");
     }
+}
+
+/// What the sky and the ground of the ambient light send to a surface.
+std::string SurfaceWriter::hemisphereSource() const {
+    const int first = *scene_.hemisphere;
+    return fmt::format("hemisphereLight(s, sceneData[{}].rgb, sceneData[{}].rgb, "
+                       "sceneData[{}].xyz)",
+                       first, first + 1, first + 2);
+}
+
+void SurfaceWriter::writeHemisphere() {
+    if (!scene_.hemisphere) {
+        return;
+    }
+    out_.addFile("passes/ambient.glsl");
+    out_.addFile("passes/hemisphere.glsl");
+    const std::string light = hemisphereSource();
+    main_ += fmt::format("    shaded += {} * ambientShare(s, model);\n", light);
+    noteTerm("AMBIENT", light + " * modelled", "0.0");
+}
+
+/// The inspection looks at single values, of which the environment's light is a sum of many.
+void SurfaceWriter::writeEnvironment() {
+    if (scene_.environment == nullptr || isInspected()) {
+        return;
+    }
+    addEnvironment(out_, *scene_.environment, *set_.scene.environment);
+    out_.addFile("passes/environment_points.glsl");
+    out_.addFile("passes/environment_light.glsl");
+    main_ += fmt::format("    shaded += environmentLight(s, unpackEnvironment({}), model);\n",
+                         EnvironmentLayout::fixed);
 }
 
 /// Once per pixel, whatever the number of lights.

@@ -36,11 +36,15 @@ class SurfaceWriter {
     bool hasShadows() const;
     bool isLitFromBehind() const;
     void writeAmbient();
+    std::string hemisphereSource() const;
+    void writeHemisphere();
+    void writeEnvironment();
     void writeEmission();
     void writeBlend();
     void writeFog();
     void writeOpacity();
     void writeGround();
+    void addToGround(const std::string& light);
     void writeMain();
     void writeBlock(const Block& block);
     void writeUnpack(const Block& block, const BlockUse& use, const std::string& function);

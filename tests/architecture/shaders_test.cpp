@@ -16,7 +16,8 @@ const std::map<std::string, std::string> kindWords = {{"models", ""},
                                                       {"specular", "Specular"},
                                                       {"lights", "Light"},
                                                       {"fog", "Fog"},
-                                                      {"shadows", "Shadow"}};
+                                                       {"shadows", "Shadow"},
+                                                       {"environment", "Environment"}};
 
 std::string pascalCase(const std::string& id) {
     std::string name;
@@ -43,7 +44,7 @@ std::string structNameOf(const SourceFile& file) {
 std::vector<SourceFile> blockShaders() {
     return filesUnder(
         {"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog",
-         "shaders/shadows"},
+         "shaders/shadows", "shaders/environment"},
         {".glsl"});
 }
 

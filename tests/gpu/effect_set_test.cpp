@@ -65,6 +65,46 @@ TEST_F(EffectSetTest, FogWithoutDensity_IsLeftOut) {
     EXPECT_FALSE(sceneEffects(scene, catalog()).fog);
 }
 
+TEST_F(EffectSetTest, DarkEnvironment_IsLeftOutWithAReason) {
+    Scene scene;
+    scene.environment = block("environment", "studio");
+    EffectKey keys;
+    const std::uint64_t lit = keys.ofScene(scene, catalog());
+    EXPECT_TRUE(sceneEffects(scene, catalog()).environment);
+    scene.environment->parameters["intensity"] = 0.0;
+    const SceneEffects effects = sceneEffects(scene, catalog());
+    EXPECT_FALSE(effects.environment);
+    ASSERT_EQ(effects.leftOut.size(), 1u);
+    EXPECT_EQ(effects.leftOut[0].reason, "It is dark.");
+    EXPECT_NE(keys.ofScene(scene, catalog()), lit);
+}
+
+TEST_F(EffectSetTest, EnvironmentWithoutItsPicture_IsLeftOutWithAReason) {
+    Scene scene;
+    scene.environment = block("environment", "image");
+    const SceneEffects effects = sceneEffects(scene, catalog());
+    EXPECT_FALSE(effects.environment);
+    ASSERT_EQ(effects.leftOut.size(), 1u);
+    EXPECT_EQ(effects.leftOut[0].reason, "No picture is chosen for it.");
+}
+
+TEST_F(EffectSetTest, UnknownEnvironment_IsLeftOut) {
+    Scene scene;
+    scene.environment.emplace().id = "moonscape";
+    EXPECT_FALSE(sceneEffects(scene, catalog()).environment);
+    EXPECT_EQ(sceneEffects(scene, catalog()).leftOut.size(), 1u);
+}
+
+TEST_F(EffectSetTest, Hemisphere_IsInWhereOneHalfIsNotBlack) {
+    Scene scene;
+    EffectKey keys;
+    const std::uint64_t before = keys.ofScene(scene, catalog());
+    EXPECT_FALSE(sceneEffects(scene, catalog()).hemisphere);
+    scene.hemisphere.sky = glm::dvec3(0.0, 0.0, 0.2);
+    EXPECT_TRUE(sceneEffects(scene, catalog()).hemisphere);
+    EXPECT_NE(keys.ofScene(scene, catalog()), before);
+}
+
 TEST_F(EffectSetTest, ModelWithSlot_TakesTheMaterialsFresnel) {
     Material metal = material("cook-torrance");
     metal.parts["fresnel"] = block("fresnel", "dielectric");

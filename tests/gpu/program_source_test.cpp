@@ -56,6 +56,10 @@ const std::vector<Effect>& effects() {
          [](Material& material, Scene&) { material.opacity = 0.5; }},
         {"Ambient", std::regex("ambient"),
          [](Material&, Scene& scene) { scene.ambient = glm::dvec3(0.1); }},
+        {"Environment", std::regex("environment"),
+         [](Material&, Scene& scene) {
+             scene.environment = EffectWordTest::of("environment", "studio");
+         }},
         {"Directional", std::regex("directional"), addLight<0>},
         {"Point", std::regex("point(light|_light)|\\bpoint\\b"), addLight<1>},
         {"Spot", std::regex("spot"), addLight<2>},
@@ -93,6 +97,23 @@ class ProgramSourceTest : public ShadingTest {};
 
 TEST_F(ProgramSourceTest, NoLights_NoWordOfLight) {
     EXPECT_EQ(lower(fragment(material("lambert"), {})).find("light"), std::string::npos);
+}
+
+TEST_F(ProgramSourceTest, BlackHemisphere_NotInTheSource) {
+    Scene scene;
+    scene.ambient = glm::dvec3(0.1);
+    EXPECT_EQ(lower(fragment(material("lambert"), scene)).find("hemisphere"), std::string::npos);
+    scene.hemisphere.ground = glm::dvec3(0.0, 0.1, 0.0);
+    EXPECT_NE(lower(fragment(material("lambert"), scene)).find("hemisphere"), std::string::npos);
+}
+
+TEST_F(ProgramSourceTest, EnvironmentWithoutAPicture_HasNoSamplerOfOne) {
+    Scene scene;
+    scene.environment = block("environment", "studio");
+    EXPECT_EQ(fragment(material("lambert"), scene).find("environmentImage"), std::string::npos);
+    scene.environment = block("environment", "image");
+    scene.environment->parameters["image"] = std::string("sky.hdr");
+    EXPECT_NE(fragment(material("lambert"), scene).find("environmentImage"), std::string::npos);
 }
 
 TEST_F(ProgramSourceTest, EmptySlot_NoLobeInTheSource) {

@@ -133,5 +133,16 @@ TEST_F(SteadyStateTest, ChangedLight_AllocatesNothing) {
     EXPECT_EQ(ofTheNextFrame(), 0);
 }
 
+TEST_F(SteadyStateTest, DraggedEnvironment_AllocatesNothing) {
+    scene_.environment = block("environment", "studio");
+    draw();
+    draw();
+    for (const char* id : {"key.intensity", "intensity", "rotate"}) {
+        std::get<double>(scene_.environment->parameters[id]) += 0.5;
+        EXPECT_EQ(ofTheNextFrame(), 0) << id;
+        EXPECT_EQ(renderer->report().compiled, 0) << id;
+    }
+}
+
 } // namespace
 } // namespace patina

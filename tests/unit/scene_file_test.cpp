@@ -15,6 +15,13 @@ using nlohmann::json;
 using tests::BlockFolder;
 using tests::plainDescriptor;
 
+json panoramaDescriptor() {
+    json descriptor = plainDescriptor("panorama");
+    descriptor["parameters"].push_back(
+        {{"id", "picture"}, {"label", "Picture"}, {"type", "texture"}, {"default", ""}});
+    return descriptor;
+}
+
 const Catalog& catalog() {
     static const Catalog made = [] {
         BlockFolder folder;
@@ -22,6 +29,7 @@ const Catalog& catalog() {
         folder.add("lights", plainDescriptor("lamp"));
         folder.add("fog", plainDescriptor("mist"));
         folder.add("shadows", plainDescriptor("veil"));
+        folder.add("environment", panoramaDescriptor());
         return folder.load();
     }();
     return made;
@@ -42,7 +50,8 @@ class SceneFile : public testing::Test {
                 {"version", 1},
                 {"objects", {{{"name", "Ball"}, {"mesh", "builtin:sphere"}, {"preset", preset()}}}},
                 {"lights", {{{"id", "lamp"}, {"parameters", {{"gloss", 0.25}}}}}},
-                {"fog", {{"id", "mist"}, {"parameters", {{"gloss", 0.125}}}}}};
+                {"fog", {{"id", "mist"}, {"parameters", {{"gloss", 0.125}}}}},
+                {"environment", {{"id", "panorama"}, {"parameters", {{"picture", "sky.hdr"}}}}}};
     }
 
     Checked<SceneReading> read(const json& scene) {
@@ -235,6 +244,43 @@ TEST_F(SceneFile, WrongTypes_AreAllReported) {
         {{"objects", 5}, {"lights", {5}}, {"fog", true}, {"camera", "x"}, {"ambient", {1, 2}}});
     ASSERT_FALSE(reading);
     EXPECT_EQ(reading.error().size(), 5u) << text(reading.error());
+}
+
+TEST_F(SceneFile, PictureOfTheEnvironment_IsNamedFromTheScenesFolder) {
+    const auto reading = read(plainScene());
+    ASSERT_TRUE(reading && reading->scene.environment);
+    EXPECT_EQ(reading->scene.environment->parameters.at("picture"),
+              Value((folder_ / "sky.hdr").generic_string()));
+    EXPECT_EQ(toJson(reading->scene, folder_.path())["environment"]["parameters"]["picture"],
+              "sky.hdr");
+}
+
+TEST_F(SceneFile, PictureOutsideTheFolder_IsNotedAtItsPlace) {
+    const auto reading =
+        readChanged({{"environment", {{"parameters", {{"picture", "../sky.hdr"}}}}}});
+    ASSERT_TRUE(reading);
+    const auto& notes = reading->notes;
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].problem.find("../sky.hdr"), std::string::npos);
+    EXPECT_GT(notes[0].line, 1);
+}
+
+TEST_F(SceneFile, EnvironmentOfFormerFiles_IsNoneAndIsKept) {
+    json scene = plainScene();
+    scene["environment"] = {{"whatever", 1}};
+    const auto reading = read(scene);
+    ASSERT_TRUE(reading);
+    EXPECT_FALSE(reading->scene.environment);
+    EXPECT_EQ(toJson(reading->scene, folder_.path())["environment"]["whatever"], 1);
+}
+
+TEST_F(SceneFile, Hemisphere_ComesBack) {
+    const auto reading = readChanged(
+        {{"hemisphere", {{"sky", {0.25, 0.5, 1}}, {"ground", {0.125, 0, 0}}, {"up", {1, 0, 0}}}}});
+    ASSERT_TRUE(reading);
+    const Hemisphere expected{{0.25, 0.5, 1.0}, {0.125, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+    EXPECT_EQ(reading->scene.hemisphere, expected);
+    EXPECT_EQ(read(toJson(reading->scene, folder_.path()))->scene.hemisphere, expected);
 }
 
 TEST_F(SceneFile, MissingFile_IsAnError) {

@@ -14,7 +14,7 @@ TEST(ShippedBlocks, Loaded_HaveNoMistakes) { EXPECT_EQ(text(shipped().errors), "
 
 TEST(ShippedBlocks, OfEveryKind_AreThere) {
     const Catalog catalog = shipped();
-    for (const char* kind : {"models", "fresnel", "lights", "fog"}) {
+    for (const char* kind : {"models", "fresnel", "lights", "fog", "environment"}) {
         EXPECT_FALSE(catalog.ofKind(kind).empty()) << kind;
     }
 }

@@ -158,6 +158,13 @@ std::string entryFunctions(const Block& block) {
                            "i.radiance}};\n}}\n",
                            name);
     }
+    if (block.kind == "environment") {
+        return fmt::format("vec3 callEnvironment(const vec3& d, const vec3& picture,\n"
+                           "                     Parameters data) {{\n"
+                           "    Outlook o;\n    o.d = d;\n    o.picture = picture;\n"
+                           "    return {0}(o, unpack(data));\n}}\n",
+                           name);
+    }
     return fmt::format(
         "double callFog(double x, Parameters data) {{ return {0}(x, unpack(data)); }}\n"
         "vec3 callFogColor(Parameters data) {{ return {0}Color(unpack(data)); }}\n",
@@ -173,6 +180,9 @@ std::string entryAssignments(const std::string& kind) {
     }
     if (kind == "lights") {
         return "    block.light = &callLight;\n";
+    }
+    if (kind == "environment") {
+        return "    block.environment = &callEnvironment;\n";
     }
     return "    block.fog = &callFog;\n    block.fogColor = &callFogColor;\n";
 }

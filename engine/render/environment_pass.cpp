@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/environment_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <epoxy/gl.h>
+#include <glm/trigonometric.hpp>
+
+#include "gl/driver.h"
+
+namespace patina {
+namespace {
+
+/// Samples of one round (shaders/passes/environment_light.glsl), and the most rounds of a frame.
+constexpr int roundSamples = 4;
+constexpr int mostRounds = 64;
+
+/// What a frame takes that must not keep a window waiting.
+int usualRounds() {
+    static const int rounds = gl::isSoftware() ? 1 : 4;
+    return rounds;
+}
+
+int roundsOf(const View& view) {
+    if (view.environmentSamples <= 0) {
+        return usualRounds();
+    }
+    return std::clamp((view.environmentSamples + roundSamples - 1) / roundSamples, 1, mostRounds);
+}
+
+void set(const gl::Program& program, const char* name, const glm::dvec3& value) {
+    glUniform3f(program.uniform(name), static_cast<float>(value.x), static_cast<float>(value.y),
+                static_cast<float>(value.z));
+}
+
+} // namespace
+
+Result<void> EnvironmentPass::begin(const SceneToPack& scene, const View& view,
+                                    const Catalog& catalog, ProgramCache& cache) {
+    light_.follow(scene.effects, scene.scene, view.environmentImage, catalog, cache);
+    if (!isIn()) {
+        if (accumulation_.mean().size().x > 0) {
+            accumulation_ = Accumulation();
+        }
+        done_ = 0;
+        return {};
+    }
+    const auto kept = accumulation_.fit(view.size, catalog, cache);
+    if (!kept) {
+        return tl::unexpected(kept.error());
+    }
+    done_ = *kept && view.isContinued ? done_ : 0;
+    count_ = roundsOf(view);
+    light_.setRounds(done_, count_);
+    return {};
+}
+
+void EnvironmentPass::foresee(const SceneToPack& scene, const View& view, const Catalog& catalog,
+                              ProgramCache& cache) {
+    light_.follow(scene.effects, scene.scene, view.environmentImage, catalog, cache);
+    if (isIn()) {
+        light_.setRounds(0, 1);
+    }
+}
+
+void EnvironmentPass::drawBackground(const Camera& camera, const glm::dmat4& cameraToWorld,
+                                     double aspect) const {
+    const gl::Program* program = light_.background();
+    if (program == nullptr) {
+        return;
+    }
+    light_.bind();
+    program->use();
+    const double up = std::tan(0.5 * glm::radians(std::clamp(camera.fieldOfView, 1.0, 170.0)));
+    set(*program, "backgroundForward", -glm::dvec3(cameraToWorld[2]));
+    set(*program, "backgroundRight", up * aspect * glm::dvec3(cameraToWorld[0]));
+    set(*program, "backgroundUp", up * glm::dvec3(cameraToWorld[1]));
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    glUniform2f(program->uniform("backgroundSize"), static_cast<float>(viewport[2]),
+                static_cast<float>(viewport[3]));
+    glUniform1f(program->uniform("backgroundBlur"), static_cast<float>(light_.backgroundBlur()));
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+}
+
+void EnvironmentPass::bind() const {
+    if (isIn()) {
+        light_.bind();
+    }
+}
+
+void EnvironmentPass::add(const gl::Texture& frame) {
+    done_ += count_;
+    accumulation_.add(frame, static_cast<float>(double(count_) / double(done_)));
+}
+
+int EnvironmentPass::samples() const {
+    return roundSamples * done_;
+}
+
+bool EnvironmentPass::holds(glm::ivec2 size) const {
+    return hasPicture() && accumulation_.mean().size() == size;
+}
+
+void EnvironmentPass::forget() {
+    light_.forget();
+    accumulation_.forget();
+    done_ = 0;
+}
+
+} // namespace patina

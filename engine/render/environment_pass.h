@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/accumulation.h"
+#include "render/data_packer.h"
+#include "render/environment_light.h"
+#include "render/renderer.h"
+
+namespace patina {
+
+/// The part that an environment has in frames: its light's data, what is seen behind the objects,
+/// and the mean of the frames of one picture. Nothing of it exists without an environment.
+class EnvironmentPass {
+  public:
+    /// Prepares a frame of the scene.
+    Result<void> begin(const SceneToPack& scene, const View& view, const Catalog& catalog,
+                       ProgramCache& cache);
+
+    /// Whether the frame that was prepared looks at an environment.
+    bool isIn() const { return light_.isIn(); }
+
+    /// As begin() for a frame that is not to be seen: what the mean holds stays.
+    void foresee(const SceneToPack& scene, const View& view, const Catalog& catalog,
+                 ProgramCache& cache);
+
+    /// What a level white surface that faces up reflects of it, seen from anywhere.
+    glm::dvec3 upward() const { return isIn() ? light_.upward() : glm::dvec3(0.0); }
+
+    /// Into the target that is bound, whose viewport is all of it.
+    void drawBackground(const Camera& camera, const glm::dmat4& cameraToWorld, double aspect) const;
+
+    /// For the objects that are drawn next.
+    void bind() const;
+
+    /// All of the frame is in this picture: its samples join the mean.
+    void add(const gl::Texture& frame);
+
+    /// Samples per pixel that are in the mean; 0 until the first frame of a picture is done.
+    int samples() const;
+
+    /// Whether what was drawn last is in the mean.
+    bool hasPicture() const { return done_ > 0; }
+
+    const gl::Texture& picture() const { return accumulation_.mean(); }
+    unsigned framebuffer() const { return accumulation_.framebuffer(); }
+
+    /// Whether the mean is a picture of this size.
+    bool holds(glm::ivec2 size) const;
+
+    void forget();
+
+  private:
+    EnvironmentLight light_;
+    Accumulation accumulation_;
+    gl::VertexArray noVertices_ = gl::VertexArray::create();
+    int done_ = 0;  ///< rounds in the mean
+    int count_ = 1; ///< of the frame that is being drawn
+};
+
+} // namespace patina

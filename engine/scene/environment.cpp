@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/environment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patina {
+namespace {
+
+const std::string* textOf(const BlockValues& values, const Parameter& parameter) {
+    const auto found = values.parameters.find(parameter.id);
+    const Value& value =
+        found == values.parameters.end() ? parameter.defaultValue : found->second;
+    return std::get_if<std::string>(&value);
+}
+
+} // namespace
+
+const Parameter* pictureParameter(const Block& environment) {
+    const auto found =
+        std::find_if(environment.parameters.begin(), environment.parameters.end(),
+                     [](const Parameter& p) { return p.type == ParameterType::Texture; });
+    return found == environment.parameters.end() ? nullptr : &*found;
+}
+
+std::string_view pictureFile(const BlockValues& environment, const Block& block) {
+    const Parameter* parameter = pictureParameter(block);
+    const std::string* file = parameter == nullptr ? nullptr : textOf(environment, *parameter);
+    return file == nullptr ? std::string_view() : *file;
+}
+
+Backdrop backdropOf(const BlockValues& environment, const Block& block) {
+    const Parameter* parameter = block.parameter("background");
+    const std::string* word = parameter == nullptr ? nullptr : textOf(environment, *parameter);
+    if (word == nullptr) {
+        return Backdrop::Sharp;
+    }
+    return *word == "hidden"    ? Backdrop::Hidden
+           : *word == "blurred" ? Backdrop::Blurred
+                                : Backdrop::Sharp;
+}
+
+double environmentNumber(const BlockValues& environment, const Block& block, std::string_view id) {
+    const Parameter* parameter = block.parameter(id);
+    if (parameter == nullptr) {
+        return 0.0;
+    }
+    const auto found = environment.parameters.find(id);
+    const auto* given =
+        found == environment.parameters.end() ? nullptr : std::get_if<double>(&found->second);
+    const auto* usual = std::get_if<double>(&parameter->defaultValue);
+    const double number = given != nullptr && std::isfinite(*given) ? *given
+                          : usual != nullptr                        ? *usual
+                                                                    : 0.0;
+    return std::clamp(number, parameter->min, parameter->max);
+}
+
+} // namespace patina

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT-0
+#include "lib/outlook.glsl"
+
+// The share of a rectangular lamp that is seen in the direction d. The lamp stands one metre away
+// along the unit vector c, upright, and measures 2 w by 2 h; its border fades over 2 `edge` > 0.
+// d.c grows no smaller than a thousandth, so that nothing is divided by 0 beside or behind it.
+float lampShare(vec3 d, vec3 c, float w, float h, float edge) {
+    vec3 across = normalize(vec3(c.z, 0.0, -c.x));
+    vec3 upward = cross(c, across);
+    float facing = dot(d, c);
+    float x = abs(dot(d, across)) / max(facing, 1e-3);
+    float y = abs(dot(d, upward)) / max(facing, 1e-3);
+    float inside = (1.0 - smoothstep(w - edge, w + edge, x)) *
+                   (1.0 - smoothstep(h - edge, h + edge, y));
+    return facing > 0.0 ? inside : 0.0;
+}
+
+// Walls that grow darker downwards from the ceiling to the floor, with the step at the horizon
+// softened, and five lamps: a large key in front on the right, a wide dim fill on the left, two
+// upright strips behind that draw the edges of things, and a panel under the ceiling.
+vec3 studioEnvironment(Outlook o, StudioEnvironment p) {
+    float edge = 0.01 + 0.2 * p.softness;
+    float above = smoothstep(-0.02 - 0.3 * p.horizon, 0.02 + 0.3 * p.horizon, o.d.y);
+    float height = max(o.d.y, 0.0);
+    vec3 wall = mix(p.wallColor, p.ceilingColor, height);
+    vec3 light = mix(p.floorColor, wall, above);
+
+    vec3 keyLamp = vec3(0.5774, 0.5774, 0.5774);
+    vec3 fillLamp = vec3(-0.8616, 0.2872, 0.4185);
+    vec3 leftStrip = vec3(-0.6882, 0.2294, -0.6882);
+    vec3 rightStrip = vec3(0.7717, 0.1929, -0.6060);
+    vec3 panel = vec3(0.0, 0.9950, 0.0995);
+    light += vec3(p.keyIntensity * lampShare(o.d, keyLamp, 0.5, 0.5, edge));
+    light += vec3(p.fillIntensity * lampShare(o.d, fillLamp, 0.7, 0.9, edge));
+    light += vec3(p.rimIntensity * lampShare(o.d, leftStrip, 0.16, 0.8, min(edge, 0.16)));
+    light += vec3(p.rimIntensity * lampShare(o.d, rightStrip, 0.16, 0.8, min(edge, 0.16)));
+    light += vec3(p.topIntensity * lampShare(o.d, panel, 0.8, 0.35, edge));
+    return light * p.tint * p.intensity;
+}

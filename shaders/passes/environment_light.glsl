@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT-0
+// The light of a whole environment on a surface: the mean over directions of
+//   radiance * model / (pi * density),
+// whose expected value is the integral (1 / pi) of radiance * model over all directions. A round
+// draws one direction by each of four rules, and the density is the mean of theirs (the balance
+// heuristic, Veach 1997, section 9.2), so the result is right for any model, and settles soon where
+// one of the rules suits it. Only a frame's mean is limited, to what a half float holds.
+#include "lib/directions.glsl"
+
+const int RULE_TABLE = 0;  // where the environment is bright
+const int RULE_COSINE = 1; // where a matte surface looks
+const int RULE_HALF = 2;   // around the normal, for the half vector
+const int RULE_MIRROR = 3; // around the mirror direction
+const int RULES = 4;
+
+// Lobes of every width from this angle on are met: as many samples fall between 0.001 and 0.002 rad
+// as between 0.1 and 0.2. Models draw no lobe that is narrower.
+const float NARROWEST = 1e-4;
+const float WIDEST = 0.5 * PI;
+
+// Running shares of the environment's light, in red: along each row of directions, and, in the last
+// row, of the rows. Green: the density of a place, which is 1 on average over the unit square.
+uniform sampler2D environmentTable;
+
+// The first of `count` entries of a row of the table whose running share is above u.
+int shareAbove(int row, int count, float u) {
+    int low = 0;
+    int high = count - 1;
+    while (low < high) {
+        int middle = (low + high) / 2;
+        if (u < texelFetch(environmentTable, ivec2(middle, row), 0).r) {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return low;
+}
+
+// Where within an entry the share u lies, 0 .. 1.
+float placeWithin(int entry, int row, float u) {
+    float from = entry > 0 ? texelFetch(environmentTable, ivec2(entry - 1, row), 0).r : 0.0;
+    float to = texelFetch(environmentTable, ivec2(entry, row), 0).r;
+    return clamp((u - from) / max(to - from, 1e-20), 0.0, 1.0);
+}
+
+// A direction of the environment, by its brightness.
+vec3 brightDirection(vec2 u) {
+    ivec2 size = ivec2(environmentData[1].xy);
+    int row = shareAbove(size.y, size.y, u.y);
+    int column = shareAbove(row, size.x, u.x);
+    vec2 within = vec2(placeWithin(column, row, u.x), placeWithin(row, size.y, u.y));
+    return environmentDirectionAt((vec2(float(column), float(row)) + within) / vec2(size));
+}
+
+// Its density, per solid angle.
+float brightDensity(vec3 d) {
+    ivec2 size = ivec2(environmentData[1].xy);
+    ivec2 place = min(ivec2(environmentPlace(d) * vec2(size)), size - 1);
+    float density = texelFetch(environmentTable, max(place, ivec2(0)), 0).g;
+    return density / (2.0 * PI * PI * max(length(vec2(d.x, d.z)), 1e-6));
+}
+
+// The share of the directions that fall into the disc of NARROWEST, where they are even; it makes
+// the density continuous at its rim.
+float narrowShare() {
+    return 1.0 / (1.0 + 2.0 * log(WIDEST / NARROWEST));
+}
+
+// An angle from the middle of a lobe of unknown width.
+float lobeAngle(float u) {
+    float narrow = narrowShare();
+    if (u < narrow) {
+        return NARROWEST * sqrt(u / narrow);
+    }
+    return NARROWEST * exp(log(WIDEST / NARROWEST) * (u - narrow) / (1.0 - narrow));
+}
+
+// Its density, per solid angle.
+float lobeDensity(float angle) {
+    float narrow = narrowShare();
+    if (angle < NARROWEST) {
+        return narrow / (PI * NARROWEST * NARROWEST);
+    }
+    float line = (1.0 - narrow) / (angle * log(WIDEST / NARROWEST));
+    return angle < WIDEST ? line / (2.0 * PI * sin(angle)) : 0.0;
+}
+
+vec3 aroundAxis(vec3 axis, vec3 t, vec3 b, float angle, float turn) {
+    return cos(angle) * axis + sin(angle) * (cos(turn) * t + sin(turn) * b);
+}
+
+vec3 drawnDirection(Surface s, int rule, vec2 u) {
+    if (rule == RULE_TABLE) {
+        return environmentOutside(brightDirection(u));
+    }
+    float turn = 2.0 * PI * u.y;
+    if (rule == RULE_COSINE) {
+        return aroundAxis(s.n, s.t, s.b, atan(sqrt(u.x), sqrt(1.0 - u.x)), turn);
+    }
+    if (rule == RULE_HALF) {
+        vec3 h = aroundAxis(s.n, s.t, s.b, lobeAngle(u.x), turn);
+        return 2.0 * dot(s.v, h) * h - s.v;
+    }
+    vec3 r = 2.0 * dot(s.n, s.v) * s.n - s.v;
+    vec3 t = anyTangent(r);
+    return aroundAxis(r, t, cross(r, t), lobeAngle(u.x), turn);
+}
+
+// Of all rules together, per solid angle.
+float drawnDensity(Directions d, vec3 inside) {
+    float cosine = max(d.nl, 0.0) / PI;
+    float halfAngle = atan(sqrt(d.sin2h), sqrt(d.cos2h));
+    float halfway = d.nH > 0.0 ? lobeDensity(halfAngle) / (4.0 * max(d.lh, 1e-6)) : 0.0;
+    float mirror = lobeDensity(2.0 * asin(min(sqrt(0.5 * d.versineRv), 1.0)));
+    return (brightDensity(inside) + cosine + halfway + mirror) / float(RULES);
+}
+
+// What one sample adds.
+vec3 environmentArrived(Surface s, vec3 l, Environment e, Model p) {
+    Directions d = directionsAt(s, l, s.v);
+    vec3 inside = environmentInside(l);
+    vec3 radiance = environmentRadiance(inside, e);
+    float density = drawnDensity(d, inside);
+    if (IS_DARK(d) || !(density > 0.0) || !(max(max(radiance.r, radiance.g), radiance.b) > 0.0)) {
+        return vec3(0.0);
+    }
+    return radiance * (max(shadeModel(d, p), vec3(0.0)) / (PI * density));
+}
+
+vec3 environmentLight(Surface s, Environment e, Model p) {
+    int first = int(environmentData[0].z);
+    int count = RULES * int(environmentData[0].w);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < count; ++i) {
+        int rule = i % RULES;
+        vec2 u = environmentPoint(uint(first + i / RULES), environmentSeed(uint(rule)));
+        sum += environmentArrived(s, normalize(drawnDirection(s, rule, u)), e, p);
+    }
+    return sum / float(count);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu_fixture.h"
+#include "render/environment_image.h"
+
+namespace patina {
+
+/// A panorama of one colour.
+inline Image plain(float value, glm::ivec2 size = {16, 8}) {
+    const std::size_t count = std::size_t(size.x) * std::size_t(size.y);
+    return {size.x, size.y, 1, std::vector<float>(count, value)};
+}
+
+class EnvironmentTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+    }
+
+    /// A square that faces the camera, without lights. It has two triangles: a finer mesh takes
+    /// far longer where there are hardly more pixels than triangles.
+    static const Mesh& squareMesh() {
+        static const Mesh made = [] {
+            Mesh mesh;
+            for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+                Vertex vertex{};
+                vertex.position = {corner, 0.0f};
+                vertex.normal = {0.0f, 0.0f, 1.0f};
+                vertex.tangent = {1.0f, 0.0f, 0.0f, 1.0f};
+                mesh.vertices.push_back(vertex);
+            }
+            mesh.indices = {0, 1, 2, 0, 2, 3};
+            mesh.bounds = boundsOf(mesh.vertices);
+            return mesh;
+        }();
+        return made;
+    }
+
+    MeshSource squares() {
+        return [this](const Object& wanted) {
+            return wanted.mesh == "square" ? squareMesh().view() : mesh(wanted);
+        };
+    }
+
+    Scene square(const std::string& model) const {
+        Scene scene = simpleScene(model);
+        scene.objects[0].mesh = "square";
+        scene.lights.clear();
+        return scene;
+    }
+
+    /// The square in a panorama that is not seen behind it.
+    Scene surrounded(const std::string& model, const Image& panorama) {
+        image_ = EnvironmentImage::from(panorama);
+        Scene scene = square(model);
+        scene.environment = block("environment", "image");
+        scene.environment->parameters["image"] = std::string("panorama.hdr");
+        scene.environment->parameters["background"] = std::string("hidden");
+        return scene;
+    }
+
+    Scene inTheStudio(const std::string& model) {
+        Scene scene = square(model);
+        scene.environment = block("environment", "studio");
+        return scene;
+    }
+
+    View viewWith(const Scene& scene, int samples) const {
+        View view = viewOf(scene, size_);
+        view.environmentImage = image_;
+        view.environmentSamples = samples;
+        return view;
+    }
+
+    Image settled(const Scene& scene, int samples) {
+        auto image = renderer->capture(scene, viewWith(scene, samples), squares(), false);
+        EXPECT_TRUE(image) << (image ? "" : image.error().text());
+        return image ? *image : Image();
+    }
+
+    int size_ = 33;
+    std::shared_ptr<const EnvironmentImage> image_;
+};
+
+/// A matte model that reflects everything.
+inline void makeWhite(Scene& scene) {
+    for (auto& [id, value] : scene.objects[0].material.model.parameters) {
+        if (id == "diffuse.color") {
+            value = glm::dvec3(1.0);
+        }
+    }
+}
+
+} // namespace patina
