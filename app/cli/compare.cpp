@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "assets/asset_client.h"
+#include "cli/environment_setup.h"
 #include "cli/image_difference.h"
 #include "cli/label.h"
 #include "cli/picture.h"
@@ -73,6 +74,11 @@ Checked<void> draw(std::vector<Side>& sides, const Options& options,
         if (&side == &sides.front()) { // all sides show the same objects
             report(meshes->remarks());
         }
+        const auto environment = environmentPicture(side.scene, options.picture, *catalog, client);
+        if (!environment) {
+            return tl::unexpected(oneError(environment.error()));
+        }
+        maker->setEnvironment(*environment, options.picture.samples);
         auto image = maker->draw(
             side.scene, [&meshes](const Object& object) { return meshes->view(object); },
             options.picture.size, true);

@@ -45,11 +45,18 @@ void PictureMaker::setTextures(TextureLoader& textures) {
     renderer_->setTextures(textures.source());
 }
 
+void PictureMaker::setEnvironment(std::shared_ptr<const EnvironmentImage> image, int samples) {
+    environment_ = std::move(image);
+    samples_ = samples;
+}
+
 Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
                                   bool display) {
     View view;
     view.size = size;
     view.camera = scene.camera;
+    view.environmentImage = environment_;
+    view.environmentSamples = samples_;
     auto image = renderer_->capture(scene, view, meshes, display);
     if (!image) {
         return tl::unexpected(Errors{image.error()});

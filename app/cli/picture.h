@@ -21,6 +21,9 @@ class PictureMaker {
     /// Images come from there. It outlives what is drawn.
     void setTextures(TextureLoader& textures);
 
+    /// What the scenes' environments show, and how many samples their light has.
+    void setEnvironment(std::shared_ptr<const EnvironmentImage> image, int samples);
+
     /// With display the 8-bit display values / 255, else linear floats. An error when the picture
     /// is not what was asked for; what was merely left out is a warning on standard error.
     Checked<Image> draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
@@ -32,6 +35,8 @@ class PictureMaker {
     std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
     TextureLoader* textures_ = nullptr;
+    std::shared_ptr<const EnvironmentImage> environment_;
+    int samples_ = 0;
 };
 
 /// Where an image goes: a file, or "-" for a PNG on standard output.

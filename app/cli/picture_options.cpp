@@ -62,6 +62,13 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
     command.add_option("--scene", options.scene,
                        "A scene file; a preset goes on its first object");
+    command.add_option("--environment", options.environment,
+                       "What lights the scene from all around: an environment's id, an HDR "
+                       "panorama's file, or none");
+    command
+        .add_option("--samples", options.samples,
+                    "Directions per pixel that an environment's light is summed from")
+        ->check(CLI::Range(1, 1 << 24));
     command.add_option_function<std::string>(
         "--exposure", [&options](const std::string& text) { options.exposure = stopsIn(text); },
         "Stops; 1 is twice as bright");

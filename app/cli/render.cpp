@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "assets/asset_client.h"
+#include "cli/environment_setup.h"
 #include "cli/picture.h"
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
@@ -54,6 +55,11 @@ Checked<Image> picture(const Options& options, const std::shared_ptr<const Catal
     report(loaded->remarks());
     TextureLoader textures(client);
     maker->setTextures(textures);
+    const auto environment = environmentPicture(scene, options.picture, *catalog, client);
+    if (!environment) {
+        return tl::unexpected(oneError(environment.error()));
+    }
+    maker->setEnvironment(*environment, options.picture.samples);
     const bool display = !options.output.isLinear();
     auto image = maker->draw(
         scene, [&loaded](const Object& object) { return loaded->view(object); },

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "catalog/fills.h"
+#include "cli/environment_setup.h"
 #include "cli/texture_text.h"
 #include "cli/value_text.h"
 #include "core/number_text.h"
@@ -242,6 +243,9 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
         return tl::unexpected(oneError(model.error()));
     }
     for (const std::string& assignment : inOrder(options.sets, object.material, catalog)) {
+        if (isForEnvironment(assignment)) {
+            continue;
+        }
         if (auto applied = applySet(object.material, assignment, catalog); !applied) {
             return tl::unexpected(oneError(applied.error()));
         }
@@ -275,6 +279,9 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
         if (auto applied = applyOptions(object, !preset.empty(), options, catalog); !applied) {
             return tl::unexpected(applied.error());
         }
+    }
+    if (auto chosen = chooseEnvironment(setup->scene, options, catalog); !chosen) {
+        return tl::unexpected(oneError(chosen.error()));
     }
     if (options.exposure) {
         setup->scene.exposure = *options.exposure;

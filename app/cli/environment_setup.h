@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "assets/asset_client.h"
+#include "catalog/catalog.h"
+#include "cli/picture_options.h"
+#include "render/environment_image.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// Puts the environment of the options into the scene: `--environment`, which is a block's id, a
+/// file for the block that shows one, or "none"; and `--set environment.<id>=value`.
+Result<void> chooseEnvironment(Scene& scene, const PictureOptions& options, const Catalog& catalog);
+
+/// Whether an assignment of `--set` is about the environment.
+bool isForEnvironment(const std::string& assignment);
+
+/// The picture that the scene's environment is made of; null where it needs none. One that cannot
+/// be read is an error where the options name it; where a scene does, a warning on standard error,
+/// and a placeholder stands in for it.
+Result<std::shared_ptr<const EnvironmentImage>>
+environmentPicture(const Scene& scene, const PictureOptions& options, const Catalog& catalog,
+                   AssetClient& client);
+
+} // namespace patina
