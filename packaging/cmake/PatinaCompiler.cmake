@@ -18,6 +18,12 @@ target_compile_options(patina_compiler INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(patina_compiler INTERFACE -Wno-restrict)
 endif()
+# Where gcc 12 joins the conversions of a vector's numbers it drops those to float and back, and
+# with them the rounding: dvec3(vec3(x)) is then x. It joins them from -O2 on.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(patina_compiler INTERFACE
+        $<$<CONFIG:Release,RelWithDebInfo>:-fno-tree-slp-vectorize>)
+endif()
 
 if(PATINA_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
