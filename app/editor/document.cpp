@@ -27,6 +27,7 @@ void Document::connectSignals() {
     connect(this, &Document::materialChanged, this, forgetSecondScene);
     connect(this, &Document::textureChanged, this, forgetSecondScene);
     connect(this, &Document::fogReplaced, this, forgetSecondScene);
+    connect(this, &Document::environmentReplaced, this, forgetSecondScene);
     connect(this, &Document::lightsChanged, this, forgetSecondScene);
     connect(this, &Document::objectsChanged, this, forgetSecondScene);
     connect(this, &Document::sceneReplaced, this, forgetSecondScene);
@@ -47,6 +48,7 @@ void Document::connectSignals() {
         }
     });
     connect(this, &Document::fogReplaced, this, &Document::endEffectHold);
+    connect(this, &Document::environmentReplaced, this, &Document::endEffectHold);
     connect(this, &Document::lightsChanged, this, &Document::endEffectHold);
     connect(this, &Document::objectsChanged, this, &Document::endEffectHold);
     connect(this, &Document::comparingChanged, this, &Document::endEffectHold);
@@ -58,6 +60,7 @@ void Document::connectSignals() {
     connect(this, &Document::materialChanged, this, &Document::changed);
     connect(this, &Document::textureChanged, this, &Document::changed);
     connect(this, &Document::fogReplaced, this, &Document::changed);
+    connect(this, &Document::environmentReplaced, this, &Document::changed);
     connect(this, &Document::lightsChanged, this, &Document::changed);
     connect(this, &Document::objectsChanged, this, &Document::changed);
     connect(this, &Document::comparingChanged, this, &Document::changed);
@@ -148,6 +151,7 @@ BlockPath Document::currentPath(BlockPath::Part part) const {
     case BlockPath::Part::Shadow:
         return {part, currentLight_, Side::A};
     case BlockPath::Part::Fog:
+    case BlockPath::Part::Environment:
     case BlockPath::Part::Scene:
         return {part, 0, Side::A};
     case BlockPath::Part::Object:
@@ -169,6 +173,8 @@ std::string_view kindOf(BlockPath::Part part) {
         return "shadows";
     case BlockPath::Part::Fog:
         return "fog";
+    case BlockPath::Part::Environment:
+        return "environment";
     default:
         return partKind(part);
     }

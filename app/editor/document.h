@@ -49,6 +49,8 @@ class Document : public QObject {
     const Material* material(Side side) const;
     /// What a scene file of this document holds: the scene, in its extras side B and its object.
     Scene sceneToSave() const;
+    /// The file of the environment's picture; empty where it needs none.
+    std::string_view environmentPicture() const;
     bool isComparing() const { return state_.second.has_value(); }
     const Catalog& catalog() const { return *catalog_; }
     std::shared_ptr<const Catalog> sharedCatalog() const { return catalog_; }
@@ -94,7 +96,7 @@ class Document : public QObject {
     const Scene* effects(Side side) const { return effectHold_.scene(side); }
     bool isInteracting() const { return interaction_ != 0; }
 
-    // Materials. Empty ids turn a part of the material or the fog off.
+    // Materials. Empty ids turn a part of the material, the fog or the environment off.
     void setModel(Side side, std::string_view modelId);
     void setPart(Side side, BlockPath::Part part, std::string_view blockId);
     void replaceMaterial(Side side, const Material& material, const QString& label);
@@ -113,6 +115,10 @@ class Document : public QObject {
     /// Another kind of shadows in a light; values with the same id carry over. Empty: none.
     void setShadow(int index, std::string_view blockId);
     void setFog(std::string_view blockId);
+    void setEnvironment(std::string_view blockId);
+    /// Lights the scene with a picture: of the environment if it shows one, else of the first kind
+    /// that does.
+    void setEnvironmentPicture(const std::filesystem::path& file);
     void addObject(const Object& object);
     void setObject(int index, const Object& object);
     void removeObject(int index);
@@ -159,6 +165,7 @@ class Document : public QObject {
     /// Another model, part or whole material: the form's rows may differ.
     void materialChanged(int object, patina::Side side);
     void fogReplaced();
+    void environmentReplaced();
     /// The list of lights: added, removed, renamed, switched, another kind.
     void lightsChanged();
     /// The list of objects: added, removed, renamed, another mesh.
@@ -209,6 +216,7 @@ class Document : public QObject {
     bool isRecovered_ = false;
     DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
     std::optional<BlockValues> lastFog_; ///< comes back when fog is turned on again
+    std::optional<BlockValues> lastEnvironment_; ///< the same
     std::map<BlockPath::Part, Block> fixedBlocks_;
     mutable std::map<std::string, Block, std::less<>> accuracyBlocks_; ///< by model id
     QUndoStack undoStack_;

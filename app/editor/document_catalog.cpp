@@ -25,6 +25,10 @@ void Document::setCatalog(std::shared_ptr<const Catalog> catalog) {
     if (state_.scene.fog) {
         state_.scene.fog = reconciled(*state_.scene.fog, "fog", *before, *catalog_);
     }
+    if (state_.scene.environment) {
+        state_.scene.environment =
+            reconciled(*state_.scene.environment, "environment", *before, *catalog_);
+    }
     Q_EMIT catalogChanged();
 }
 

@@ -2,12 +2,14 @@
 // Edits of a document that are more than one value.
 #include "commands/camera_command.h"
 #include "commands/compare_command.h"
+#include "commands/environment_command.h"
 #include "commands/fog_command.h"
 #include "commands/light_command.h"
 #include "commands/model_command.h"
 #include "commands/object_command.h"
 #include "commands/part_command.h"
 #include "document.h"
+#include "scene/environment.h"
 #include "short_text.h"
 
 namespace patina {
@@ -191,6 +193,53 @@ void Document::setFog(std::string_view blockId) {
     const Block* before = lastFog_ ? catalog_->find("fog", lastFog_->id) : nullptr;
     const BlockValues fog = lastFog_ ? swapped(*lastFog_, before, *wanted) : defaultsOf(*wanted);
     undoStack_.push(new FogCommand(*this, fog, tr("Fog %1").arg(labelOf(*wanted))));
+}
+
+void Document::setEnvironment(std::string_view blockId) {
+    const std::optional<BlockValues>& held = state_.scene.environment;
+    const Block* wanted = catalog_->find("environment", blockId);
+    if ((held ? held->id : std::string()) == blockId || (!wanted && !blockId.empty())) {
+        return;
+    }
+    if (held) {
+        lastEnvironment_ = held;
+    }
+    if (!wanted) {
+        undoStack_.push(new EnvironmentCommand(*this, std::nullopt, tr("Environment off")));
+        return;
+    }
+    const std::optional<BlockValues>& last = lastEnvironment_;
+    const Block* before = last ? catalog_->find("environment", last->id) : nullptr;
+    undoStack_.push(new EnvironmentCommand(
+        *this, last ? swapped(*last, before, *wanted) : defaultsOf(*wanted),
+        tr("Environment %1").arg(labelOf(*wanted))));
+}
+
+std::string_view Document::environmentPicture() const {
+    const std::optional<BlockValues>& held = state_.scene.environment;
+    const Block* block = held ? catalog_->find("environment", held->id) : nullptr;
+    return block ? pictureFile(*held, *block) : std::string_view();
+}
+
+void Document::setEnvironmentPicture(const std::filesystem::path& file) {
+    const std::optional<BlockValues>& held = state_.scene.environment;
+    const Block* current = held ? catalog_->find("environment", held->id) : nullptr;
+    const std::vector<const Block*> all = catalog_->ofKind("environment");
+    const auto found = std::find_if(all.begin(), all.end(), [](const Block* block) {
+        return pictureParameter(*block) != nullptr;
+    });
+    const bool fits = current && pictureParameter(*current);
+    const Block* wanted = fits ? current : found == all.end() ? nullptr : *found;
+    if (!wanted) {
+        return;
+    }
+    BlockValues after = fits ? *held : defaultsOf(*wanted);
+    after.parameters[pictureParameter(*wanted)->id] = file.generic_string();
+    if (!held || !(*held == after)) {
+        undoStack_.push(new EnvironmentCommand(
+            *this, after,
+            tr("Environment %1").arg(QString::fromStdString(file.filename().string()))));
+    }
 }
 
 void Document::editAsOneStep(const QString& label, const std::function<void()>& edits) {

@@ -31,6 +31,7 @@ struct BlockPath {
         Light,    ///< the values of a light
         Shadow,   ///< the values of a light's shadows
         Fog,      ///< the values of the fog
+        Environment, ///< the values of the environment
         Object,   ///< an object's transform and switches
         Scene     ///< ambient, background, exposure, tone mapping
     };

@@ -105,7 +105,8 @@ void FileActions::askAndOpen() {
     const QStringList files = QFileDialog::getOpenFileNames(
         window_, tr("Open"), session_.folder("open"),
         tr("Presets, scenes and meshes") +
-            " (*.json *.obj *.gltf *.glb *.ply *.stl *.fbx *.dae *.3ds *.blend *.off);;" +
+            " (*.json *.obj *.gltf *.glb *.ply *.stl *.fbx *.dae *.3ds *.blend *.off"
+            " *.hdr *.exr);;" +
             tr("All files") + " (*)");
     if (!files.isEmpty()) {
         session_.setFolderOf("open", files.front());
@@ -153,9 +154,12 @@ void FileActions::importMesh() {
 
 void FileActions::open(const QStringList& files, Side side) {
     QStringList documents;
+    QStringList panoramas; // last: an edit of the document that is opened
     for (const QString& file : files) {
         if (kindOf(file) == Kind::Mesh) {
             load(file);
+        } else if (kindOf(file) == Kind::Panorama) {
+            panoramas << file;
         } else {
             documents << file;
         }
@@ -171,6 +175,7 @@ void FileActions::open(const QStringList& files, Side side) {
         tell({file.toStdString(), 0, 0, "is not opened: there is room for one scene or preset",
               "beside it a preset for the other side, and meshes"});
     }
+    drop(panoramas, side);
 }
 
 void FileActions::drop(const QStringList& files, Side side) {
@@ -182,6 +187,10 @@ void FileActions::drop(const QStringList& files, Side side) {
             break;
         case Kind::Scene:
             openDocument(file);
+            break;
+        case Kind::Panorama:
+            document_.setEnvironmentPicture(
+                QFileInfo(file).absoluteFilePath().toStdString());
             break;
         case Kind::Mesh:
             load(file);
@@ -231,6 +240,11 @@ QString FileActions::questionText() const {
 FileActions::Kind FileActions::kindOf(const QString& file) {
     if (file.endsWith(sceneSuffix, Qt::CaseInsensitive)) {
         return Kind::Scene;
+    }
+    for (const QString& panorama : {QStringLiteral(".hdr"), QStringLiteral(".exr")}) {
+        if (file.endsWith(panorama, Qt::CaseInsensitive)) {
+            return Kind::Panorama;
+        }
     }
     if (!file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
         return Kind::Mesh;

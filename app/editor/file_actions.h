@@ -22,7 +22,7 @@ class FileActions : public QObject {
 
   public:
     /// What a file is, by its name, and where that says no more than JSON, by its "format".
-    enum class Kind { Preset, Scene, Mesh };
+    enum class Kind { Preset, Scene, Panorama, Mesh };
 
     FileActions(Document& document, MeshLibrary& meshes, Session& session, QWidget* window);
 

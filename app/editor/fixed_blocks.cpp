@@ -45,6 +45,15 @@ Access<Scene> toneMappingAccess() {
             }};
 }
 
+Access<Scene> hemisphereAccess(glm::dvec3 Hemisphere::*field) {
+    return {[field](const Scene& scene) { return Value(scene.hemisphere.*field); },
+            [field](Scene& scene, const Value& value) {
+                if (const auto* held = std::get_if<glm::dvec3>(&value)) {
+                    scene.hemisphere.*field = *held;
+                }
+            }};
+}
+
 const char* const noGround = "off";
 const char* const shadowGround = "shadows";
 const char* const planeGround = "plane";
@@ -75,6 +84,10 @@ Access<Scene> groundMember(Member Ground::*field) {
 
 const AccessTable<Scene>& sceneTable() {
     static const AccessTable<Scene> table{{"ambient", member(&Scene::ambient)},
+                                          {"ambient.sky", hemisphereAccess(&Hemisphere::sky)},
+                                          {"ambient.ground",
+                                           hemisphereAccess(&Hemisphere::ground)},
+                                          {"ambient.up", hemisphereAccess(&Hemisphere::up)},
                                           {"background", member(&Scene::background)},
                                           {"exposure", member(&Scene::exposure)},
                                           {"toneMapping", toneMappingAccess()},
@@ -182,6 +195,15 @@ Block sceneBlock() {
     block.parameters = {
         described(ParameterType::Color, "ambient", "Ambient light",
                   "Light that comes from everywhere and casts no shape.", Scene().ambient),
+        described(ParameterType::Color, "ambient.sky", "Sky light",
+                  "Ambient light on what faces up.", Hemisphere().sky),
+        described(ParameterType::Color, "ambient.ground", "Ground light",
+                  "Ambient light on what faces down, as the ground throws it back.",
+                  Hemisphere().ground),
+        ranged(described(ParameterType::Vec3, "ambient.up", "Up",
+                         "Where the sky light comes from. Its length does not matter.",
+                         Hemisphere().up),
+               {-1e6, 1e6}, {-1.0, 1.0}, 0.01),
         described(ParameterType::Color, "background", "Background",
                   "The colour behind the objects. It lights nothing.", Scene().background),
         ranged(described(ParameterType::Float, "exposure", "Exposure",
@@ -228,13 +250,14 @@ Block materialBlock() {
     Parameter opacity = described(ParameterType::Float, "opacity", "Opacity",
                                   "1 is solid, 0 lets everything behind shine through.", 1.0);
     opacity.textureChannels = {"rgb", "r", "g", "b", "a"};
-    block.parameters = {std::move(opacity),
-                        described(ParameterType::Texture, "normal", "Normal map",
-                                  "An image that bends the surface: red to the right, green up.",
-                                  std::string()),
-                        described(ParameterType::Texture, "height", "Height map",
-                                  "An image that raises the surface: white is high.",
-                                  std::string())};
+    Parameter normal = described(ParameterType::Texture, "normal", "Normal map",
+                                 "An image that bends the surface: red to the right, green up.",
+                                 std::string());
+    normal.textureChannels = {"rgb"};
+    Parameter height = described(ParameterType::Texture, "height", "Height map",
+                                 "An image that raises the surface: white is high.", std::string());
+    height.textureChannels = {"r", "g", "b", "a"};
+    block.parameters = {std::move(opacity), std::move(normal), std::move(height)};
     return block;
 }
 

@@ -20,7 +20,7 @@ namespace patina {
 namespace {
 
 /// Goes up when docks come, go or move, so that an older layout is not forced upon them.
-constexpr int layoutVersion = 2;
+constexpr int layoutVersion = 3;
 
 constexpr QSize preferredSize{1600, 1000};
 constexpr int narrowWindow = 1400;
@@ -51,8 +51,8 @@ MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
       autosave_(document_, stateFolder() / "autosave"),
       files_(new FileActions(document_, meshes_, session_, this)),
       pictures_(new PictureExport(session_, this)),
-      views_(new CompareArea(document_, meshes_, programCacheFolder(), this)),
-      status_(new StatusLine(document_, meshes_, messages_, this)) {
+      views_(new CompareArea(document_, meshes_, environments_, programCacheFolder(), this)),
+      status_(new StatusLine(document_, meshes_, environments_, messages_, this)) {
     document_.setTextureLibrary(&textures_);
     setAcceptDrops(true);
     setCentralWidget(views_);
@@ -117,6 +117,9 @@ void MainWindow::connectParts() {
     connect(&textures_, &TextureLibrary::failed, this,
             [this](const QString&, const Error& why) { messages_.add(why); });
     connect(&document_, &Document::sceneReplaced, &textures_, &TextureLibrary::forgetFailures);
+    connect(&environments_, &EnvironmentLibrary::failed, &messages_, &MessageLog::add);
+    connect(&document_, &Document::sceneReplaced, &environments_,
+            &EnvironmentLibrary::forgetFailure);
     connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
     connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
         status_->showMessage(tr("%1 is written").arg(QFileInfo(file).fileName()), saidMs);

@@ -82,6 +82,7 @@ class MainWindow : public QMainWindow {
     Document document_;
     MeshLibrary meshes_;
     TextureLibrary textures_{[this]() -> AssetClient& { return meshes_.client(); }};
+    EnvironmentLibrary environments_;
     CatalogWatcher watcher_;
     PresetLibrary presets_;
     ThumbnailMaker thumbnails_;

@@ -26,10 +26,11 @@ QString labelOf(const std::string& effect, const Catalog& catalog) {
 
 } // namespace
 
-StatusLine::StatusLine(Document& document, MeshLibrary& meshes, MessageLog& messages,
-                       QWidget* parent)
-    : QStatusBar(parent), document_(document), meshes_(meshes), messages_(messages),
-      model_(new QLabel(this)), effects_(new QLabel(this)), time_(new QLabel(this)),
+StatusLine::StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
+                       MessageLog& messages, QWidget* parent)
+    : QStatusBar(parent), document_(document), meshes_(meshes), environments_(environments),
+      messages_(messages), model_(new QLabel(this)), effects_(new QLabel(this)),
+      samples_(new QLabel(this)), time_(new QLabel(this)),
       progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
       badge_(new QToolButton(this)) {
     setSizeGripEnabled(false);
@@ -41,6 +42,9 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, MessageLog& mess
     addWidget(model_);
     addWidget(effects_, 1);
     makeLoadingRow();
+    samples_->setObjectName("statusSamples");
+    samples_->hide();
+    addPermanentWidget(samples_);
     addPermanentWidget(time_);
     badge_->setAutoRaise(true);
     badge_->setObjectName("messageBadge");
@@ -64,6 +68,11 @@ void StatusLine::makeLoadingRow() {
     addPermanentWidget(cancel_);
     hideLoading();
     connect(cancel_, &QToolButton::clicked, &meshes_, &MeshLibrary::cancelAll);
+    connect(cancel_, &QToolButton::clicked, &environments_, &EnvironmentLibrary::cancel);
+    connect(&environments_, &EnvironmentLibrary::loadingStarted, this,
+            [this](const QString& file) { showLoading(file, 0.0f); });
+    connect(&environments_, &EnvironmentLibrary::loaded, this, &StatusLine::hideLoading);
+    connect(&environments_, &EnvironmentLibrary::failed, this, &StatusLine::hideLoading);
     connect(&meshes_, &MeshLibrary::loadingStarted, this,
             [this](const QString& file) { showLoading(file, 0.0f); });
     connect(&meshes_, &MeshLibrary::progressed, this, &StatusLine::showLoading);
@@ -81,7 +90,8 @@ void StatusLine::watch(TextureLibrary& textures) {
 }
 
 bool StatusLine::isLoading() const {
-    return meshes_.isLoading() || (textures_ && textures_->isLoading());
+    return meshes_.isLoading() || environments_.isLoading() ||
+           (textures_ && textures_->isLoading());
 }
 
 void StatusLine::setViewport(Viewport* viewport) {
@@ -117,6 +127,18 @@ void StatusLine::showFrame() {
     effects_->setToolTip(effects.join('\n'));
     time_->setText(viewport_->frameTime());
     time_->setToolTip(tr("Time of the last frame of this view and how it was measured"));
+    showSamples();
+}
+
+/// How far the environment's light has settled.
+void StatusLine::showSamples() {
+    const int samples = viewport_->samples();
+    samples_->setVisible(samples > 0);
+    samples_->setText(samples < Viewport::wantedSamples
+                          ? tr("Environment: %1 of %2 samples")
+                                .arg(samples)
+                                .arg(Viewport::wantedSamples)
+                          : tr("Environment: %1 samples").arg(samples));
 }
 
 void StatusLine::showLoading(const QString& file, float share) {

@@ -6,6 +6,7 @@
 
 #include "document.h"
 #include "message_log.h"
+#include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/texture_library.h"
 #include "viewport/viewport.h"
@@ -22,8 +23,8 @@ class StatusLine : public QStatusBar {
     Q_OBJECT
 
   public:
-    StatusLine(Document& document, MeshLibrary& meshes, MessageLog& messages,
-               QWidget* parent = nullptr);
+    StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
+               MessageLog& messages, QWidget* parent = nullptr);
 
     /// Tells about what it loads, too.
     void watch(TextureLibrary& textures);
@@ -39,17 +40,20 @@ class StatusLine : public QStatusBar {
     void showFrame();
     void showLoading(const QString& file, float share);
     void hideLoading();
+    void showSamples();
     void showBadge();
     bool isLoading() const;
 
     Document& document_;
     MeshLibrary& meshes_;
+    EnvironmentLibrary& environments_;
     TextureLibrary* textures_ = nullptr;
     MessageLog& messages_;
     Viewport* viewport_ = nullptr;
     QTimer settle_;
     QLabel* model_;
     QLabel* effects_;
+    QLabel* samples_;
     QLabel* time_;
     QProgressBar* progress_;
     QToolButton* cancel_;

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gl/driver.h"
+#include "shading/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -17,15 +18,28 @@ namespace {
 constexpr int roundSamples = 4;
 constexpr int mostRounds = 64;
 
+/// Of a frame that only adds to what is seen, and need not be done soon, at most.
+constexpr int addedRounds = 8;
+
 /// What a frame takes that must not keep a window waiting.
 int usualRounds() {
     static const int rounds = gl::isSoftware() ? 1 : 4;
     return rounds;
 }
 
-int roundsOf(const View& view) {
+/// What blends is drawn at once, however long it takes.
+bool blends(const Scene& effects) {
+    return std::ranges::any_of(effects.objects, [](const Object& object) {
+        return object.visible && isTransparent(object.material);
+    });
+}
+
+int roundsOf(const View& view, const Scene& effects, int done) {
     if (view.environmentSamples <= 0) {
-        return usualRounds();
+        // No more than there are already, so that the first ones are soon seen.
+        const int added = blends(effects) ? 0 : std::min(done, addedRounds);
+        const int rounds = std::max(usualRounds(), added);
+        return std::clamp(view.mostSamples / roundSamples - done, 1, rounds);
     }
     return std::clamp((view.environmentSamples + roundSamples - 1) / roundSamples, 1, mostRounds);
 }
@@ -52,7 +66,7 @@ Result<void> EnvironmentPass::begin(const SceneToPack& scene, const View& view,
         return tl::unexpected(kept.error());
     }
     done_ = *kept && view.isContinued ? done_ : 0;
-    count_ = roundsOf(view);
+    count_ = roundsOf(view, scene.effects, done_);
     light_.setRounds(done_, count_);
     return {};
 }

@@ -38,6 +38,9 @@ class EnvironmentPass {
     /// Samples per pixel that are in the mean; 0 until the first frame of a picture is done.
     int samples() const;
 
+    /// Rounds of samples of the frame that was prepared; 0 without an environment.
+    int rounds() const { return isIn() ? count_ : 0; }
+
     /// Whether what was drawn last is in the mean.
     bool hasPicture() const { return done_ > 0; }
 

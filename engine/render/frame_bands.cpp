@@ -22,10 +22,11 @@ int whole(double rows) {
 } // namespace
 
 void FrameBands::begin(std::span<const void* const> programs, glm::ivec2 drawn,
-                       std::int64_t triangles) {
+                       std::int64_t triangles, int rounds) {
     work_.programs.assign(programs.begin(), programs.end());
     work_.drawn = drawn;
     work_.triangles = triangles;
+    work_.rounds = rounds;
     row_ = 0;
     const double rows = isKnown() ? drawn.y * bandMs / milliseconds_ : firstRows;
     rows_ = whole(rows);
@@ -34,7 +35,8 @@ void FrameBands::begin(std::span<const void* const> programs, glm::ivec2 drawn,
 
 bool FrameBands::isKnown() const {
     return milliseconds_ > 0.0 && work_.programs == known_.programs &&
-           work_.drawn == known_.drawn && work_.triangles == known_.triangles;
+           work_.drawn == known_.drawn && work_.triangles == known_.triangles &&
+           work_.rounds == known_.rounds;
 }
 
 FrameBands::Pace FrameBands::pace() const {
@@ -49,6 +51,7 @@ void FrameBands::noteTime(double milliseconds) {
         known_.programs.assign(work_.programs.begin(), work_.programs.end());
         known_.drawn = work_.drawn;
         known_.triangles = work_.triangles;
+        known_.rounds = work_.rounds;
     }
     milliseconds_ = milliseconds;
 }

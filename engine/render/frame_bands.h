@@ -12,8 +12,8 @@
 namespace patina {
 
 /// Cuts a frame whose pixels take long into bands of rows, each as high as a step may take, and
-/// knows which frames that are: those that took long the last time. One whose programs, size or
-/// triangles were not the last one's is watched until its time is known.
+/// knows which frames that are: those that took long the last time. One whose programs, size,
+/// triangles or rounds were not the last one's is watched until its time is known.
 class FrameBands {
   public:
     using Clock = std::chrono::steady_clock;
@@ -24,8 +24,10 @@ class FrameBands {
         Slow     ///< took more than a window should wait
     };
 
-    /// A new frame: what it is made of, and the rows of the image that it is drawn in.
-    void begin(std::span<const void* const> programs, glm::ivec2 drawn, std::int64_t triangles);
+    /// A new frame: what it is made of, the rows of the image that it is drawn in, and how many
+    /// times over an environment's light is looked at.
+    void begin(std::span<const void* const> programs, glm::ivec2 drawn, std::int64_t triangles,
+               int rounds = 0);
     Pace pace() const;
 
     /// What the frame that was begun has taken, from its beginning to its end.
@@ -45,6 +47,7 @@ class FrameBands {
         std::vector<const void*> programs;
         glm::ivec2 drawn{0};
         std::int64_t triangles = 0;
+        int rounds = 0;
     };
 
     bool isKnown() const;

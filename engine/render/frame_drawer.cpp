@@ -85,7 +85,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     }
     uploadView(view);
     choosePipelines();
-    bands_.begin(sources_, target_.drawnSize(), triangles_);
+    bands_.begin(sources_, target_.drawnSize(), triangles_, environment_.rounds());
     clear(scene, view);
     return true;
 }

@@ -33,6 +33,8 @@ struct View {
     /// Directions per pixel that are drawn for an environment's light, in whole rounds of four; 0:
     /// what takes about as long as the lights.
     int environmentSamples = 0;
+    /// Where a frame that continues stops to add: so many samples are in the picture then.
+    int mostSamples = 1 << 24;
     /// Nothing has changed but that more samples are wanted: the picture is the mean of all since
     /// the last frame that was new.
     bool isContinued = false;

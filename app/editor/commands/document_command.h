@@ -12,7 +12,17 @@ namespace patina {
 class DocumentCommand : public QUndoCommand {
   public:
     /// Kinds of edit that may merge with their own kind during one interaction.
-    enum class Kind { Parameter = 1, Material, Compare, Light, Fog, Object, Texture, Camera };
+    enum class Kind {
+        Parameter = 1,
+        Material,
+        Compare,
+        Light,
+        Fog,
+        Environment,
+        Object,
+        Texture,
+        Camera
+    };
 
     int id() const override { return interaction_ == 0 ? -1 : static_cast<int>(kind_); }
 

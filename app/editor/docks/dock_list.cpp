@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "docks/environment_dock.h"
 #include "docks/fog_dock.h"
 #include "docks/fresnel_dock.h"
 #include "docks/lights_dock.h"
@@ -36,6 +37,7 @@ std::vector<DockEntry> dockList() {
         {"fresnel", tr("Fresnel"), DockPlace::RightTop, make<FresnelDock>},
         {"opacity", tr("Surface"), DockPlace::RightTop, make<OpacityDock>},
         {"lights", tr("Lights"), DockPlace::RightBottom, make<LightsDock>},
+        {"environment", tr("Environment"), DockPlace::RightBottom, make<EnvironmentDock>},
         {"fog", tr("Fog"), DockPlace::RightBottom, make<FogDock>},
         {"scene", tr("Scene"), DockPlace::RightBottom, make<SceneDock>},
         {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},

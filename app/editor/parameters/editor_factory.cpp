@@ -5,6 +5,7 @@
 #include "parameters/color_editor.h"
 #include "parameters/enum_editor.h"
 #include "parameters/number_editor.h"
+#include "parameters/picture_file_editor.h"
 #include "parameters/texture_editor.h"
 #include "parameters/vector_editor.h"
 
@@ -22,7 +23,9 @@ ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent) {
     case ParameterType::Enum:
         return new EnumEditor(parameter, parent);
     case ParameterType::Texture:
-        return new TextureEditor(parameter, parent);
+        return parameter.textureChannels.empty()
+                   ? static_cast<ParameterEditor*>(new PictureFileEditor(parameter, parent))
+                   : new TextureEditor(parameter, parent);
     default:
         return new NumberEditor(parameter, parent);
     }

@@ -15,7 +15,7 @@ namespace patina {
 namespace {
 
 bool takesImage(const Parameter& parameter) {
-    return parameter.type == ParameterType::Texture || !parameter.textureChannels.empty();
+    return !parameter.textureChannels.empty();
 }
 
 /// Masks come with an alpha channel or as a grey picture.

@@ -8,9 +8,10 @@
 
 namespace patina {
 
-CompareArea::CompareArea(Document& document, MeshLibrary& meshes,
+CompareArea::CompareArea(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
                          std::filesystem::path programCache, QWidget* parent)
     : QSplitter(Qt::Horizontal, parent), document_(document), meshes_(meshes),
+      environments_(environments),
       programCache_(std::move(programCache)), home_(document.scene().camera),
       first_(addView(Side::A)) {
     setChildrenCollapsible(false);
@@ -62,7 +63,7 @@ void CompareArea::resetCamera(Side side) {
 }
 
 SideView* CompareArea::addView(Side side) {
-    auto* view = new SideView(document_, meshes_, side, programCache_, this);
+    auto* view = new SideView(document_, meshes_, environments_, side, programCache_, this);
     addWidget(view);
     connect(view, &SideView::cameraWished, this,
             [this, side](const Camera& camera) { moveCamera(side, camera); });

@@ -15,8 +15,8 @@ class CompareArea : public QSplitter {
     Q_OBJECT
 
   public:
-    CompareArea(Document& document, MeshLibrary& meshes, std::filesystem::path programCache,
-                QWidget* parent = nullptr);
+    CompareArea(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
+                std::filesystem::path programCache, QWidget* parent = nullptr);
 
     SideView& first() { return *first_; }
     SideView* second() { return second_; } ///< null until it was needed once
@@ -47,6 +47,7 @@ class CompareArea : public QSplitter {
 
     Document& document_;
     MeshLibrary& meshes_;
+    EnvironmentLibrary& environments_;
     std::filesystem::path programCache_;
     Camera home_;
     bool linked_ = true;

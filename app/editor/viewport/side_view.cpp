@@ -38,13 +38,16 @@ TextureSource texturesOf(const Document& document) {
 
 } // namespace
 
-SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
-                   const std::filesystem::path& programCache, QWidget* parent)
+SideView::SideView(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
+                   Side side, const std::filesystem::path& programCache, QWidget* parent)
     : QFrame(parent), document_(document), meshes_(meshes), side_(side), title_(new QLabel(this)),
       viewport_(new Viewport({[this]() -> const Scene& { return document_.scene(side_); },
                               [this](const Object& object) { return meshes_.view(object); },
-                              [this] { return document_.effects(side_); }, programCache,
-                              texturesOf(document)},
+                              [this] { return document_.effects(side_); },
+                              [this, &environments] {
+                                  return environments.image(document_.environmentPicture());
+                              },
+                              programCache, texturesOf(document)},
                              this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(edge, edge, edge, edge);
@@ -70,6 +73,8 @@ SideView::SideView(Document& document, MeshLibrary& meshes, Side side,
     connect(&document, &Document::catalogChanged, this,
             [this] { viewport_->setCatalog(document_.sharedCatalog()); });
     connect(&meshes, &MeshLibrary::loaded, viewport_, &Viewport::refresh);
+    connect(&environments, &EnvironmentLibrary::loaded, viewport_, &Viewport::refresh);
+    connect(&environments, &EnvironmentLibrary::failed, viewport_, &Viewport::refresh);
     connect(viewport_, &Viewport::filesDropped, this, &SideView::filesDropped);
     connect(viewport_, &Viewport::focusShown, this, [this](bool byKeyboard) {
         focusShown_ = byKeyboard;

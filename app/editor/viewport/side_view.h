@@ -6,6 +6,7 @@
 #include <QFrame>
 
 #include "document.h"
+#include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/viewport.h"
 
@@ -21,7 +22,7 @@ class SideView : public QFrame {
     Q_OBJECT
 
   public:
-    SideView(Document& document, MeshLibrary& meshes, Side side,
+    SideView(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments, Side side,
              const std::filesystem::path& programCache, QWidget* parent = nullptr);
 
     Side side() const { return side_; }

@@ -33,6 +33,8 @@ Viewport::Viewport(Sources sources, QWidget* parent)
     connect(&foresight_, &QTimer::timeout, this, &Viewport::makeForeseen);
     probeTimer_.setSingleShot(true);
     connect(&probeTimer_, &QTimer::timeout, this, &Viewport::probe);
+    sampleTimer_.setSingleShot(true);
+    connect(&sampleTimer_, &QTimer::timeout, this, &Viewport::addSamples);
     idleTimer_.setSingleShot(true);
     connect(&idleTimer_, &QTimer::timeout, this, &Viewport::releaseWhenIdle);
 }
@@ -55,8 +57,8 @@ QSurfaceFormat Viewport::surfaceFormat() {
 }
 
 void Viewport::refresh() {
-    if (isDrawing() && !renderer_->hasMeshesOf(sources_.scene())) {
-        giveUpFrame(); // objects have come or gone
+    if (isDrawing() && (isContinued_ || !renderer_->hasMeshesOf(sources_.scene()))) {
+        giveUpFrame(); // it only adds to a picture that is gone, or objects have come or gone
     }
     stale_ = true;
     update();
@@ -109,12 +111,18 @@ Image Viewport::pictureOf(const Scene& scene, bool display) {
     if (!renderer_) {
         return {};
     }
+    View wanted = view();
+    wanted.isContinued = !stale_ && (progress_ == Progress::Idle || isContinued_);
     if (progress_ != Progress::Idle) {
         giveUpFrame(); // capturing takes its place
-        refresh();
+        if (wanted.isContinued) {
+            continueSoon();
+        } else {
+            refresh();
+        }
     }
     makeCurrent();
-    Result<Image> picture = renderer_->capture(scene, view(), sources_.meshes, display);
+    Result<Image> picture = renderer_->capture(scene, wanted, sources_.meshes, display);
     doneCurrent();
     watchForRest();
     return picture ? std::move(*picture) : Image();
@@ -159,6 +167,9 @@ View Viewport::view() const {
     view.size = pixelsOf(size());
     view.camera = camera_;
     view.effects = sources_.effects ? sources_.effects() : nullptr;
+    view.environmentImage = sources_.environment ? sources_.environment() : nullptr;
+    view.isContinued = isContinued_;
+    view.mostSamples = wantedSamples;
     return view;
 }
 

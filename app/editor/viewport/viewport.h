@@ -35,6 +35,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
         SceneSource scene;
         MeshSource meshes;
         std::function<const Scene*()> effects; ///< see View::effects
+        /// See View::environmentImage.
+        std::function<std::shared_ptr<const EnvironmentImage>()> environment;
         std::filesystem::path programCache;
         TextureSource textures{}; ///< the images of materials; without it none are shown
     };
@@ -62,6 +64,12 @@ class Viewport : public QOpenGLWidget, public ColorSource {
 
     /// Whether the picture shows what would be drawn now.
     bool isUpToDate() const { return !stale_ && !isDrawing(); }
+
+    /// So many samples of an environment's light a view gathers while nothing changes.
+    static constexpr int wantedSamples = 1024;
+
+    /// Samples that the picture has; 0 without an environment.
+    int samples() const;
 
     /// Another scene is shown. While its first picture takes several turns a sketch of it is on the
     /// screen, or a note that says so.
@@ -141,6 +149,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void finishSketch();
     void finishFrame();
     void giveUpFrame();
+    bool wantsSamples() const;
+    void continueSoon();
+    void addSamples();
 
     Sources sources_;
     CameraNavigation navigation_;
@@ -163,6 +174,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     bool stale_ = true; ///< the picture is not of what would be drawn now
     bool resizing_ = false;
     std::unique_ptr<StretchedPicture> last_; ///< while the size changes
+    QTimer sampleTimer_;       ///< the next frame that adds samples
+    bool moreSamples_ = false; ///< that frame is asked for
+    bool isContinued_ = false; ///< the frame that is drawn, or was drawn last, adds samples
     QLabel* note_; ///< that a picture is on its way
     bool isNew_ = true; ///< no frame of this scene has been begun yet
     bool inspecting_ = false;

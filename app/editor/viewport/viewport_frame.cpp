@@ -43,12 +43,14 @@ void Viewport::paintGL() {
     } else if (progress_ == Progress::Drawn) {
         renderer_->show(defaultFramebufferObject());
         std::exchange(sketching_, false) ? finishSketch() : finishFrame();
-    } else if (progress_ == Progress::Idle && std::exchange(stale_, false)) {
+    } else if (progress_ == Progress::Idle && (stale_ || moreSamples_)) {
+        isContinued_ = !std::exchange(stale_, false);
         beginFrame();
     }
 }
 
 void Viewport::beginFrame() {
+    moreSamples_ = false;
     if (std::exchange(catalogIsNew_, false)) {
         renderer_->setCatalog(catalog_);
     }
@@ -125,6 +127,8 @@ void Viewport::finishFrame() {
     stale_ = stale_ || report.isWaiting;
     if (stale_) {
         update();
+    } else {
+        continueSoon();
     }
 }
 

@@ -23,7 +23,7 @@ void Viewport::watchForRest() {
 /// The picture that is shown is the widget's; what it was made in is a third of the editor's
 /// memory. A drag that rests keeps it, so that going on is as quick as before.
 void Viewport::releaseWhenIdle() {
-    const bool busy = isDrawing() || QApplication::mouseButtons() != Qt::NoButton;
+    const bool busy = isDrawing() || wantsSamples() || QApplication::mouseButtons() != Qt::NoButton;
     const qint64 left = idleMs - sinceFrame_.elapsed();
     if (busy || left > 0) {
         idleTimer_.start(busy ? idleMs : static_cast<int>(left));

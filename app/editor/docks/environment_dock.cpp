@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/environment_dock.h"
+
+#include <QLabel>
+
+#include "docks/block_chooser.h"
+#include "docks/panel.h"
+#include "parameters/document_form.h"
+
+namespace patina {
+
+EnvironmentDock::EnvironmentDock(const DockContext& context)
+    : document_(context.document),
+      chooser_(new BlockChooser(document_, "environment", BlockChooser::Off::Offered, this)) {
+    chooser_->setAccessibleName(tr("Kind of environment"));
+    QLabel* hint = hintLabel(this);
+    hint->setText(tr("Drop an .hdr or .exr panorama on the view to light the scene with it."));
+    fillPanel(this, {labelled(tr("&Kind"), chooser_), hint},
+              new DocumentForm(document_, BlockPath::Part::Environment));
+    connect(chooser_, &BlockChooser::chosen, this,
+            [this](const QString& id) { document_.setEnvironment(id.toStdString()); });
+    connect(&document_, &Document::environmentReplaced, this, &EnvironmentDock::update);
+    connect(&document_, &Document::sceneReplaced, this, &EnvironmentDock::update);
+    update();
+}
+
+void EnvironmentDock::update() {
+    const std::optional<BlockValues>& environment = document_.scene().environment;
+    chooser_->show(environment ? QString::fromStdString(environment->id) : QString());
+}
+
+} // namespace patina

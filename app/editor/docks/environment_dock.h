@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "docks/dock_context.h"
+
+namespace patina {
+
+class BlockChooser;
+
+/// Turns the scene's environment on and off, chooses its kind and edits its values.
+class EnvironmentDock : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit EnvironmentDock(const DockContext& context);
+
+  private:
+    void update();
+
+    Document& document_;
+    BlockChooser* chooser_;
+};
+
+} // namespace patina

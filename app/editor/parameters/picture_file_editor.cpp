@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameters/picture_file_editor.h"
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QMimeData>
+#include <QToolButton>
+
+#include "session.h"
+
+namespace patina {
+namespace {
+
+const QString purpose = QStringLiteral("picture");
+
+/// The first file that is dragged; empty for anything else.
+QString fileIn(const QMimeData& data) {
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            return url.toLocalFile();
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+PictureFileEditor::PictureFileEditor(const Parameter& parameter, QWidget* parent)
+    : ParameterEditor(parameter, parent), button_(new QToolButton(this)) {
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(button_, 1);
+    button_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    button_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button_->setFocusPolicy(Qt::StrongFocus);
+    setAcceptDrops(true);
+    connect(button_, &QToolButton::clicked, this, &PictureFileEditor::choose);
+    present(Value(std::string()));
+}
+
+void PictureFileEditor::present(const Value& value) {
+    const auto* file = std::get_if<std::string>(&value);
+    file_ = file ? QString::fromStdString(*file) : QString();
+    button_->setText(file_.isEmpty() ? tr("Choose…") : QFileInfo(file_).fileName());
+    button_->setToolTip(file_.isEmpty() ? tr("Choose a picture, or drop one here") : file_);
+    button_->setAccessibleName(tr("%1: %2").arg(name(), button_->text()));
+}
+
+QWidget* PictureFileEditor::focusTarget() {
+    return button_;
+}
+
+void PictureFileEditor::choose() {
+    Session session;
+    const QString start = file_.isEmpty() ? session.folder(purpose) : file_;
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Choose a picture"), start,
+        tr("HDR pictures") + " (*.hdr *.exr);;" + tr("All files") + " (*)");
+    if (!file.isEmpty()) {
+        session.setFolderOf(purpose, file);
+        take(file);
+    }
+}
+
+void PictureFileEditor::take(const QString& file) {
+    Q_EMIT edited(Value(QFileInfo(file).absoluteFilePath().toStdString()));
+}
+
+void PictureFileEditor::dragEnterEvent(QDragEnterEvent* event) {
+    if (!fileIn(*event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void PictureFileEditor::dropEvent(QDropEvent* event) {
+    if (const QString file = fileIn(*event->mimeData()); !file.isEmpty()) {
+        event->acceptProposedAction();
+        take(file);
+    }
+}
+
+} // namespace patina

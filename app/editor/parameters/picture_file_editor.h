@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "parameters/parameter_editor.h"
+
+class QToolButton;
+
+namespace patina {
+
+/// A picture's file: its name, which opens a dialog to choose another one. Takes files that are
+/// dropped on it.
+class PictureFileEditor : public ParameterEditor {
+    Q_OBJECT
+
+  public:
+    PictureFileEditor(const Parameter& parameter, QWidget* parent);
+
+    void present(const Value& value) override;
+    QWidget* focusTarget() override;
+
+  protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void choose();
+    void take(const QString& file);
+
+    QString file_;
+    QToolButton* button_;
+};
+
+} // namespace patina

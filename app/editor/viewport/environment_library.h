@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <QObject>
+#include <QThreadPool>
+
+#include "assets/asset_client.h"
+#include "render/environment_image.h"
+
+namespace patina {
+
+/// The picture of the document's environment, read by a files process of its own from a worker
+/// thread; the views draw without it until it is there. The process ends with the reading: image
+/// formats take a lot of memory, and the next picture may never come.
+class EnvironmentLibrary : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit EnvironmentLibrary(QObject* parent = nullptr);
+    ~EnvironmentLibrary() override;
+
+    /// The picture of a file; null while it is not there, a placeholder when it cannot be read.
+    /// Another file than the last one starts loading, in place of what is loading.
+    std::shared_ptr<const EnvironmentImage> image(std::string_view file);
+
+    bool isLoading() const { return progress_ != nullptr; }
+    const std::string& file() const { return file_; }
+
+    /// Gives up on what is loading.
+    void cancel();
+
+    /// The next image() tries again where the last one could not be read.
+    void forgetFailure();
+
+  Q_SIGNALS:
+    void loadingStarted(QString file);
+    void loaded(QString file);
+    void failed(patina::Error why); ///< also when it was cancelled
+
+  private:
+    using Answer = Result<std::shared_ptr<const EnvironmentImage>>;
+
+    void load();
+    void finish(const std::shared_ptr<Progress>& progress, const Answer& answer);
+
+    std::string file_;
+    std::shared_ptr<const EnvironmentImage> image_;
+    std::shared_ptr<Progress> progress_; ///< of the reading that counts
+    bool hasFailed_ = false;
+    QThreadPool worker_;
+};
+
+} // namespace patina

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The environment in the window: chosen, dropped, undone, and drawn until it has settled.
+#include <QDockWidget>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTest>
+
+#include "docks/block_chooser.h"
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+constexpr int limitMs = 120000;
+
+class EnvironmentInTheWindow : public WindowFixture {
+  protected:
+    bool waitForSamples(int samples) {
+        return QTest::qWaitFor([=, this] { return view().samples() >= samples; }, limitMs);
+    }
+
+    /// A panorama of one colour in a format without compression: Radiance, 8 by 4.
+    std::string panorama() {
+        const std::string file = home("sky.hdr").string();
+        std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n";
+        for (int i = 0; i < 32; ++i) {
+            text += std::string("\x80\x80\x80\x81", 4); // 1 in each channel
+        }
+        writeFile(file, text);
+        return file;
+    }
+};
+
+TEST_F(EnvironmentInTheWindow, LeftAlone_SettlesAndThenDrawsNothing) {
+    view().setFixedSize(160, 120);
+    document().setEnvironment("studio");
+    ASSERT_TRUE(waitForSamples(Viewport::wantedSamples));
+    newFrames();
+    QTest::qWait(1000);
+    EXPECT_EQ(newFrames(), 0);
+    EXPECT_EQ(view().samples(), Viewport::wantedSamples);
+}
+
+TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {
+    view().setFixedSize(160, 120);
+    document().setEnvironment("studio");
+    ASSERT_TRUE(waitForSamples(24));
+    QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    document().setValue(document().currentPath(BlockPath::Part::Environment), "key.intensity", 2.0);
+    ASSERT_TRUE(frames.wait());
+    EXPECT_LT(view().samples(), 24);
+    EXPECT_EQ(view().report().compiled, 0);
+}
+
+TEST_F(EnvironmentInTheWindow, StatusLine_TellsHowFarItIs) {
+    document().setEnvironment("studio");
+    auto* label = window().statusBar()->findChild<QLabel*>("statusSamples");
+    ASSERT_NE(label, nullptr);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return label->text().contains("of 1024"); }, limitMs));
+}
+
+TEST_F(EnvironmentInTheWindow, DroppedPanorama_LightsTheScene) {
+    window().files().drop({QString::fromStdString(panorama())}, Side::A);
+    ASSERT_TRUE(document().scene().environment);
+    EXPECT_EQ(document().environmentPicture(), home("sky.hdr").string());
+    EXPECT_TRUE(waitForSamples(8));
+    EXPECT_EQ(window().messages().count(), 0);
+}
+
+TEST_F(EnvironmentInTheWindow, PanoramaBesideAPreset_IsLaidOnItWithoutAQuestion) {
+    const std::string preset = otherPreset(document()).string();
+    window().files().open({QString::fromStdString(panorama()), QString::fromStdString(preset)},
+                          Side::A);
+    EXPECT_EQ(document().environmentPicture(), home("sky.hdr").string());
+}
+
+TEST_F(EnvironmentInTheWindow, PanoramaThatCannotBeRead_IsAMessageAndStays) {
+    window().files().drop({QString::fromStdString(home("none.exr").string())}, Side::A);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window().messages().count() > 0; }, limitMs));
+    EXPECT_EQ(document().environmentPicture(), home("none.exr").string());
+}
+
+/// Red and blue fields stand behind the objects.
+TEST_F(EnvironmentInTheWindow, PanoramaThatCannotBeRead_ShowsAPlaceholder) {
+    window().files().drop({QString::fromStdString(home("none.exr").string())}, Side::A);
+    ASSERT_TRUE(waitForSamples(8));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window().messages().count() > 0; }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().isUpToDate(); }, limitMs));
+    const Image picture = view().linearPicture();
+    ASSERT_FALSE(picture.pixels.empty());
+    int fields = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        fields += picture.pixels[i] > 0.9f && picture.pixels[i + 1] < 0.2f;
+    }
+    EXPECT_GT(fields, 100);
+}
+
+/// What only adds to a picture is no reason to wait.
+TEST_F(EnvironmentInTheWindow, PictureTakenWhileItSettles_HasTheSamplesThatAreShown) {
+    view().setFixedSize(160, 120);
+    document().setEnvironment("studio");
+    ASSERT_TRUE(waitForSamples(24));
+    const int frames = view().frameCount();
+    const int samples = view().samples();
+    ASSERT_FALSE(view().linearPicture().pixels.empty());
+    EXPECT_EQ(view().frameCount(), frames);
+    EXPECT_EQ(view().samples(), samples);
+    EXPECT_TRUE(waitForSamples(samples + 8));
+}
+
+TEST_F(EnvironmentInTheWindow, ChosenAndTurnedOff_AreStepsThatUndo) {
+    const int before = document().undoStack().count();
+    document().setEnvironment("studio");
+    document().setValue(document().currentPath(BlockPath::Part::Environment), "rotate", 30.0);
+    document().setEnvironment("");
+    EXPECT_EQ(document().undoStack().count(), before + 3);
+    document().undoStack().undo();
+    EXPECT_EQ(document().scene().environment->parameters.at("rotate"), Value(30.0));
+    document().undoStack().setIndex(before);
+    EXPECT_FALSE(document().scene().environment);
+}
+
+TEST_F(EnvironmentInTheWindow, TurnedOnAgain_HasItsValues) {
+    document().setEnvironment("studio");
+    document().setValue(document().currentPath(BlockPath::Part::Environment), "rotate", 30.0);
+    document().setEnvironment("");
+    document().setEnvironment("studio");
+    EXPECT_EQ(document().scene().environment->parameters.at("rotate"), Value(30.0));
+}
+
+TEST_F(EnvironmentInTheWindow, Dock_OffersEveryKindAndOff) {
+    QDockWidget* dock = window().dock("environment");
+    ASSERT_NE(dock, nullptr);
+    dock->show();
+    dock->raise();
+    newFrames();
+    auto* chooser = dock->findChild<BlockChooser*>();
+    ASSERT_NE(chooser, nullptr);
+    EXPECT_EQ(chooser->count(),
+              1 + static_cast<int>(document().catalog().ofKind("environment").size()));
+}
+
+} // namespace
+} // namespace patina::tests
