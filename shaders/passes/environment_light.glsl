@@ -4,7 +4,8 @@
 // whose expected value is the integral (1 / pi) of radiance * model over all directions. A round
 // draws one direction by each of four rules, and the density is the mean of theirs (the balance
 // heuristic, Veach 1997, section 9.2), so the result is right for any model, and settles soon where
-// one of the rules suits it. Only a frame's mean is limited, to what a half float holds.
+// one of the rules suits it. Where a frame has many rounds, the model's lobe is looked for first.
+// Only a frame's mean is limited, to what a half float holds.
 #include "lib/directions.glsl"
 
 const int RULE_TABLE = 0;  // where the environment is bright
@@ -12,6 +13,9 @@ const int RULE_COSINE = 1; // where a matte surface looks
 const int RULE_HALF = 2;   // around the normal, for the half vector
 const int RULE_MIRROR = 3; // around the mirror direction
 const int RULES = 4;
+
+// With a lobe that was looked for it takes the place of RULE_HALF, and RULE_MIRROR is either.
+const int ROUNDS_WITH_LOBE = 4;
 
 // Lobes of every width from this angle on are met: as many samples fall between 0.001 and 0.002 rad
 // as between 0.1 and 0.2. Models draw no lobe that is narrower.
@@ -90,38 +94,125 @@ vec3 aroundAxis(vec3 axis, vec3 t, vec3 b, float angle, float turn) {
     return cos(angle) * axis + sin(angle) * (cos(turn) * t + sin(turn) * b);
 }
 
-vec3 drawnDirection(Surface s, int rule, vec2 u) {
-    if (rule == RULE_TABLE) {
-        return environmentOutside(brightDirection(u));
+// Half vectors as in a lobe of Trowbridge and Reitz's form with a width along each of two tangents.
+struct Lobe {
+    vec3 t;
+    vec3 b;
+    vec2 width; // tangents of angles; 0 when no lobe was looked for
+};
+
+// How much the model sends for a half vector, per its solid angle but for a factor.
+float strengthAt(Surface s, vec3 h, Model p) {
+    Directions d = directionsAt(s, normalize(2.0 * dot(s.v, h) * h - s.v), s.v);
+    if (IS_DARK(d)) {
+        return 0.0;
     }
+    vec3 value = shadeModel(d, p);
+    float most = max(max(value.r, value.g), value.b) * d.lh;
+    return most > 0.0 ? min(most, 1e15) : 0.0;
+}
+
+// The width of the strongest lobe along one tangent: the mean angle, on a logarithmic scale, by the
+// squared strength, times what makes it the width of a Gaussian or of Trowbridge and Reitz's lobe.
+float widthAlong(Surface s, vec3 t, Model p) {
+    vec3 side = dot(s.v, t) < 0.0 ? -t : t; // where the light stays above the horizon
+    float sum = 0.0;
+    float mean = 0.0;
+    float angle = 0.001;
+    for (int i = 0; i < 6; ++i) {
+        float strength = strengthAt(s, cos(angle) * s.n + sin(angle) * side, p);
+        float weight = strength * strength * angle;
+        sum += weight;
+        mean += weight * log(angle);
+        angle *= 3.7;
+    }
+    return sum > 0.0 ? clamp(4.0 * exp(mean / sum), 5e-4, 0.7) : 0.7;
+}
+
+// Along the tangents of the surface or between them, where the widths differ more.
+Lobe foundLobe(Surface s, Model p) {
+    vec3 across = sqrt(0.5) * (s.t + s.b);
+    vec3 along = sqrt(0.5) * (s.b - s.t);
+    vec2 straight = vec2(widthAlong(s, s.t, p), widthAlong(s, s.b, p));
+    vec2 oblique = vec2(widthAlong(s, across, p), widthAlong(s, along, p));
+    bool isOblique = abs(log(oblique.x / oblique.y)) > abs(log(straight.x / straight.y));
+    Lobe lobe;
+    lobe.t = isOblique ? across : s.t;
+    lobe.b = isOblique ? along : s.b;
+    lobe.width = isOblique ? oblique : straight;
+    return lobe;
+}
+
+vec3 lobeHalfVector(Surface s, Lobe lobe, vec2 u) {
+    float radius = sqrt(u.x / (1.0 - u.x));
+    vec2 slope = lobe.width * radius * vec2(cos(2.0 * PI * u.y), sin(2.0 * PI * u.y));
+    return normalize(s.n + slope.x * lobe.t + slope.y * lobe.b);
+}
+
+// Its density, per solid angle of h.
+float lobeHalfDensity(Surface s, Lobe lobe, vec3 h) {
+    float c = dot(h, s.n);
+    if (!(c > 1e-4)) {
+        return 0.0;
+    }
+    vec2 slope = vec2(dot(h, lobe.t), dot(h, lobe.b)) / (c * lobe.width);
+    float fall = 1.0 + dot(slope, slope);
+    return 1.0 / (PI * lobe.width.x * lobe.width.y * c * c * c * fall * fall);
+}
+
+vec3 mirrored(Surface s, vec3 h) {
+    return 2.0 * dot(s.v, h) * h - s.v;
+}
+
+// For lobes of any width, around the mirror direction or for the half vector.
+vec3 unknownDirection(Surface s, bool isMirror, vec2 u) {
     float turn = 2.0 * PI * u.y;
-    if (rule == RULE_COSINE) {
-        return aroundAxis(s.n, s.t, s.b, atan(sqrt(u.x), sqrt(1.0 - u.x)), turn);
-    }
-    if (rule == RULE_HALF) {
-        vec3 h = aroundAxis(s.n, s.t, s.b, lobeAngle(u.x), turn);
-        return 2.0 * dot(s.v, h) * h - s.v;
+    if (!isMirror) {
+        return mirrored(s, aroundAxis(s.n, s.t, s.b, lobeAngle(u.x), turn));
     }
     vec3 r = 2.0 * dot(s.n, s.v) * s.n - s.v;
     vec3 t = anyTangent(r);
     return aroundAxis(r, t, cross(r, t), lobeAngle(u.x), turn);
 }
 
+vec3 drawnDirection(Surface s, Lobe lobe, int rule, vec2 u) {
+    bool hasLobe = lobe.width.x > 0.0;
+    if (rule == RULE_TABLE) {
+        return environmentOutside(brightDirection(u));
+    }
+    if (rule == RULE_COSINE) {
+        float angle = atan(sqrt(u.x), sqrt(1.0 - u.x));
+        return aroundAxis(s.n, s.t, s.b, angle, 2.0 * PI * u.y);
+    }
+    if (!hasLobe) {
+        return unknownDirection(s, rule == RULE_MIRROR, u);
+    }
+    if (rule == RULE_HALF) {
+        return mirrored(s, lobeHalfVector(s, lobe, u));
+    }
+    return unknownDirection(s, u.x < 0.5, vec2(fract(2.0 * u.x), u.y));
+}
+
 // Of all rules together, per solid angle.
-float drawnDensity(Directions d, vec3 inside) {
+float drawnDensity(Surface s, Lobe lobe, Directions d, vec3 l, vec3 inside) {
     float cosine = max(d.nl, 0.0) / PI;
     float halfAngle = atan(sqrt(d.sin2h), sqrt(d.cos2h));
-    float halfway = d.nH > 0.0 ? lobeDensity(halfAngle) / (4.0 * max(d.lh, 1e-6)) : 0.0;
-    float mirror = lobeDensity(2.0 * asin(min(sqrt(0.5 * d.versineRv), 1.0)));
-    return (brightDensity(inside) + cosine + halfway + mirror) / float(RULES);
+    float perHalf = d.nH > 0.0 ? 1.0 / (4.0 * max(d.lh, 1e-6)) : 0.0;
+    float unknown = perHalf * lobeDensity(halfAngle) +
+                    lobeDensity(2.0 * asin(min(sqrt(0.5 * d.versineRv), 1.0)));
+    if (lobe.width.x > 0.0) {
+        vec3 h = safeNormalize(l + s.v, s.n);
+        unknown = 0.5 * unknown + perHalf * lobeHalfDensity(s, lobe, h);
+    }
+    return (brightDensity(inside) + cosine + unknown) / float(RULES);
 }
 
 // What one sample adds.
-vec3 environmentArrived(Surface s, vec3 l, Environment e, Model p) {
+vec3 environmentArrived(Surface s, Lobe lobe, vec3 l, Environment e, Model p) {
     Directions d = directionsAt(s, l, s.v);
     vec3 inside = environmentInside(l);
     vec3 radiance = environmentRadiance(inside, e);
-    float density = drawnDensity(d, inside);
+    float density = drawnDensity(s, lobe, d, l, inside);
     if (IS_DARK(d) || !(density > 0.0) || !(max(max(radiance.r, radiance.g), radiance.b) > 0.0)) {
         return vec3(0.0);
     }
@@ -131,11 +222,18 @@ vec3 environmentArrived(Surface s, vec3 l, Environment e, Model p) {
 vec3 environmentLight(Surface s, Environment e, Model p) {
     int first = int(environmentData[0].z);
     int count = RULES * int(environmentData[0].w);
+    Lobe lobe;
+    lobe.t = s.t;
+    lobe.b = s.b;
+    lobe.width = vec2(0.0);
+    if (count >= RULES * ROUNDS_WITH_LOBE) {
+        lobe = foundLobe(s, p);
+    }
     vec3 sum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
         int rule = i % RULES;
         vec2 u = environmentPoint(uint(first + i / RULES), environmentSeed(uint(rule)));
-        sum += environmentArrived(s, normalize(drawnDirection(s, rule, u)), e, p);
+        sum += environmentArrived(s, lobe, normalize(drawnDirection(s, lobe, rule, u)), e, p);
     }
     return sum / float(count);
 }

@@ -114,11 +114,11 @@ TEST_F(EnvironmentTest, FurtherFrames_AddSamplesUntilTheSceneChanges) {
 TEST_F(EnvironmentTest, SamplesInManyFrames_AreThoseOfOne) {
     const Scene scene = inTheStudio("cook-torrance");
     const Image atOnce = settled(scene, 64);
-    View view = viewWith(scene, 4);
+    View view = viewWith(scene, 16);
     const gl::Texture color = gl::Texture::create(view.size, 0x8058, 0x1908, 0x1401);
     gl::Framebuffer target = gl::Framebuffer::create();
     target.attachColor(color);
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < 4; ++i) {
         view.isContinued = i > 0;
         renderer->drawSmall(scene, view, squares(), target.name());
     }
@@ -135,11 +135,12 @@ TEST_F(EnvironmentTest, WithoutOne_ThereAreNoSamples) {
     EXPECT_EQ(renderer->environmentSamples(), 0);
 }
 
-/// A model with values that make it matte, glossy or sharp.
+/// A model with values that make it matte, glossy or sharp, and how far it is turned away.
 struct Look {
     std::string name;
     std::string model;
     Values values;
+    double turned = 20.0;
 };
 
 class SettlingTest : public EnvironmentTest, public testing::WithParamInterface<Look> {};
@@ -172,7 +173,7 @@ TEST_P(SettlingTest, With4096Samples_IsWithinOnePerCentOfManyMore) {
         scene.objects[0].material.model.parameters[id] = value;
     }
     // Turned, so that the edge of a lamp is seen in it.
-    scene.objects[0].rotation = {-15.0, 20.0, 0.0};
+    scene.objects[0].rotation = {-15.0, GetParam().turned, 0.0};
     const Image after4096 = settled(scene, 4096);
     EXPECT_LT(differenceInTheMiddle(after4096, settled(scene, 65536)), 0.01);
 }
@@ -186,7 +187,12 @@ INSTANTIATE_TEST_SUITE_P(
                          {{"shininess", 20000.0},
                           {"normalisation", std::string("normalised")},
                           {"diffuse.color", glm::dvec3(0.0)}}},
-                    Look{"Brushed", "ward", {{"roughness.x", 0.05}, {"roughness.y", 0.4}}}),
+                    Look{"Brushed", "ward", {{"roughness.x", 0.05}, {"roughness.y", 0.4}}},
+                    Look{"BrushedFinely",
+                         "ward",
+                         {{"roughness.x", 0.01}, {"roughness.y", 0.3}},
+                         50.0},
+                    Look{"SeenFlat", "ashikhmin-shirley", {{"shininess.x", 1000.0}}, 60.0}),
     [](const auto& instance) { return instance.param.name; });
 
 TEST(EnvironmentTableTest, Densities_AreOneOnAverage) {
