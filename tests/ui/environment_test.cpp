@@ -53,6 +53,24 @@ TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {
     EXPECT_EQ(view().report().compiled, 0);
 }
 
+TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing) {
+    view().setFixedSize(160, 120);
+    document().setEnvironment("studio");
+    ASSERT_TRUE(waitForSamples(8));
+    int compiled = 0;
+    QObject::connect(&view(), &Viewport::frameDrawn, &view(),
+                     [&] { compiled += view().report().compiled; });
+    const BlockPath path = document().currentPath(BlockPath::Part::Environment);
+    const int token = document().beginInteraction(path, "intensity");
+    for (const double intensity : {0.6, 0.0, 0.3}) {
+        const int frames = view().frameCount();
+        document().setValue(path, "intensity", intensity);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view().frameCount() > frames; }, limitMs));
+    }
+    EXPECT_EQ(compiled, 0);
+    document().endInteraction(token);
+}
+
 TEST_F(EnvironmentInTheWindow, StatusLine_TellsHowFarItIs) {
     document().setEnvironment("studio");
     auto* label = window().statusBar()->findChild<QLabel*>("statusSamples");

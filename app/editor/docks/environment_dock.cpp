@@ -14,7 +14,8 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
       chooser_(new BlockChooser(document_, "environment", BlockChooser::Off::Offered, this)) {
     chooser_->setAccessibleName(tr("Kind of environment"));
     QLabel* hint = hintLabel(this);
-    hint->setText(tr("Drop an .hdr or .exr panorama on the view to light the scene with it."));
+    hint->setText(tr("Drop an .hdr or .exr panorama on the view to light the scene with it. Its "
+                     "light adds to that of the lights."));
     fillPanel(this, {labelled(tr("&Kind"), chooser_), hint},
               new DocumentForm(document_, BlockPath::Part::Environment));
     connect(chooser_, &BlockChooser::chosen, this,
