@@ -1,119 +1,110 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
-#include <charconv>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "assets/asset_client.h"
 #include "catalog/json_text.h"
+#include "cli/effect_table.h"
+#include "cli/environment_setup.h"
+#include "cli/marked_source.h"
+#include "cli/picture.h"
 #include "cli/picture_options.h"
+#include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
-#include "shading/effect_set.h"
+#include "gl/headless_context.h"
+#include "render/scene_depth.h"
+#include "render/texture_loader.h"
 #include "shading/program_source.h"
 
 namespace patina {
 namespace {
+
+/// What the frames that are timed have where the command line does not say.
+constexpr glm::ivec2 usualSize{384, 384};
 
 struct Options {
     std::string preset;
     PictureOptions picture;
     bool source = false;
     bool json = false;
+    bool noCost = false;
 };
 
 Errors oneError(Error error) {
     return {std::move(error)};
 }
 
-void printList(const EffectSet& set) {
-    for (const EffectLine& line : effectLines(set)) {
-        const std::string detail = line.detail.empty() ? "" : " (" + line.detail + ")";
-        std::cout << fmt::format("{}{}: {}\n", line.effect, detail, line.reason);
+/// The costs; nothing, and a remark, where there is no graphics driver.
+Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject, glm::ivec2 size) {
+    const auto context = gl::HeadlessContext::create();
+    auto meter = context
+                     ? EffectCostMeter::create(std::move(subject), {size, 15, programCacheFolder()})
+                     : tl::unexpected(context.error());
+    if (!meter) {
+        report(oneError({{}, 0, 0, "costs are not measured: " + meter.error().text(), {}}));
+        return std::nullopt;
     }
-    for (const auto* list : {&set.leftOut, &set.scene.leftOut}) {
-        for (const LeftOut& left : *list) {
-            std::cout << fmt::format("not in: {}: {}\n", left.what, left.reason);
+    while (!(*meter)->finished()) {
+        (*meter)->step();
+    }
+    EffectCosts costs = (*meter)->costs();
+    if (!costs.problems.empty()) {
+        return tl::unexpected(costs.problems);
+    }
+    return costs;
+}
+
+Checked<void> printTable(const Scene& scene, const Options& options,
+                         const std::shared_ptr<const Catalog>& catalog) {
+    AssetClient files;
+    const auto loaded = SceneMeshes::load(scene, files);
+    if (!loaded) {
+        return tl::unexpected(loaded.error());
+    }
+    report(loaded->remarks());
+    const auto meshes = [&loaded](const Object& object) { return loaded->view(object); };
+    EffectTable table;
+    table.rows = effectRows(scene, 0, *catalog, effectView(scene, scene.camera, meshes));
+    if (!options.noCost) {
+        TextureLoader textures(files);
+        const auto environment = environmentPicture(scene, options.picture, *catalog, files);
+        if (!environment) {
+            return tl::unexpected(oneError(environment.error()));
         }
-    }
-}
-
-nlohmann::json leftOutJson(const EffectSet& set) {
-    nlohmann::json array = nlohmann::json::array();
-    for (const auto* list : {&set.leftOut, &set.scene.leftOut}) {
-        for (const LeftOut& left : *list) {
-            array.push_back({{"what", left.what}, {"reason", left.reason}});
+        auto costs = measured({scene, scene.camera, meshes, table.rows, catalog, textures.source(),
+                               *environment},
+                              options.picture.size);
+        report(textures.takeProblems());
+        if (!costs) {
+            return tl::unexpected(costs.error());
         }
+        table.costs = std::move(*costs);
     }
-    return array;
+    std::cout << (options.json ? writeJson(tableJson(table)) : tableText(table));
+    return {};
 }
 
-nlohmann::json toJson(const EffectSet& set) {
-    nlohmann::json effects = nlohmann::json::array();
-    for (const EffectLine& line : effectLines(set)) {
-        effects.push_back(
-            {{"effect", line.effect}, {"detail", line.detail}, {"reason", line.reason}});
-    }
-    return {{"effects", effects}, {"leftOut", leftOutJson(set)}};
-}
-
-/// The file that a "#line N S" starts, or nullptr for any other line.
-const std::string* fileStarting(std::string_view line, const ShaderSource& source) {
-    if (!line.starts_with("#line ")) {
-        return nullptr;
-    }
-    const std::string_view number = line.substr(line.rfind(' ') + 1);
-    std::size_t index = 0;
-    std::from_chars(number.data(), number.data() + number.size(), index);
-    return index < source.files.size() ? &source.files[index] : nullptr;
-}
-
-std::string shortName(const std::string& file) {
-    const std::filesystem::path path(file);
-    return (path.parent_path().filename() / path.filename()).generic_string();
-}
-
-/// The stage's text, with a comment where a file's part begins instead of line directives.
-void printStage(const char* title, const ShaderSource& source) {
-    std::cout << "// ======== " << title << '\n';
-    std::string_view rest = source.text;
-    const std::string* current = nullptr;
-    while (!rest.empty()) {
-        const std::size_t end = rest.find('\n');
-        const std::string_view line = rest.substr(0, end);
-        const std::string* file = fileStarting(line, source);
-        if (file == nullptr) {
-            std::cout << line << '\n';
-        } else if (file != current) {
-            std::cout << "// ---- " << shortName(*file) << '\n';
-            current = file;
-        }
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    }
-}
-
-Checked<void> print(const EffectSet& set, const Options& options, const Catalog& catalog) {
-    if (!options.source) {
-        options.json ? void(std::cout << writeJson(toJson(set))) : printList(set);
-        return {};
-    }
+Checked<void> printSource(const Scene& scene, const Options& options, const Catalog& catalog) {
+    const EffectSet set = effectSet(scene.objects.front().material, scene, catalog);
     const auto program = surfaceProgram(set, catalog);
     if (!program) {
         return tl::unexpected(program.error());
     }
     if (options.json) {
-        nlohmann::json json = toJson(set);
+        nlohmann::json json = tableJson({effectRows(scene, 0, catalog), {}});
         json["vertex"] = program->vertex.text;
         json["fragment"] = program->fragment.text;
         std::cout << writeJson(json);
         return {};
     }
-    printStage("vertex stage", program->vertex);
-    printStage("fragment stage", program->fragment);
+    const std::vector<EffectLine> lines = effectLines(set);
+    std::cout << markedSource("vertex stage", program->vertex, lines)
+              << markedSource("fragment stage", program->fragment, lines);
     return {};
 }
 
@@ -122,9 +113,9 @@ Checked<void> effects(const Options& options) {
         return tl::unexpected(oneError(
             failure("there is nothing to look at", "a preset, --model or --scene").value()));
     }
-    const Catalog catalog = loadCatalog(standardBlockRoots());
-    report(catalog.errors);
-    const auto setup = sceneFor(options.preset, options.picture, catalog);
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    const auto setup = sceneFor(options.preset, options.picture, *catalog);
     if (!setup) {
         return tl::unexpected(setup.error());
     }
@@ -133,20 +124,24 @@ Checked<void> effects(const Options& options) {
         return tl::unexpected(oneError(
             failure("the scene is empty", "a preset, --model or --mesh beside it").value()));
     }
-    const Material& material = setup->scene.objects.front().material;
-    return print(effectSet(material, setup->scene, catalog), options, catalog);
+    return options.source ? printSource(setup->scene, options, *catalog)
+                          : printTable(setup->scene, options, catalog);
 }
 
 } // namespace
 
 void addEffects(CLI::App& program, int& status) {
-    CLI::App* command =
-        program.add_subcommand("effects", "List which effects a preset needs in a scene and why");
+    CLI::App* command = program.add_subcommand(
+        "effects", "List which effects a preset needs in a scene, why, and what each costs");
     auto options = std::make_shared<Options>();
+    options->picture.size = usualSize;
     command->add_option("preset", options->preset, "A preset (*.patina.json)");
     addSceneOptions(*command, options->picture);
+    addSizeOption(*command, options->picture);
     command->add_flag("--source", options->source, "Print the shader instead, each block marked");
     command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag("--no-cost", options->noCost,
+                      "Do not draw the frames that show what each effect costs");
     command->callback([options, &status] {
         const auto done = effects(*options);
         status = done ? 0 : 1;

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "shading/effect_choice.h"
 #include "shading/effect_key.h"
 
 namespace patina {
@@ -37,12 +38,46 @@ Value inside(const Parameter& parameter) {
     return filled(parameter, between(0.5) != 0.0 ? between(0.5) : between(0.75));
 }
 
-using Keys = std::pair<std::uint64_t, std::uint64_t>;
+/// Values at which a program may lose an effect: the ends of the slider, 0, and every value that
+/// this one is compared with.
+std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
+                           const Parameter& parameter, const Catalog& catalog) {
+    std::vector<Value> edges{filled(parameter, 0.0), filled(parameter, parameter.softMin),
+                             filled(parameter, parameter.softMax)};
+    const Material* material = materialAt(state, path.index, path.side);
+    const bool isModel = path.part == BlockPath::Part::Model && material != nullptr;
+    const Block* model = isModel ? catalog.find("models", material->model.id) : nullptr;
+    for (const Parameter& other : model != nullptr ? model->parameters : std::vector<Parameter>()) {
+        if (other.equalTo == parameter.id || parameter.equalTo == other.id) {
+            edges.push_back(givenValue(other, material->model.parameters));
+        }
+    }
+    return edges;
+}
+
+/// A value where the effect is there: none of the edges.
+Value apart(const Parameter& parameter, const std::vector<Value>& edges) {
+    const Value usual = inside(parameter);
+    const bool isEdge = std::find(edges.begin(), edges.end(), usual) != edges.end();
+    return isEdge ? filled(parameter, 0.3 * parameter.softMin + 0.7 * parameter.softMax) : usual;
+}
+
+/// Of the programs for the objects and the ground, and of the one behind them.
+using Keys = std::array<std::uint64_t, 4>;
 
 Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
     const Material* material = materialAt(state, path.index, path.side);
     return {EffectKey().ofScene(state.scene, catalog),
-            material != nullptr ? EffectKey::ofMaterial(*material, catalog) : 0};
+            material != nullptr ? EffectKey::ofMaterial(*material, catalog) : 0,
+            isSeen(state.scene.ground) ? 1u : 0u,
+            EffectKey::ofDisplay(state.scene)};
+}
+
+/// How much of the fog is seen decides whether it is in the programs, which depends on every value
+/// of it, on the exposure and on how far away things are.
+bool mayHideFog(const DocumentState& state, const BlockPath& path) {
+    return state.scene.fog &&
+           (path.part == BlockPath::Part::Fog || path.part == BlockPath::Part::Scene);
 }
 
 bool isNumber(const Parameter& parameter) {
@@ -80,15 +115,15 @@ void EffectHold::begin(const DocumentState& state, int object, const BlockPath& 
         storeValue(held.state, path, parameter.id, value);
         return keysOf(held.state, path, catalog);
     };
-    const std::array edges{filled(parameter, 0.0), filled(parameter, parameter.softMin),
-                           filled(parameter, parameter.softMax)};
-    const Keys effective = keysWith(inside(parameter));
-    const bool decides = std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
-        return keysWith(value) != effective;
-    });
+    const std::vector<Value> edges = edgesOf(state, path, parameter, catalog);
+    const Keys effective = keysWith(apart(parameter, edges));
+    const bool decides =
+        mayHideFog(state, path) || std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
+            return keysWith(value) != effective;
+        });
     held_.reset();
     if (decides) {
-        storeValue(held.state, path, parameter.id, inside(parameter));
+        storeValue(held.state, path, parameter.id, apart(parameter, edges));
         held_ = std::move(held);
         showSecond();
     }

@@ -20,7 +20,7 @@ namespace patina {
 namespace {
 
 /// Goes up when docks come, go or move, so that an older layout is not forced upon them.
-constexpr int layoutVersion = 3;
+constexpr int layoutVersion = 4;
 
 constexpr QSize preferredSize{1600, 1000};
 constexpr int narrowWindow = 1400;
@@ -45,13 +45,14 @@ Qt::DockWidgetArea areaOf(DockPlace place) {
 } // namespace
 
 MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
-    : theme_(theme), document_(catalog), watcher_(catalog), presets_(catalog),
+    : theme_(theme), document_(catalog), switches_(document_), watcher_(catalog), presets_(catalog),
       thumbnails_(catalog, {cacheFolder() / "thumbnails", programCacheFolder(),
                             FileActions::defaultScene()}),
       autosave_(document_, stateFolder() / "autosave"),
       files_(new FileActions(document_, meshes_, session_, this)),
       pictures_(new PictureExport(session_, this)),
-      views_(new CompareArea(document_, meshes_, environments_, programCacheFolder(), this)),
+      views_(new CompareArea({document_, meshes_, environments_, switches_},
+                             programCacheFolder(), this)),
       status_(new StatusLine(document_, meshes_, environments_, messages_, this)) {
     document_.setTextureLibrary(&textures_);
     setAcceptDrops(true);
@@ -99,7 +100,8 @@ void MainWindow::makeDocks() {
     setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    const DockContext context{document_, *files_, messages_, presets_, thumbnails_};
+    const DockContext context{document_,   *files_, messages_,     presets_,
+                              thumbnails_, meshes_, environments_, switches_};
     for (const DockEntry& entry : dockList()) {
         auto* dock = new LazyDock(entry, context, this);
         docks_[entry.name] = dock;
@@ -135,6 +137,9 @@ void MainWindow::connectParts() {
     connect(files_, &FileActions::documentReplaced, &autosave_, &Autosave::giveUp);
     connect(files_, &FileActions::meshPlaced, this,
             [this] { views_->active().frameCurrentObject(); });
+    connect(&switches_, &EffectSwitches::changed, this,
+            [this] { status_->setSwitchedOff(static_cast<int>(switches_.off().size())); });
+    connect(status_, &StatusLine::effectsWished, this, &MainWindow::showEffects);
     connect(views_, &CompareArea::filesDropped, files_, &FileActions::drop);
     connect(status_, &StatusLine::messagesWished, this, [this] {
         QDockWidget* messages = dock("messages");
@@ -183,6 +188,7 @@ void MainWindow::arrangeDocks() {
 void MainWindow::hideBottom() {
     dock("messages")->hide();
     dock("stability")->hide();
+    dock("effects")->hide();
 }
 
 void MainWindow::restoreWindow() {
@@ -236,6 +242,11 @@ void MainWindow::checkStability() {
     if (auto* check = place->findChild<StabilityDock*>()) {
         check->start();
     }
+}
+
+void MainWindow::showEffects() {
+    dock("effects")->show();
+    dock("effects")->raise();
 }
 
 void MainWindow::showMessages() {

@@ -10,6 +10,7 @@
 #include "catalog_watcher.h"
 #include "docks/dock_list.h"
 #include "document.h"
+#include "effect_switches.h"
 #include "file_actions.h"
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
     void exportPicture();
     void showMessages();
     void checkStability();
+    void showEffects();
     void showKeys();
     void showAbout();
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,
@@ -83,6 +85,7 @@ class MainWindow : public QMainWindow {
     MeshLibrary meshes_;
     TextureLibrary textures_{[this]() -> AssetClient& { return meshes_.client(); }};
     EnvironmentLibrary environments_;
+    EffectSwitches switches_;
     CatalogWatcher watcher_;
     PresetLibrary presets_;
     ThumbnailMaker thumbnails_;

@@ -96,6 +96,7 @@ void MainWindow::makeViewMenu() {
                            "pointer (N)"));
     connect(inspect, &QAction::toggled, views_, &CompareArea::setInspecting);
     add(menu, tr("Check &Stability"), QKeySequence("Ctrl+K"), [this] { checkStability(); });
+    add(menu, tr("&Effects and Their Costs"), QKeySequence("E"), [this] { showEffects(); });
     menu->addSeparator();
     add(menu, tr("&Frame Object"), QKeySequence("F"),
         [this] { views_->active().frameCurrentObject(); });

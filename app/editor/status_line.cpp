@@ -32,7 +32,7 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibra
       messages_(messages), model_(new QLabel(this)), effects_(new QLabel(this)),
       samples_(new QLabel(this)), time_(new QLabel(this)),
       progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
-      badge_(new QToolButton(this)) {
+      badge_(new QToolButton(this)), switched_(new QToolButton(this)) {
     setSizeGripEnabled(false);
     model_->setObjectName("statusModel");
     effects_->setObjectName("statusEffects");
@@ -45,6 +45,12 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibra
     samples_->setObjectName("statusSamples");
     samples_->hide();
     addPermanentWidget(samples_);
+    switched_->setAutoRaise(true);
+    switched_->setObjectName("switchedOff");
+    switched_->setToolTip(tr("The views do not show everything: open the list of effects"));
+    addPermanentWidget(switched_);
+    setSwitchedOff(0);
+    connect(switched_, &QToolButton::clicked, this, &StatusLine::effectsWished);
     addPermanentWidget(time_);
     badge_->setAutoRaise(true);
     badge_->setObjectName("messageBadge");
@@ -156,6 +162,12 @@ void StatusLine::hideLoading() {
         progress_->hide();
         cancel_->hide();
     }
+}
+
+void StatusLine::setSwitchedOff(int effects) {
+    switched_->setVisible(effects > 0);
+    switched_->setText(effects == 1 ? tr("1 effect off") : tr("%1 effects off").arg(effects));
+    switched_->setAccessibleName(switched_->text());
 }
 
 void StatusLine::showBadge() {

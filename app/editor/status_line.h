@@ -32,8 +32,12 @@ class StatusLine : public QStatusBar {
     /// Whose frames are told about.
     void setViewport(Viewport* viewport);
 
+    /// How many effects the views do not show because they are switched off.
+    void setSwitchedOff(int effects);
+
   Q_SIGNALS:
     void messagesWished();
+    void effectsWished();
 
   private:
     void makeLoadingRow();
@@ -58,6 +62,7 @@ class StatusLine : public QStatusBar {
     QProgressBar* progress_;
     QToolButton* cancel_;
     QToolButton* badge_;
+    QToolButton* switched_; ///< says that effects are switched off
 };
 
 } // namespace patina

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,30 @@ struct Slot {
     friend bool operator==(const Slot&, const Slot&) = default;
 };
 
+/// What share of a surface a fog hides, said in its descriptor so that nobody has to run its shader
+/// to know: 1 - exp(-(rate x)^power) of what is x metres away, or none up to `from`, all behind
+/// `to` and evenly more between them. Ids of parameters.
+struct Hiding {
+    std::string rate; ///< empty: by `from` and `to`
+    double power = 1.0;
+    std::string from;
+    std::string to;
+
+    friend bool operator==(const Hiding&, const Hiding&) = default;
+};
+
+/// Which points a light cannot reach, said in its descriptor: those farther than `range` from the
+/// point `from` (a range of 0 has no end), and those outside of the cone with `angle` between its
+/// axis and its side. Ids of parameters; an empty one sets no limit.
+struct Reach {
+    std::string from;
+    std::string range;
+    std::string axis;
+    std::string angle;
+
+    friend bool operator==(const Reach&, const Reach&) = default;
+};
+
 /// A lighting model, Fresnel term, light, fog, ...: a descriptor and a GLSL file with one stem.
 struct Block {
     std::string kind; ///< the folder: "models", "fresnel", "specular", "lights", ...
@@ -48,6 +73,8 @@ struct Block {
     std::map<std::string, std::string> exemptions; ///< claim -> why it is not made
     std::vector<std::string> gates; ///< "light", "view": below which horizons the value is 0
     ShadowProjection shadowProjection = ShadowProjection::None; ///< lights only
+    std::optional<Hiding> hides; ///< fog only
+    std::optional<Reach> reach;  ///< lights only
     std::filesystem::path descriptorFile;
     std::filesystem::path shaderFile;
     bool shipped = true; ///< false: from the user's folder

@@ -118,6 +118,9 @@ Compiled compiledFrom(const Fields& fields) {
     if (json == nullptr || *json == false) {
         return Compiled::No;
     }
+    if (json->is_object()) {
+        return Compiled::WhenEqual;
+    }
     return *json == true ? Compiled::Yes : Compiled::WhenZero;
 }
 
@@ -187,6 +190,9 @@ Parameter parameterFrom(const Fields& fields) {
     fields.readEach("values", parameter.values, enumValueFrom);
     parameter.compiled = compiledFrom(fields);
     fields.read("components", parameter.components);
+    if (parameter.compiled == Compiled::WhenEqual) {
+        Fields(*fields.find("compiled")).read("whenEqual", parameter.equalTo);
+    }
     fields.read("space", spaceWords, parameter.space);
     fields.read("emission", parameter.emission);
     parameter.textureChannels = channelsFrom(fields, parameter.type);
@@ -207,6 +213,32 @@ std::map<std::string, std::string> exemptionsFrom(const Fields& fields) {
         }
     }
     return exemptions;
+}
+
+std::optional<Hiding> hidingFrom(const Fields& fields) {
+    const Json* json = fields.find("hides");
+    if (json == nullptr) {
+        return std::nullopt;
+    }
+    Hiding hiding;
+    Fields(*json).read("rate", hiding.rate);
+    Fields(*json).read("power", hiding.power);
+    Fields(*json).read("from", hiding.from);
+    Fields(*json).read("to", hiding.to);
+    return hiding;
+}
+
+std::optional<Reach> reachFrom(const Fields& fields) {
+    const Json* json = fields.find("reach");
+    if (json == nullptr) {
+        return std::nullopt;
+    }
+    Reach reach;
+    Fields(*json).read("from", reach.from);
+    Fields(*json).read("range", reach.range);
+    Fields(*json).read("axis", reach.axis);
+    Fields(*json).read("angle", reach.angle);
+    return reach;
 }
 
 /// What a choice sets, as values of the parameters it names; mistakes are the checker's.
@@ -256,6 +288,8 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
     block.gates = {"light", "view"};
     fields.read("gates", block.gates);
     fields.read("shadowProjection", shadowProjectionWords, block.shadowProjection);
+    block.hides = hidingFrom(fields);
+    block.reach = reachFrom(fields);
     return block;
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/bound_checks.h"
 #include "catalog/expression.h"
 #include "catalog/fill_checks.h"
 #include "catalog/reserved_words.h"
@@ -157,7 +158,7 @@ class Checker {
             return;
         }
         if ((parameter.type != ParameterType::Float && parameter.type != ParameterType::Color) ||
-            parameter.compiled != Compiled::No) {
+            (parameter.compiled != Compiled::No && parameter.compiled != Compiled::WhenEqual)) {
             add(pointer + "/texture", "only a float or a colour that is not compiled in takes an "
                                       "image",
                 "no such key");
@@ -276,6 +277,19 @@ class Checker {
         } else if (parameter.compiled == Compiled::WhenZero &&
                    parameter.type != ParameterType::Float) {
             add(pointer, "only a float can be left out while it is zero", "true or false");
+        } else if (parameter.compiled == Compiled::WhenEqual) {
+            checkEqual(parameter, pointer);
+        }
+    }
+
+    void checkEqual(const Parameter& parameter, const std::string& pointer) {
+        const Parameter* other = block_.parameter(parameter.equalTo);
+        if (parameter.type != ParameterType::Float || other == nullptr || other == &parameter ||
+            other->type != ParameterType::Float) {
+            add(pointer, "only two floats of a block can be the same", "the id of another float");
+        }
+        if (block_.parameter(parameter.id + ".equal") != nullptr) {
+            add(pointer, fmt::format("\"{}.equal\" is taken", parameter.id), "another id there");
         }
     }
 
@@ -358,7 +372,8 @@ class Checker {
 
 Errors descriptorMistakes(const Descriptor& descriptor) {
     Errors errors = Checker(descriptor).run();
-    for (const Errors& more : {fillMistakes(descriptor), shadowMistakes(descriptor)}) {
+    for (const Errors& more :
+         {fillMistakes(descriptor), shadowMistakes(descriptor), boundMistakes(descriptor)}) {
         errors.insert(errors.end(), more.begin(), more.end());
     }
     return errors;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/descriptor.h"
 
+#include <utility>
+
 #include "catalog/descriptor_words.h"
 #include "catalog/value_json.h"
 
@@ -51,8 +53,12 @@ Json migrationJson(const Migration& migration) {
     return {{"from", migration.from}, {"until", migration.until}};
 }
 
-Json compiledJson(Compiled compiled) {
-    return compiled == Compiled::WhenZero ? Json("whenZero") : Json(compiled == Compiled::Yes);
+Json compiledJson(const Parameter& parameter) {
+    if (parameter.compiled == Compiled::WhenEqual) {
+        return {{"whenEqual", parameter.equalTo}};
+    }
+    return parameter.compiled == Compiled::WhenZero ? Json("whenZero")
+                                                    : Json(parameter.compiled == Compiled::Yes);
 }
 
 void addRange(Json& json, const Parameter& parameter) {
@@ -80,7 +86,7 @@ Json parameterJson(const Parameter& parameter) {
               {"group", parameter.group},
               {"advanced", parameter.advanced},
               {"enabledWhen", parameter.enabledWhen},
-              {"compiled", compiledJson(parameter.compiled)},
+              {"compiled", compiledJson(parameter)},
               {"space", wordFor(spaceWords, parameter.space)},
               {"emission", parameter.emission},
               {"texture", parameter.textureChannels},
@@ -101,24 +107,48 @@ Json parameterJson(const Parameter& parameter) {
     return json;
 }
 
+Json toJson(const Hiding& hiding) {
+    return hiding.rate.empty() ? Json{{"from", hiding.from}, {"to", hiding.to}}
+                               : Json{{"rate", hiding.rate}, {"power", hiding.power}};
+}
+
+Json toJson(const Reach& reach) {
+    Json json = Json::object();
+    for (const auto& [key, id] :
+         {std::pair{"from", &reach.from}, std::pair{"range", &reach.range},
+          std::pair{"axis", &reach.axis}, std::pair{"angle", &reach.angle}}) {
+        if (!id->empty()) {
+            json[key] = *id;
+        }
+    }
+    return json;
+}
+
 } // namespace
 
 nlohmann::json toJson(const Block& block) {
-    return {{"kind", block.kind},
-            {"id", block.id},
-            {"version", block.version},
-            {"label", block.label},
-            {"summary", block.summary},
-            {"applications", block.applications},
-            {"source", block.source},
-            {"doc", block.doc},
-            {"parameters", arrayOf(block.parameters, parameterJson)},
-            {"accuracy", arrayOf(block.accuracy, accuracyJson)},
-            {"slots", arrayOf(block.slots, slotJson)},
-            {"claims", block.claims},
-            {"exemptions", block.exemptions},
-            {"gates", block.gates},
-            {"shadowProjection", wordFor(shadowProjectionWords, block.shadowProjection)}};
+    Json json = {{"kind", block.kind},
+                 {"id", block.id},
+                 {"version", block.version},
+                 {"label", block.label},
+                 {"summary", block.summary},
+                 {"applications", block.applications},
+                 {"source", block.source},
+                 {"doc", block.doc},
+                 {"parameters", arrayOf(block.parameters, parameterJson)},
+                 {"accuracy", arrayOf(block.accuracy, accuracyJson)},
+                 {"slots", arrayOf(block.slots, slotJson)},
+                 {"claims", block.claims},
+                 {"exemptions", block.exemptions},
+                 {"gates", block.gates},
+                 {"shadowProjection", wordFor(shadowProjectionWords, block.shadowProjection)}};
+    if (block.hides) {
+        json["hides"] = toJson(*block.hides);
+    }
+    if (block.reach) {
+        json["reach"] = toJson(*block.reach);
+    }
+    return json;
 }
 
 } // namespace patina

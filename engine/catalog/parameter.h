@@ -23,7 +23,8 @@ enum class Space { None, WorldPoint, WorldDirection, CameraPoint, CameraDirectio
 enum class Compiled {
     No,      ///< a uniform: changing it never compiles
     Yes,     ///< its value is part of the program (enums and bools only)
-    WhenZero ///< a float: only whether it is zero is part of the program
+    WhenZero, ///< a float: only whether it is zero is part of the program
+    WhenEqual ///< a float: only whether it is the same as `equalTo` is part of the program
 };
 
 /// One choice of an enum parameter, or one level of an accuracy choice.
@@ -76,6 +77,7 @@ struct Parameter {
     std::vector<EnumValue> values; ///< enum only
     Compiled compiled = Compiled::No;
     std::vector<std::string> components; ///< what a vector's numbers are called
+    std::string equalTo; ///< Compiled::WhenEqual: id of another float of the block
     Space space = Space::None;
     bool emission = false; ///< a colour that is added once per pixel, whatever the light
     std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not

@@ -132,7 +132,8 @@ void appendValues(std::vector<float>& texels, const EvalBlock& block) {
 std::vector<CompiledValue> compiledValues(const EvalBlock& block) {
     std::vector<CompiledValue> values;
     for (const Parameter& parameter : block.block->parameters) {
-        if (parameter.compiled != Compiled::No) {
+        const bool isLooked = parameter.compiled == Compiled::WhenEqual; // at, by the program
+        if (parameter.compiled != Compiled::No && !isLooked) {
             values.push_back({parameter.id, compiledText(valueOf(block, parameter))});
         }
     }

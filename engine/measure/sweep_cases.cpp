@@ -170,7 +170,8 @@ void addChoices(std::string& text, const EvalBlock& block) {
     };
     for (const Parameter& parameter : block.block->parameters) {
         const auto found = block.values.find(parameter.id);
-        if (parameter.compiled == Compiled::No || found == block.values.end()) {
+        if (parameter.compiled == Compiled::No || parameter.compiled == Compiled::WhenEqual ||
+            found == block.values.end()) {
             continue;
         }
         const auto* word = std::get_if<std::string>(&found->second);

@@ -59,15 +59,16 @@ void packHemisphere(std::span<glm::vec4> out, const Hemisphere& hemisphere) {
 
 void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
                 const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
-    const bool casters = hasCaster(packing.effects);
+    const bool shadows = hasShadows(packing.effects, *pipeline.catalog);
     for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
         const LightPlace& group = pipeline.scene.groups[g];
         const auto size = static_cast<std::size_t>(group.vec4s());
         const std::size_t start = packed.vec4s;
         int count = 0;
         for (std::size_t i = 0; i < packing.scene.lights.size(); ++i) {
-            if (EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog, casters) !=
-                pipeline.effects.scene.lights[g].key) {
+            if (!packing.has(i) ||
+                EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog, shadows) !=
+                    pipeline.effects.scene.lights[g].key) {
                 continue;
             }
             if (packed.vec4s + size > out.size()) {

@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "render/ground_place.h"
+#include "render/light_lists.h"
 #include "render/pipeline.h"
 #include "render/shadow_view.h"
 #include "scene/scene.h"
@@ -24,6 +25,10 @@ struct SceneToPack {
     const Scene& scene;
     const Scene& effects;
     std::span<const ShadowView> shadows; ///< by light; lights beyond its end have no map
+    const LightLists* lists = nullptr;   ///< null: all lights
+    std::size_t list = 0;
+
+    bool has(std::size_t light) const { return lists == nullptr || lists->holds(list, light); }
 };
 
 /// Fills `sceneData` for a pipeline; `out` holds all of the scene's block. Allocates

@@ -13,18 +13,33 @@ namespace {
 /// Beyond this a half float's whole range is black or white.
 constexpr double mostStops = 40.0;
 
-std::array<std::string, 2> fragmentFiles(ToneMapping toneMapping) {
-    return {toneMapping == ToneMapping::None ? "passes/tone_none.glsl" : "passes/tone_neutral.glsl",
+std::array<std::string, 3> fragmentFiles(const Scene& scene) {
+    const bool none = scene.toneMapping == ToneMapping::None;
+    return {none ? "passes/tone_none.glsl" : "passes/tone_neutral.glsl",
+            scene.exposure == 0.0 ? "passes/exposed_none.glsl" : "passes/exposed.glsl",
             "passes/display.frag"};
 }
 
 } // namespace
 
-Result<void> DisplayPass::prepare(ToneMapping toneMapping, const Catalog& catalog,
+std::size_t DisplayPass::indexOf(const Scene& scene) {
+    return 2 * static_cast<std::size_t>(scene.toneMapping) + (scene.exposure == 0.0 ? 0 : 1);
+}
+
+Result<void> DisplayPass::prepare(const Scene& scene, const Catalog& catalog,
                                   ProgramCache& cache) {
-    std::optional<Stage>& stage = stages_[static_cast<std::size_t>(toneMapping)];
+    const Result<void> made = foresee(scene, catalog, cache);
+    if (made) {
+        current_ = &*stages_[indexOf(scene)];
+    }
+    return made;
+}
+
+Result<void> DisplayPass::foresee(const Scene& scene, const Catalog& catalog,
+                                  ProgramCache& cache) {
+    std::optional<Stage>& stage = stages_[indexOf(scene)];
     if (!stage) {
-        const auto source = passProgram(catalog, "passes/screen.vert", fragmentFiles(toneMapping));
+        const auto source = passProgram(catalog, "passes/screen.vert", fragmentFiles(scene));
         if (!source) {
             return tl::unexpected(source.error().front());
         }
@@ -34,7 +49,6 @@ Result<void> DisplayPass::prepare(ToneMapping toneMapping, const Catalog& catalo
         }
         stage = Stage{found.program, found.program->uniform("exposureFactor")};
     }
-    current_ = &*stage;
     return {};
 }
 

@@ -19,8 +19,14 @@ namespace patina {
 /// Exposure, tone mapping and the sRGB curve: from the linear image to a framebuffer.
 class DisplayPass {
   public:
-    /// Compiles (or finds) the program of a tone mapping the first time it is asked for.
-    Result<void> prepare(ToneMapping toneMapping, const Catalog& catalog, ProgramCache& cache);
+    /// Compiles (or finds) the program for the scene's exposure and tone mapping the first time it
+    /// is asked for: one that multiplies by nothing where the exposure is 0.
+    Result<void> prepare(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
+
+    /// The same ahead of its use: what is drawn with stays.
+    Result<void> foresee(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
+    /// Whether prepare() would find it, made before.
+    bool has(const Scene& scene) const { return stages_[indexOf(scene)].has_value(); }
 
     bool isPrepared() const { return current_ != nullptr; }
 
@@ -36,8 +42,10 @@ class DisplayPass {
         int exposureUniform = -1;
     };
 
+    static std::size_t indexOf(const Scene& scene);
+
     gl::VertexArray noVertices_ = gl::VertexArray::create();
-    std::array<std::optional<Stage>, 2> stages_;
+    std::array<std::optional<Stage>, 4> stages_; ///< by tone mapping and whether it is exposed
     const Stage* current_ = nullptr;
 };
 

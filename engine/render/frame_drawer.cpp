@@ -44,7 +44,6 @@ const Scene& FrameDrawer::effectsOf(const View& view, const Scene& scene) {
 FrameDrawer::FrameDrawer(std::filesystem::path programCache)
     : pipelines_(std::move(programCache)), isSoftware_(gl::isSoftware()) {
     viewData_.reserve(ViewLayout::vec4s);
-    sceneData_.reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
 }
 
 void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
@@ -68,14 +67,16 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     lostLights_ = 0;
     cursor_ = Cursor();
     fence_ = gl::Fence();
-    if (auto prepared = prepare(scene); !prepared) {
+    effects_ = &effectsOf(view, scene);
+    heldEffects_ = effects_ != &scene;
+    if (auto prepared = prepare(*effects_, purpose); !prepared) {
         return fail(prepared.error());
     }
     textures_.beginFrame(textureBytes_);
-    effects_ = &effectsOf(view, scene);
     collect(scene, view, meshes);
     count();
     planGround(scene, view);
+    makeRoomForLights();
     planShadows(scene);
     if (auto fitting = target_.fit(view.size, view.samples, isDense(view)); !fitting) {
         return fail(fitting.error());
@@ -138,12 +139,14 @@ bool FrameDrawer::fail(Error error) {
     return false;
 }
 
-Result<void> FrameDrawer::prepare(const Scene& scene) {
+Result<void> FrameDrawer::prepare(const Scene& scene, Purpose purpose) {
     if (catalog_ == nullptr) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
     }
     const int before = pipelines_.programs().compiledCount();
-    auto prepared = display_.prepare(scene.toneMapping, *catalog_, pipelines_.programs());
+    ProgramCache& programs = pipelines_.programs();
+    auto prepared = purpose == Purpose::Foresight ? display_.foresee(scene, *catalog_, programs)
+                                                  : display_.prepare(scene, *catalog_, programs);
     report_.compiled += pipelines_.programs().compiledCount() - before;
     return prepared;
 }
@@ -157,6 +160,7 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
     cameras_.cameraToWorld = glm::inverse(cameras_.worldToCamera);
     depths_ = DepthRange();
     items_.clear();
+    lightLists_.begin(scene, *catalog_);
     const glm::dvec3 origin = eye(view.camera);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
@@ -167,11 +171,10 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
         const glm::dmat4 world = worldMatrix(object);
         const glm::dvec3 middle(world * glm::dvec4(glm::dvec3(mesh.bounds.center()), 1.0));
         depths_.add(mesh.bounds, cameras_.worldToCamera * world);
-        items_.push_back({i, mesh, &meshes_.prepare(mesh), world, glm::distance(middle, origin)});
+        items_.push_back({i, mesh, &meshes_.prepare(mesh), world, glm::distance(middle, origin),
+                          lightLists_.listFor(ballAround(mesh.bounds, world))});
     }
-    while (slots_.size() < scene.objects.size()) {
-        slots_.emplace_back();
-    }
+    makeRoom(scene.objects.size());
     // Opaque objects first, near ones before far ones so that depth hides what is behind; then the
     // others, far ones first so that each is blended over what shines through it.
     std::sort(items_.begin(), items_.end(), [this](const Item& a, const Item& b) {
@@ -184,6 +187,19 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
     opaqueItems_ = static_cast<std::size_t>(std::ranges::count_if(items_, [this](const Item& item) {
         return !isTransparent(effects_->objects[item.index].material);
     }));
+}
+
+void FrameDrawer::makeRoom(std::size_t objects) {
+    while (slots_.size() < objects) {
+        slots_.emplace_back();
+    }
+}
+
+void FrameDrawer::makeRoomForLights() {
+    while (sceneData_.size() < lightLists_.count()) {
+        sceneData_.emplace_back().reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
+        fedScenes_.push_back(nullptr);
+    }
 }
 
 void FrameDrawer::count() {
@@ -222,44 +238,6 @@ void FrameDrawer::uploadView(const View& view) {
     viewData_.bind(binding::view);
 }
 
-void FrameDrawer::choosePipelines() {
-    const int before = pipelines_.programs().compiledCount();
-    const std::uint64_t sceneKey = keys_.ofScene(*effects_, *catalog_);
-    sources_.clear();
-    for (const Item& item : items_) {
-        choosePipeline(effects_->objects[item.index].material, slots_[item.index], sceneKey);
-    }
-    chooseGround(sceneKey);
-    report_.compiled += pipelines_.programs().compiledCount() - before;
-}
-
-void FrameDrawer::choosePipeline(const Material& material, Slot& slot, std::uint64_t sceneKey) {
-    const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
-    const PipelineStore::Entry& entry = pipelines_.get(material, key, *effects_, sceneKey);
-    if (entry.pipeline) {
-        slot.pipeline = entry.pipeline;
-    } else {
-        noteSource(&entry);
-    }
-    if (!slot.pipeline) {
-        const PipelineStore::Entry& standIn = pipelines_.standIn(*effects_, sceneKey);
-        slot.pipeline = standIn.pipeline;
-        if (!standIn.pipeline) {
-            noteSource(&standIn);
-        }
-    }
-    if (slot.pipeline) {
-        slot.data.reserve(static_cast<std::size_t>(slot.pipeline->object.vec4s));
-        noteSource(slot.pipeline.get());
-    }
-}
-
-void FrameDrawer::noteSource(const void* source) {
-    if (std::find(sources_.begin(), sources_.end(), source) == sources_.end()) {
-        sources_.push_back(source);
-    }
-}
-
 bool FrameDrawer::resolve(Deadline deadline) {
     if (!deviceIsDone(deadline)) {
         return false;
@@ -280,7 +258,7 @@ bool FrameDrawer::resolve(Deadline deadline) {
 void FrameDrawer::feed(const Scene& scene, const Item& item) {
     Slot& slot = slots_[item.index];
     const Pipeline& pipeline = *slot.pipeline;
-    feedScene(scene, pipeline);
+    feedScene(scene, pipeline, item.lights);
     packObject(slot.data.staging(), pipeline, scene.objects[item.index], item.world,
                cameras_.cameraToWorld);
     textures_.bind(slot.data.staging(), pipeline, scene.objects[item.index].material);
@@ -292,18 +270,19 @@ void FrameDrawer::feed(const Scene& scene, const Item& item) {
 
 /// Programs that were made for the same scene read the same data; one that is left over from
 /// before a change that does not compile may read other data.
-void FrameDrawer::feedScene(const Scene& scene, const Pipeline& pipeline) {
-    if (fedScene_ != nullptr && fedScene_->sceneKey == pipeline.sceneKey &&
-        fedScene_->catalog == pipeline.catalog) {
-        return;
+void FrameDrawer::feedScene(const Scene& scene, const Pipeline& pipeline, std::size_t lights) {
+    UniformBuffer& data = sceneData_[lights];
+    const Pipeline* fed = fedScenes_[lights];
+    if (fed == nullptr || fed->sceneKey != pipeline.sceneKey || fed->catalog != pipeline.catalog) {
+        const PackedScene packed =
+            packScene(data.staging(), pipeline,
+                      {scene, *effects_, shadows_.views(), &lightLists_, lights},
+                      cameras_.cameraToWorld);
+        report_.uploadedBuffers += data.upload(packed.vec4s) ? 1 : 0;
+        lostLights_ = std::max(lostLights_, packed.lostLights);
+        fedScenes_[lights] = &pipeline;
     }
-    const PackedScene packed =
-        packScene(sceneData_.staging(), pipeline, {scene, *effects_, shadows_.views()},
-                  cameras_.cameraToWorld);
-    report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
-    lostLights_ = std::max(lostLights_, packed.lostLights);
-    sceneData_.bind(binding::scene);
-    fedScene_ = &pipeline;
+    data.bind(binding::scene);
 }
 
 } // namespace patina

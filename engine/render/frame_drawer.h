@@ -15,6 +15,7 @@
 #include "render/gpu_mesh_store.h"
 #include "render/gpu_texture_store.h"
 #include "render/hdr_target.h"
+#include "render/light_lists.h"
 #include "render/pipeline_store.h"
 #include "render/renderer.h"
 #include "render/shadow_maps.h"
@@ -92,11 +93,13 @@ class FrameDrawer {
         GpuMesh* mesh = nullptr;
         glm::dmat4 world{1.0};
         double distance = 0.0; ///< from the eye to the middle of its box
+        std::size_t lights = 0; ///< the number of its list
     };
     /// The ground of the frame that is being drawn.
     struct GroundItem {
         bool isSeen = false;
         GroundPlace place;
+        std::size_t lights = 0; ///< the number of its list
         std::shared_ptr<const Pipeline> pipeline; ///< the last good one
         UniformBuffer data;
         std::optional<GpuMesh> mesh; ///< once it was needed
@@ -124,21 +127,25 @@ class FrameDrawer {
 
     /// The scene whose effects the programs have.
     static const Scene& effectsOf(const View& view, const Scene& scene);
-    Result<void> prepare(const Scene& scene);
+    Result<void> prepare(const Scene& scene, Purpose purpose);
     bool hasPipelines(const Scene& effects);
     bool fail(Error error);
     void collect(const Scene& scene, const View& view, const MeshSource& meshes);
+    void makeRoom(std::size_t objects);
+    void makeRoomForLights();
     void count();
     bool isDense(const View& view) const; ///< more triangles than pixels
     void uploadView(const View& view);
     void clear(const Scene& scene, const View& view);
     void choosePipelines();
-    void choosePipeline(const Material& material, Slot& slot, std::uint64_t sceneKey);
+    void choosePipeline(const Material& material, Slot& slot,
+                        const PipelineStore::Surroundings& around);
+    PipelineStore::Surroundings surroundings();
     void planShadows(const Scene& scene);
     bool drawShadows(Deadline deadline);
     void planGround(const Scene& scene, const View& view);
     double lowestHeight(const Item& item);
-    void chooseGround(std::uint64_t sceneKey);
+    void chooseGround(const PipelineStore::Surroundings& around);
     void drawGround(const Scene& scene);
     void addLost();
     bool uploadMeshes(Deadline deadline);
@@ -153,7 +160,7 @@ class FrameDrawer {
     bool mustStop(Deadline deadline);
     bool deviceIsDone(Deadline deadline);
     void feed(const Scene& scene, const Item& item);
-    void feedScene(const Scene& scene, const Pipeline& pipeline);
+    void feedScene(const Scene& scene, const Pipeline& pipeline, std::size_t lights);
     void describe();
     void describeEffects();
     void noteSource(const void* source);
@@ -169,7 +176,8 @@ class FrameDrawer {
     EnvironmentPass environment_;
     DisplayPass display_;
     UniformBuffer viewData_;
-    UniformBuffer sceneData_;
+    std::vector<UniformBuffer> sceneData_; ///< by list of lights
+    LightLists lightLists_;
     ShadowMaps shadows_;
     std::optional<Error> shadowError_;
     GroundItem ground_;
@@ -184,7 +192,8 @@ class FrameDrawer {
     gl::Fence fence_; ///< behind the last commands of a frame that is drawn in steps
     std::int64_t triangles_ = 0;
     bool isSoftware_;
-    const Pipeline* fedScene_ = nullptr;
+    std::vector<const Pipeline*> fedScenes_; ///< by list of lights: who reads what is in it now
+    bool heldEffects_ = false; ///< they are not the scene's own, and a drag must not compile
     int lostLights_ = 0;
     std::vector<const void*> programs_;
     std::vector<const void*> sources_;   ///< what this frame's report is made from

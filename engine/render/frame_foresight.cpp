@@ -10,6 +10,12 @@ namespace patina {
 
 bool FrameDrawer::hasPipelines(const Scene& effects) {
     const std::uint64_t sceneKey = keys_.ofScene(effects, *catalog_);
+    if (!display_.has(effects)) {
+        return false;
+    }
+    if (isSeen(effects.ground) && !pipelines_.hasGround(effects.ground.mode, sceneKey)) {
+        return false;
+    }
     return std::all_of(effects.objects.begin(), effects.objects.end(), [&](const Object& object) {
         return !object.visible ||
                pipelines_.has(EffectKey::ofMaterial(object.material, *catalog_), sceneKey);

@@ -74,7 +74,7 @@ void FrameDrawer::prepareToDraw() {
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
-    fedScene_ = nullptr;
+    std::fill(fedScenes_.begin(), fedScenes_.end(), nullptr);
     shadows_.bind();
 }
 

@@ -50,11 +50,11 @@ void FrameDrawer::describeEffects() {
     report_.effects.clear();
     report_.messages.clear();
     report_.warnings = 0;
-    const std::uint64_t sceneKey = keys_.ofScene(*effects_, *catalog_);
+    const PipelineStore::Surroundings around = surroundings();
     for (const Item& item : items_) {
         const Material& material = effects_->objects[item.index].material;
         const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
-        for (const Error& error : pipelines_.get(material, key, *effects_, sceneKey).errors) {
+        for (const Error& error : pipelines_.get(material, key, around).errors) {
             addOnce(report_.messages, error);
         }
         if (const Pipeline* pipeline = slots_[item.index].pipeline.get()) {

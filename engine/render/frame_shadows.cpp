@@ -4,8 +4,6 @@
 #include <limits>
 
 #include <epoxy/gl.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "render/binding.h"
 #include "render/data_packer.h"
@@ -15,31 +13,8 @@
 namespace patina {
 namespace {
 
-/// The ground reaches so many times as far as the objects.
-constexpr double groundReach = 12.0;
-
-/// So much of the objects' size the ground lies below their lowest point.
-constexpr double lieBelow = 5e-4;
-
 /// Triangles that are drawn before the clock is asked.
 constexpr int slice = 16384;
-
-/// A box in the world around the boxes of all objects.
-struct WorldBox {
-    glm::dvec3 lower{std::numeric_limits<double>::infinity()};
-    glm::dvec3 upper{-std::numeric_limits<double>::infinity()};
-
-    void add(const Bounds& bounds, const glm::dmat4& world) {
-        for (int corner = 0; !bounds.empty() && corner < 8; ++corner) {
-            const glm::dvec3 x(world * cornerOf(bounds, corner));
-            lower = glm::min(lower, x);
-            upper = glm::max(upper, x);
-        }
-    }
-    bool isUsable() const {
-        return lower.x <= upper.x && glm::length(upper - lower) < 1e9;
-    }
-};
 
 void setGroundBlending(GroundMode mode) {
     glEnable(GL_BLEND);
@@ -93,39 +68,30 @@ double FrameDrawer::lowestHeight(const Item& item) {
     return height;
 }
 
+/// While its opacity is dragged the ground is there at 0 too.
 void FrameDrawer::planGround(const Scene& scene, const View& view) {
     ground_.isSeen = false;
-    if (!isSeen(scene.ground) || items_.empty()) {
+    if (!isSeen(effects_->ground)) {
         return;
     }
-    WorldBox box;
-    double lowest = std::numeric_limits<double>::infinity();
+    GroundUnder under;
     for (const Item& item : items_) {
-        box.add(item.view.bounds, item.world);
-        lowest = std::min(lowest, lowestHeight(item));
+        under.add(item.view.bounds, item.world, lowestHeight(item));
     }
-    const double size = 0.5 * glm::length(box.upper - box.lower);
-    // A little lower, so that a flat mesh that lies on it is seen.
-    const double height = scene.ground.automatic ? lowest - lieBelow * size : scene.ground.height;
-    const double above = eye(view.camera).y - height;
-    if (!box.isUsable() || !(above > 0.0)) {
-        return;
+    const auto place = under.place(scene.ground, eye(view.camera));
+    if (place) {
+        ground_.isSeen = true;
+        ground_.place = *place;
+        ground_.lights = lightLists_.listFor(ballAround(*place));
+        addGround(depths_, *place, view.camera);
     }
-    ground_.isSeen = true;
-    ground_.place.middle = glm::dvec3(0.5 * (box.lower.x + box.upper.x), height,
-                                      0.5 * (box.lower.z + box.upper.z));
-    ground_.place.radius = groundReach * std::max(size, 1e-6);
-    const glm::dvec3 middle(cameras_.worldToCamera * glm::dvec4(ground_.place.middle, 1.0));
-    depths_.add(0.2 * above);
-    depths_.add(-middle.z + 1.5 * ground_.place.radius);
 }
 
-void FrameDrawer::chooseGround(std::uint64_t sceneKey) {
-    if (!ground_.isSeen || !isSeen(effects_->ground)) {
-        ground_.isSeen = false;
+void FrameDrawer::chooseGround(const PipelineStore::Surroundings& around) {
+    if (!ground_.isSeen) {
         return;
     }
-    const PipelineStore::Entry& entry = pipelines_.ground(*effects_, sceneKey);
+    const PipelineStore::Entry& entry = pipelines_.ground(around);
     ground_.pipeline = entry.pipeline ? entry.pipeline : ground_.pipeline;
     ground_.isSeen = ground_.pipeline && ground_.pipeline->effects.ground != GroundMode::Off;
     if (!ground_.isSeen) {
@@ -148,7 +114,7 @@ void FrameDrawer::drawGround(const Scene& scene) {
     }
     cursor_.hasGround = true;
     const Pipeline& pipeline = *ground_.pipeline;
-    feedScene(scene, pipeline);
+    feedScene(scene, pipeline, ground_.lights);
     packGround(ground_.data.staging(), pipeline, scene.ground,
                {ground_.place, environment_.upward()});
     report_.uploadedBuffers +=

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <glm/ext/matrix_clip_space.hpp>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace patina {
@@ -17,7 +18,15 @@ void DepthRange::add(const Bounds& bounds, const glm::dmat4& objectToCamera) {
         const glm::dvec4 point((corner & 1) != 0 ? bounds.upper.x : bounds.lower.x,
                                (corner & 2) != 0 ? bounds.upper.y : bounds.lower.y,
                                (corner & 4) != 0 ? bounds.upper.z : bounds.lower.z, 1.0);
-        add(-(objectToCamera * point).z);
+        const glm::dvec3 seen(objectToCamera * point);
+        add(-seen.z);
+        addReach(glm::length(seen));
+    }
+}
+
+void DepthRange::addReach(double distance) {
+    if (std::isfinite(distance)) {
+        farthestPoint_ = std::max(farthestPoint_, distance);
     }
 }
 
@@ -34,6 +43,14 @@ double DepthRange::far() const {
 
 double DepthRange::near() const {
     return farthest_ > 0.0 ? std::max(0.99 * nearest_, 1e-4 * far()) : 0.1;
+}
+
+EffectView effectView(const DepthRange& depths) {
+    EffectView view;
+    if (depths.farthest() > 0.0) {
+        view.farthest = std::exp2(std::ceil(std::log2(depths.farthest())));
+    }
+    return view;
 }
 
 glm::dmat4 projection(const Camera& camera, double aspect, const DepthRange& depths) {

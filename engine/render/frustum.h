@@ -5,6 +5,7 @@
 
 #include "core/mesh.h"
 #include "scene/scene.h"
+#include "shading/effect_view.h"
 
 namespace patina {
 
@@ -17,15 +18,26 @@ class DepthRange {
     /// Adds a distance along the view.
     void add(double depth);
 
+    /// Adds a distance from the eye.
+    void addReach(double distance);
+
     /// Distances of the near and the far plane: around everything that was added, the near one at
     /// least a ten-thousandth of the far one so that depths stay apart. 0.1 and 100 for nothing.
     double near() const;
     double far() const;
 
+    /// From the eye to the farthest point; 0 for nothing.
+    double farthest() const { return farthestPoint_; }
+
   private:
+    double farthestPoint_ = 0.0;
     double nearest_ = 1e30;
     double farthest_ = 0.0;
 };
+
+/// What these depths say to the choice of effects. The distance is rounded up to a power of two, so
+/// that a camera that moves seldom asks for other programs.
+EffectView effectView(const DepthRange& depths);
 
 /// The perspective of a camera whose image is `aspect` times as wide as high. The (vertical) field
 /// of view is brought into 1 .. 170 degrees.

@@ -40,11 +40,11 @@ void add(Errors& errors, const Errors& more) {
 
 /// The scene's lights in the order of the program's terms.
 std::vector<std::size_t> lightsOf(const Scene& scene, const Pipeline& pipeline) {
-    const bool casters = hasCaster(scene);
+    const bool shadows = hasShadows(scene, *pipeline.catalog);
     std::vector<std::size_t> order;
     for (const LightGroup& group : pipeline.effects.scene.lights) {
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog, casters) == group.key) {
+            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog, shadows) == group.key) {
                 order.push_back(i);
             }
         }
@@ -155,14 +155,14 @@ void InspectionDrawer::note(const PipelineStore::Entry& entry) {
 
 void InspectionDrawer::choosePipelines(const Scene& scene) {
     const int before = pipelines_.programs().compiledCount();
-    const std::uint64_t sceneKey = keys_.ofScene(scene, *catalog_);
+    const PipelineStore::Surroundings surroundings{scene, keys_.ofScene(scene, *catalog_)};
     for (const Item& item : items_) {
         const Material& material = scene.objects[item.index].material;
         const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
-        const PipelineStore::Entry& entry = pipelines_.get(material, key, scene, sceneKey);
+        const PipelineStore::Entry& entry = pipelines_.get(material, key, surroundings);
         note(entry);
         slots_[item.index].pipeline =
-            entry.pipeline ? entry.pipeline : pipelines_.standIn(scene, sceneKey).pipeline;
+            entry.pipeline ? entry.pipeline : pipelines_.standIn(surroundings).pipeline;
     }
     report_.compiled = pipelines_.programs().compiledCount() - before;
 }
@@ -223,7 +223,7 @@ void InspectionDrawer::feedObject(const Object& object, const Item& item) {
     }
     static const Scene nothing; // a table knows no lights
     const PipelineStore::Entry& table =
-        tables_.get(object.material, EffectKey::ofMaterial(object.material, *catalog_), nothing, 0);
+        tables_.get(object.material, EffectKey::ofMaterial(object.material, *catalog_), {nothing});
     if (table.pipeline && (changed || slot.albedo.filledWith() != table.pipeline.get())) {
         slot.data.bind(binding::object);
         slot.albedo.fill(*table.pipeline);

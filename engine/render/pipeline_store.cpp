@@ -24,30 +24,32 @@ void PipelineStore::setCatalog(std::shared_ptr<const Catalog> catalog) {
 }
 
 const PipelineStore::Entry& PipelineStore::get(const Material& material, std::uint64_t materialKey,
-                                               const Scene& scene, std::uint64_t sceneKey) {
-    return find({materialKey, sceneKey}, material, scene);
+                                               const Surroundings& surroundings) {
+    return find(materialKey, material, surroundings);
 }
 
-const PipelineStore::Entry& PipelineStore::standIn(const Scene& scene, std::uint64_t sceneKey) {
+const PipelineStore::Entry& PipelineStore::standIn(const Surroundings& surroundings) {
     static const Material nothing;
-    return find({0, sceneKey}, nothing, scene);
+    return find(0, nothing, surroundings);
 }
 
-const PipelineStore::Entry& PipelineStore::ground(const Scene& scene, std::uint64_t sceneKey) {
-    const Key key{1 + static_cast<std::uint64_t>(scene.ground.mode), sceneKey};
+const PipelineStore::Entry& PipelineStore::ground(const Surroundings& around) {
+    const Key key{keyOf(around.scene.ground.mode), around.key};
     auto known = entries_.find(key);
     if (known == entries_.end()) {
-        known = entries_.emplace(key, make(groundEffects(scene, *catalog_), sceneKey)).first;
+        EffectSet effects = groundEffects(around.scene, *catalog_, around.view);
+        known = entries_.emplace(key, make(std::move(effects), around.key)).first;
     }
     return known->second;
 }
 
-const PipelineStore::Entry& PipelineStore::find(const Key& key, const Material& material,
-                                                const Scene& scene) {
+const PipelineStore::Entry& PipelineStore::find(std::uint64_t materialKey, const Material& material,
+                                                const Surroundings& surroundings) {
+    const Key key{materialKey, surroundings.key};
     auto known = entries_.find(key);
     if (known == entries_.end()) {
-        Entry made = make(effectSet(material, scene, *catalog_), key.second);
-        known = entries_.emplace(key, std::move(made)).first;
+        EffectSet effects = effectSet(material, surroundings.scene, *catalog_, surroundings.view);
+        known = entries_.emplace(key, make(std::move(effects), key.second)).first;
     }
     return known->second;
 }

@@ -28,27 +28,41 @@ class PipelineStore {
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// The pipeline for a material in a scene, whose keys are EffectKey's.
-    const Entry& get(const Material& material, std::uint64_t materialKey, const Scene& scene,
-                     std::uint64_t sceneKey);
+    /// What a pipeline is made for beside the material; the key is EffectKey::ofScene().
+    struct Surroundings {
+        const Scene& scene;
+        std::uint64_t key = 0;
+        EffectView view{};
+    };
+
+    /// The pipeline for a material, whose key is EffectKey::ofMaterial().
+    const Entry& get(const Material& material, std::uint64_t materialKey,
+                     const Surroundings& surroundings);
 
     /// Whether get() would find it, made before.
     bool has(std::uint64_t materialKey, std::uint64_t sceneKey) const {
         return entries_.contains({materialKey, sceneKey});
     }
 
+    /// Whether ground() would find it, made before.
+    bool hasGround(GroundMode mode, std::uint64_t sceneKey) const {
+        return entries_.contains({keyOf(mode), sceneKey});
+    }
+
     /// A plain stand-in for an object whose own program never compiled.
-    const Entry& standIn(const Scene& scene, std::uint64_t sceneKey);
+    const Entry& standIn(const Surroundings& surroundings);
 
     /// The scene's ground, which must be seen.
-    const Entry& ground(const Scene& scene, std::uint64_t sceneKey);
+    const Entry& ground(const Surroundings& surroundings);
 
     ProgramCache& programs() { return programs_; }
 
   private:
     using Key = std::pair<std::uint64_t, std::uint64_t>;
 
-    const Entry& find(const Key& key, const Material& material, const Scene& scene);
+    static std::uint64_t keyOf(GroundMode mode) { return 1 + static_cast<std::uint64_t>(mode); }
+    const Entry& find(std::uint64_t materialKey, const Material& material,
+                      const Surroundings& surroundings);
     Entry make(EffectSet effects, std::uint64_t sceneKey);
 
     std::shared_ptr<const Catalog> catalog_;

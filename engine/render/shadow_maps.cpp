@@ -99,7 +99,7 @@ bool ShadowMaps::hasChanged() const {
 void ShadowMaps::makeViews(const Scene& scene, const Scene& effects,
                            const glm::dmat4& cameraToWorld, int texels) {
     views_.assign(scene.lights.size(), ShadowView());
-    if (boxes_.empty() || !hasCaster(effects)) {
+    if (boxes_.empty() || !hasShadows(effects, *catalog_)) {
         return;
     }
     for (std::size_t i = 0; i < views_.size(); ++i) {

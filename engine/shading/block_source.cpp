@@ -68,11 +68,20 @@ std::string readSource(const ParameterField& field) {
     return type == "bool" ? fmt::format("{} != 0.0", placeOf(field)) : placeOf(field);
 }
 
+/// The name of the field that says whether this one is the same as another; empty: none does.
+std::string equalField(const ParameterField& field) {
+    const bool compared =
+        field.parameter != nullptr && field.parameter->compiled == Compiled::WhenEqual;
+    return compared ? field.name + "Equal" : std::string();
+}
+
 const CompiledValue* compiledOf(const ParameterField& field, const UnpackRequest& request) {
     const auto found =
         std::find_if(request.compiled.begin(), request.compiled.end(),
                      [&field](const CompiledValue& value) { return value.id == idOf(field); });
-    return found == request.compiled.end() || found->value == "nonzero" ? nullptr : &*found;
+    const bool isRead =
+        found == request.compiled.end() || found->value == "nonzero" || !equalField(field).empty();
+    return isRead ? nullptr : &*found;
 }
 
 std::string compiledText(const Block& block, const ParameterField& field,
@@ -90,6 +99,19 @@ std::string defineName(const ParameterField& field, const UnpackRequest& request
         owner.remove_prefix(6);
     }
     return fmt::format("COMPILED_{}_{}", constantCase(owner), constantCase(field.name));
+}
+
+/// "p.roughnessYEqual = true;", as the program was made, or by a look at both values.
+std::string unpackEqual(const ParameterField& field, const UnpackRequest& request) {
+    const std::string equal = equalField(field);
+    const auto found =
+        std::find_if(request.compiled.begin(), request.compiled.end(),
+                     [&field](const CompiledValue& value) { return value.id == idOf(field); });
+    if (found != request.compiled.end()) {
+        return fmt::format("    p.{} = {};\n", equal, found->value == "equal" ? "true" : "false");
+    }
+    return fmt::format("    p.{} = p.{} == p.{};\n", equal, field.name,
+                       fieldName(field.parameter->equalTo));
 }
 
 std::string unpackSlots(const Block& block, const UnpackRequest& request) {
@@ -162,6 +184,9 @@ std::string structSource(const Block& block) {
     const ParameterLayout layout = layoutOf(block);
     for (const ParameterField& field : layout.fields) {
         fmt::format_to(std::back_inserter(out), "    {} {};\n", glslType(field), field.name);
+        if (const std::string equal = equalField(field); !equal.empty()) {
+            fmt::format_to(std::back_inserter(out), "    bool {};\n", equal);
+        }
     }
     for (const Slot& slot : block.slots) {
         fmt::format_to(std::back_inserter(out), "    {} {};\n", slotStructName(slot.kind),
@@ -186,6 +211,9 @@ std::string unpackSource(const Block& block, const UnpackRequest& request) {
             fmt::format_to(std::back_inserter(defines), "#define {} {}\n", value,
                            compiledText(block, field, *compiled));
         }
+    }
+    for (const ParameterField& field : layout.fields) {
+        body += equalField(field).empty() ? std::string() : unpackEqual(field, request);
     }
     body += unpackSlots(block, request);
     std::string out = fmt::format("{}{} {}(int base) {{\n    {} p;\n", defines, structName(block),

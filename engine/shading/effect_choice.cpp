@@ -2,10 +2,14 @@
 #include "shading/effect_choice.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include <glm/common.hpp>
 
 #include "scene/environment.h"
+#include "shading/fog_depth.h"
+#include "shading/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -29,11 +33,15 @@ bool notPositive(const Value& value) {
     return false;
 }
 
-/// By what shared parameter ids mean: see `parameters` in the descriptors.
-bool isNothing(const Block& block, const Values& values, std::string_view parameterId) {
-    const Parameter* parameter = block.parameter(parameterId);
-    return parameter != nullptr && parameter->min >= 0.0 &&
-           notPositive(givenValue(*parameter, values));
+/// Parameters without which a block of a kind does nothing.
+std::span<const std::string_view> decisiveIds(std::string_view kind) {
+    static constexpr std::array<std::string_view, 2> ofLights{"color", "intensity"};
+    static constexpr std::array<std::string_view, 1> ofFog{"density"};
+    static constexpr std::array<std::string_view, 2> ofEnvironments{"intensity", "tint"};
+    if (kind == "lights") {
+        return ofLights;
+    }
+    return kind == "fog" ? std::span<const std::string_view>(ofFog) : ofEnvironments;
 }
 
 } // namespace
@@ -66,9 +74,14 @@ bool isZero(const Parameter& parameter, const Values& values) {
     return number != nullptr && *number == 0.0;
 }
 
-std::size_t compiledState(const Parameter& parameter, const Values& values) {
+std::size_t compiledState(const Block& block, const Parameter& parameter, const Values& values) {
     if (parameter.compiled == Compiled::WhenZero) {
         return isZero(parameter, values) ? 0 : 1;
+    }
+    if (parameter.compiled == Compiled::WhenEqual) {
+        const Parameter* other = block.parameter(parameter.equalTo);
+        return other != nullptr && givenValue(parameter, values) == givenValue(*other, values) ? 0
+                                                                                               : 1;
     }
     if (const auto* truth = std::get_if<bool>(&givenValue(parameter, values))) {
         return *truth ? 1 : 0;
@@ -76,13 +89,28 @@ std::size_t compiledState(const Parameter& parameter, const Values& values) {
     return chosenIndex(parameter, values);
 }
 
-bool canShine(const Light& light, const Block& block) {
-    return light.enabled && !isNothing(block, light.block.parameters, "color") &&
-           !isNothing(block, light.block.parameters, "intensity");
+const Parameter* neutralParameter(const Block& block, const Values& values) {
+    for (const std::string_view id : decisiveIds(block.kind)) {
+        const Parameter* parameter = block.parameter(id);
+        if (parameter != nullptr && parameter->min >= 0.0 &&
+            notPositive(givenValue(*parameter, values))) {
+            return parameter;
+        }
+    }
+    return nullptr;
 }
 
-bool canHide(const BlockValues& fog, const Block& block) {
-    return !isNothing(block, fog.parameters, "density");
+bool canShine(const Light& light, const Block& block) {
+    return light.enabled && neutralParameter(block, light.block.parameters) == nullptr;
+}
+
+bool canHide(const Scene& scene, const Block& block, const EffectView& view) {
+    return neutralParameter(block, scene.fog->parameters) == nullptr &&
+           mostChange(scene, block, view) >= halfStep;
+}
+
+bool hasAmbient(const Scene& scene) {
+    return scene.ambient.x > 0.0 || scene.ambient.y > 0.0 || scene.ambient.z > 0.0;
 }
 
 bool isCaster(const Object& object) {
@@ -91,6 +119,18 @@ bool isCaster(const Object& object) {
 
 bool hasCaster(const Scene& scene) {
     return std::any_of(scene.objects.begin(), scene.objects.end(), isCaster);
+}
+
+bool hasReceiver(const Scene& scene, const Catalog& catalog) {
+    return isSeen(scene.ground) ||
+           std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+               return object.visible && canBeSeen(object.material) &&
+                      catalog.find("models", object.material.model.id) != nullptr;
+           });
+}
+
+bool hasShadows(const Scene& scene, const Catalog& catalog) {
+    return hasCaster(scene) && hasReceiver(scene, catalog);
 }
 
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {
@@ -110,8 +150,7 @@ EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog) 
     if (block == nullptr) {
         return {nullptr, "No environment of this kind is known."};
     }
-    if (isNothing(*block, scene.environment->parameters, "intensity") ||
-        isNothing(*block, scene.environment->parameters, "tint")) {
+    if (neutralParameter(*block, scene.environment->parameters) != nullptr) {
         return {nullptr, "It is dark."};
     }
     if (pictureParameter(*block) != nullptr && pictureFile(*scene.environment, *block).empty()) {

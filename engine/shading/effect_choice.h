@@ -9,6 +9,7 @@
 #include "catalog/parameter_layout.h"
 #include "material/material.h"
 #include "scene/scene.h"
+#include "shading/effect_view.h"
 
 namespace patina {
 
@@ -24,17 +25,30 @@ std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& leve
 bool isZero(const Parameter& parameter, const Values& values);
 
 /// What a compiled parameter contributes to the program, as a small number: the enum value's
-/// index, a bool, or whether a float is zero.
-std::size_t compiledState(const Parameter& parameter, const Values& values);
+/// index, a bool, or whether a float is zero or the same as another one of its block.
+std::size_t compiledState(const Block& block, const Parameter& parameter, const Values& values);
 
-/// Whether a light can send anything, and whether fog can hide anything.
+/// Whether a light can send anything, and whether the scene's fog can change what is drawn.
 bool canShine(const Light& light, const Block& block);
-bool canHide(const BlockValues& fog, const Block& block);
+bool canHide(const Scene& scene, const Block& block, const EffectView& view);
+
+/// The parameter because of which a light or an environment of the block sends nothing, or fog of
+/// it hides nothing wherever it is; null when there is none. By what shared parameter ids mean.
+const Parameter* neutralParameter(const Block& block, const Values& values);
+
+/// Whether the scene has an ambient colour that is not black.
+bool hasAmbient(const Scene& scene);
 
 /// Whether an object keeps light from others: it is drawn, may do so, and lets less than half of
 /// the light through.
 bool isCaster(const Object& object);
 bool hasCaster(const Scene& scene);
+
+/// Whether a shadow can fall on anything: on the ground, or on an object whose model is known.
+bool hasReceiver(const Scene& scene, const Catalog& catalog);
+
+/// Whether shadows can be seen in lights that have some: something casts one, something catches it.
+bool hasShadows(const Scene& scene, const Catalog& catalog);
 
 /// The block that draws the shadows in a light of kind `light`; null where it has none.
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog);

@@ -37,7 +37,7 @@ void addBlock(Hash& hash, const Block& block, const Values& values, const Accura
     hash.add(block.id);
     for (const Parameter& parameter : block.parameters) {
         if (parameter.compiled != Compiled::No) {
-            hash.add(compiledState(parameter, values));
+            hash.add(compiledState(block, parameter, values));
         }
     }
     for (const AccuracyChoice& choice : block.accuracy) {
@@ -79,7 +79,7 @@ void addTextures(Hash& hash, const Material& material, const Catalog& catalog) {
 
 } // namespace
 
-std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog, bool hasCaster) {
+std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog, bool hasShadows) {
     const Block* block = catalog.find("lights", light.block.id);
     if (block == nullptr || !canShine(light, *block)) {
         return 0;
@@ -87,11 +87,15 @@ std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog, boo
     static const AccuracyLevels exact;
     Hash hash;
     addBlock(hash, *block, light.block.parameters, exact);
-    const Block* shadow = hasCaster ? shadowBlock(light, *block, catalog) : nullptr;
+    const Block* shadow = hasShadows ? shadowBlock(light, *block, catalog) : nullptr;
     if (shadow != nullptr) {
         addBlock(hash, *shadow, light.shadow->parameters, exact);
     }
     return hash.value();
+}
+
+std::uint64_t EffectKey::ofDisplay(const Scene& scene) {
+    return 2 * static_cast<std::uint64_t>(scene.toneMapping) + (scene.exposure == 0.0 ? 0 : 1);
 }
 
 std::uint64_t EffectKey::ofEnvironment(const Scene& scene, const Catalog& catalog) {
@@ -105,11 +109,12 @@ std::uint64_t EffectKey::ofEnvironment(const Scene& scene, const Catalog& catalo
     return hash.value();
 }
 
-std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog) {
+std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
+                                 const EffectView& view) {
     groups_.clear();
-    const bool casters = hasCaster(scene);
+    const bool shadows = hasShadows(scene, catalog);
     for (const Light& light : scene.lights) {
-        groups_.push_back(ofLight(light, catalog, casters));
+        groups_.push_back(ofLight(light, catalog, shadows));
     }
     std::sort(groups_.begin(), groups_.end());
     groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
@@ -118,13 +123,13 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog) {
         hash.add(group == 0 ? 1 : group);
     }
     const Block* fog = scene.fog ? catalog.find("fog", scene.fog->id) : nullptr;
-    if (fog != nullptr && canHide(*scene.fog, *fog)) {
+    if (fog != nullptr && canHide(scene, *fog, view)) {
         static const AccuracyLevels exact;
         addBlock(hash, *fog, scene.fog->parameters, exact);
     }
     hash.add(ofEnvironment(scene, catalog));
     hash.add(hasHemisphere(scene) ? 1 : 0);
-    hash.add(scene.ambient.x > 0.0 || scene.ambient.y > 0.0 || scene.ambient.z > 0.0 ? 1 : 0);
+    hash.add(hasAmbient(scene) ? 1 : 0);
     return hash.value();
 }
 

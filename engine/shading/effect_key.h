@@ -7,6 +7,7 @@
 #include "catalog/catalog.h"
 #include "material/material.h"
 #include "scene/scene.h"
+#include "shading/effect_view.h"
 
 namespace patina {
 
@@ -14,8 +15,8 @@ namespace patina {
 /// frame whether the programs of the last one still fit.
 class EffectKey {
   public:
-    /// Of sceneEffects(scene, catalog), without the counts of lights.
-    std::uint64_t ofScene(const Scene& scene, const Catalog& catalog);
+    /// Of sceneEffects(scene, catalog, view), without the counts of lights.
+    std::uint64_t ofScene(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
     /// Of what effectSet() adds for the material.
     static std::uint64_t ofMaterial(const Material& material, const Catalog& catalog);
@@ -23,9 +24,12 @@ class EffectKey {
     /// Of the scene's environment and its compiled values; 0 when it is left out.
     static std::uint64_t ofEnvironment(const Scene& scene, const Catalog& catalog);
 
-    /// Of one light's block and compiled values, and of its shadows' where objects cast any (as
-    /// hasCaster() says); 0 when it is left out.
-    static std::uint64_t ofLight(const Light& light, const Catalog& catalog, bool hasCaster);
+    /// Of what happens to the picture behind the objects: equal where one program does it.
+    static std::uint64_t ofDisplay(const Scene& scene);
+
+    /// Of one light's block and compiled values, and of its shadows' where shadows can be seen (as
+    /// hasShadows() says); 0 when it is left out.
+    static std::uint64_t ofLight(const Light& light, const Catalog& catalog, bool hasShadows);
 
   private:
     std::vector<std::uint64_t> groups_; ///< kept for its memory

@@ -2,145 +2,51 @@
 #include "shading/effect_set.h"
 
 #include <algorithm>
-#include <iterator>
-#include <tuple>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
 
+#include "shading/block_use.h"
 #include "shading/effect_choice.h"
-#include "shading/effect_key.h"
+#include "shading/fog_depth.h"
+#include "shading/light_effects.h"
 #include "shading/texture_choice.h"
 #include "shading/texture_effects.h"
 
 namespace patina {
 namespace {
 
-std::string stateText(const Parameter& parameter, const Values& values) {
-    const std::size_t state = compiledState(parameter, values);
-    if (parameter.compiled == Compiled::WhenZero) {
-        return state == 0 ? "zero" : "nonzero";
-    }
-    if (parameter.type == ParameterType::Bool) {
-        return state == 0 ? "false" : "true";
-    }
-    return state < parameter.values.size() ? parameter.values[state].id : std::string();
-}
-
-std::vector<CompiledValue> compiledValues(const Block& block, const Values& values,
-                                          const AccuracyLevels& levels) {
-    std::vector<CompiledValue> out;
-    for (const Parameter& parameter : block.parameters) {
-        if (parameter.compiled != Compiled::No) {
-            out.push_back({parameter.id, stateText(parameter, values)});
-        }
-    }
-    for (const AccuracyChoice& choice : block.accuracy) {
-        if (!choice.values.empty()) {
-            out.push_back({choice.id, choice.values[chosenIndex(choice, levels)].id});
-        }
-    }
-    return out;
-}
-
-BlockUse useOf(const Block& block, const Values& values, const AccuracyLevels& levels,
-               std::string reason) {
-    return {block.kind, block.id, compiledValues(block, values, levels), std::move(reason)};
-}
-
-std::string lightName(const Light& light) {
-    return light.name.empty() ? fmt::format("a light of kind \"{}\"", light.block.id)
-                              : fmt::format("the light \"{}\"", light.name);
-}
-
-void addLight(SceneEffects& effects, const Block& block, const Light& light, std::uint64_t key,
-              const Block* shadow) {
-    const auto group = std::find_if(effects.lights.begin(), effects.lights.end(),
-                                    [key](const LightGroup& known) { return known.key == key; });
-    if (group != effects.lights.end()) {
-        ++group->count;
-    } else {
-        LightGroup made{useOf(block, light.block.parameters, {}, {}), std::nullopt,
-                        ShadowProjection::None, 1, key};
-        if (shadow != nullptr) {
-            made.shadow = useOf(*shadow, light.shadow->parameters, {},
-                                "Objects cast shadows in this light.");
-            made.projection = block.shadowProjection;
-        }
-        effects.lights.push_back(std::move(made));
-    }
-}
-
-/// Why a light's shadows are not drawn; empty when they are, or none are asked for.
-std::string reasonWithoutShadow(const Light& light, const Block& block, const Catalog& catalog,
-                                bool hasCaster) {
-    if (!light.shadow) {
-        return {};
-    }
-    if (block.shadowProjection == ShadowProjection::None) {
-        return "Lights of this kind cast none.";
-    }
-    if (catalog.find("shadows", light.shadow->id) == nullptr) {
-        return fmt::format("No kind of shadow \"{}\" is known.", light.shadow->id);
-    }
-    return hasCaster ? std::string() : "No object casts a shadow.";
-}
-
-bool before(const BlockUse& a, const BlockUse& b) {
-    const auto key = [](const CompiledValue& value) { return std::tie(value.id, value.value); };
-    if (a.id != b.id) {
-        return a.id < b.id;
-    }
-    return std::lexicographical_compare(
-        a.compiled.begin(), a.compiled.end(), b.compiled.begin(), b.compiled.end(),
-        [&key](const CompiledValue& x, const CompiledValue& y) { return key(x) < key(y); });
-}
-
-bool groupBefore(const LightGroup& a, const LightGroup& b) {
-    if (before(a.block, b.block) || before(b.block, a.block)) {
-        return before(a.block, b.block);
-    }
-    return b.shadow && (!a.shadow || before(*a.shadow, *b.shadow));
-}
-
-void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
-    const bool casters = hasCaster(scene);
-    for (const Light& light : scene.lights) {
-        const Block* block = catalog.find("lights", light.block.id);
-        if (!light.enabled) {
-            effects.leftOut.push_back({lightName(light), "It is switched off."});
-        } else if (block == nullptr) {
-            effects.leftOut.push_back(
-                {lightName(light), fmt::format("No light \"{}\" is known.", light.block.id)});
-        } else if (!canShine(light, *block)) {
-            effects.leftOut.push_back({lightName(light), "It is black."});
-        } else {
-            const Block* shadow = casters ? shadowBlock(light, *block, catalog) : nullptr;
-            addLight(effects, *block, light, EffectKey::ofLight(light, catalog, casters), shadow);
-            if (auto why = reasonWithoutShadow(light, *block, catalog, casters); !why.empty()) {
-                effects.leftOut.push_back({"the shadows of " + lightName(light), std::move(why)});
-            }
-        }
-    }
-    std::sort(effects.lights.begin(), effects.lights.end(), groupBefore);
-    for (LightGroup& group : effects.lights) {
-        group.block.reason = group.count == 1
-                                 ? "One light of this kind shines."
-                                 : fmt::format("{} lights of this kind shine.", group.count);
-    }
-}
-
-void addFog(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
+void addFog(SceneEffects& effects, const Scene& scene, const Catalog& catalog,
+            const EffectView& view) {
     if (!scene.fog) {
         return;
     }
     const Block* block = catalog.find("fog", scene.fog->id);
     if (block == nullptr) {
         effects.leftOut.push_back({"fog", fmt::format("No fog \"{}\" is known.", scene.fog->id)});
-    } else if (!canHide(*scene.fog, *block)) {
-        effects.leftOut.push_back({"fog", "Its density is 0."});
+    } else if (auto why = whyNeutral(*block, scene.fog->parameters); !why.empty()) {
+        effects.leftOut.push_back({"fog", std::move(why)});
+    } else if (!canHide(scene, *block, view)) {
+        effects.leftOut.push_back({"fog", fogText(scene, *block, view)});
     } else {
-        effects.fog = useOf(*block, scene.fog->parameters, {}, "The scene has fog.");
+        effects.fog = useOf(*block, scene.fog->parameters, {}, fogText(scene, *block, view));
+    }
+}
+
+std::string colorText(const glm::dvec3& color) {
+    return fmt::format("{:.3g}, {:.3g}, {:.3g}", color.x, color.y, color.z);
+}
+
+void addAmbient(SceneEffects& effects, const Scene& scene) {
+    effects.ambient = hasAmbient(scene);
+    effects.hemisphere = hasHemisphere(scene);
+    if (effects.ambient) {
+        effects.reasons["ambient"] =
+            fmt::format("The scene's ambient colour is {}.", colorText(scene.ambient));
+    }
+    if (effects.hemisphere) {
+        effects.reasons["hemisphere"] =
+            fmt::format("The sky sends {}, the ground {}.", colorText(scene.hemisphere.sky),
+                        colorText(scene.hemisphere.ground));
     }
 }
 
@@ -189,6 +95,49 @@ void nameUnusedParts(EffectSet& set, const Block& model, const Material& materia
     }
 }
 
+void addEmission(EffectSet& set, const Block& model, const Material& material) {
+    for (const Parameter& parameter : model.parameters) {
+        if (isEmitted(parameter, material.model.parameters) ||
+            (parameter.emission && isTextured(parameter.id, material))) {
+            set.emission.push_back(parameter.id);
+        }
+    }
+}
+
+void nameBlackEmission(EffectSet& set, const Catalog& catalog) {
+    const Block* model = set.model ? catalog.find("models", set.model->id) : nullptr;
+    for (const Parameter& parameter : model ? model->parameters : std::vector<Parameter>()) {
+        const bool glows = std::find(set.emission.begin(), set.emission.end(), parameter.id) !=
+                           set.emission.end();
+        if (parameter.emission && !glows) {
+            set.leftOut.push_back({"emission", fmt::format("{} is black.", parameter.label)});
+        }
+    }
+}
+
+/// Two values are the same everywhere only while no image changes one of them.
+void forgetEqualOfTextured(EffectSet& set, const Catalog& catalog) {
+    const auto hasImage = [&set](const std::string& id) {
+        return std::any_of(set.textures.begin(), set.textures.end(),
+                           [&id](const TextureEffect& texture) { return texture.id == id; });
+    };
+    for (std::size_t i = 0; set.model && i < set.model->compiled.size(); ++i) {
+        CompiledValue& value = set.model->compiled[i];
+        const Parameter* parameter = catalog.find("models", set.model->id)->parameter(value.id);
+        const bool isEqual = parameter != nullptr && value.value == "equal";
+        if (isEqual && (hasImage(value.id) || hasImage(parameter->equalTo))) {
+            value.value = "unequal";
+        }
+    }
+}
+
+void addOpacity(EffectSet& set, const Material& material) {
+    set.opacity = material.opacity < 1.0;
+    if (set.opacity) {
+        set.reasons["opacity"] = fmt::format("The material's opacity is {:.3g}.", material.opacity);
+    }
+}
+
 void addModel(EffectSet& set, const Material& material, const Catalog& catalog) {
     const Block* model = catalog.find("models", material.model.id);
     if (model == nullptr) {
@@ -206,12 +155,7 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
         return;
     }
     nameUnusedParts(set, *model, material);
-    for (const Parameter& parameter : model->parameters) {
-        if (isEmitted(parameter, material.model.parameters) ||
-            (parameter.emission && isTextured(parameter.id, material))) {
-            set.emission.push_back(parameter.id);
-        }
-    }
+    addEmission(set, *model, material);
     set.model =
         useOf(*model, material.model.parameters, material.accuracy, "The material's model.");
     set.fresnelMode = hasFresnelSlot(*model) ? FresnelMode::Slot : FresnelMode::None;
@@ -228,102 +172,39 @@ void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) 
                           "The material has a Fresnel term and the model has no slot for it.");
     } else {
         set.leftOut.push_back(
-            {"the Fresnel term", fmt::format("No Fresnel term \"{}\" is known.", part->id)});
+            {"fresnel", fmt::format("No Fresnel term \"{}\" is known.", part->id)});
     }
-}
-
-std::string detailOf(const BlockUse& use) {
-    std::string out;
-    for (const CompiledValue& value : use.compiled) {
-        fmt::format_to(std::back_inserter(out), "{}{}={}", out.empty() ? "" : ", ", value.id,
-                       value.value);
-    }
-    return out;
-}
-
-EffectLine lineOf(const BlockUse& use) {
-    return {use.kind + '/' + use.id, detailOf(use), use.reason};
 }
 
 } // namespace
 
-SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog) {
+SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const EffectView& view) {
     SceneEffects effects;
     addLights(effects, scene, catalog);
-    addFog(effects, scene, catalog);
+    addFog(effects, scene, catalog, view);
     addEnvironment(effects, scene, catalog);
-    effects.ambient = scene.ambient.x > 0.0 || scene.ambient.y > 0.0 || scene.ambient.z > 0.0;
-    effects.hemisphere = hasHemisphere(scene);
+    addAmbient(effects, scene);
     return effects;
 }
 
-EffectSet effectSet(const Material& material, const Scene& scene, const Catalog& catalog) {
+EffectSet effectSet(const Material& material, const Scene& scene, const Catalog& catalog,
+                    const EffectView& view) {
     EffectSet set;
     addModel(set, material, catalog);
     addBlend(set, material, catalog);
     addTextures(set, material, catalog);
-    set.opacity = material.opacity < 1.0;
-    set.scene = sceneEffects(scene, catalog);
+    forgetEqualOfTextured(set, catalog);
+    nameBlackEmission(set, catalog);
+    addOpacity(set, material);
+    set.scene = sceneEffects(scene, catalog, view);
     return set;
 }
 
-EffectSet groundEffects(const Scene& scene, const Catalog& catalog) {
+EffectSet groundEffects(const Scene& scene, const Catalog& catalog, const EffectView& view) {
     EffectSet set;
-    set.scene = sceneEffects(scene, catalog);
-    set.ground = isSeen(scene.ground) ? scene.ground.mode : GroundMode::Off;
-    const bool shadowed = std::any_of(set.scene.lights.begin(), set.scene.lights.end(),
-                                      [](const LightGroup& group) { return bool(group.shadow); });
-    if (set.ground == GroundMode::Shadows && !shadowed) {
-        set.ground = GroundMode::Off;
-        set.leftOut.push_back({"the ground", "It shows shadows only, and no light has any."});
-    }
+    set.scene = sceneEffects(scene, catalog, view);
+    addGround(set, scene);
     return set;
-}
-
-std::vector<EffectLine> effectLines(const EffectSet& set) {
-    std::vector<EffectLine> lines;
-    if (set.model) {
-        lines.push_back(lineOf(*set.model));
-    }
-    for (const BlockUse& slot : set.slots) {
-        lines.push_back(lineOf(slot));
-    }
-    if (set.ground != GroundMode::Off) {
-        lines.push_back({"ground", {}, "The scene has a ground."});
-    }
-    for (const LightGroup& group : set.scene.lights) {
-        lines.push_back(lineOf(group.block));
-        if (group.shadow) {
-            lines.push_back(lineOf(*group.shadow));
-        }
-    }
-    if (set.scene.ambient) {
-        lines.push_back({"ambient", {}, "The scene's ambient colour is not black."});
-    }
-    if (set.scene.hemisphere) {
-        lines.push_back(
-            {"hemisphere", {}, "The sky or the ground of the ambient light is not black."});
-    }
-    if (set.scene.environment) {
-        lines.push_back(lineOf(*set.scene.environment));
-    }
-    for (const std::string& color : set.emission) {
-        lines.push_back(
-            {"emission", color, "The surface glows by itself: the colour is not black."});
-    }
-    for (const TextureEffect& texture : set.textures) {
-        lines.push_back(lineOf(texture));
-    }
-    if (set.blend) {
-        lines.push_back(lineOf(*set.blend));
-    }
-    if (set.scene.fog) {
-        lines.push_back(lineOf(*set.scene.fog));
-    }
-    if (set.opacity) {
-        lines.push_back({"opacity", {}, "The material's opacity is below 1."});
-    }
-    return lines;
 }
 
 } // namespace patina

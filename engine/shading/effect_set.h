@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "catalog/catalog.h"
 #include "material/material.h"
 #include "scene/scene.h"
+#include "shading/effect_view.h"
 
 namespace patina {
 
@@ -37,6 +39,7 @@ struct LightGroup {
     ShadowProjection projection = ShadowProjection::None; ///< of the shadows
     int count = 0; ///< lights in it now; data, not text: another light compiles nothing
     std::uint64_t key = 0; ///< EffectKey::ofLight of each of its lights
+    std::vector<std::string> names{}; ///< of its lights, in the scene's order
 
     friend bool operator==(const LightGroup&, const LightGroup&) = default;
 };
@@ -49,6 +52,9 @@ struct LeftOut {
     friend bool operator==(const LeftOut&, const LeftOut&) = default;
 };
 
+/// By effect: one sentence each, for what is no block and in the program.
+using Reasons = std::map<std::string, std::string, std::less<>>;
+
 /// What the scene brings into every program that is used in it.
 struct SceneEffects {
     std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
@@ -56,6 +62,7 @@ struct SceneEffects {
     std::optional<BlockUse> environment;
     bool ambient = false;
     bool hemisphere = false;
+    Reasons reasons;
     std::vector<LeftOut> leftOut;
 
     friend bool operator==(const SceneEffects&, const SceneEffects&) = default;
@@ -94,6 +101,7 @@ struct EffectSet {
     bool opacity = false;
     GroundMode ground = GroundMode::Off; ///< the ground is drawn so, in place of a model
     SceneEffects scene;
+    Reasons reasons;
     std::vector<LeftOut> leftOut;
 
     friend bool operator==(const EffectSet&, const EffectSet&) = default;
@@ -101,19 +109,21 @@ struct EffectSet {
 
 /// What the scene's lights, fog and ambient colour call for. A light is left out when it is
 /// disabled or cannot send anything (its `color` is black or its `intensity` is 0), fog when its
-/// `density` is 0, shadows when no object casts any, an environment that is dark or lacks its
-/// picture, and blocks that the catalogue does not know.
-SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog);
+/// `density` is 0 or what is drawn is too near for anybody to see it, shadows when no object casts
+/// any or none is seen, an environment that is dark or lacks its picture, and blocks that the
+/// catalogue does not know.
+SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
 /// What shading `material` in the scene calls for. A pure function of its arguments.
-EffectSet effectSet(const Material& material, const Scene& scene, const Catalog& catalog);
+EffectSet effectSet(const Material& material, const Scene& scene, const Catalog& catalog,
+                    const EffectView& view = {});
 
 /// What drawing the scene's ground calls for; its `ground` is Off when there is nothing to draw.
-EffectSet groundEffects(const Scene& scene, const Catalog& catalog);
+EffectSet groundEffects(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
 /// One line of a listing of effects.
 struct EffectLine {
-    std::string effect; ///< "models/<id>", "lights/<id>", "ambient", "opacity"
+    std::string effect; ///< "models/<id>", "lights/<id>", "ambient", "opacity": each once
     std::string detail; ///< compiled values and counts; may be empty
     std::string reason;
 
@@ -122,5 +132,8 @@ struct EffectLine {
 
 /// The set as a list, in the order in which the program's text is assembled.
 std::vector<EffectLine> effectLines(const EffectSet& set);
+
+/// What is not in the program and why, also what the document does not have at all.
+std::vector<EffectLine> leftOutLines(const EffectSet& set);
 
 } // namespace patina

@@ -55,7 +55,7 @@ const char* channelText(TextureChannel channel) {
 void addTextures(EffectSet& set, const Material& material, const Catalog& catalog) {
     for (const auto& [id, use] : material.textures) {
         const TextureTarget target = textureTarget(id, use, material, catalog);
-        const std::string what = "the image of " + id;
+        const std::string what = "texture/" + id;
         if (target.whyNot != nullptr) {
             set.leftOut.push_back({what, target.whyNot});
         } else if (!set.model) {
@@ -72,10 +72,10 @@ void addTextures(EffectSet& set, const Material& material, const Catalog& catalo
 EffectLine lineOf(const TextureEffect& texture) {
     const std::string detail =
         texture.role == TextureRole::Normal || texture.role == TextureRole::Height
-            ? texture.id
-            : fmt::format("{}, {}, {}{}", texture.id, channelText(texture.channel),
-                          modeText(texture.mode), texture.cutOut ? ", cut out" : "");
-    return {"texture", detail, "An image is bound to it."};
+            ? std::string()
+            : fmt::format("{}, {}{}", channelText(texture.channel), modeText(texture.mode),
+                          texture.cutOut ? ", cut out" : "");
+    return {"texture/" + texture.id, detail, "An image is bound to it."};
 }
 
 } // namespace patina

@@ -19,3 +19,10 @@ float polynomialAttenuation(float x, float constant, float linear, float quadrat
 float inverseSquareAttenuation(float x, float minimum) {
     return 1.0 / sqr(max(x, minimum));
 }
+
+// 1 near a light and 0 from `range` > 0 metres on, without an edge: 1 - (x / range)^4, as factors
+// so that the digits are kept where it ends. KHR_lights_punctual (2017).
+float rangeWindow(float x, float range) {
+    float share = min(x / range, 1.0);
+    return max(range - x, 0.0) / range * ((1.0 + share) * (1.0 + share * share));
+}

@@ -10,6 +10,9 @@ Illumination pointLight(vec3 x, PointLight p) {
     if (p.falloff == POINT_LIGHT_FALLOFF_INVERSE_SQUARE) {
         attenuation = inverseSquareAttenuation(range, p.distanceMinimum);
     }
+    if (p.range > 0.0) {
+        attenuation *= rangeWindow(range, p.range);
+    }
     Illumination i;
     i.l = safeNormalize(toLight, vec3(0.0, 1.0, 0.0));
     i.radiance = p.color * (p.intensity * attenuation);

@@ -42,6 +42,9 @@ Illumination spotLight(vec3 x, SpotLight p) {
     if (p.falloff == SPOT_LIGHT_FALLOFF_INVERSE_SQUARE) {
         attenuation = inverseSquareAttenuation(range, p.distanceMinimum);
     }
+    if (p.range > 0.0) {
+        attenuation *= rangeWindow(range, p.range);
+    }
     Illumination i;
     i.l = safeNormalize(toLight, -axis);
     i.radiance = p.color * (p.intensity * attenuation * spotCone(i.l, axis, p));

@@ -13,6 +13,10 @@ float ashikhminShirleyRise(float y) {
 // exponent is (nu (H.t)^2 + nv (H.b)^2) / sin^2 on the scale of H, and -ln cos / sin^2 has a limit
 // at h = n.
 float ashikhminShirleyLobe(Directions d, AshikhminShirley p) {
+    if (p.shininessYEqual) { // no azimuth is left
+        float exponent = p.shininessX * d.sin2h * minusLnCosBySin2(d.sin2h, d.cos2h);
+        return exp2(-1.4426950408889634 * exponent) * (p.shininessX + 1.0);
+    }
     Directions g = alongGrain(d, p.tangentAngle);
     float weight = p.shininessX * sqr(g.tH) + p.shininessY * sqr(g.bH);
     return exp2(-1.4426950408889634 * weight * minusLnCosBySin2(d.sin2h, d.cos2h))

@@ -8,8 +8,9 @@
 // n.H, so no azimuth is formed, which has none at h = n.
 float wardExponent(Directions d, Ward p, OUT(float) area) {
     float nH2 = max(d.cos2h, 1e-30); // (n.H)^2; 0 in float only within 1e-15 rad of the horizon
-    if (p.grain == WARD_GRAIN_ISOTROPIC) {
-        float alpha = slopeWidth(p.roughness);
+    bool isotropic = p.grain == WARD_GRAIN_ISOTROPIC;
+    if (isotropic || p.roughnessYEqual) {
+        float alpha = slopeWidth(isotropic ? p.roughness : p.roughnessX);
         area = alpha * alpha;
         return d.sin2h / (nH2 * area);
     }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT-0
-// From linear light to what a display shows. toneMapped comes from a tone_*.glsl file before this one.
+// From linear light to what a display shows. exposed and toneMapped come from files before this one.
 
 uniform sampler2D linearImage;
-uniform float exposureFactor;
 
 layout(location = 0) out vec4 displayed;
 
@@ -12,7 +11,7 @@ float srgbEncoded(float x) {
 }
 
 void main() {
-    vec3 light = texelFetch(linearImage, ivec2(gl_FragCoord.xy), 0).rgb * exposureFactor;
+    vec3 light = exposed(texelFetch(linearImage, ivec2(gl_FragCoord.xy), 0).rgb);
     vec3 shown = clamp(toneMapped(min(light, vec3(1e30))), vec3(0.0), vec3(1.0));
     displayed = vec4(srgbEncoded(shown.r), srgbEncoded(shown.g), srgbEncoded(shown.b), 1.0);
 }

@@ -19,8 +19,8 @@ void waitFor(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-/// Waits for what start-up leaves for later, on the first start a picture of every preset: until
-/// the program has done nothing for a second and a half.
+/// Waits for what start-up leaves for later, on the first start pictures of presets: until the
+/// program has done nothing for a second and a half.
 bool settles(const ObservedProgram& program) {
     constexpr double patience = 1.5;
     for (double waited = 0.0; waited < mostSettleSeconds; waited += patience) {

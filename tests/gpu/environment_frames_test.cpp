@@ -249,8 +249,8 @@ TEST_F(EnvironmentFrames, ProgramWithEverySampler_HasAUnitForEach) {
     }
     PipelineStore store({}, SurfaceOutput::Picture);
     store.setCatalog(catalog);
-    const auto& entry = store.get(material, EffectKey::ofMaterial(material, *catalog), scene,
-                                  EffectKey().ofScene(scene, *catalog));
+    const auto& entry = store.get(material, EffectKey::ofMaterial(material, *catalog),
+                                  {scene, EffectKey().ofScene(scene, *catalog)});
     ASSERT_TRUE(entry.pipeline);
     const std::vector<int> units = samplerUnits(*entry.pipeline->program);
     EXPECT_EQ(units.size(), material.textures.size() + 3); // shadows, the table and the picture

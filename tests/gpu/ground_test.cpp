@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/ground_place.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gpu_fixture.h"
+#include "render/scene_depth.h"
+#include "shading/effect_set.h"
 
 namespace patina {
 namespace {
@@ -60,6 +63,39 @@ TEST_F(GroundTest, SeenFromBelow_IsNotThere) {
     const Image with = capture(scene_);
     scene_.ground.mode = GroundMode::Off;
     EXPECT_EQ(with.pixels, capture(scene_).pixels);
+}
+
+/// The lamp's range ends before the sphere, which is drawn with another list of lights.
+TEST_F(GroundTest, Plane_IsLitByALampThatDoesNotReachTheObjects) {
+    scene_.ground.mode = GroundMode::Plane;
+    scene_.lights = {light("point")};
+    scene_.lights[0].block.parameters["position"] = glm::dvec3(4.0, 0.0, 0.0);
+    scene_.lights[0].block.parameters["range"] = 2.5;
+    scene_.camera.pivot.x = 4.0;
+    const Image with = capture(scene_);
+    scene_.lights[0].enabled = false;
+    const Image without = capture(scene_);
+    EXPECT_GT(middle(with).g, middle(without).g + 0.02f);
+}
+
+/// Fog that begins behind the sphere, and before the ground ends.
+TEST_F(GroundTest, ReachingIntoFog_BringsTheFogIntoTheProgram) {
+    scene_.fog = block("fog", "linear");
+    scene_.fog->parameters["start"] = 40.0;
+    scene_.fog->parameters["end"] = 60.0;
+    const auto hasFog = [this] {
+        const EffectView view = effectView(scene_, scene_.camera, meshSource());
+        const bool isInRows = sceneEffects(scene_, *catalog, view).fog.has_value();
+        capture(scene_);
+        const auto& effects = renderer->report().effects;
+        EXPECT_EQ(isInRows, std::ranges::count(effects, "fog/linear") > 0);
+        return isInRows;
+    };
+    EXPECT_FALSE(hasFog());
+    scene_.camera.distance = 25.0;
+    EXPECT_TRUE(hasFog());
+    scene_.ground.mode = GroundMode::Off;
+    EXPECT_FALSE(hasFog());
 }
 
 /// A turned cube stands on its edge: 1.414 times its half side below its middle.

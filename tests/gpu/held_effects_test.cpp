@@ -117,5 +117,21 @@ TEST_F(ReleasedTargets, BeforeAnyFrame_DoNoHarm) {
     EXPECT_FALSE(capture(simpleScene("phong")).pixels.empty());
 }
 
+class Foreseen : public GpuTest {};
+
+TEST_F(Foreseen, PictureWithoutExposure_CompilesNothingWhenItComes) {
+    makeRenderer();
+    Scene scene = simpleScene();
+    scene.exposure = 1.0;
+    capture(scene, true);
+    Scene without = scene;
+    without.exposure = 0.0;
+    View ahead = viewOf(scene);
+    ahead.effects = &without;
+    EXPECT_TRUE(renderer->foresee(scene, ahead, meshSource()));
+    capture(without, true);
+    EXPECT_EQ(renderer->report().compiled, 0);
+}
+
 } // namespace
 } // namespace patina

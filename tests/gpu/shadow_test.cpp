@@ -160,6 +160,36 @@ TEST_F(ShadowTest, OfASpotOf170Degrees_EndsWithinATexel) {
               0);
 }
 
+/// A light that is black beyond its range casts shadows at the same places within.
+TEST_F(ShadowTest, OfALampWithARange_EndsWithinATexel) {
+    Light lamp = shadowed(light("point"), "hard");
+    const glm::dvec3 place(-2.0, 4.0, 0.0);
+    lamp.block.parameters["position"] = place;
+    lamp.block.parameters["range"] = 9.0;
+    const Scene scene = squareOverFloor(1.5, lamp, 1.2);
+    const double texel = 2.0 / 2048.0 * 5.2 * 1.6;
+    EXPECT_EQ(wrongPixels(scene, texel + floorPixel(scene),
+                          [&](glm::dvec2 x) { return insideOf(x, place, 1.5); }),
+              0);
+}
+
+/// The first lamp reaches neither square nor floor: the second keeps the map that is its own.
+TEST_F(ShadowTest, BehindALampThatReachesNothing_IsThatOfItsOwnMap) {
+    Light lamp = shadowed(light("point"), "hard");
+    const glm::dvec3 place(-2.0, 4.0, 0.0);
+    lamp.block.parameters["position"] = place;
+    lamp.block.parameters["range"] = 9.0;
+    Light far = lamp;
+    far.block.parameters["position"] = glm::dvec3(3.0, 80.0, 0.0);
+    far.block.parameters["range"] = 1.0;
+    Scene scene = squareOverFloor(1.5, lamp, 1.2);
+    scene.lights.insert(scene.lights.begin(), far);
+    const double texel = 2.0 / 2048.0 * 5.2 * 1.6;
+    EXPECT_EQ(wrongPixels(scene, texel + floorPixel(scene),
+                          [&](glm::dvec2 x) { return insideOf(x, place, 1.5); }),
+              0);
+}
+
 /// Where a uniform disk that a straight edge uncovers is seen by this share, in radii.
 double placeOfShare(double share) {
     double low = -1.0;

@@ -220,6 +220,11 @@ TEST_F(Mistakes, CompiledWhenZero_IsForFloats) {
     EXPECT_EQ(ofParameter({{"compiled", "whenZero"}}), "");
 }
 
+TEST_F(Mistakes, CompiledWhenEqualToNothing_IsOne) {
+    EXPECT_EQ(problem({{"compiled", {{"whenEqual", "no.such"}}}}),
+              "only two floats of a block can be the same; expected the id of another float\n");
+}
+
 TEST_F(Mistakes, SpaceOfANumber_IsOne) {
     EXPECT_EQ(problem({{"space", "worldPoint"}}),
               "only a vec3 lies in a space; expected no such key\n");

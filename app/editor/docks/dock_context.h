@@ -4,7 +4,10 @@
 namespace patina {
 
 class Document;
+class EffectSwitches;
+class EnvironmentLibrary;
 class FileActions;
+class MeshLibrary;
 class MessageLog;
 class PresetLibrary;
 class ThumbnailMaker;
@@ -16,6 +19,9 @@ struct DockContext {
     MessageLog& messages;
     PresetLibrary& presets;
     ThumbnailMaker& thumbnails;
+    MeshLibrary& meshes;
+    EnvironmentLibrary& environments;
+    EffectSwitches& switches;
 };
 
 } // namespace patina

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "docks/effects_dock.h"
 #include "docks/environment_dock.h"
 #include "docks/fog_dock.h"
 #include "docks/fresnel_dock.h"
@@ -42,6 +43,7 @@ std::vector<DockEntry> dockList() {
         {"scene", tr("Scene"), DockPlace::RightBottom, make<SceneDock>},
         {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},
         {"stability", tr("Stability"), DockPlace::Bottom, make<StabilityDock>},
+        {"effects", tr("Effects"), DockPlace::Bottom, make<EffectsDock>},
     };
 }
 

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <QMainWindow>
+
 namespace patina {
 
 LazyDock::LazyDock(DockEntry entry, const DockContext& context, QWidget* parent)
@@ -16,6 +18,18 @@ void LazyDock::build() {
         QWidget* placeholder = widget();
         setWidget(std::exchange(entry_.make, nullptr)(context_));
         delete placeholder;
+        QMetaObject::invokeMethod(this, &LazyDock::growToHint, Qt::QueuedConnection);
+    }
+}
+
+/// A dock below the views begins with the height it wishes for, where most stays for the views.
+void LazyDock::growToHint() {
+    auto* window = qobject_cast<QMainWindow*>(parentWidget());
+    const int wished = sizeHint().height();
+    const bool isBelow =
+        window && !isFloating() && window->dockWidgetArea(this) == Qt::BottomDockWidgetArea;
+    if (isBelow && height() < wished && window->centralWidget()->height() > 2 * wished) {
+        window->resizeDocks({this}, {wished}, Qt::Vertical);
     }
 }
 

@@ -21,6 +21,8 @@ class LazyDock : public QDockWidget {
     void showEvent(QShowEvent* event) override;
 
   private:
+    void growToHint();
+
     DockEntry entry_;
     DockContext context_;
 };

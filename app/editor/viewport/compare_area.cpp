@@ -8,18 +8,17 @@
 
 namespace patina {
 
-CompareArea::CompareArea(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
-                         std::filesystem::path programCache, QWidget* parent)
-    : QSplitter(Qt::Horizontal, parent), document_(document), meshes_(meshes),
-      environments_(environments),
-      programCache_(std::move(programCache)), home_(document.scene().camera),
+CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path programCache,
+                         QWidget* parent)
+    : QSplitter(Qt::Horizontal, parent), sources_(sources), document_(sources.document),
+      programCache_(std::move(programCache)), home_(document_.scene().camera),
       first_(addView(Side::A)) {
     setChildrenCollapsible(false);
     setHandleWidth(3);
-    connect(&document, &Document::comparingChanged, this, &CompareArea::showSides);
-    connect(&document, &Document::cameraChanged, this,
+    connect(&document_, &Document::comparingChanged, this, &CompareArea::showSides);
+    connect(&document_, &Document::cameraChanged, this,
             [this] { moveCamera(Side::A, document_.scene().camera); });
-    connect(&document, &Document::sceneReplaced, this, [this] {
+    connect(&document_, &Document::sceneReplaced, this, [this] {
         home_ = document_.scene().camera;
         comparing_ = document_.isComparing();
         stepBack_ = 1.0;
@@ -63,7 +62,7 @@ void CompareArea::resetCamera(Side side) {
 }
 
 SideView* CompareArea::addView(Side side) {
-    auto* view = new SideView(document_, meshes_, environments_, side, programCache_, this);
+    auto* view = new SideView(sources_, side, programCache_, this);
     addWidget(view);
     connect(view, &SideView::cameraWished, this,
             [this, side](const Camera& camera) { moveCamera(side, camera); });

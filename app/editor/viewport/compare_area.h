@@ -15,8 +15,8 @@ class CompareArea : public QSplitter {
     Q_OBJECT
 
   public:
-    CompareArea(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
-                std::filesystem::path programCache, QWidget* parent = nullptr);
+    CompareArea(const ViewSources& sources, std::filesystem::path programCache,
+                QWidget* parent = nullptr);
 
     SideView& first() { return *first_; }
     SideView* second() { return second_; } ///< null until it was needed once
@@ -45,9 +45,8 @@ class CompareArea : public QSplitter {
     void fitNarrowViews(bool comparing);
     void moveCamera(Side side, const Camera& camera);
 
+    ViewSources sources_;
     Document& document_;
-    MeshLibrary& meshes_;
-    EnvironmentLibrary& environments_;
     std::filesystem::path programCache_;
     Camera home_;
     bool linked_ = true;

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "shading/effect_rows.h"
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
 #include "viewport/ray_cast.h"
@@ -38,16 +39,18 @@ TextureSource texturesOf(const Document& document) {
 
 } // namespace
 
-SideView::SideView(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
-                   Side side, const std::filesystem::path& programCache, QWidget* parent)
-    : QFrame(parent), document_(document), meshes_(meshes), side_(side), title_(new QLabel(this)),
-      viewport_(new Viewport({[this]() -> const Scene& { return document_.scene(side_); },
+SideView::SideView(const ViewSources& sources, Side side,
+                   const std::filesystem::path& programCache, QWidget* parent)
+    : QFrame(parent), document_(sources.document), meshes_(sources.meshes),
+      switches_(sources.switches), side_(side), title_(new QLabel(this)),
+      viewport_(new Viewport({[this]() -> const Scene& { return switches_.scene(side_); },
+                              [this]() -> const Scene& { return document_.scene(side_); },
                               [this](const Object& object) { return meshes_.view(object); },
-                              [this] { return document_.effects(side_); },
-                              [this, &environments] {
+                              [this] { return switches_.effects(side_); },
+                              [this, &environments = sources.environments] {
                                   return environments.image(document_.environmentPicture());
                               },
-                              programCache, texturesOf(document)},
+                              programCache, texturesOf(document_)},
                              this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(edge, edge, edge, edge);
@@ -58,23 +61,25 @@ SideView::SideView(Document& document, MeshLibrary& meshes, EnvironmentLibrary& 
     title_->setTextFormat(Qt::RichText);
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     viewport_->setAccessibleName(tr("View %1").arg(letterOf(side)));
-    viewport_->setCatalog(document.sharedCatalog());
-    viewport_->setCamera(document.scene().camera);
+    viewport_->setCatalog(document_.sharedCatalog());
+    viewport_->setCamera(document_.scene().camera);
     connectNavigation();
-    connect(&document, &Document::changed, viewport_, &Viewport::refresh);
-    connect(&document, &Document::effectsChanged, viewport_, &Viewport::refresh);
-    connect(&document, &Document::imagesArrived, viewport_, &Viewport::refresh);
-    connect(&document, &Document::effectsForeseen, this, [this](const DocumentState& state) {
-        viewport_->foresee(shownScene(state, document_.currentObject(), side_));
+    connect(&document_, &Document::changed, viewport_, &Viewport::refresh);
+    connect(&document_, &Document::effectsChanged, viewport_, &Viewport::refresh);
+    connect(&document_, &Document::imagesArrived, viewport_, &Viewport::refresh);
+    connect(&document_, &Document::effectsForeseen, this, [this](const DocumentState& state) {
+        viewport_->foresee(withoutEffects(shownScene(state, document_.currentObject(), side_),
+                                          switches_.off(), document_.catalog()));
     });
-    connect(&document, &Document::changed, this, &SideView::updateTitle);
-    connect(&document, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
-    connect(&document, &Document::currentChanged, this, &SideView::updateTitle);
-    connect(&document, &Document::catalogChanged, this,
+    connect(&document_, &Document::changed, this, &SideView::updateTitle);
+    connect(&document_, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
+    connect(&document_, &Document::currentChanged, this, &SideView::updateTitle);
+    connect(&document_, &Document::catalogChanged, this,
             [this] { viewport_->setCatalog(document_.sharedCatalog()); });
-    connect(&meshes, &MeshLibrary::loaded, viewport_, &Viewport::refresh);
-    connect(&environments, &EnvironmentLibrary::loaded, viewport_, &Viewport::refresh);
-    connect(&environments, &EnvironmentLibrary::failed, viewport_, &Viewport::refresh);
+    connect(&switches_, &EffectSwitches::changed, viewport_, &Viewport::refresh);
+    connect(&meshes_, &MeshLibrary::loaded, viewport_, &Viewport::refresh);
+    connect(&sources.environments, &EnvironmentLibrary::loaded, viewport_, &Viewport::refresh);
+    connect(&sources.environments, &EnvironmentLibrary::failed, viewport_, &Viewport::refresh);
     connect(viewport_, &Viewport::filesDropped, this, &SideView::filesDropped);
     connect(viewport_, &Viewport::focusShown, this, [this](bool byKeyboard) {
         focusShown_ = byKeyboard;

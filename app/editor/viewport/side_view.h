@@ -5,7 +5,7 @@
 
 #include <QFrame>
 
-#include "document.h"
+#include "effect_switches.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/viewport.h"
@@ -16,14 +16,22 @@ namespace patina {
 
 class InspectionPanel;
 
+/// What views show.
+struct ViewSources {
+    Document& document;
+    MeshLibrary& meshes;
+    EnvironmentLibrary& environments;
+    EffectSwitches& switches;
+};
+
 /// One side of the comparison: a viewport under a coloured, lettered title, and what the mouse
 /// does in it to the document. The camera is not its own: it only asks for another one.
 class SideView : public QFrame {
     Q_OBJECT
 
   public:
-    SideView(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments, Side side,
-             const std::filesystem::path& programCache, QWidget* parent = nullptr);
+    SideView(const ViewSources& sources, Side side, const std::filesystem::path& programCache,
+             QWidget* parent = nullptr);
 
     Side side() const { return side_; }
     Viewport& viewport() { return *viewport_; }
@@ -54,6 +62,7 @@ class SideView : public QFrame {
 
     Document& document_;
     MeshLibrary& meshes_;
+    EffectSwitches& switches_;
     Side side_;
     QLabel* title_;
     Viewport* viewport_;

@@ -68,21 +68,33 @@ TextureLibrary::~TextureLibrary() {
     worker_.waitForDone();
 }
 
-TextureLookup TextureLibrary::find(const TextureUse& use, TextureDecoding decoding) {
-    if (use.outside) {
-        return {nullptr, true};
-    }
+std::optional<TextureLookup> TextureLibrary::among(const Pictures& pictures,
+                                                   const Failures& failures, const TextureUse& use,
+                                                   TextureDecoding decoding) {
     const std::pair<std::string_view, TextureDecoding> key(use.file, decoding);
-    if (const auto found = pictures_.find(key); found != pictures_.end()) {
-        return {found->second, false};
+    if (use.outside || failures.contains(key)) {
+        return TextureLookup{nullptr, true};
     }
-    if (failures_.contains(key)) {
-        return {nullptr, true};
+    const auto found = pictures.find(key);
+    return found == pictures.end() ? std::nullopt
+                                   : std::optional(TextureLookup{found->second, false});
+}
+
+TextureLookup TextureLibrary::find(const TextureUse& use, TextureDecoding decoding) {
+    if (const auto known = among(pictures_, failures_, use, decoding)) {
+        return *known;
     }
-    if (!loading_.contains(key)) {
+    if (!loading_.contains(std::pair<std::string_view, TextureDecoding>(use.file, decoding))) {
         load({use.file, decoding});
     }
     return {};
+}
+
+TextureSource TextureLibrary::snapshot() const {
+    return [pictures = pictures_, failures = failures_](const TextureUse& use,
+                                                        TextureDecoding decoding) {
+        return among(pictures, failures, use, decoding).value_or(TextureLookup());
+    };
 }
 
 QImage TextureLibrary::preview(const std::string& file) const {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,6 +32,9 @@ class TextureLibrary : public QObject {
 
     /// What there is of an image. A file that was not asked for yet starts loading.
     TextureLookup find(const TextureUse& use, TextureDecoding decoding);
+
+    /// What there is now, for another thread: nothing more is loaded for it.
+    TextureSource snapshot() const;
 
     /// A small picture of a file, as far as it is known; null while it is not.
     QImage preview(const std::string& file) const;
@@ -65,6 +69,8 @@ class TextureLibrary : public QObject {
         }
     };
     using Picture = std::shared_ptr<const TexturePicture>;
+    using Pictures = std::map<Key, Picture, Less>;
+    using Failures = std::map<Key, Error, Less>;
     using Answer = Result<Picture>;
     struct Known {
         QImage preview;
@@ -76,9 +82,12 @@ class TextureLibrary : public QObject {
     void dropUnused();
 
     Client client_;
-    std::map<Key, Picture, Less> pictures_;
+    /// What is known; nothing where nobody asked or nobody answered yet.
+    static std::optional<TextureLookup> among(const Pictures& pictures, const Failures& failures,
+                                              const TextureUse& use, TextureDecoding decoding);
+    Pictures pictures_;
     std::map<Key, std::shared_ptr<Progress>, Less> loading_;
-    std::map<Key, Error, Less> failures_;
+    Failures failures_;
     std::map<std::string, Known, std::less<>> known_;
     QThreadPool worker_;
 };

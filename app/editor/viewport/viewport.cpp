@@ -100,18 +100,26 @@ void Viewport::initializeGL() {
 Image Viewport::linearPicture() {
     Scene unexposed = sources_.scene();
     unexposed.exposure = 0.0;
-    return pictureOf(unexposed, false);
+    return pictureOf(unexposed, view(), false);
 }
 
 Image Viewport::picture(bool display) {
-    return pictureOf(sources_.scene(), display);
+    const Scene& whole = sources_.whole();
+    if (&whole == &sources_.scene()) {
+        return pictureOf(whole, view(), display);
+    }
+    stale_ = true; // what is shown is another picture, to which nothing of this one may be added
+    View wanted = view();
+    wanted.effects = nullptr;
+    Image image = pictureOf(whole, wanted, display);
+    refresh();
+    return image;
 }
 
-Image Viewport::pictureOf(const Scene& scene, bool display) {
+Image Viewport::pictureOf(const Scene& scene, View wanted, bool display) {
     if (!renderer_) {
         return {};
     }
-    View wanted = view();
     wanted.isContinued = !stale_ && (progress_ == Progress::Idle || isContinued_);
     if (progress_ != Progress::Idle) {
         giveUpFrame(); // capturing takes its place

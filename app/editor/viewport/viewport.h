@@ -32,7 +32,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     using SceneSource = std::function<const Scene&()>;
 
     struct Sources {
-        SceneSource scene;
+        SceneSource scene;      ///< as it is shown
+        SceneSource whole;      ///< as it is exported
         MeshSource meshes;
         std::function<const Scene*()> effects; ///< see View::effects
         /// See View::environmentImage.
@@ -137,7 +138,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void showNote();
     void showLast();
     glm::ivec2 pixelsOf(const QSize& size) const;
-    Image pictureOf(const Scene& scene, bool display);
+    Image pictureOf(const Scene& scene, View wanted, bool display);
     void probeSoon();
     void probe();
     void makeForeseen();

@@ -94,6 +94,13 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
         fields += fmt::format("    {} {}{{}};\n", fieldType(field), field.name);
         unpacked += unpackedField(field);
     }
+    for (const ParameterField& field : layout.fields) {
+        if (field.parameter != nullptr && field.parameter->compiled == Compiled::WhenEqual) {
+            fields += fmt::format("    bool {}Equal{{}};\n", field.name);
+            unpacked += fmt::format("    p.{0}Equal = p.{0} == p.{1};\n", field.name,
+                                    fieldName(field.parameter->equalTo));
+        }
+    }
     for (const Slot& slot : block.slots) {
         fields += fmt::format("    {}Slot {};\n", capitalised(slot.kind), slot.kind);
     }

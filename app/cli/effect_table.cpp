@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/effect_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+double percentOf(double milliseconds, const EffectCosts& costs) {
+    return costs.frame.median > 0.0 ? 100.0 * milliseconds / costs.frame.median : 0.0;
+}
+
+std::string nameOf(const EffectRow& row) {
+    return (row.in ? "" : "not in: ") + std::string(row.within.empty() ? "" : "  ") +
+           row.line.effect;
+}
+
+std::string whyText(const EffectLine& line) {
+    return line.detail.empty() ? line.reason : fmt::format("{} ({})", line.reason, line.detail);
+}
+
+std::string timeText(double milliseconds, const EffectCosts& costs) {
+    return fmt::format("{:8.3f} ms {:5.1f} %", milliseconds, percentOf(milliseconds, costs));
+}
+
+/// "   1.234 ms   9.8 % (1.200 .. 1.300)"; in as many columns when there is nothing to say.
+std::string costText(const EffectRow& row, const EffectCosts& costs) {
+    const EffectCost* cost = costs.of(row.line.effect);
+    if (cost == nullptr) {
+        return row.in ? "cannot be left out" : "";
+    }
+    const std::string interval =
+        fmt::format(" ({:.3f} .. {:.3f})", cost->milliseconds.lower, cost->milliseconds.upper);
+    return cost->belowNoise() ? "       below noise" + interval
+                              : timeText(cost->milliseconds.median, costs) + interval;
+}
+
+/// Characters of UTF-8 text.
+std::size_t width(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;
+    }));
+}
+
+std::string padded(std::string text, std::size_t columns) {
+    text.append(columns - std::min(columns, width(text)), ' ');
+    return text;
+}
+
+std::size_t widest(const std::vector<std::string>& cells) {
+    std::size_t columns = 0;
+    for (const std::string& cell : cells) {
+        columns = std::max(columns, width(cell));
+    }
+    return columns;
+}
+
+std::string totalText(const EffectTable& table) {
+    const EffectCosts& costs = *table.costs;
+    const double sum = sumOf(costs, table.rows);
+    return fmt::format("\neffects that are within none  {}\n"
+                       "the rest, which is no effect  {}\n"
+                       "the whole frame               {} ({:.3f} .. {:.3f})\n"
+                       "{} x {} pixels, {}; medians with intervals of 95 %\n",
+                       timeText(sum, costs), timeText(costs.rest, costs),
+                       timeText(costs.frame.median, costs), costs.frame.lower, costs.frame.upper,
+                       costs.size.x, costs.size.y, costs.method);
+}
+
+nlohmann::json intervalJson(const MedianInterval& interval) {
+    return {{"median", interval.median}, {"lower", interval.lower}, {"upper", interval.upper}};
+}
+
+nlohmann::json rowJson(const EffectRow& row, const std::optional<EffectCosts>& costs) {
+    nlohmann::json json{{"effect", row.line.effect},
+                        {"detail", row.line.detail},
+                        {"reason", row.line.reason},
+                        {"removable", row.removable},
+                        {"within", row.within}};
+    const EffectCost* cost = costs ? costs->of(row.line.effect) : nullptr;
+    if (cost != nullptr) {
+        json["milliseconds"] = intervalJson(cost->milliseconds);
+        json["percent"] = percentOf(cost->milliseconds.median, *costs);
+        json["belowNoise"] = cost->belowNoise();
+    }
+    return json;
+}
+
+nlohmann::json costsJson(const EffectTable& table) {
+    const EffectCosts& costs = *table.costs;
+    return {{"frame", intervalJson(costs.frame)},
+            {"effects", sumOf(costs, table.rows)},
+            {"rest", costs.rest},
+            {"size", {costs.size.x, costs.size.y}},
+            {"method", costs.method}};
+}
+
+} // namespace
+
+std::string tableText(const EffectTable& table) {
+    std::vector<std::string> names;
+    std::vector<std::string> times;
+    for (const EffectRow& row : table.rows) {
+        names.push_back(nameOf(row));
+        times.push_back(table.costs ? costText(row, *table.costs) : std::string());
+    }
+    const std::size_t nameColumns = widest(names);
+    const std::size_t timeColumns = table.costs ? widest(times) + 2 : 0;
+    std::string out;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        out += padded(names[i], nameColumns) + "  " + padded(times[i], timeColumns) +
+               whyText(table.rows[i].line) + '\n';
+    }
+    return table.costs ? out + totalText(table) : out;
+}
+
+nlohmann::json tableJson(const EffectTable& table) {
+    nlohmann::json json{{"effects", nlohmann::json::array()}, {"leftOut", nlohmann::json::array()}};
+    for (const EffectRow& row : table.rows) {
+        if (row.in) {
+            json["effects"].push_back(rowJson(row, table.costs));
+        } else {
+            json["leftOut"].push_back({{"what", row.line.effect}, {"reason", row.line.reason}});
+        }
+    }
+    if (table.costs) {
+        json["costs"] = costsJson(table);
+    }
+    return json;
+}
+
+} // namespace patina

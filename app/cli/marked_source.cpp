@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/marked_source.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+/// The index of the file that a "#line N S" starts; nothing for any other line.
+const std::string* fileStarting(std::string_view line, const ShaderSource& source) {
+    if (!line.starts_with("#line ")) {
+        return nullptr;
+    }
+    const std::string_view number = line.substr(line.rfind(' ') + 1);
+    std::size_t index = 0;
+    std::from_chars(number.data(), number.data() + number.size(), index);
+    return index < source.files.size() ? &source.files[index] : nullptr;
+}
+
+/// Whether a file, by its folder and its name without an ending, is that of an effect. Those of the
+/// passes begin with the name of an effect or of a kind of them: passes/fog.glsl.
+bool belongsTo(const std::string& folder, const std::string& stem, const std::string& effect) {
+    if (folder != "passes") {
+        return effect == folder + '/' + stem;
+    }
+    const std::string first = stem.substr(0, stem.find('_'));
+    return effect.substr(0, effect.find('/')) == first;
+}
+
+std::string markOf(const std::string& file, const std::vector<EffectLine>& effects) {
+    const std::filesystem::path path(file);
+    const std::string folder = path.parent_path().filename().string();
+    if (folder.empty()) {
+        return "// ---- generated\n";
+    }
+    const std::string name = folder + '/' + path.filename().string();
+    const auto found = std::find_if(effects.begin(), effects.end(), [&](const EffectLine& line) {
+        return belongsTo(folder, path.stem().string(), line.effect);
+    });
+    return found == effects.end()
+               ? fmt::format("// ---- {}\n", name)
+               : fmt::format("// ---- {}: effect {}. {}\n", name, found->effect, found->reason);
+}
+
+} // namespace
+
+std::string markedSource(std::string_view title, const ShaderSource& source,
+                         const std::vector<EffectLine>& effects) {
+    std::string out = fmt::format("// ======== {}\n", title);
+    std::string_view rest = source.text;
+    const std::string* current = nullptr;
+    const std::string* announced = nullptr;
+    while (!rest.empty()) {
+        const std::size_t end = rest.find('\n');
+        const std::string_view line = rest.substr(0, end);
+        if (const std::string* file = fileStarting(line, source)) {
+            current = file;
+        } else {
+            // One that only leads back to another file has no line of its own.
+            out += current != announced && current != nullptr ? markOf(*current, effects) : "";
+            announced = current;
+            out.append(line).append("\n");
+        }
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    return out;
+}
+
+} // namespace patina

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/effects_dock.h"
+
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+#include <QVBoxLayout>
+
+#include "docks/panel.h"
+#include "document.h"
+#include "effect_switches.h"
+#include "render/scene_depth.h"
+#include "session.h"
+#include "shading/texture_choice.h"
+#include "viewport/environment_library.h"
+#include "viewport/mesh_library.h"
+#include "viewport/texture_library.h"
+
+namespace patina {
+namespace {
+
+constexpr int effectRole = Qt::UserRole;
+constexpr int progressSteps = 1000;
+constexpr int settleMs = 100;
+constexpr int usualRows = 14;
+constexpr int leastRows = 6;
+constexpr int spacing = 4;
+
+enum Column { Effect, Time, Share, Why };
+constexpr std::pair<Column, int> columnWidths[] = {{Effect, 240}, {Time, 110}, {Share, 80}};
+
+QString asText(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+/// What an artist calls an image of a material: by what it changes.
+QString labelOfImage(const std::string& id, const Material& material, const Catalog& catalog) {
+    const auto use = material.textures.find(id);
+    const TextureTarget target = use == material.textures.end()
+                                     ? TextureTarget()
+                                     : textureTarget(id, use->second, material, catalog);
+    switch (target.role) {
+    case TextureRole::Normal:
+        return EffectsDock::tr("Normal map");
+    case TextureRole::Height:
+        return EffectsDock::tr("Height map");
+    case TextureRole::Opacity:
+        return EffectsDock::tr("Image of the opacity");
+    default:
+        return EffectsDock::tr("Image of %1")
+            .arg(asText(target.parameter != nullptr ? target.parameter->label : id));
+    }
+}
+
+/// What an artist calls an effect: a block's label, or a word such as "ambient" as it is.
+QString labelOf(const std::string& effect, const Material& material, const Catalog& catalog) {
+    const std::size_t slash = effect.find('/');
+    const std::string kind = effect.substr(0, slash);
+    const std::string id = slash == std::string::npos ? std::string() : effect.substr(slash + 1);
+    if (kind == "texture") {
+        return labelOfImage(id, material, catalog);
+    }
+    const Block* block = catalog.find(kind, id);
+    QString label = asText(block != nullptr ? block->label : effect);
+    label[0] = label[0].toUpper();
+    return label;
+}
+
+QString numberText(double number, int decimals) {
+    return QLocale().toString(number, 'f', decimals);
+}
+
+QString intervalText(const MedianInterval& interval) {
+    return EffectsDock::tr("With a probability of 95 % between %1 and %2 ms")
+        .arg(numberText(interval.lower, 3), numberText(interval.upper, 3));
+}
+
+using MeshKey = std::tuple<std::string, bool, bool>;
+
+MeshKey keyOf(const Object& object) {
+    return {object.mesh, object.fitUnitBox, object.flipNormals};
+}
+
+} // namespace
+
+EffectsDock::EffectsDock(const DockContext& context)
+    : document_(context.document), library_(context.meshes), environments_(context.environments),
+      switches_(context.switches), measurement_(cacheFolder() / "programs"),
+      start_(textButton(tr("Measure costs"),
+                        tr("Draw the scene with and without each effect and compare the times"),
+                        this)),
+      cancel_(textButton(tr("Cancel"), tr("Stop and keep what was measured so far"), this)),
+      allOn_(textButton(tr("All on"), tr("Show every effect in the views again"), this)),
+      progress_(new QProgressBar(this)), total_(new QLabel(this)), list_(new QTreeWidget(this)) {
+    settle_.setSingleShot(true);
+    settle_.setInterval(settleMs);
+    layOut();
+    connectParts();
+    updateRows();
+}
+
+void EffectsDock::layOut() {
+    progress_->setRange(0, progressSteps);
+    progress_->setMaximumWidth(300);
+    progress_->setAccessibleName(tr("Progress of the measurement"));
+    total_->setObjectName("total");
+    total_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    list_->setAccessibleName(tr("Effects"));
+    list_->setHeaderLabels({tr("Effect"), tr("Time"), tr("Share"), tr("Why it is in or not")});
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->header()->setStretchLastSection(true);
+    list_->setMinimumHeight((leastRows + 1) * (fontMetrics().lineSpacing() + 4));
+    for (const auto& [column, width] : columnWidths) {
+        list_->setColumnWidth(column, width);
+    }
+    auto* row = new QHBoxLayout;
+    row->addWidget(start_);
+    row->addWidget(cancel_);
+    row->addWidget(progress_);
+    row->addWidget(total_, 1);
+    row->addWidget(allOn_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 0);
+    layout->setSpacing(spacing);
+    layout->addLayout(row);
+    layout->addWidget(list_, 1);
+}
+
+void EffectsDock::connectParts() {
+    connect(start_, &QToolButton::clicked, this, &EffectsDock::measure);
+    connect(cancel_, &QToolButton::clicked, &measurement_, &EffectMeasurement::cancel);
+    connect(allOn_, &QToolButton::clicked, this, [this] {
+        for (const std::string& effect : std::vector<std::string>(switches_.off())) {
+            switches_.setOff(effect, false);
+        }
+    });
+    connect(list_, &QTreeWidget::itemChanged, this, &EffectsDock::toggle);
+    connect(&measurement_, &EffectMeasurement::progressed, this, [this](double share) {
+        progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
+    });
+    connect(&measurement_, &EffectMeasurement::finished, this, &EffectsDock::showOutcome);
+    connect(&settle_, &QTimer::timeout, this, &EffectsDock::updateRows);
+    const auto later = [this] {
+        if (!settle_.isActive()) {
+            settle_.start();
+        }
+    };
+    connect(&document_, &Document::changed, this, later);
+    connect(&document_, &Document::currentChanged, this, later);
+    connect(&document_, &Document::cameraChanged, this, later);
+    connect(&document_, &Document::catalogChanged, this, later);
+    connect(&library_, &MeshLibrary::loaded, this, later);
+    connect(&switches_, &EffectSwitches::changed, this, &EffectsDock::updateRows);
+}
+
+void EffectsDock::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    updateRows();
+}
+
+void EffectsDock::updateRows() {
+    const int object = document_.currentObject();
+    const Side side = document_.activeSide();
+    std::vector<EffectRow> rows;
+    if (object >= 0) {
+        const Scene& scene = document_.scene(side);
+        const auto source = [this](const Object& each) { return library_.view(each); };
+        rows = effectRows(scene, static_cast<std::size_t>(object), document_.catalog(),
+                          effectView(scene, scene.camera, source));
+    }
+    const bool isShown =
+        rows == rows_ && shownOff_ == switches_.off() && costsAreFresh_ == !isStale();
+    if ((isVisible() && !isShown) || rows_.empty()) {
+        rows_ = std::move(rows);
+        fill();
+    }
+    showState();
+}
+
+/// The current row stays, and the place where the list is scrolled to.
+void EffectsDock::fill() {
+    const QSignalBlocker blocker(list_);
+    const int scrolled = list_->verticalScrollBar()->value();
+    shownOff_ = switches_.off();
+    const QString current = list_->currentItem()
+                                ? list_->currentItem()->data(Effect, effectRole).toString()
+                                : QString();
+    costsAreFresh_ = !isStale();
+    list_->clear();
+    for (const EffectRow& row : rows_) {
+        QTreeWidgetItem* parent = parentOf(row);
+        auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(list_);
+        fillRow(item, row);
+        if (item->data(Effect, effectRole).toString() == current) {
+            list_->setCurrentItem(item);
+        }
+    }
+    list_->expandAll();
+    if (list_->currentItem() == nullptr && list_->topLevelItemCount() > 0) {
+        list_->setCurrentItem(list_->topLevelItem(0));
+    }
+    list_->verticalScrollBar()->setValue(scrolled);
+}
+
+QTreeWidgetItem* EffectsDock::parentOf(const EffectRow& row) const {
+    for (QTreeWidgetItemIterator it(list_); *it && !row.within.empty(); ++it) {
+        if ((*it)->data(Effect, effectRole).toString() == asText(row.within)) {
+            return *it;
+        }
+    }
+    return nullptr;
+}
+
+/// So many rows of the list that most scenes show without scrolling.
+QSize EffectsDock::sizeHint() const {
+    const int rowHeight = fontMetrics().lineSpacing() + 4;
+    return {640, (usualRows + 1) * rowHeight + start_->sizeHint().height() + 3 * spacing};
+}
+
+void EffectsDock::fillRow(QTreeWidgetItem* item, const EffectRow& row) {
+    const bool off = switches_.isOff(row.line.effect);
+    static const Material none;
+    const Material* material = document_.material(document_.activeSide());
+    const QString label =
+        labelOf(row.line.effect, material != nullptr ? *material : none, document_.catalog());
+    item->setText(Effect, row.in ? label : tr("not in: %1").arg(label));
+    item->setToolTip(Effect, label);
+    item->setData(Effect, effectRole, asText(row.line.effect));
+    const QString why = off ? tr("Switched off in the views. %1").arg(asText(row.line.reason))
+                            : asText(row.line.reason);
+    item->setText(Why, why);
+    item->setToolTip(Why, why);
+    for (const Column column : {Time, Share}) {
+        item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    item->setFlags(item->flags().setFlag(Qt::ItemIsUserCheckable, row.removable || off));
+    if (row.removable || off) {
+        item->setCheckState(Effect, off ? Qt::Unchecked : Qt::Checked);
+        item->setToolTip(Effect, tr("%1\nUntick it to see the picture without it").arg(label));
+    }
+    if (!row.in) {
+        for (const Column column : {Effect, Why}) {
+            item->setForeground(column, palette().placeholderText());
+        }
+    }
+    fillCost(item, row);
+}
+
+void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
+    const bool isOfObject = measured_ && measured_->object == document_.currentObject();
+    const EffectCost* cost =
+        isOfObject ? measured_->outcome.costs.of(row.line.effect) : nullptr;
+    if (cost == nullptr) {
+        return;
+    }
+    for (const Column column : {Time, Share}) {
+        item->setForeground(column,
+                            costsAreFresh_ ? palette().text() : palette().placeholderText());
+    }
+    const double frame = measured_->outcome.costs.frame.median;
+    const double share = frame > 0.0 ? 100.0 * cost->milliseconds.median / frame : 0.0;
+    item->setText(Time, cost->belowNoise()
+                            ? tr("below noise")
+                            : tr("%1 ms").arg(numberText(cost->milliseconds.median, 3)));
+    item->setText(Share, cost->belowNoise() ? QString() : tr("%1 %").arg(numberText(share, 1)));
+    item->setToolTip(Time, intervalText(cost->milliseconds));
+}
+
+void EffectsDock::toggle(QTreeWidgetItem* item) {
+    const std::string effect = item->data(Effect, effectRole).toString().toStdString();
+    const bool off = item->checkState(Effect) == Qt::Unchecked;
+    // The list is filled anew because of this, which must not be while it tells of the item.
+    QMetaObject::invokeMethod(
+        this, [this, effect, off] { switches_.setOff(effect, off); }, Qt::QueuedConnection);
+}
+
+/// The meshes lie still in the library until it goes, and it goes after the docks.
+MeshSource EffectsDock::meshes() const {
+    std::map<MeshKey, MeshView> views;
+    for (const Object& object : measured_->scene.objects) {
+        views.try_emplace(keyOf(object), library_.view(object));
+    }
+    return [views = std::move(views)](const Object& object) {
+        const auto found = views.find(keyOf(object));
+        return found == views.end() ? MeshView() : found->second;
+    };
+}
+
+void EffectsDock::measure() {
+    if (measurement_.isRunning() || document_.currentObject() < 0) {
+        return;
+    }
+    updateRows();
+    const Scene& scene = document_.scene(document_.activeSide());
+    measured_ = Measured{scene, document_.currentObject(), document_.sharedCatalog(), {}};
+    progress_->setValue(0);
+    const TextureLibrary* textures = document_.textureLibrary();
+    measurement_.start({scene, scene.camera, meshes(), rows_, measured_->catalog,
+                        textures != nullptr ? textures->snapshot() : TextureSource(),
+                        environments_.image(document_.environmentPicture())});
+    fill();
+    showState();
+}
+
+void EffectsDock::showOutcome(const EffectMeasurement::Outcome& outcome) {
+    if (measured_) {
+        measured_->outcome = outcome;
+    }
+    fill();
+    showState();
+}
+
+/// The costs are of another scene or object than the one that is shown.
+bool EffectsDock::isStale() const {
+    return !measured_ || measured_->object != document_.currentObject() ||
+           measured_->catalog != document_.sharedCatalog() ||
+           !(measured_->scene == document_.scene(document_.activeSide()));
+}
+
+QString EffectsDock::totalText() const {
+    const EffectCosts& costs = measured_->outcome.costs;
+    const double sum = sumOf(costs, rows_);
+    return tr("%1 ms a frame: effects %2 ms, the rest %3 ms. %4 × %5 pixels, %6.")
+        .arg(numberText(costs.frame.median, 2), numberText(sum, 2), numberText(costs.rest, 2))
+        .arg(costs.size.x)
+        .arg(costs.size.y)
+        .arg(asText(costs.method));
+}
+
+void EffectsDock::showState() {
+    const bool running = measurement_.isRunning();
+    start_->setEnabled(!running && document_.currentObject() >= 0);
+    cancel_->setVisible(running);
+    progress_->setVisible(running);
+    allOn_->setEnabled(!switches_.off().empty());
+    if (running) {
+        total_->setText(tr("Measuring …"));
+    } else if (!measured_) {
+        total_->setText(tr("Costs are not measured yet."));
+    } else if (!measured_->outcome.problem.isEmpty()) {
+        total_->setText(tr("Could not be measured: %1").arg(measured_->outcome.problem));
+    } else if (isStale()) {
+        total_->setText(tr("Out of date: the scene has changed since the costs were measured."));
+    } else {
+        total_->setText(measured_->outcome.complete ? totalText()
+                                                    : tr("Stopped. So far: %1").arg(totalText()));
+    }
+    total_->setToolTip(total_->text());
+}
+
+} // namespace patina

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QTimer>
+#include <QWidget>
+
+#include "check/effect_measurement.h"
+#include "docks/dock_context.h"
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace patina {
+
+/// Lists the effects of the current object and its scene: which are in the shader or why not, what
+/// each costs, and a switch that takes it out of the views.
+class EffectsDock : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit EffectsDock(const DockContext& context);
+
+    /// Measures what the effects cost; nothing happens while that is going on.
+    void measure();
+    bool isMeasuring() const { return measurement_.isRunning(); }
+
+    QSize sizeHint() const override;
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    /// What costs were measured of.
+    struct Measured {
+        Scene scene;
+        int object = -1;
+        std::shared_ptr<const Catalog> catalog;
+        EffectMeasurement::Outcome outcome;
+    };
+
+    void layOut();
+    void connectParts();
+    void updateRows();
+    void fill();
+    void fillRow(QTreeWidgetItem* item, const EffectRow& row);
+    void fillCost(QTreeWidgetItem* item, const EffectRow& row);
+    QTreeWidgetItem* parentOf(const EffectRow& row) const;
+    void showState();
+    QString totalText() const;
+    bool isStale() const;
+    MeshSource meshes() const;
+    void showOutcome(const EffectMeasurement::Outcome& outcome);
+    void toggle(QTreeWidgetItem* item);
+
+    Document& document_;
+    MeshLibrary& library_;
+    EnvironmentLibrary& environments_;
+    EffectSwitches& switches_;
+    EffectMeasurement measurement_;
+    std::vector<EffectRow> rows_;
+    std::optional<Measured> measured_; ///< the last costs, or what they are being measured of
+    bool costsAreFresh_ = false;       ///< as of the last fill()
+    std::vector<std::string> shownOff_; ///< effects that were off then
+    QTimer settle_;                    ///< changes of the document are gathered
+    QToolButton* start_;
+    QToolButton* cancel_;
+    QToolButton* allOn_;
+    QProgressBar* progress_;
+    QLabel* total_;
+    QTreeWidget* list_;
+};
+
+} // namespace patina

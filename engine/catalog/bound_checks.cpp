@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/bound_checks.h"
+
+#include <fmt/format.h>
+
+#include "catalog/suggestion.h"
+
+namespace patina {
+namespace {
+
+class BoundChecker {
+  public:
+    explicit BoundChecker(const Descriptor& descriptor)
+        : block_(descriptor.block), document_(descriptor.document) {}
+
+    Errors run() {
+        if (block_.hides) {
+            checkHiding(*block_.hides);
+        }
+        if (block_.reach) {
+            checkReach(*block_.reach);
+        }
+        return std::move(errors_);
+    }
+
+  private:
+    void add(const std::string& pointer, std::string problem, std::string expected) {
+        errors_.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
+    }
+
+    void checkHiding(const Hiding& hiding) {
+        const bool isRate = !hiding.rate.empty();
+        if (isRate == !hiding.from.empty() || isRate == !hiding.to.empty()) {
+            add("/hides", "this does not say how much is hidden",
+                "either \"rate\", or \"from\" and \"to\"");
+            return;
+        }
+        for (const auto& [key, id] :
+             {std::pair{"rate", &hiding.rate}, std::pair{"from", &hiding.from},
+              std::pair{"to", &hiding.to}}) {
+            checkType(fmt::format("/hides/{}", key), *id, ParameterType::Float, Space::None);
+        }
+    }
+
+    void checkReach(const Reach& reach) {
+        checkType("/reach/from", reach.from, ParameterType::Vec3, Space::WorldPoint);
+        checkType("/reach/range", reach.range, ParameterType::Float, Space::None);
+        checkType("/reach/axis", reach.axis, ParameterType::Vec3, Space::WorldDirection);
+        checkType("/reach/angle", reach.angle, ParameterType::Angle, Space::None);
+        if (reach.axis.empty() != reach.angle.empty()) {
+            add("/reach", "a cone has an axis and an angle", "both of them or neither");
+        }
+    }
+
+    void checkType(const std::string& pointer, const std::string& id, ParameterType type,
+                   Space space) {
+        if (id.empty()) {
+            return;
+        }
+        std::vector<std::string> known;
+        for (const Parameter& parameter : block_.parameters) {
+            if (parameter.type == type && parameter.space == space) {
+                known.push_back(parameter.id);
+            }
+        }
+        const Parameter* parameter = block_.parameter(id);
+        if (parameter == nullptr || parameter->type != type || parameter->space != space) {
+            add(pointer, fmt::format("\"{}\" is not the parameter that is needed here", id),
+                known.empty() ? "a parameter of the right type and space" : oneOf(id, known));
+        }
+    }
+
+    const Block& block_;
+    const LocatedJson& document_;
+    Errors errors_;
+};
+
+} // namespace
+
+Errors boundMistakes(const Descriptor& descriptor) {
+    return BoundChecker(descriptor).run();
+}
+
+} // namespace patina

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/effect_cost.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+#include "gl/driver.h"
+#include "gl/framebuffer.h"
+#include "measure/frame_timer.h"
+
+namespace patina {
+namespace {
+
+constexpr glm::ivec2 sizeOnCpu{256, 256};
+constexpr glm::ivec2 sizeOnDevice{1024, 1024};
+
+/// The first round compiles and lets the driver prepare; its times count for nothing.
+constexpr int warmUpRounds = 1;
+
+/// An interval of 95 % needs 6 samples.
+constexpr int leastRounds = 7;
+
+glm::ivec2 chosenSize(glm::ivec2 wanted) {
+    if (wanted.x > 0 && wanted.y > 0) {
+        return wanted;
+    }
+    return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
+}
+
+} // namespace
+
+class EffectCostMeter::Implementation {
+  public:
+    Implementation(Subject subject, const Options& options, std::unique_ptr<Renderer> renderer)
+        : subject_(std::move(subject)), rounds_(options.rounds + warmUpRounds),
+          seconds_(options.seconds), renderer_(std::move(renderer)),
+          color_(
+              gl::Texture::create(chosenSize(options.size), GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE)),
+          target_(gl::Framebuffer::create()) {
+        target_.attachColor(color_);
+        view_.size = color_.size();
+        view_.camera = subject_.camera;
+        view_.environmentImage = subject_.environment;
+        for (const EffectRow& row : subject_.rows) {
+            if (row.in && row.removable) {
+                tests_.push_back(
+                    {row.line.effect,
+                     withoutEffects(subject_.scene, {&row.line.effect, 1}, *subject_.catalog),
+                     {}});
+            }
+        }
+    }
+
+    void step() {
+        if (finished()) {
+            return;
+        }
+        const bool counts = done_ >= warmUpRounds * perRound();
+        const auto began = Clock::now();
+        const double with = timeOf(subject_.scene);
+        if (counts) {
+            frames_.push_back(with);
+        }
+        if (!tests_.empty()) {
+            Test& test = tests_[static_cast<std::size_t>(done_) % tests_.size()];
+            const double without = timeOf(test.scene);
+            if (counts) {
+                test.differences.push_back(with - without);
+            }
+        }
+        ++done_;
+        if (counts) {
+            counted_ += Clock::now() - began;
+        }
+        if (done_ == (warmUpRounds + 1) * perRound()) {
+            fitRounds();
+        }
+    }
+
+    bool finished() const { return done_ >= total() || !problems_.empty(); }
+    double progress() const { return finished() ? 1.0 : double(done_) / total(); }
+
+    EffectCosts costs() const {
+        EffectCosts costs;
+        costs.frame = medianInterval(frames_);
+        for (const Test& test : tests_) {
+            if (!test.differences.empty()) {
+                costs.effects.push_back({test.effect, medianInterval(test.differences)});
+            }
+        }
+        costs.rest = costs.frame.median - sumOf(costs, subject_.rows);
+        costs.size = view_.size;
+        costs.method = timer_.methodText();
+        costs.problems = problems_;
+        return costs;
+    }
+
+  private:
+    /// An effect that is measured, and the scene without it.
+    struct Test {
+        std::string effect;
+        Scene scene;
+        std::vector<double> differences; ///< milliseconds
+    };
+
+    using Clock = std::chrono::steady_clock;
+
+    int perRound() const { return std::max(static_cast<int>(tests_.size()), 1); }
+    int total() const { return rounds_ * perRound(); }
+
+    /// As many rounds as there is time for, now that one was timed.
+    void fitRounds() {
+        const double round = std::max(std::chrono::duration<double>(counted_).count(), 1e-6);
+        const double most = std::min(seconds_ / round, 1e6);
+        rounds_ = std::min(rounds_, warmUpRounds + std::max(static_cast<int>(most), leastRounds));
+    }
+
+    /// Shadow maps are drawn when something has changed, here the scene for the one before: the
+    /// frame counts that finds them there.
+    double timeOf(const Scene& scene) {
+        if (drawTimed(scene).shadowMaps > 0) {
+            drawTimed(scene);
+        }
+        return timer_.milliseconds();
+    }
+
+    const FrameReport& drawTimed(const Scene& scene) {
+        timer_.begin();
+        const FrameReport& frame = renderer_->draw(scene, view_, subject_.meshes, target_.name());
+        timer_.end();
+        glFinish();
+        timer_.collect();
+        if (frame.messages.size() > frame.warnings) {
+            problems_ = frame.messages;
+        }
+        return frame;
+    }
+
+    Subject subject_;
+    int rounds_;
+    double seconds_;
+    int done_ = 0;
+    Clock::duration counted_{}; ///< what the rounds took that count
+    std::unique_ptr<Renderer> renderer_;
+    gl::Texture color_;
+    gl::Framebuffer target_;
+    FrameTimer timer_;
+    View view_;
+    std::vector<Test> tests_;
+    std::vector<double> frames_; ///< milliseconds of frames with everything
+    Errors problems_;
+};
+
+EffectCostMeter::EffectCostMeter(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+
+EffectCostMeter::~EffectCostMeter() = default;
+
+Result<std::unique_ptr<EffectCostMeter>> EffectCostMeter::create(Subject subject,
+                                                                 const Options& options) {
+    auto renderer = Renderer::create({options.programCache});
+    if (!renderer) {
+        return tl::unexpected(renderer.error());
+    }
+    (*renderer)->setCatalog(subject.catalog);
+    if (subject.textures) {
+        (*renderer)->setTextures(subject.textures);
+    }
+    return std::unique_ptr<EffectCostMeter>(new EffectCostMeter(
+        std::make_unique<Implementation>(std::move(subject), options, std::move(*renderer))));
+}
+
+void EffectCostMeter::step() {
+    implementation_->step();
+}
+
+bool EffectCostMeter::finished() const {
+    return implementation_->finished();
+}
+
+double EffectCostMeter::progress() const {
+    return implementation_->progress();
+}
+
+EffectCosts EffectCostMeter::costs() const {
+    return implementation_->costs();
+}
+
+const EffectCost* EffectCosts::of(std::string_view effect) const {
+    const auto found =
+        std::find_if(effects.begin(), effects.end(),
+                     [effect](const EffectCost& cost) { return cost.effect == effect; });
+    return found == effects.end() ? nullptr : &*found;
+}
+
+double sumOf(const EffectCosts& costs, const std::vector<EffectRow>& rows) {
+    double sum = 0.0;
+    for (const EffectRow& row : rows) {
+        const EffectCost* cost = row.within.empty() ? costs.of(row.line.effect) : nullptr;
+        sum += cost == nullptr ? 0.0 : cost->milliseconds.median;
+    }
+    return sum;
+}
+
+} // namespace patina

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "shading/effect_set.h"
+
+namespace patina {
+
+/// A block in a program, with what of its values is compiled.
+BlockUse useOf(const Block& block, const Values& values, const AccuracyLevels& levels,
+               std::string reason);
+
+/// "It is black.", "Its density is 0.": why a block with these values does nothing; empty when it
+/// does something. See neutralParameter().
+std::string whyNeutral(const Block& block, const Values& values);
+
+} // namespace patina

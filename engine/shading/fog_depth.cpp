@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/fog_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "shading/effect_choice.h"
+
+namespace patina {
+namespace {
+
+/// The steepest that the sRGB curve is, at black.
+constexpr double srgbSlope = 12.92;
+
+/// A number that the block's descriptor names, in its range.
+double number(const Block& block, const Values& values, const std::string& id) {
+    const Parameter* parameter = block.parameter(id);
+    const double* held =
+        parameter == nullptr ? nullptr : std::get_if<double>(&givenValue(*parameter, values));
+    if (held == nullptr) {
+        return 0.0;
+    }
+    return std::isfinite(*held) ? std::clamp(*held, parameter->min, parameter->max)
+                                : std::get<double>(parameter->defaultValue);
+}
+
+double ramp(double from, double to, double distance) {
+    if (!(to > from)) {
+        return distance < to ? 0.0 : 1.0;
+    }
+    return std::clamp((distance - from) / (to - from), 0.0, 1.0);
+}
+
+/// The brightest channel of the fog's colour; 1 where it has no parameter of that name.
+double brightness(const Block& block, const Values& values) {
+    const Parameter* parameter = block.parameter("color");
+    const glm::dvec3* color =
+        parameter == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*parameter, values));
+    return color == nullptr ? 1.0 : std::max({color->x, color->y, color->z, 0.0});
+}
+
+std::string named(const Block& block, const Values& values, const std::string& id) {
+    const Parameter* parameter = block.parameter(id);
+    const std::string unit = parameter->unit == "m" ? " m" : "";
+    return fmt::format("{} {:.4g}{}", parameter->label, number(block, values, id), unit);
+}
+
+std::string valuesText(const Block& block, const Values& values) {
+    const Hiding& hides = *block.hides;
+    return hides.rate.empty()
+               ? named(block, values, hides.from) + ", " + named(block, values, hides.to)
+               : named(block, values, hides.rate);
+}
+
+} // namespace
+
+std::optional<double> hiddenShare(const Block& block, const Values& values, double distance) {
+    if (!block.hides) {
+        return std::nullopt;
+    }
+    const Hiding& hides = *block.hides;
+    if (hides.rate.empty()) {
+        return ramp(number(block, values, hides.from), number(block, values, hides.to), distance);
+    }
+    const double rate = number(block, values, hides.rate);
+    return rate > 0.0 ? -std::expm1(-std::pow(rate * distance, hides.power)) : 0.0;
+}
+
+/// With h the hidden share, a surface of S becomes S (1 - h) + F h. On a display that is, by the
+/// slope of the sRGB curve at black, at most 12.92 F h more, and at most 0.44 h less, since
+/// S times the curve's slope at S is never more than 0.44. Tone mapping subtracts a part of the
+/// least channel, which can double both.
+double mostChange(const Scene& scene, const Block& block, const EffectView& view) {
+    const auto hidden = hiddenShare(block, scene.fog->parameters, view.farthest);
+    if (!hidden) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double light = brightness(block, scene.fog->parameters) * std::exp2(scene.exposure);
+    return *hidden > 0.0 ? 2.0 * *hidden * (srgbSlope * light + 0.44) : 0.0;
+}
+
+std::string fogText(const Scene& scene, const Block& block, const EffectView& view) {
+    if (!block.hides) {
+        return "The scene has fog.";
+    }
+    const Values& values = scene.fog->parameters;
+    const std::string text = valuesText(block, values);
+    if (!std::isfinite(view.farthest)) {
+        return text + ".";
+    }
+    if (mostChange(scene, block, view) < halfStep) {
+        return fmt::format("{}: at up to {:.3g} m it changes no pixel by half of an 8-bit step.",
+                           text, view.farthest);
+    }
+    return fmt::format("{}: at up to {:.3g} m it hides {:.2g} %.", text, view.farthest,
+                       100.0 * *hiddenShare(block, values, view.farthest));
+}
+
+} // namespace patina

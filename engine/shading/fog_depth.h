@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "catalog/block.h"
+#include "scene/scene.h"
+#include "shading/effect_view.h"
+
+namespace patina {
+
+/// The share of a surface `distance` metres away that fog of these values hides, 0 .. 1, by what
+/// the block's descriptor says; nothing where it says nothing.
+std::optional<double> hiddenShare(const Block& block, const Values& values, double distance);
+
+/// The most by which the scene's fog can change a display value (0 .. 1) of what is drawn: a
+/// bound, so that fog below half of an 8-bit step can be left out unseen. Infinite where the
+/// block does not say.
+double mostChange(const Scene& scene, const Block& block, const EffectView& view);
+
+/// Half of a step between two display values of 8 bits.
+inline constexpr double halfStep = 0.5 / 255.0;
+
+/// One sentence with the fog's values: how much it hides, or why nobody could see it.
+std::string fogText(const Scene& scene, const Block& block, const EffectView& view);
+
+} // namespace patina

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shading/effect_set.h"
+
+namespace patina {
+
+/// The scene's lights and their shadows, in groups; those that are not in the program are named
+/// with the reason.
+void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog);
+
+/// The scene's ground, in the set of its own program; its lights are there already.
+void addGround(EffectSet& set, const Scene& scene);
+
+} // namespace patina

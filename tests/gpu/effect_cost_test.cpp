@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What effects cost, by leaving them out.
+#include "measure/effect_cost.h"
+
+#include <algorithm>
+
+#include "gpu_fixture.h"
+#include "measure/median_interval.h"
+#include "support/program.h"
+
+namespace patina {
+namespace {
+
+TEST(MedianInterval, NoSamples_AreZero) {
+    EXPECT_EQ(medianInterval({}), MedianInterval());
+}
+
+TEST(MedianInterval, FewSamples_SpanAll) {
+    EXPECT_EQ(medianInterval({3.0, 1.0, 2.0}), (MedianInterval{2.0, 1.0, 3.0}));
+}
+
+/// The ranks of the tables, for n = 6, 9, 15 and 20: 1 6, 2 8, 4 12, 6 15.
+TEST(MedianInterval, Ranks_AreThoseOfTheTables) {
+    const auto ranks = [](int count) {
+        std::vector<double> samples;
+        for (int i = count; i > 0; --i) {
+            samples.push_back(i);
+        }
+        const MedianInterval interval = medianInterval(samples);
+        return std::pair(interval.lower, interval.upper);
+    };
+    EXPECT_EQ(ranks(6), std::pair(1.0, 6.0));
+    EXPECT_EQ(ranks(9), std::pair(2.0, 8.0));
+    EXPECT_EQ(ranks(15), std::pair(4.0, 12.0));
+    EXPECT_EQ(ranks(20), std::pair(6.0, 15.0));
+}
+
+TEST(MedianInterval, EvenCount_TakesTheMiddleOfTwo) {
+    EXPECT_DOUBLE_EQ(medianInterval({1.0, 2.0, 4.0, 9.0}).median, 3.0);
+}
+
+/// A fog that works hard, and an object that fills the picture.
+class EffectCostTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        tests::writeFile(folder_ / "fog/heavy.json", R"({
+  "id": "heavy", "version": 1, "label": "Heavy", "summary": "s", "applications": "a",
+  "source": "a test", "doc": "d", "parameters": [], "claims": []
+})");
+        tests::writeFile(folder_ / "fog/heavy.glsl", R"(// SPDX-License-Identifier: MIT-0
+float heavyFog(float x, HeavyFog p) {
+    float sum = 0.0;
+    for (int i = 0; i < 150; ++i) {
+        sum += sin(x + float(i) * sum);
+    }
+    return 0.5 + 1e-6 * sum;
+}
+
+vec3 heavyFogColor(HeavyFog p) {
+    return vec3(0.5);
+}
+)");
+        const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true},
+                               BlockRoot{folder_.path(), false}};
+        catalog = std::make_shared<const Catalog>(loadCatalog(roots));
+        ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
+        scene_ = simpleScene("lambert");
+        scene_.camera.distance = 2.0;
+    }
+
+    EffectCosts measured(int rounds) {
+        rows_ = effectRows(scene_, 0, *catalog);
+        auto meter = EffectCostMeter::create({scene_, scene_.camera, meshSource(), rows_, catalog},
+                                             {{64, 64}, rounds, {}});
+        EXPECT_TRUE(meter);
+        while (!(*meter)->finished()) {
+            (*meter)->step();
+        }
+        return (*meter)->costs();
+    }
+
+    tests::TemporaryFolder folder_;
+    Scene scene_;
+    std::vector<EffectRow> rows_;
+};
+
+TEST_F(EffectCostTest, HeavyEffect_CostsMoreThanNothing) {
+    scene_.fog = block("fog", "heavy");
+    const EffectCosts costs = measured(7);
+    const EffectCost* fog = costs.of("fog/heavy");
+    ASSERT_NE(fog, nullptr);
+    EXPECT_FALSE(fog->belowNoise());
+    EXPECT_GT(fog->milliseconds.median, 0.0);
+}
+
+TEST_F(EffectCostTest, HeavyEffect_IsMostOfTheFrame) {
+    scene_.fog = block("fog", "heavy");
+    const EffectCosts costs = measured(7);
+    EXPECT_GT(costs.of("fog/heavy")->milliseconds.median, 0.5 * costs.frame.median);
+}
+
+TEST_F(EffectCostTest, SumAndRest_AreTheFrame) {
+    scene_.ambient = glm::dvec3(0.1);
+    const EffectCosts costs = measured(2);
+    EXPECT_NEAR(sumOf(costs, rows_) + costs.rest, costs.frame.median, 1e-9);
+}
+
+TEST_F(EffectCostTest, Sum_CountsNoEffectTwice) {
+    scene_.ambient = glm::dvec3(0.1);
+    const EffectCosts costs = measured(2);
+    EXPECT_DOUBLE_EQ(sumOf(costs, rows_), costs.of("models/lambert")->milliseconds.median);
+}
+
+TEST_F(EffectCostTest, EveryRemovableEffect_IsMeasured) {
+    scene_.ambient = glm::dvec3(0.1);
+    scene_.fog = block("fog", "linear");
+    scene_.lights[0].shadow = block("shadows", "hard");
+    scene_.ground.mode = GroundMode::Plane;
+    const EffectCosts costs = measured(1);
+    ASSERT_NE(costs.of("shadows/hard"), nullptr);
+    ASSERT_NE(costs.of("ground"), nullptr);
+    for (const EffectRow& row : rows_) {
+        EXPECT_EQ(costs.of(row.line.effect) != nullptr, row.in && row.removable) << row.line.effect;
+    }
+}
+
+/// Seven rounds that count, and one that does not.
+TEST_F(EffectCostTest, WithoutTime_DrawsTheFewestRounds) {
+    rows_ = effectRows(scene_, 0, *catalog);
+    const auto measuredRows = std::ranges::count_if(
+        rows_, [](const EffectRow& row) { return row.in && row.removable; });
+    auto meter = EffectCostMeter::create({scene_, scene_.camera, meshSource(), rows_, catalog},
+                                         {{16, 16}, 100, {}, 0.0});
+    ASSERT_TRUE(meter);
+    int steps = 0;
+    for (; !(*meter)->finished(); ++steps) {
+        (*meter)->step();
+    }
+    EXPECT_EQ(steps, 8 * measuredRows);
+}
+
+TEST_F(EffectCostTest, StepByStep_ProgressGrowsToOne) {
+    rows_ = effectRows(scene_, 0, *catalog);
+    auto meter = EffectCostMeter::create({scene_, scene_.camera, meshSource(), rows_, catalog},
+                                         {{16, 16}, 1, {}});
+    ASSERT_TRUE(meter);
+    double before = -1.0;
+    while (!(*meter)->finished()) {
+        EXPECT_GT((*meter)->progress(), before);
+        before = (*meter)->progress();
+        (*meter)->step();
+    }
+    EXPECT_EQ((*meter)->progress(), 1.0);
+}
+
+} // namespace
+} // namespace patina

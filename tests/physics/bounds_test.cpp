@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What descriptors say of how far their blocks work, against the blocks' own code.
+#include <gtest/gtest.h>
+
+#include "physics_cases.h"
+#include "shading/fog_depth.h"
+
+namespace patina::physics {
+namespace {
+
+TEST(FogBounds, EveryFog_HidesWhatItsDescriptorSays) {
+    for (const Block* block : catalog().ofKind("fog")) {
+        ASSERT_TRUE(block->hides) << block->id;
+        const Subject fog("fog", block->id);
+        for (double x = 0.0; x < 60.0; x += 0.37) {
+            EXPECT_NEAR(1.0 - fog.code->fog(x, fog.parameters),
+                        *hiddenShare(*block, defaultValues(*block), x), 1e-12)
+                << block->id << " at " << x;
+        }
+    }
+}
+
+TEST(LightBounds, BeyondTheRange_NothingArrives) {
+    for (const Block* block : catalog().ofKind("lights")) {
+        if (!block->reach || block->reach->range.empty()) {
+            continue;
+        }
+        Values values{{block->reach->range, 2.0}, {block->reach->from, glm::dvec3(0, 2, 0)}};
+        if (!block->reach->axis.empty()) {
+            values[block->reach->axis] = glm::dvec3(0, -1, 0);
+        }
+        const Subject light("lights", block->id, values);
+        EXPECT_EQ(light.code->light({0, 0, 0}, light.parameters).radiance, glm::dvec3(0.0));
+        EXPECT_GT(light.code->light({0, 0.01, 0}, light.parameters).radiance.g, 0.0);
+    }
+}
+
+TEST(LightBounds, RangeOfZero_ChangesNothing) {
+    const Subject usual("lights", "point");
+    const Subject endless("lights", "point", {{"range", 0.0}});
+    const Subject far("lights", "point", {{"range", 1e6}});
+    const glm::dvec3 x(0.3, -1.0, 4.0);
+    const double radiance = usual.code->light(x, usual.parameters).radiance.r;
+    EXPECT_EQ(endless.code->light(x, endless.parameters).radiance.r, radiance);
+    EXPECT_NEAR(far.code->light(x, far.parameters).radiance.r, radiance, 1e-12);
+}
+
+/// KHR_lights_punctual: 1 - (x / range)^4.
+TEST(LightBounds, HalfWayToTheEnd_FifteenSixteenthsAreLeft) {
+    const Subject light("lights", "point", {{"range", 4.0}, {"position", glm::dvec3(0, 2, 0)}});
+    EXPECT_DOUBLE_EQ(light.code->light({0, 0, 0}, light.parameters).radiance.g, 15.0 / 16.0);
+}
+
+} // namespace
+} // namespace patina::physics

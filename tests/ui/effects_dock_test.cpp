@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of effects: why each is in, what it costs, and the switches of the views.
+#include <algorithm>
+#include <ctime>
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+
+#include "docks/effects_dock.h"
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+constexpr int waitMs = 120000;
+
+class EffectsPanel : public WindowFixture {
+  protected:
+    EffectsPanel() {
+        window().dock("effects")->show();
+        document().setFog("exponential");
+        settle();
+    }
+
+    EffectsDock& dock() { return *window().dock("effects")->findChild<EffectsDock*>(); }
+    QTreeWidget& list() { return *dock().findChild<QTreeWidget*>(); }
+    QString total() { return dock().findChild<QLabel*>("total")->text(); }
+    void settle() { QTest::qWait(200); }
+
+    /// The row of an effect whose name begins so; null where there is none.
+    QTreeWidgetItem* row(const QString& effect) {
+        for (QTreeWidgetItemIterator it(&list()); *it; ++it) {
+            if ((*it)->data(0, Qt::UserRole).toString().startsWith(effect)) {
+                return *it;
+            }
+        }
+        return nullptr;
+    }
+
+    void press(const QString& text) {
+        for (QToolButton* button : dock().findChildren<QToolButton*>()) {
+            if (button->text() == text) {
+                button->click();
+            }
+        }
+    }
+
+    void switchOff(const QString& effect) {
+        row(effect)->setCheckState(0, Qt::Unchecked);
+        settle();
+        newFrames();
+    }
+
+    bool isInTheShader(const std::string& effect) {
+        for (const std::string& each : view().report().effects) {
+            if (each.starts_with(effect)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool measure() {
+        dock().measure();
+        return QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs);
+    }
+};
+
+TEST_F(EffectsPanel, List_HasTheEffectsAndWhy) {
+    ASSERT_NE(row("models/"), nullptr);
+    ASSERT_NE(row("lights/"), nullptr);
+    ASSERT_NE(row("fog/"), nullptr);
+    EXPECT_TRUE(row("lights/")->text(3).contains("Key")) << row("lights/")->text(3).toStdString();
+    EXPECT_EQ(row("lights/")->parent(), row("models/"));
+}
+
+TEST_F(EffectsPanel, List_HasWhatIsNotIn) {
+    document().setFog("");
+    settle();
+    ASSERT_NE(row("fog"), nullptr);
+    EXPECT_EQ(row("fog")->text(3), "The scene has no fog.");
+    EXPECT_FALSE(row("fog")->flags() & Qt::ItemIsUserCheckable);
+}
+
+TEST_F(EffectsPanel, Shadows_AreNamedUnderTheirLight) {
+    document().setShadow(0, "hard");
+    settle();
+    ASSERT_NE(row("shadows/hard"), nullptr);
+    EXPECT_EQ(row("shadows/hard")->text(0), "Hard shadows");
+    EXPECT_EQ(row("shadows/hard")->parent(), row("lights/"));
+}
+
+TEST_F(EffectsPanel, SwitchedOffShadows_AreNotInTheViewsShader) {
+    document().setShadow(0, "hard");
+    newFrames();
+    ASSERT_TRUE(isInTheShader("shadows/"));
+    settle();
+    switchOff("shadows/");
+    EXPECT_FALSE(isInTheShader("shadows/"));
+    EXPECT_TRUE(isInTheShader("lights/"));
+}
+
+/// Milliseconds that this thread has worked.
+double workedMs() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
+}
+
+/// Other threads draw the frames: the window's own has next to nothing to do between two turns, by
+/// its own clock, which does not depend on what else the machine does.
+TEST_F(EffectsPanel, WhileMeasuring_TheWindowAnswers) {
+    document().setShadow(0, "soft");
+    settle();
+    newFrames();
+    dock().measure();
+    double longest = 0.0;
+    double before = workedMs();
+    QTimer tick;
+    QObject::connect(&tick, &QTimer::timeout, [&] {
+        longest = std::max(longest, workedMs() - before);
+        before = workedMs();
+    });
+    tick.start(5);
+    QTest::qWait(2000);
+    press("Cancel");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
+    EXPECT_GT(longest, 0.0);
+    EXPECT_LT(longest, 100.0);
+}
+
+TEST_F(EffectsPanel, SwitchedOffEffect_IsNotInTheViewsShader) {
+    newFrames();
+    ASSERT_TRUE(isInTheShader("fog/"));
+    switchOff("fog/");
+    EXPECT_FALSE(isInTheShader("fog/"));
+}
+
+TEST_F(EffectsPanel, Switch_IsNoEdit) {
+    const int steps = document().undoStack().count();
+    const Scene before = document().scene();
+    switchOff("fog/");
+    EXPECT_EQ(document().undoStack().count(), steps);
+    EXPECT_EQ(document().scene(), before);
+}
+
+TEST_F(EffectsPanel, Export_HasWhatIsSwitchedOff) {
+    newFrames();
+    const Image before = view().picture(true);
+    switchOff("lights/");
+    EXPECT_EQ(view().picture(true).pixels, before.pixels);
+}
+
+TEST_F(EffectsPanel, SwitchedOffEffect_IsSaidInTheStatusLine) {
+    auto* note = window().findChild<QToolButton*>("switchedOff");
+    EXPECT_FALSE(note->isVisible());
+    switchOff("fog/");
+    EXPECT_TRUE(note->isVisible());
+    EXPECT_EQ(note->text(), "1 effect off");
+}
+
+TEST_F(EffectsPanel, AllOn_ShowsEverythingAgain) {
+    switchOff("fog/");
+    press("All on");
+    settle();
+    newFrames();
+    EXPECT_TRUE(isInTheShader("fog/"));
+    EXPECT_EQ(row("fog/")->checkState(0), Qt::Checked);
+}
+
+TEST_F(EffectsPanel, ValueDraggedWhileAnotherEffectIsOff_IsShown) {
+    switchOff("fog/");
+    document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient", glm::dvec3(0.7));
+    EXPECT_EQ(newFrames(), 1);
+    EXPECT_FALSE(isInTheShader("fog/"));
+}
+
+TEST_F(EffectsPanel, Measured_ShowsCostsAndTheTotal) {
+    ASSERT_TRUE(measure());
+    EXPECT_FALSE(row("models/")->text(1).isEmpty());
+    EXPECT_TRUE(total().contains("the rest")) << total().toStdString();
+    EXPECT_TRUE(total().contains("256")) << total().toStdString();
+}
+
+TEST_F(EffectsPanel, CancelledMeasurement_SaysThatItStopped) {
+    dock().measure();
+    press("Cancel");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
+    EXPECT_TRUE(total().startsWith("Stopped")) << total().toStdString();
+}
+
+TEST_F(EffectsPanel, ChangedScene_PutsTheCostsOutOfDate) {
+    dock().measure();
+    press("Cancel");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
+    document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient", glm::dvec3(0.7));
+    settle();
+    EXPECT_TRUE(total().startsWith("Out of date")) << total().toStdString();
+}
+
+TEST_F(EffectsPanel, Keyboard_SwitchesTheCurrentRow) {
+    list().setFocus();
+    list().setCurrentItem(row("fog/"));
+    QTest::keyClick(&list(), Qt::Key_Space);
+    settle();
+    newFrames();
+    EXPECT_FALSE(isInTheShader("fog/"));
+}
+
+} // namespace
+} // namespace patina::tests
