@@ -6,6 +6,7 @@
 #include <regex>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "catalog/fills.h"
 #include "catalog/json_text.h"
@@ -273,11 +274,34 @@ Result<EvalCase> readSurfacePart(const Json& json, const Catalog& catalog, EvalC
     return frame ? Result<EvalCase>(request) : tl::unexpected(frame.error());
 }
 
-/// A block that is a function of a number or of a point.
+/// Where fog is looked through: from the origin along -z unless it is given.
+Result<EvalCase> readRay(const Json& json, EvalCase request) {
+    request.v = {0.0, 0.0, -1.0};
+    if (json.contains("direction")) {
+        if (const auto read = readDirection(json, "direction", request.v); !read) {
+            return tl::unexpected(read.error());
+        }
+        request.v = glm::normalize(request.v);
+    }
+    if (json.contains("eye")) {
+        const Result<glm::dvec3> eye = vector(json, "eye");
+        if (!eye) {
+            return tl::unexpected(eye.error());
+        }
+        request.l = *eye;
+    }
+    return request;
+}
+
+/// A block that is a function of a number, of a point or of a ray.
 Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase request,
                            const std::string& key, const std::string& kind) {
     const std::string argument = kind == "lights" ? "x" : kind == "fog" ? "distance" : "cos";
-    const auto keys = checkKeys(json, {key, argument});
+    std::vector<std::string> known{key, argument};
+    if (kind == "fog") {
+        known.insert(known.end(), {"eye", "direction"});
+    }
+    const auto keys = checkKeys(json, known);
     const Result<EvalBlock> block = readNested(catalog, kind, json[key]);
     if (!keys || !block) {
         return tl::unexpected(keys ? block.error() : keys.error());
@@ -299,7 +323,7 @@ Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase re
         return failure(fmt::format("distance is {}", json[argument].dump()), "0 or more");
     }
     request.number = *x;
-    return request;
+    return kind == "fog" ? readRay(json, request) : Result<EvalCase>(request);
 }
 
 Result<EvalCase> readFunction(const Json& json, EvalCase request) {

@@ -40,6 +40,7 @@ struct Hiding {
     double power = 1.0;
     std::string from;
     std::string to;
+    bool atMost = false; ///< it hides so much or less
 
     friend bool operator==(const Hiding&, const Hiding&) = default;
 };

@@ -225,6 +225,7 @@ std::optional<Hiding> hidingFrom(const Fields& fields) {
     Fields(*json).read("power", hiding.power);
     Fields(*json).read("from", hiding.from);
     Fields(*json).read("to", hiding.to);
+    Fields(*json).read("atMost", hiding.atMost);
     return hiding;
 }
 

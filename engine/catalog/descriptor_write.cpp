@@ -108,8 +108,12 @@ Json parameterJson(const Parameter& parameter) {
 }
 
 Json toJson(const Hiding& hiding) {
-    return hiding.rate.empty() ? Json{{"from", hiding.from}, {"to", hiding.to}}
-                               : Json{{"rate", hiding.rate}, {"power", hiding.power}};
+    Json json = hiding.rate.empty() ? Json{{"from", hiding.from}, {"to", hiding.to}}
+                                    : Json{{"rate", hiding.rate}, {"power", hiding.power}};
+    if (hiding.atMost) {
+        json["atMost"] = true;
+    }
+    return json;
 }
 
 Json toJson(const Reach& reach) {

@@ -140,6 +140,9 @@ ReferenceNumbers placeNoise(Subject subject, const ReferenceCase& bound, const E
     movable.evaluate = [&] { return bound.evaluate(changed); };
     if (subject == Subject::Light) {
         movable.numbers = {&changed.l.x, &changed.l.y, &changed.l.z};
+    } else if (subject == Subject::Fog) {
+        movable.numbers = {&changed.number, &changed.l.x, &changed.l.y, &changed.l.z,
+                           &changed.v.x,    &changed.v.y, &changed.v.z};
     } else {
         movable.numbers = {&changed.number};
     }

@@ -61,7 +61,10 @@ Json subjectJson(const EvalCase& request) {
     case Subject::Light:
         return {{"light", nested(request.block)}, {"x", numbers(request.l)}};
     case Subject::Fog:
-        return {{"fog", nested(request.block)}, {"distance", request.number}};
+        return {{"fog", nested(request.block)},
+                {"distance", request.number},
+                {"eye", numbers(request.l)},
+                {"direction", numbers(request.v)}};
     default:
         return {{"function", request.function}, {"arguments", request.arguments}};
     }

@@ -25,7 +25,8 @@ struct EvalBlock {
 
 /// Where a block is evaluated. Each kind of block reads what it is a function of.
 struct EvalPlace {
-    /// As given, of any length. A light's point is in `l`.
+    /// As given, of any length. A light's point is in `l`; fog's eye is there, and in `v` the unit
+    /// direction from it.
     glm::dvec3 n{0.0, 0.0, 1.0};
     glm::dvec3 t{1.0, 0.0, 0.0};
     glm::dvec3 l{0.0};

@@ -46,7 +46,7 @@ std::string keyOf(const EvalBlock& block) {
 
 /// Texels before the parameters: n, t, l and v, or the one argument.
 int argumentTexels(Subject subject) {
-    return subject == Subject::Model ? 4 : 1;
+    return subject == Subject::Model ? 4 : subject == Subject::Fog ? 2 : 1;
 }
 
 std::string header(const EvalShape& shape) {
@@ -202,6 +202,10 @@ std::vector<float> placeTexels(const EvalCase& request) {
         break;
     case Subject::Light:
         append(texels, request.l);
+        break;
+    case Subject::Fog:
+        append(texels, request.l, request.number);
+        append(texels, request.v);
         break;
     default:
         append(texels, {request.number, 0.0, 0.0});

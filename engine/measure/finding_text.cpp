@@ -89,7 +89,10 @@ std::string placeText(const EvalCase& request) {
     case Subject::Fresnel:
         return fmt::format("cosine {:.9g}", request.number);
     case Subject::Fog:
-        return fmt::format("distance {:.9g}", request.number);
+        return fmt::format("distance {:.9g}, eye ({:.9g}, {:.9g}, {:.9g}), direction ({:.9g}, "
+                           "{:.9g}, {:.9g})",
+                           request.number, request.l.x, request.l.y, request.l.z, request.v.x,
+                           request.v.y, request.v.z);
     default:
         return fmt::format("point ({:.9g}, {:.9g}, {:.9g})", request.l.x, request.l.y, request.l.z);
     }

@@ -160,6 +160,27 @@ Places hardPoints() {
     return places;
 }
 
+/// Distances, each from some eyes and in some directions, among them along an axis and next to it.
+Places hardRays() {
+    constexpr glm::dvec3 eyes[] = {{0.0, 0.0, 0.0},  {0.5, -1.0, 2.0},  {2.0, 0.5, 2.0},
+                                   {1e3, 1e3, -1e3}, {1e-20, 5.0, 0.0}, {0.0, -1e6, 1e6}};
+    const glm::dvec3 slanting = glm::normalize(glm::dvec3(-0.3, -0.8, 0.5));
+    const glm::dvec3 directions[] = {{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0},   {-1.0, 0.0, 0.0},
+                                     {0.0, -1.0, 0.0}, {1e-7, 1e-7, 1.0}, {1.0, 1e-30, -1e-4},
+                                     slanting,         -slanting};
+    Places places;
+    for (const EvalPlace& far : hardNumbers({1e-30, 1e-3, 2.0, 10.0, 1e2, 1e3, 1e6, 1e20, 3e38})) {
+        for (const glm::dvec3& eye : eyes) {
+            for (const glm::dvec3& direction : directions) {
+                EvalPlace& place = places.emplace_back(far);
+                place.l = inFloat(eye);
+                place.v = inFloat(direction);
+            }
+        }
+    }
+    return places;
+}
+
 /// Numbers of one fixed sequence.
 class Random {
   public:
@@ -204,6 +225,9 @@ EvalPlace ordinaryPlace(Subject subject, Random& random) {
         break;
     default:
         place.number = inFloat(random.uniform(0.0, 5.0));
+        place.l = inFloat(
+            glm::dvec3(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)));
+        place.v = random.upperDirection();
     }
     return place;
 }
@@ -219,7 +243,7 @@ Places hardPlaces(Subject subject) {
     case Subject::Fresnel:
         return hardNumbers({-1.0, -1e-8, 1.0 + 1e-6, 1e-3, 0.05, 0.2, 0.8});
     default:
-        return hardNumbers({1e-30, 1e-3, 2.0, 10.0, 1e2, 1e3, 1e6, 1e20, 3e38});
+        return hardRays();
     }
 }
 

@@ -85,7 +85,7 @@ ReferenceNumbers ReferenceCase::evaluate(const EvalPlace& place) const {
                 light.radiance.x, light.radiance.y, light.radiance.z};
     }
     default:
-        return {code_.block->fog(place.number, values_)};
+        return {code_.block->fog({place.l, place.v, place.number}, values_)};
     }
 }
 

@@ -125,6 +125,10 @@ double erfcOf(double a) {
     return std::erfc(a);
 }
 
+double meanOfExp(double u) {
+    return u > 0.0 ? -std::expm1(-u) / u : 1.0;
+}
+
 // The same start as in the shader, then until nothing changes.
 double lambertW(double x) {
     const double L = std::log(std::max(x, 2.72));

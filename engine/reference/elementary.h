@@ -21,6 +21,7 @@ double ierfc(double a);
 double gaussianShare(double w);
 double atanhExcess(double w);
 double erfcOf(double a);
+double meanOfExp(double u);
 double lambertW(double x);
 double stirlingError(double m);
 double ridgeLobe(const glm::dvec2& arc, const glm::dvec3& h, double e, const glm::dvec2& view,

@@ -37,6 +37,13 @@ struct Illumination {
     glm::dvec3 radiance{0.0};    ///< E / pi
 };
 
+/// The way from the eye to a surface.
+struct FogRay {
+    glm::dvec3 eye{0.0};
+    glm::dvec3 direction{0.0, 0.0, -1.0}; ///< unit
+    double range = 0.0;                   ///< metres, 0 or more
+};
+
 /// One packed field, as it was when the block was compiled.
 struct Field {
     std::string_view name;
@@ -71,7 +78,7 @@ struct Block {
     glm::dvec3 (*fresnel)(double c, double versine, Parameters) = nullptr;
     glm::dvec3 (*tint)(Parameters) = nullptr;
     Illumination (*light)(const glm::dvec3& x, Parameters) = nullptr;
-    double (*fog)(double distance, Parameters) = nullptr;
+    double (*fog)(const FogRay& ray, Parameters) = nullptr;
     glm::dvec3 (*fogColor)(Parameters) = nullptr;
     /// What comes from the unit direction d, E / pi, and the picture's colour there.
     glm::dvec3 (*environment)(const glm::dvec3& d, const glm::dvec3& picture,

@@ -95,7 +95,8 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
         return fmt::format("{}: at up to {:.3g} m it changes no pixel by half of an 8-bit step.",
                            text, view.farthest);
     }
-    return fmt::format("{}: at up to {:.3g} m it hides {:.2g} %.", text, view.farthest,
+    return fmt::format("{}: at up to {:.3g} m it hides {}{:.2g} %.", text, view.farthest,
+                       block.hides->atMost ? "at most " : "",
                        100.0 * *hiddenShare(block, values, view.farthest));
 }
 

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// The share of a surface `distance` metres away that fog of these values hides, 0 .. 1, by what
-/// the block's descriptor says; nothing where it says nothing.
+/// The share of a surface `distance` metres away that fog of these values hides, 0 .. 1, or hides
+/// at most, by what the block's descriptor says; nothing where it says nothing.
 std::optional<double> hiddenShare(const Block& block, const Values& values, double distance);
 
 /// The most by which the scene's fog can change a display value (0 .. 1) of what is drawn: a

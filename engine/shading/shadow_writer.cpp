@@ -100,7 +100,7 @@ void SurfaceWriter::writeGround() {
         return;
     }
     stored_ = scene_.fog ? fmt::format("groundDarkened(shaded, sent, groundShare() * "
-                                       "fogShare(s.range, unpackFog({})))",
+                                       "fogShare(fogRay(s), unpackFog({})))",
                                        scene_.fog->first)
                          : "groundDarkened(shaded, sent, groundShare())";
 }

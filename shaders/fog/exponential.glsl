@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
+#include "lib/fog_ray.glsl"
 
-// exp(-density x). Bouguer 1729.
-float exponentialFog(float x, ExponentialFog p) {
-    return exp(-p.density * x);
+// exp(-density x) at the distance x. Bouguer 1729.
+float exponentialFog(FogRay ray, ExponentialFog p) {
+    return exp(-p.density * ray.range);
 }
 
 vec3 exponentialFogColor(ExponentialFog p) {

@@ -119,6 +119,11 @@ TEST(Elementary, ErfcOf_KeepsItsBound) {
     EXPECT_LT(worstError("erfcOf", [](double u) { return std::vector{8.0 * u}; }), 4e-8);
 }
 
+TEST(Elementary, MeanOfExp_KeepsItsBound) {
+    const auto arguments = [](double u) { return std::vector{std::pow(10.0, 40.0 * u - 30.0)}; };
+    EXPECT_LT(worstError("meanOfExp", arguments), 1e-7);
+}
+
 TEST(Elementary, LambertW_KeepsItsBound) {
     const auto arguments = [](double u) { return std::vector{std::pow(10.0, 60.0 * u - 30.0)}; };
     EXPECT_LT(worstError("lambertW", arguments), 2e-6);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+
 #include <glm/geometric.hpp>
 
 #include "physics_cases.h"
@@ -15,7 +18,7 @@ reference::Illumination lightAt(const std::string& id, const glm::dvec3& x, cons
 
 double fogAt(const std::string& id, double distance, const Values& values) {
     const Subject fog("fog", id, values);
-    return fog.code->fog(distance, fog.parameters);
+    return fog.code->fog({{}, {0.0, 0.0, -1.0}, distance}, fog.parameters);
 }
 
 TEST(DirectionalLight, ItsDirection_IsTheWayTheLightTravels) {
@@ -140,6 +143,63 @@ TEST(ExponentialFog, NoOrHugeDensity_IsNothingOrEverything) {
         EXPECT_EQ(fogAt(id, 1e6, {{"density", 1000.0}}), 0.0);
         EXPECT_EQ(fogAt(id, 0.0, {{"density", 1000.0}}), 1.0);
     }
+}
+
+/// What fog whose density is given at each point leaves, summed up in small steps along the ray.
+double leftByStepping(const reference::FogRay& ray,
+                      const std::function<double(const glm::dvec3&)>& density) {
+    constexpr int steps = 200000;
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        sum += density(ray.eye + (i + 0.5) / steps * ray.range * ray.direction);
+    }
+    return std::exp(-sum * ray.range / steps);
+}
+
+const reference::FogRay crossingRays[] = {
+    {{0.0, 3.0, 0.0}, glm::normalize(glm::dvec3(0.2, -0.9, 0.1)), 5.0},  // from above into it
+    {{0.5, -2.0, 1.0}, glm::normalize(glm::dvec3(0.3, 0.8, -0.4)), 6.0}, // out of it
+    {{0.0, 0.7, 0.0}, {1.0, 0.0, 0.0}, 2.0},                             // level
+    {{-3.0, 0.1, 0.2}, glm::normalize(glm::dvec3(1.0, 1e-9, 0.01)), 7.0},
+    {{0.0, 0.4, 0.0}, glm::normalize(glm::dvec3(-0.5, 0.6, 0.7)), 0.3},
+    {{0.1, 5.0, -0.1}, {0.0, -1.0, 0.0}, 9.0},
+};
+
+TEST(HeightFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
+    const Subject fog("fog", "height", {{"density", 0.8}, {"base", 0.2}, {"thickness", 0.6}});
+    for (const reference::FogRay& ray : crossingRays) {
+        const double stepped = leftByStepping(ray, [](const glm::dvec3& x) {
+            return 0.8 * std::exp(-std::max(x.y - 0.2, 0.0) / 0.6);
+        });
+        EXPECT_NEAR(fog.code->fog(ray, fog.parameters), stepped, 1e-6 * stepped) << ray.eye.y;
+    }
+}
+
+TEST(HeightFog, WithoutThickness_EndsAtItsBase) {
+    const Subject fog("fog", "height", {{"density", 1.0}, {"base", 0.0}, {"thickness", 0.0}});
+    EXPECT_NEAR(fog.code->fog({{0, 2, 0}, {0, -1, 0}, 3.0}, fog.parameters), std::exp(-1.0), 1e-6);
+    EXPECT_EQ(fog.code->fog({{0, 2, 0}, {1, 0, 0}, 3.0}, fog.parameters), 1.0);
+}
+
+TEST(BoxFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
+    const glm::dvec3 center(0.1, 0.5, -0.2);
+    const glm::dvec3 size(2.0, 1.0, 3.0);
+    const Subject fog("fog", "box", {{"density", 0.8}, {"center", center}, {"size", size}});
+    for (const reference::FogRay& ray : crossingRays) {
+        const double stepped = leftByStepping(ray, [&](const glm::dvec3& x) {
+            const glm::dvec3 off = glm::abs(x - center) - 0.5 * size;
+            return std::max({off.x, off.y, off.z}) < 0.0 ? 0.8 : 0.0;
+        });
+        EXPECT_NEAR(fog.code->fog(ray, fog.parameters), stepped, 1e-4 * stepped) << ray.eye.y;
+    }
+}
+
+TEST(BoxFog, ThinAndFarAway_KeepsItsDigits) {
+    const Subject fog("fog", "box",
+                      {{"density", 1000.0},
+                       {"center", glm::dvec3(0.0, 0.0, -1e6)},
+                       {"size", glm::dvec3(10.0, 10.0, 1e-3)}});
+    EXPECT_NEAR(fog.code->fog({{}, {0, 0, -1}, 2e6}, fog.parameters), std::exp(-1.0), 1e-7);
 }
 
 } // namespace

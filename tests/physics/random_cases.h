@@ -39,6 +39,8 @@ class RandomCases {
         } else {
             request.subject = EvalCase::Subject::Fog;
             request.number = inFloat(std::abs(coordinate()));
+            request.l = inFloat(glm::dvec3(coordinate(), coordinate(), coordinate()));
+            request.v = inFloat(someDirection());
         }
         return request;
     }
@@ -55,6 +57,12 @@ class RandomCases {
     std::size_t any(std::size_t count) { return random_() % count; }
     double uniform(double low, double high) {
         return std::uniform_real_distribution(low, high)(random_);
+    }
+    glm::dvec3 someDirection() {
+        const double c = uniform(-1.0, 1.0);
+        const double phi = uniform(0.0, 6.283185307179586);
+        const double s = std::sqrt(1.0 - c * c);
+        return {s * std::cos(phi), s * std::sin(phi), c};
     }
     static double inFloat(double x) { return static_cast<double>(static_cast<float>(x)); }
     static glm::dvec3 inFloat(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }

@@ -173,7 +173,9 @@ std::string entryFunctions(const Block& block) {
                            name);
     }
     return fmt::format(
-        "double callFog(double x, Parameters data) {{ return {0}(x, unpack(data)); }}\n"
+        "double callFog(const reference::FogRay& x, Parameters data) {{\n    FogRay ray;\n"
+        "    ray.eye = x.eye;\n    ray.direction = x.direction;\n    ray.range = x.range;\n"
+        "    return {0}(ray, unpack(data));\n}}\n"
         "vec3 callFogColor(Parameters data) {{ return {0}Color(unpack(data)); }}\n",
         name);
 }
