@@ -188,14 +188,14 @@ void Renderer::noteTime(double milliseconds) {
 }
 
 Renderer::Sketch Renderer::sketch(const Scene& scene, const View& view, const MeshSource& meshes,
-                                  unsigned framebuffer) {
+                                  unsigned framebuffer, std::chrono::milliseconds patience) {
     implementation_->endInspection();
     implementation_->limitTextures(textureBytesAtOnce);
     const Clock::time_point began = Clock::now();
     if (!implementation_->beginSketch(scene, view, meshes)) {
         return Sketch::Needless;
     }
-    if (!proceed(firstPatience)) {
+    if (!proceed(patience)) {
         return Sketch::Begun;
     }
     if (Clock::now() - began < longestQuick / sketchShare) {

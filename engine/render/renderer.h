@@ -96,9 +96,9 @@ class Renderer {
     };
 
     /// A first look at a frame that may take long: half as wide and high, with one sample per pixel
-    /// and stretched to the view's size.
+    /// and stretched to the view's size. Only begun where `patience` is over before it is done.
     Sketch sketch(const Scene& scene, const View& view, const MeshSource& meshes,
-                  unsigned framebuffer);
+                  unsigned framebuffer, std::chrono::milliseconds patience);
 
     /// What the last drawSmall(), with all that followed, has taken: the next one goes by it.
     void noteTime(double milliseconds);

@@ -17,6 +17,10 @@ namespace {
 /// How long a step of a frame may keep the window waiting.
 constexpr std::chrono::milliseconds patience{20};
 
+/// How long for a sketch. Before the first one there is no window yet that could stand still.
+constexpr std::chrono::milliseconds firstSketchPatience{200};
+constexpr std::chrono::milliseconds sketchPatience{30};
+
 } // namespace
 
 /// Before the first frame there is nothing yet that could stay on the screen.
@@ -64,7 +68,8 @@ void Viewport::beginFrame() {
     const bool isNew = std::exchange(isNew_, false);
     const Renderer::Sketch sketch =
         isNew ? renderer_->sketch(sources_.scene(), view(), sources_.meshes,
-                                  defaultFramebufferObject())
+                                  defaultFramebufferObject(),
+                                  frameCount_ == 0 ? firstSketchPatience : sketchPatience)
               : Renderer::Sketch::Needless;
     sketching_ = sketch == Renderer::Sketch::Begun;
     if (sketch == Renderer::Sketch::Shown) {
