@@ -12,6 +12,7 @@
 #include "catalog/json_text.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
+#include "cli/eval_numbers.h"
 #include "core/number_text.h"
 #include "material/material.h"
 
@@ -24,43 +25,6 @@ using Json = nlohmann::json;
 tl::unexpected<Error> at(const std::string& key, Error error) {
     error.problem = key + ": " + error.problem;
     return tl::unexpected(std::move(error));
-}
-
-Result<double> number(const Json& json, const std::string& key) {
-    if (!json.contains(key)) {
-        return failure("there is no \"" + key + "\"", "a number");
-    }
-    if (!json[key].is_number()) {
-        return failure(key + " is not a number", "a number");
-    }
-    return json[key].get<double>();
-}
-
-Result<glm::dvec3> vector(const Json& json, const std::string& key) {
-    if (!json.contains(key)) {
-        return failure("there is no \"" + key + "\"", "an array of 3 numbers");
-    }
-    const Json& value = json[key];
-    const bool right = value.is_array() && value.size() == 3 &&
-                       std::all_of(value.begin(), value.end(),
-                                   [](const Json& element) { return element.is_number(); });
-    if (!right) {
-        return failure(key + " is not a vector", "an array of 3 numbers");
-    }
-    return glm::dvec3(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
-}
-
-/// A vector that says a direction.
-Result<void> readDirection(const Json& json, const std::string& key, glm::dvec3& target) {
-    const Result<glm::dvec3> value = vector(json, key);
-    if (!value) {
-        return tl::unexpected(value.error());
-    }
-    if (*value == glm::dvec3(0.0)) {
-        return failure(key + " has no length", "a direction");
-    }
-    target = *value;
-    return {};
 }
 
 Result<void> checkKeys(const Json& json, std::vector<std::string> known) {

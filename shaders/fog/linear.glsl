@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/fog_ray.glsl"
 
-// At the distance x, (end - x) / (end - start) in 0 .. 1; a step at the end when there is no way from start to end.
+// At the distance x, (end - x) / (end - start) in 0 .. 1; a step at the end when there is no way from
+// start to end.
 float linearFog(FogRay ray, LinearFog p) {
     float span = p.end - p.start;
     if (!(span > 0.0)) {

@@ -165,8 +165,8 @@ const reference::FogRay crossingRays[] = {
     {{0.1, 5.0, -0.1}, {0.0, -1.0, 0.0}, 9.0},
 };
 
-TEST(HeightFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
-    const Subject fog("fog", "height", {{"density", 0.8}, {"base", 0.2}, {"thickness", 0.6}});
+TEST(LowLyingFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
+    const Subject fog("fog", "low-lying", {{"density", 0.8}, {"base", 0.2}, {"thickness", 0.6}});
     for (const reference::FogRay& ray : crossingRays) {
         const double stepped = leftByStepping(ray, [](const glm::dvec3& x) {
             return 0.8 * std::exp(-std::max(x.y - 0.2, 0.0) / 0.6);
@@ -175,16 +175,16 @@ TEST(HeightFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
     }
 }
 
-TEST(HeightFog, WithoutThickness_EndsAtItsBase) {
-    const Subject fog("fog", "height", {{"density", 1.0}, {"base", 0.0}, {"thickness", 0.0}});
+TEST(LowLyingFog, WithoutThickness_EndsAtItsBase) {
+    const Subject fog("fog", "low-lying", {{"density", 1.0}, {"base", 0.0}, {"thickness", 0.0}});
     EXPECT_NEAR(fog.code->fog({{0, 2, 0}, {0, -1, 0}, 3.0}, fog.parameters), std::exp(-1.0), 1e-6);
     EXPECT_EQ(fog.code->fog({{0, 2, 0}, {1, 0, 0}, 3.0}, fog.parameters), 1.0);
 }
 
-TEST(BoxFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
+TEST(BoxedFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
     const glm::dvec3 center(0.1, 0.5, -0.2);
     const glm::dvec3 size(2.0, 1.0, 3.0);
-    const Subject fog("fog", "box", {{"density", 0.8}, {"center", center}, {"size", size}});
+    const Subject fog("fog", "boxed", {{"density", 0.8}, {"center", center}, {"size", size}});
     for (const reference::FogRay& ray : crossingRays) {
         const double stepped = leftByStepping(ray, [&](const glm::dvec3& x) {
             const glm::dvec3 off = glm::abs(x - center) - 0.5 * size;
@@ -194,8 +194,8 @@ TEST(BoxFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
     }
 }
 
-TEST(BoxFog, ThinAndFarAway_KeepsItsDigits) {
-    const Subject fog("fog", "box",
+TEST(BoxedFog, ThinAndFarAway_KeepsItsDigits) {
+    const Subject fog("fog", "boxed",
                       {{"density", 1000.0},
                        {"center", glm::dvec3(0.0, 0.0, -1e6)},
                        {"size", glm::dvec3(10.0, 10.0, 1e-3)}});

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/fog_ray.glsl"
 
-// The metres of the ray that lie in the box: from the last plane at which it enters to the first at
-// which it leaves. Where both belong to one axis that is size / |direction|, which does not lose the
-// digits of a thin box far away. Slabs: T. L. Kay and J. T. Kajiya, SIGGRAPH 1986.
-float boxFogPath(FogRay ray, BoxFog p) {
+// The metres of the ray that lie in the box: from the last plane at which it enters to the first
+// at which it leaves. Where both belong to one axis that is size / |direction|, which does not lose
+// the digits of a thin box far away. Slabs: T. L. Kay and J. T. Kajiya, SIGGRAPH 1986.
+float boxedFogPath(FogRay ray, BoxedFog p) {
     float from = 0.0;
     float to = ray.range;
     int enters = -1;
-    int leaves = -1;
+    int leaves = -2; // never an axis that was entered
     for (int axis = 0; axis < 3; ++axis) {
         float away = p.center[axis] - ray.eye[axis];
         float reach = 0.5 * p.size[axis];
@@ -33,14 +33,17 @@ float boxFogPath(FogRay ray, BoxFog p) {
     if (!(to > from)) {
         return 0.0;
     }
-    return enters >= 0 && enters == leaves ? p.size[enters] / abs(ray.direction[enters]) : to - from;
+    if (enters == leaves) {
+        return p.size[enters] / abs(ray.direction[enters]);
+    }
+    return to - from;
 }
 
 // exp(-density x), x the metres of the way that lie in the box. Bouguer 1729.
-float boxFog(FogRay ray, BoxFog p) {
-    return exp(-p.density * boxFogPath(ray, p));
+float boxedFog(FogRay ray, BoxedFog p) {
+    return exp(-p.density * boxedFogPath(ray, p));
 }
 
-vec3 boxFogColor(BoxFog p) {
+vec3 boxedFogColor(BoxedFog p) {
     return p.color;
 }

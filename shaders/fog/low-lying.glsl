@@ -5,7 +5,7 @@
 // exp(-T), T the integral of the density along the way to the surface: `density` up to the height
 // `base`, above it density exp(-(y - base) / thickness). Both parts have a closed form, so no step
 // along the ray is needed. 1e15 m is far enough for anything and keeps products finite.
-float heightFog(FogRay ray, HeightFog p) {
+float lowLyingFog(FogRay ray, LowLyingFog p) {
     float range = min(ray.range, 1e15);
     float rise = ray.direction.y * range;
     float low = ray.eye.y + min(rise, 0.0);
@@ -20,6 +20,6 @@ float heightFog(FogRay ray, HeightFog p) {
     return exp(-p.density * range * (below + (1.0 - below) * above));
 }
 
-vec3 heightFogColor(HeightFog p) {
+vec3 lowLyingFogColor(LowLyingFog p) {
     return p.color;
 }
