@@ -38,7 +38,7 @@ constexpr int leastRows = 6;
 constexpr int spacing = 4;
 
 enum Column { Effect, Time, Share, Why };
-constexpr std::pair<Column, int> columnWidths[] = {{Effect, 240}, {Time, 110}, {Share, 80}};
+constexpr std::pair<Column, int> columnWidths[] = {{Effect, 190}, {Time, 96}, {Share, 64}};
 
 QString asText(const std::string& text) {
     return QString::fromStdString(text);
@@ -116,6 +116,7 @@ void EffectsDock::layOut() {
     progress_->setAccessibleName(tr("Progress of the measurement"));
     total_->setObjectName("total");
     total_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    total_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // never widens the dock
     list_->setAccessibleName(tr("Effects"));
     list_->setHeaderLabels({tr("Effect"), tr("Time"), tr("Share"), tr("Why it is in or not")});
     list_->setFrameShape(QFrame::NoFrame);
