@@ -49,10 +49,12 @@ class EffectCostTest : public GpuTest {
   "source": "a test", "doc": "d", "parameters": [], "claims": []
 })");
         tests::writeFile(folder_ / "fog/heavy.glsl", R"(// SPDX-License-Identifier: MIT-0
-float heavyFog(float x, HeavyFog p) {
+#include "lib/fog_ray.glsl"
+
+float heavyFog(FogRay ray, HeavyFog p) {
     float sum = 0.0;
     for (int i = 0; i < 150; ++i) {
-        sum += sin(x + float(i) * sum);
+        sum += sin(ray.range + float(i) * sum);
     }
     return 0.5 + 1e-6 * sum;
 }
