@@ -19,6 +19,7 @@
 #include "gl/headless_context.h"
 #include "render/scene_depth.h"
 #include "render/texture_loader.h"
+#include "render/unreached_lights.h"
 #include "shading/program_source.h"
 
 namespace patina {
@@ -70,6 +71,9 @@ Checked<void> printTable(const Scene& scene, const Options& options,
     const auto meshes = [&loaded](const Object& object) { return loaded->view(object); };
     EffectTable table;
     table.rows = effectRows(scene, 0, *catalog, effectView(scene, scene.camera, meshes));
+    for (EffectRow& row : unreachedRows(scene, 0, *catalog, meshes)) {
+        table.rows.push_back(std::move(row));
+    }
     if (!options.noCost) {
         TextureLoader textures(files);
         const auto environment = environmentPicture(scene, options.picture, *catalog, files);

@@ -178,6 +178,7 @@ std::vector<EffectLine> leftOutLines(const EffectSet& set) {
     addAbsent(out, in, {"environment", {}, "The scene has no environment."});
     addAbsent(out, in, {"fresnel", {}, "The material has no Fresnel term."});
     addAbsent(out, in, {"shadows", {}, "No light has shadows."});
+    addAbsent(out, in, {"texture", {}, "No image is bound to the material."});
     addAbsent(out, in, {"fog", {}, "The scene has no fog."});
     addAbsent(out, in, {"opacity", {}, "The material's opacity is 1."});
     return out;

@@ -131,6 +131,26 @@ void forgetEqualOfTextured(EffectSet& set, const Catalog& catalog) {
     }
 }
 
+/// "Roughness x and roughness y are both 0.3.": which difference is not in the program.
+void nameEqual(EffectSet& set, const Material& material, const Catalog& catalog) {
+    const Block* model = set.model ? catalog.find("models", set.model->id) : nullptr;
+    for (const CompiledValue& value : set.model ? set.model->compiled
+                                                : std::vector<CompiledValue>()) {
+        const Parameter* parameter = model->parameter(value.id);
+        if (parameter == nullptr || parameter->compiled != Compiled::WhenEqual ||
+            value.value != "equal") {
+            continue;
+        }
+        const Value& both = givenValue(*parameter, material.model.parameters);
+        if (const auto* number = std::get_if<double>(&both)) {
+            set.leftOut.push_back(
+                {"anisotropy", fmt::format("{} and {} are both {:.4g}.",
+                                           model->parameter(parameter->equalTo)->label,
+                                           parameter->label, *number)});
+        }
+    }
+}
+
 void addOpacity(EffectSet& set, const Material& material) {
     set.opacity = material.opacity < 1.0;
     if (set.opacity) {
@@ -195,6 +215,7 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     addTextures(set, material, catalog);
     forgetEqualOfTextured(set, catalog);
     nameBlackEmission(set, catalog);
+    nameEqual(set, material, catalog);
     addOpacity(set, material);
     set.scene = sceneEffects(scene, catalog, view);
     return set;

@@ -13,11 +13,6 @@
 namespace patina {
 namespace {
 
-std::string nameOf(const Scene& scene, std::size_t index) {
-    const Light& light = scene.lights[index];
-    return light.name.empty() ? fmt::format("light {}", index + 1) : light.name;
-}
-
 void addGroup(SceneEffects& effects, LightGroup made) {
     const auto group =
         std::find_if(effects.lights.begin(), effects.lights.end(),
@@ -129,20 +124,25 @@ std::string casterText(const Scene& scene) {
 
 } // namespace
 
+std::string lightName(const Scene& scene, std::size_t index) {
+    const Light& light = scene.lights[index];
+    return light.name.empty() ? fmt::format("light {}", index + 1) : light.name;
+}
+
 void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     const std::string whyNone = whyNoShadows(scene, catalog);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
         const Block* block = catalog.find("lights", light.block.id);
         if (std::string reason = whyNoLight(light, block); !reason.empty()) {
-            effects.leftOut.push_back({nameOf(scene, i), std::move(reason)});
+            effects.leftOut.push_back({lightName(scene, i), std::move(reason)});
             continue;
         }
         LightGroup group = groupOf(*block, light, catalog, whyNone.empty());
-        group.names.push_back(nameOf(scene, i));
+        group.names.push_back(lightName(scene, i));
         addGroup(effects, std::move(group));
         if (std::string why = whyNoShadow(light, *block, catalog, whyNone); !why.empty()) {
-            effects.leftOut.push_back({"shadows of " + nameOf(scene, i), std::move(why)});
+            effects.leftOut.push_back({"shadows of " + lightName(scene, i), std::move(why)});
         }
     }
     std::sort(effects.lights.begin(), effects.lights.end(), groupBefore);

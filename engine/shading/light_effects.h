@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "shading/effect_set.h"
 
 namespace patina {
+
+/// What people call a light: by its name, or by its number where it has none.
+std::string lightName(const Scene& scene, std::size_t index);
 
 /// The scene's lights and their shadows, in groups; those that are not in the program are named
 /// with the reason.

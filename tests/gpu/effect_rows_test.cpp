@@ -96,7 +96,7 @@ TEST_F(EffectRowsTest, EveryEffectThatIsIn_CanBeLeftOut) {
 TEST_F(EffectRowsTest, EmptyScene_SaysWhatItLacks) {
     for (const char* effect :
          {"ambient", "fog", "fresnel", "opacity", "emission", "exposure", "tone mapping", "shadows",
-          "ground", "hemisphere", "environment"}) {
+          "ground", "hemisphere", "environment", "texture"}) {
         EXPECT_FALSE(row(effect).line.reason.empty()) << effect;
         EXPECT_FALSE(isIn(effect)) << effect;
     }
@@ -142,6 +142,18 @@ TEST_F(EffectRowsTest, LightsThatDoNotShine_SayWhy) {
     EXPECT_EQ(row("Off").line.reason, "It is switched off.");
     EXPECT_EQ(row("Black").line.reason, "It is black.");
     EXPECT_EQ(row("Dim").line.reason, "Its intensity is 0.");
+}
+
+TEST_F(EffectRowsTest, EqualRoughness_SaysHowMuchItIs) {
+    scene_.objects[0].material = material("ward");
+    Values& values = scene_.objects[0].material.model.parameters;
+    values["roughness.x"] = 0.31;
+    values["roughness.y"] = 0.31;
+    EXPECT_FALSE(isIn("anisotropy"));
+    EXPECT_TRUE(row("anisotropy").line.reason.ends_with(" are both 0.31."))
+        << row("anisotropy").line.reason;
+    values["roughness.y"] = 0.3;
+    EXPECT_TRUE(row("anisotropy").line.effect.empty());
 }
 
 TEST_F(EffectRowsTest, Fog_SaysHowMuchItHides) {

@@ -2,7 +2,13 @@
 // Lights that cannot reach an object are not shaded for it.
 #include "render/light_lists.h"
 
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
 #include "gpu_fixture.h"
+#include "render/unreached_lights.h"
 
 namespace patina {
 namespace {
@@ -122,6 +128,23 @@ TEST_F(LightListsTest, RangedLamp_LightsTheNearSphereOnly) {
     const Image without = capture(scene, false, 65);
     EXPECT_GT(pixel(with, 14, 32).g, pixel(without, 14, 32).g + 0.05f);
     EXPECT_EQ(pixel(with, 50, 32), pixel(without, 50, 32));
+}
+
+/// From the lamp to the middle of the second sphere, less half the diagonal of its box.
+TEST_F(LightListsTest, LampThatDoesNotReachAnObject_SaysHowFarThatIs) {
+    Scene scene = twoSpheres();
+    scene.lights[1].name = "Lamp";
+    EXPECT_TRUE(unreachedRows(scene, 0, *catalog, meshSource()).empty());
+    const std::vector<EffectRow> rows = unreachedRows(scene, 1, *catalog, meshSource());
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0].line.effect, "Lamp");
+    EXPECT_FALSE(rows[0].in);
+    const double half = glm::length(glm::dvec3(mesh(scene.objects[1]).bounds.upper));
+    EXPECT_NE(rows[0].line.reason.find(fmt::format("{:.3g} m", std::sqrt(40.0) - half)),
+              std::string::npos)
+        << rows[0].line.reason;
+    scene.lights[1].enabled = false;
+    EXPECT_TRUE(unreachedRows(scene, 1, *catalog, meshSource()).empty());
 }
 
 TEST_F(LightListsTest, SecondFrameOfTwoLists_UploadsNothing) {

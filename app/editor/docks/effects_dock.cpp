@@ -21,6 +21,7 @@
 #include "document.h"
 #include "effect_switches.h"
 #include "render/scene_depth.h"
+#include "render/unreached_lights.h"
 #include "session.h"
 #include "shading/texture_choice.h"
 #include "viewport/environment_library.h"
@@ -179,6 +180,10 @@ void EffectsDock::updateRows() {
         const auto source = [this](const Object& each) { return library_.view(each); };
         rows = effectRows(scene, static_cast<std::size_t>(object), document_.catalog(),
                           effectView(scene, scene.camera, source));
+        for (EffectRow& row : unreachedRows(scene, static_cast<std::size_t>(object),
+                                            document_.catalog(), source)) {
+            rows.push_back(std::move(row));
+        }
     }
     const bool isShown =
         rows == rows_ && shownOff_ == switches_.off() && costsAreFresh_ == !isStale();
