@@ -84,3 +84,4 @@ inline FilledSlot filledSlot(Fillers fillers, std::string_view kind, const Geome
 } // namespace patina::reference
 
 #define OUT(T) T&
+#define precise // doubles are not reordered

@@ -25,6 +25,8 @@ float orenNayarQualitative(Directions d, float sigma2, float offset) {
 // n.l; and in `bounce` the factor of 0.17 rho (n.l) of its interreflection. May be negative where
 // both directions graze on opposite sides: the published fit is. xa >= xb are the angles in units
 // of a right angle. sin a - xb^3 is 1 - xb^3 - (1 - sin a) where a is steep: neither digit is lost.
+// 1 - |cos(dphi)|, which tan((a + b) / 2) may multiply by 1e8, comes from the sine of dphi: with
+// H = l + v, sin(dphi) sin(theta_l) sin(theta_v) = (l.t)(H.b) - (l.b)(H.t).
 float orenNayarFull(Directions d, float sigma2, OUT(float) bounce) {
     float xl;
     float yl;
@@ -40,6 +42,7 @@ float orenNayarFull(Directions d, float sigma2, OUT(float) bounce) {
     float sb = sqrt(min(d.sin2l, d.sin2v));
     float q = d.lv - d.nl * d.nv;
     float cosPhi = clamp(q / max(sa * sb, 1e-30), -1.0, 1.0);
+    float sin2Phi = sqr(d.lt * d.bH - d.lb * d.tH) / max(d.sin2l * d.sin2v, 1e-30);
 
     float fall = 1.0;
     if (q < 0.0) {
@@ -52,7 +55,7 @@ float orenNayarFull(Directions d, float sigma2, OUT(float) bounce) {
     float C3 = 0.125 * spread * sqr(xa * xb);
     float tanHalf = (sa + sb) / max(d.nl + d.nv, 1e-30);
     bounce = sigma2 / (sigma2 + 0.13) * (1.0 - cosPhi * xb * xb);
-    return C1 + C2 + (1.0 - abs(cosPhi)) * C3 * tanHalf;
+    return C1 + C2 + min(sin2Phi, 1.0) / (1.0 + abs(cosPhi)) * C3 * tanHalf;
 }
 
 // pi/2 - 2/3 times 1/pi, 2/3 - 28/(15 pi): how far a rough surface's albedo falls at the normal

@@ -20,7 +20,10 @@ float heTorranceDiffuse(Directions d, HeTorrance p, float sigma2, float waveleng
         series = waveSeries(g, x, 6.0, 3.3, 1.0);
     }
     float front = sqr(d.HH * 2.0 * PI / wavelength) * sigma2 * 0.25 * q;
-    return front * series * 8.6736173798840355e-19; // the series comes times 2^60
+    // The series comes times 2^60. `precise`: a compiler that moved the constant to other factors
+    // would form products that are too small for a float.
+    precise float part = front * series * 8.6736173798840355e-19;
+    return part;
 }
 
 // The mirror part, e^-g of the light, spread over the disc that the light is seen as: a cone in
