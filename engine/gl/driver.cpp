@@ -31,6 +31,10 @@ bool isSoftware() {
     });
 }
 
+bool hasBaseInstances() {
+    return epoxy_gl_version() >= 42 || epoxy_has_gl_extension("GL_ARB_base_instance");
+}
+
 int largestUniformBlock() {
     GLint bytes = 0;
     glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &bytes);

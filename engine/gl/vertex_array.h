@@ -21,6 +21,11 @@ class VertexArray {
     void attribute(unsigned location, const Buffer& buffer, int components, std::size_t stride,
                    std::size_t offset);
 
+    /// `count` attributes of four floats from `location` on, one behind the other in `buffer`, that
+    /// advance once per instance; leaves the vertex array bound.
+    void instanced(unsigned location, const Buffer& buffer, unsigned count,
+                   std::size_t offset) const;
+
     unsigned name() const { return name_.get(); }
 
   private:

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "shading/effect_choice.h"
@@ -124,27 +122,6 @@ void packTextures(std::span<glm::vec4> out, const Pipeline& pipeline, const Mate
     }
 }
 
-void packRows(std::span<glm::vec4> out, int first, const glm::dmat4& matrix) {
-    for (int row = 0; row < 3; ++row) {
-        out[static_cast<std::size_t>(first + row)] =
-            glm::vec4(matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]);
-    }
-}
-
-/// The inverse transpose times the determinant (the cofactors), which is there for every scale,
-/// also 0; scaled so that the largest entry is 1.
-glm::dmat4 normalMatrix(const glm::dmat4& world) {
-    const glm::dmat3 m(world);
-    glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-    double largest = 0.0;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
-            largest = std::max(largest, std::abs(cofactors[column][row]));
-        }
-    }
-    return largest > 0.0 ? glm::dmat4(cofactors / largest) : glm::dmat4(1.0);
-}
-
 } // namespace
 
 PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
@@ -163,11 +140,8 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
     return packed;
 }
 
-void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object& object,
-                const glm::dmat4& world, const glm::dmat4& cameraToWorld) {
-    const Material& material = object.material;
-    packRows(out, ObjectLayout::world, world);
-    packRows(out, ObjectLayout::normal, normalMatrix(world));
+void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
+                  const glm::dmat4& cameraToWorld) {
     out[ObjectLayout::surface] =
         glm::vec4(std::clamp(static_cast<float>(material.opacity), 0.0f, 1.0f), 0.0f, 0.0f, 0.0f);
     if (pipeline.object.model) {
@@ -187,9 +161,6 @@ void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object
 void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground& ground,
                 const GroundToPack& packing) {
     const GroundPlace& place = packing.place;
-    const glm::dmat4 world = worldMatrix(place);
-    packRows(out, ObjectLayout::world, world);
-    packRows(out, ObjectLayout::normal, normalMatrix(world));
     const auto first = static_cast<std::size_t>(*pipeline.object.ground);
     out[first] = glm::vec4(glm::vec3(glm::clamp(ground.color, 0.0, 1.0)),
                            std::clamp(static_cast<float>(ground.opacity), 0.0f, 1.0f));

@@ -37,8 +37,8 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
                       const SceneToPack& packing, const glm::dmat4& cameraToWorld);
 
 /// Fills `objectData`; `out` holds pipeline.object.vec4s. Allocates nothing.
-void packObject(std::span<glm::vec4> out, const Pipeline& pipeline, const Object& object,
-                const glm::dmat4& world, const glm::dmat4& cameraToWorld);
+void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
+                  const glm::dmat4& cameraToWorld);
 
 /// Where the ground is, and the environment's light on it if it were white.
 struct GroundToPack {

@@ -12,6 +12,7 @@
 #include "gl/driver.h"
 #include "render/binding.h"
 #include "render/data_packer.h"
+#include "shading/material_print.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -62,6 +63,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     report_.compiled = 0;
     report_.uploadedBuffers = 0;
     report_.drawnObjects = 0;
+    report_.drawCalls = 0;
     report_.isWaiting = false;
     report_.shadowMaps = 0;
     lostLights_ = 0;
@@ -73,7 +75,8 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
         return fail(prepared.error());
     }
     textures_.beginFrame(textureBytes_);
-    collect(scene, view, meshes);
+    meshes_.beginFrame();
+    collect(scene, view, meshes, purpose);
     count();
     planGround(scene, view);
     makeRoomForLights();
@@ -86,6 +89,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     }
     uploadView(view);
     choosePipelines();
+    orderItems();
     bands_.begin(sources_, target_.drawnSize(), triangles_, environment_.rounds());
     clear(scene, view);
     return true;
@@ -155,12 +159,19 @@ bool FrameDrawer::deviceIsDone(Deadline deadline) {
     return fence_.passed(deadline - Clock::now());
 }
 
-void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource& meshes) {
+void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource& meshes,
+                          Purpose purpose) {
     cameras_.worldToCamera = viewMatrix(view.camera);
     cameras_.cameraToWorld = glm::inverse(cameras_.worldToCamera);
     depths_ = DepthRange();
     items_.clear();
+    materials_.clear();
+    materialKeys_.clear(scene.objects.size());
+    placements_.makeRoom(scene.objects.size());
     lightLists_.begin(scene, *catalog_);
+    const double aspect = double(view.size.x) / double(view.size.y);
+    const glm::dmat4 worldToClip =
+        projection(view.camera, aspect, depths_) * cameras_.worldToCamera;
     const glm::dvec3 origin = eye(view.camera);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
@@ -168,31 +179,30 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
         if (mesh.indices.empty()) {
             continue;
         }
-        const glm::dmat4 world = worldMatrix(object);
-        const glm::dvec3 middle(world * glm::dvec4(glm::dvec3(mesh.bounds.center()), 1.0));
-        depths_.add(mesh.bounds, cameras_.worldToCamera * world);
-        items_.push_back({i, mesh, &meshes_.prepare(mesh), world, glm::distance(middle, origin),
-                          lightLists_.listFor(ballAround(mesh.bounds, world))});
-    }
-    makeRoom(scene.objects.size());
-    // Opaque objects first, near ones before far ones so that depth hides what is behind; then the
-    // others, far ones first so that each is blended over what shines through it.
-    std::sort(items_.begin(), items_.end(), [this](const Item& a, const Item& b) {
-        const bool transparent = isTransparent(effects_->objects[a.index].material);
-        if (transparent != isTransparent(effects_->objects[b.index].material)) {
-            return !transparent;
+        const Placement& place = placements_.of(i, object, mesh.bounds);
+        if (!mesh.bounds.empty()) {
+            depths_.add(place.corners, cameras_.worldToCamera);
         }
-        return transparent ? a.distance > b.distance : a.distance < b.distance;
-    });
-    opaqueItems_ = static_cast<std::size_t>(std::ranges::count_if(items_, [this](const Item& item) {
-        return !isTransparent(effects_->objects[item.index].material);
-    }));
+        items_.push_back({i, mesh, &meshes_.prepare(mesh), &place,
+                          glm::distance(place.middle, origin), lightLists_.listFor(place.ball),
+                          materialOf(scene, i),
+                          purpose == Purpose::Foresight || !isOutside(place, worldToClip)});
+    }
 }
 
-void FrameDrawer::makeRoom(std::size_t objects) {
-    while (slots_.size() < objects) {
-        slots_.emplace_back();
+/// The number of an object's material. Two objects share one when both its values and the effects
+/// of their programs are the same.
+std::size_t FrameDrawer::materialOf(const Scene& scene, std::size_t object) {
+    const Material& effects = effects_->objects[object].material;
+    std::uint64_t print = materialPrint(effects);
+    if (heldEffects_) {
+        print = 31 * print + materialPrint(scene.objects[object].material);
     }
+    const std::size_t number = materialKeys_.find(print, materials_.size());
+    if (number == materials_.size()) {
+        materials_.push_back({object, isTransparent(effects), nullptr, {}});
+    }
+    return number;
 }
 
 void FrameDrawer::makeRoomForLights() {
@@ -204,7 +214,7 @@ void FrameDrawer::makeRoomForLights() {
 
 void FrameDrawer::count() {
     triangles_ = 0;
-    for (const Item& item : items_) {
+    for (const DrawItem& item : items_) {
         triangles_ += item.mesh->triangles();
     }
 }
@@ -218,7 +228,7 @@ bool FrameDrawer::isDense(const View& view) const {
 }
 
 bool FrameDrawer::uploadMeshes(Deadline deadline) {
-    for (const Item& item : items_) {
+    for (const DrawItem& item : items_) {
         while (!item.mesh->isComplete()) {
             item.mesh->upload(item.view, uploadBytes);
             if (Clock::now() >= deadline) {
@@ -255,16 +265,23 @@ bool FrameDrawer::resolve(Deadline deadline) {
     return deviceIsDone(deadline);
 }
 
-void FrameDrawer::feed(const Scene& scene, const Item& item) {
-    Slot& slot = slots_[item.index];
-    const Pipeline& pipeline = *slot.pipeline;
-    feedScene(scene, pipeline, item.lights);
-    packObject(slot.data.staging(), pipeline, scene.objects[item.index], item.world,
-               cameras_.cameraToWorld);
-    textures_.bind(slot.data.staging(), pipeline, scene.objects[item.index].material);
-    report_.uploadedBuffers +=
-        slot.data.upload(static_cast<std::size_t>(pipeline.object.vec4s)) ? 1 : 0;
-    slot.data.bind(binding::object);
+void FrameDrawer::feed(const Scene& scene, const DrawBatch& batch) {
+    const DrawMaterial& material = materials_[batch.material];
+    feedScene(scene, *material.pipeline, batch.lights);
+    if (fedMaterial_ != batch.material) {
+        feedMaterial(scene, material);
+        fedMaterial_ = batch.material;
+    }
+}
+
+void FrameDrawer::feedMaterial(const Scene& scene, const DrawMaterial& material) {
+    const Pipeline& pipeline = *material.pipeline;
+    const std::span<glm::vec4> data = materialData_.staging(material.data);
+    const Material& values = scene.objects[material.object].material;
+    packMaterial(data, pipeline, values, cameras_.cameraToWorld);
+    textures_.bind(data, pipeline, values);
+    report_.uploadedBuffers += materialData_.upload(material.data) ? 1 : 0;
+    materialData_.bind(binding::object, material.data);
     pipeline.program->use();
 }
 

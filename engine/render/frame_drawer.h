@@ -8,6 +8,8 @@
 
 #include "gl/fence.h"
 #include "render/display_pass.h"
+#include "render/draw_list.h"
+#include "render/draw_slices.h"
 #include "render/environment_pass.h"
 #include "render/frame_bands.h"
 #include "render/frustum.h"
@@ -15,11 +17,15 @@
 #include "render/gpu_mesh_store.h"
 #include "render/gpu_texture_store.h"
 #include "render/hdr_target.h"
+#include "render/instance_buffer.h"
+#include "render/key_table.h"
 #include "render/light_lists.h"
 #include "render/pipeline_store.h"
+#include "render/placement.h"
 #include "render/renderer.h"
 #include "render/shadow_maps.h"
 #include "render/uniform_buffer.h"
+#include "render/uniform_pool.h"
 #include "shading/effect_key.h"
 
 namespace patina {
@@ -81,20 +87,6 @@ class FrameDrawer {
     ShadowMaps& shadowMaps() { return shadows_; }
 
   private:
-    /// What is kept of an object from frame to frame, by its place in the scene.
-    struct Slot {
-        UniformBuffer data;
-        std::shared_ptr<const Pipeline> pipeline; ///< the last good one
-    };
-    /// One object of the frame that is being drawn.
-    struct Item {
-        std::size_t index = 0;
-        MeshView view;
-        GpuMesh* mesh = nullptr;
-        glm::dmat4 world{1.0};
-        double distance = 0.0; ///< from the eye to the middle of its box
-        std::size_t lights = 0; ///< the number of its list
-    };
     /// The ground of the frame that is being drawn.
     struct GroundItem {
         bool isSeen = false;
@@ -102,15 +94,17 @@ class FrameDrawer {
         std::size_t lights = 0; ///< the number of its list
         std::shared_ptr<const Pipeline> pipeline; ///< the last good one
         UniformBuffer data;
+        SingleInstance instance;
         std::optional<GpuMesh> mesh; ///< once it was needed
         std::vector<std::pair<glm::dmat4, double>> lowest; ///< by object: of which matrix, height
         std::vector<std::uint64_t> lowestOf;               ///< by object: of which mesh
     };
     /// Where drawing goes on.
     struct Cursor {
-        std::size_t item = 0;
+        std::size_t batch = 0;
         int pass = 0;
-        int triangle = 0;
+        DrawSlices slices; ///< of the batch
+        std::int64_t triangles = 0; ///< since the clock was asked
         bool hasGround = false;
         bool resolved = false;
     };
@@ -130,21 +124,21 @@ class FrameDrawer {
     Result<void> prepare(const Scene& scene, Purpose purpose);
     bool hasPipelines(const Scene& effects);
     bool fail(Error error);
-    void collect(const Scene& scene, const View& view, const MeshSource& meshes);
-    void makeRoom(std::size_t objects);
+    void collect(const Scene& scene, const View& view, const MeshSource& meshes, Purpose purpose);
+    std::size_t materialOf(const Scene& scene, std::size_t object);
     void makeRoomForLights();
     void count();
     bool isDense(const View& view) const; ///< more triangles than pixels
     void uploadView(const View& view);
     void clear(const Scene& scene, const View& view);
     void choosePipelines();
-    void choosePipeline(const Material& material, Slot& slot,
-                        const PipelineStore::Surroundings& around);
+    void choosePipeline(DrawMaterial& material, const PipelineStore::Surroundings& around);
+    void orderItems();
     PipelineStore::Surroundings surroundings();
     void planShadows(const Scene& scene);
     bool drawShadows(Deadline deadline);
     void planGround(const Scene& scene, const View& view);
-    double lowestHeight(const Item& item);
+    double lowestHeight(const DrawItem& item);
     void chooseGround(const PipelineStore::Surroundings& around);
     void drawGround(const Scene& scene);
     void addLost();
@@ -154,12 +148,14 @@ class FrameDrawer {
     void prepareToDraw();
     void drawOpaque(const Scene& scene);
     bool drawItems(const Scene& scene, Deadline deadline);
-    bool drawItem(const Scene& scene, const Item& item, Deadline deadline);
-    bool drawTriangles(const GpuMesh& mesh, Deadline deadline);
+    bool drawBatch(const Scene& scene, const DrawBatch& batch, Deadline deadline);
+    bool drawTriangles(const DrawBatch& batch, Deadline deadline);
+    bool isDue(Deadline deadline);
     bool resolve(Deadline deadline);
     bool mustStop(Deadline deadline);
     bool deviceIsDone(Deadline deadline);
-    void feed(const Scene& scene, const Item& item);
+    void feed(const Scene& scene, const DrawBatch& batch);
+    void feedMaterial(const Scene& scene, const DrawMaterial& material);
     void feedScene(const Scene& scene, const Pipeline& pipeline, std::size_t lights);
     void describe();
     void describeEffects();
@@ -182,9 +178,15 @@ class FrameDrawer {
     std::optional<Error> shadowError_;
     GroundItem ground_;
     EffectKey keys_;
-    std::vector<Slot> slots_;
-    std::vector<Item> items_;
-    std::size_t opaqueItems_ = 0; ///< that come first
+    PlacementStore placements_;
+    std::vector<DrawItem> items_;         ///< in the scene's order
+    std::vector<DrawMaterial> materials_; ///< of the items
+    KeyTable materialKeys_;
+    std::vector<std::shared_ptr<const Pipeline>> lastGood_; ///< by object
+    DrawList list_;
+    InstanceBuffer instances_; ///< in the list's order
+    UniformPool materialData_;
+    std::optional<std::size_t> fedMaterial_;
     Cameras cameras_;
     DepthRange depths_;
     Cursor cursor_;

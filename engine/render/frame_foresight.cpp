@@ -5,6 +5,7 @@
 #include <epoxy/gl.h>
 
 #include "render/frame_drawer.h"
+#include "shading/material_print.h"
 
 namespace patina {
 
@@ -16,9 +17,14 @@ bool FrameDrawer::hasPipelines(const Scene& effects) {
     if (isSeen(effects.ground) && !pipelines_.hasGround(effects.ground.mode, sceneKey)) {
         return false;
     }
+    std::size_t known = 0;
+    materialKeys_.clear(effects.objects.size());
     return std::all_of(effects.objects.begin(), effects.objects.end(), [&](const Object& object) {
-        return !object.visible ||
-               pipelines_.has(EffectKey::ofMaterial(object.material, *catalog_), sceneKey);
+        if (!object.visible || materialKeys_.find(materialPrint(object.material), known) < known) {
+            return true;
+        }
+        ++known;
+        return pipelines_.has(EffectKey::ofMaterial(object.material, *catalog_), sceneKey);
     });
 }
 

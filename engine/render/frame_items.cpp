@@ -2,13 +2,14 @@
 // The part of FrameDrawer that draws the objects, in steps where they take long.
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <span>
 
 #include <epoxy/gl.h>
 
 #include "render/binding.h"
 #include "render/frame_drawer.h"
-#include "shading/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -41,6 +42,7 @@ bool FrameDrawer::drawBands(const Scene& scene, Deadline deadline) {
     bands_.passed(Clock::now()); // one that the last step did not wait for
     while (!bands_.isDone()) {
         report_.drawnObjects = 0;
+        report_.drawCalls = 0;
         bands_.enter(Clock::now());
         drawOpaque(scene);
         FrameBands::leave();
@@ -57,13 +59,13 @@ bool FrameDrawer::drawBands(const Scene& scene, Deadline deadline) {
 }
 
 bool FrameDrawer::hasDrawnItems() const {
-    return cursor_.item == items_.size() && (cursor_.hasGround || !ground_.isSeen);
+    return cursor_.batch == list_.batches().size() && (cursor_.hasGround || !ground_.isSeen);
 }
 
 void FrameDrawer::drawOpaque(const Scene& scene) {
     prepareToDraw();
-    for (cursor_.item = 0; cursor_.item < opaqueItems_; ++cursor_.item) {
-        drawItem(scene, items_[cursor_.item], never);
+    for (cursor_.batch = 0; cursor_.batch < list_.opaqueBatches(); ++cursor_.batch) {
+        drawBatch(scene, list_.batches()[cursor_.batch], never);
     }
 }
 
@@ -75,6 +77,7 @@ void FrameDrawer::prepareToDraw() {
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
     std::fill(fedScenes_.begin(), fedScenes_.end(), nullptr);
+    fedMaterial_.reset();
     shadows_.bind();
 }
 
@@ -83,58 +86,70 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
         return true;
     }
     prepareToDraw();
-    while (cursor_.item < items_.size()) {
-        if (isTransparent(effects_->objects[items_[cursor_.item].index].material)) {
+    while (cursor_.batch < list_.batches().size()) {
+        if (cursor_.batch >= list_.opaqueBatches()) {
             drawGround(scene); // behind what shines through
         }
-        if (!drawItem(scene, items_[cursor_.item], deadline)) {
+        if (!drawBatch(scene, list_.batches()[cursor_.batch], deadline)) {
             break;
         }
-        ++cursor_.item;
+        if (++cursor_.batch < list_.batches().size() && isDue(deadline)) {
+            break;
+        }
     }
-    if (cursor_.item == items_.size()) {
+    const bool isDone = cursor_.batch == list_.batches().size();
+    if (isDone) {
         drawGround(scene);
     }
     setPass(Pass::opaque);
     if (deadline != never) {
         fence_ = gl::Fence::afterCommandsSoFar();
     }
-    return cursor_.item == items_.size();
+    return isDone;
 }
 
 /// Of a transparent object only the nearest layer is blended, so that the order of its triangles
 /// does not show: depths first, then colours where the depth is the same.
-bool FrameDrawer::drawItem(const Scene& scene, const Item& item, Deadline deadline) {
-    if (!slots_[item.index].pipeline) {
-        return true;
-    }
-    feed(scene, item);
-    const bool transparent = isTransparent(effects_->objects[item.index].material);
-    const std::span<const Pass> passes =
-        transparent ? std::span<const Pass>(transparentPasses) : opaquePasses;
+bool FrameDrawer::drawBatch(const Scene& scene, const DrawBatch& batch, Deadline deadline) {
+    feed(scene, batch);
+    const std::span<const Pass> passes = materials_[batch.material].isTransparent
+                                             ? std::span<const Pass>(transparentPasses)
+                                             : opaquePasses;
     for (; cursor_.pass < std::ssize(passes); ++cursor_.pass) {
         setPass(passes[static_cast<std::size_t>(cursor_.pass)]);
-        if (!drawTriangles(*item.mesh, deadline)) {
+        if (!drawTriangles(batch, deadline)) {
             return false;
         }
     }
     cursor_.pass = 0;
-    ++report_.drawnObjects;
+    report_.drawnObjects += static_cast<int>(batch.count);
     return true;
 }
 
-bool FrameDrawer::drawTriangles(const GpuMesh& mesh, Deadline deadline) {
-    const int slice = deadline == never ? mesh.triangles() : drawnAtOnce;
-    while (cursor_.triangle < mesh.triangles()) {
-        const int count = std::min(slice, mesh.triangles() - cursor_.triangle);
-        mesh.draw(cursor_.triangle, count);
-        cursor_.triangle += count;
-        if (cursor_.triangle < mesh.triangles() && mustStop(deadline)) {
+bool FrameDrawer::drawTriangles(const DrawBatch& batch, Deadline deadline) {
+    const std::int64_t most = deadline == never ? std::numeric_limits<std::int64_t>::max()
+                                                : std::int64_t(drawnAtOnce);
+    while (!cursor_.slices.isDone(batch.count)) {
+        const DrawRange range =
+            cursor_.slices.next(batch.mesh->triangles(), batch.first, batch.count, most);
+        batch.mesh->draw(instances_, range);
+        ++report_.drawCalls;
+        cursor_.triangles += range.total();
+        if (!cursor_.slices.isDone(batch.count) && isDue(deadline)) {
             return false;
         }
     }
-    cursor_.triangle = 0;
+    cursor_.slices = DrawSlices();
     return true;
+}
+
+/// Whether so much was drawn that it is time to look at the clock, and that says so.
+bool FrameDrawer::isDue(Deadline deadline) {
+    if (deadline == never || cursor_.triangles < drawnAtOnce) {
+        return false;
+    }
+    cursor_.triangles = 0;
+    return mustStop(deadline);
 }
 
 /// A device that is the CPU itself works in the background, and what the window draws has to wait

@@ -10,8 +10,17 @@ void FrameDrawer::choosePipelines() {
     const int before = pipelines_.programs().compiledCount();
     const PipelineStore::Surroundings around = surroundings();
     sources_.clear();
-    for (const Item& item : items_) {
-        choosePipeline(effects_->objects[item.index].material, slots_[item.index], around);
+    if (lastGood_.size() < effects_->objects.size()) {
+        lastGood_.resize(effects_->objects.size());
+    }
+    for (DrawMaterial& material : materials_) {
+        choosePipeline(material, around);
+    }
+    for (const DrawItem& item : items_) {
+        const std::shared_ptr<const Pipeline>& chosen = materials_[item.material].pipeline;
+        if (lastGood_[item.index] != chosen) {
+            lastGood_[item.index] = chosen;
+        }
     }
     chooseGround(around);
     report_.compiled += pipelines_.programs().compiledCount() - before;
@@ -23,26 +32,42 @@ PipelineStore::Surroundings FrameDrawer::surroundings() {
     return {*effects_, keys_.ofScene(*effects_, *catalog_, view), view};
 }
 
-void FrameDrawer::choosePipeline(const Material& material, Slot& slot,
+/// A program that does not compile leaves the objects with the last good one.
+void FrameDrawer::choosePipeline(DrawMaterial& material,
                                  const PipelineStore::Surroundings& around) {
-    const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
-    const PipelineStore::Entry& entry = pipelines_.get(material, key, around);
-    if (entry.pipeline) {
-        slot.pipeline = entry.pipeline;
-    } else {
+    const Material& effects = effects_->objects[material.object].material;
+    const std::uint64_t key = EffectKey::ofMaterial(effects, *catalog_);
+    const PipelineStore::Entry& entry = pipelines_.get(effects, key, around);
+    material.pipeline = entry.pipeline ? entry.pipeline : lastGood_[material.object];
+    if (!entry.pipeline) {
         noteSource(&entry);
     }
-    if (!slot.pipeline) {
+    if (!material.pipeline) {
         const PipelineStore::Entry& standIn = pipelines_.standIn(around);
-        slot.pipeline = standIn.pipeline;
+        material.pipeline = standIn.pipeline;
         if (!standIn.pipeline) {
             noteSource(&standIn);
         }
     }
-    if (slot.pipeline) {
-        slot.data.reserve(static_cast<std::size_t>(slot.pipeline->object.vec4s));
-        noteSource(slot.pipeline.get());
+    if (material.pipeline) {
+        noteSource(material.pipeline.get());
     }
+}
+
+/// What is drawn with one call, and where its data lie.
+void FrameDrawer::orderItems() {
+    list_.order(items_, materials_);
+    instances_.clear();
+    for (const std::uint32_t item : list_.items()) {
+        instances_.add(items_[item].placement->instance);
+    }
+    report_.uploadedBuffers += instances_.upload() ? 1 : 0;
+    materialData_.clear();
+    for (DrawMaterial& material : materials_) {
+        const int vec4s = material.pipeline ? material.pipeline->object.vec4s : 0;
+        material.data = materialData_.add(static_cast<std::size_t>(vec4s));
+    }
+    materialData_.makeRoom();
 }
 
 void FrameDrawer::noteSource(const void* source) {

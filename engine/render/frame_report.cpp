@@ -27,10 +27,9 @@ void addOnce(Errors& errors, const Error& error) {
 
 void FrameDrawer::describe() {
     programs_.clear();
-    for (const Item& item : items_) {
-        const Pipeline* pipeline = slots_[item.index].pipeline.get();
-        const void* program = pipeline != nullptr ? pipeline->program.get() : nullptr;
-        if (program != nullptr &&
+    for (const DrawBatch& batch : list_.batches()) {
+        const void* program = materials_[batch.material].pipeline->program.get();
+        if ((programs_.empty() || programs_.back() != program) &&
             std::find(programs_.begin(), programs_.end(), program) == programs_.end()) {
             programs_.push_back(program);
         }
@@ -51,14 +50,14 @@ void FrameDrawer::describeEffects() {
     report_.messages.clear();
     report_.warnings = 0;
     const PipelineStore::Surroundings around = surroundings();
-    for (const Item& item : items_) {
-        const Material& material = effects_->objects[item.index].material;
+    for (const DrawMaterial& used : materials_) {
+        const Material& material = effects_->objects[used.object].material;
         const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
         for (const Error& error : pipelines_.get(material, key, around).errors) {
             addOnce(report_.messages, error);
         }
-        if (const Pipeline* pipeline = slots_[item.index].pipeline.get()) {
-            for (const EffectLine& line : effectLines(pipeline->effects)) {
+        if (used.pipeline) {
+            for (const EffectLine& line : effectLines(used.pipeline->effects)) {
                 addOnce(report_.effects, line.effect);
             }
         }

@@ -30,9 +30,9 @@ void setGroundBlending(GroundMode mode) {
 
 void FrameDrawer::planShadows(const Scene& scene) {
     shadows_.clearCasters();
-    for (const Item& item : items_) {
+    for (const DrawItem& item : items_) {
         if (isCaster(scene.objects[item.index])) {
-            shadows_.addCaster(*item.mesh, item.view.bounds, item.world);
+            shadows_.addCaster(*item.mesh, {item.view.bounds, item.placement->world});
         }
     }
     const int before = pipelines_.programs().compiledCount();
@@ -53,15 +53,15 @@ bool FrameDrawer::drawShadows(Deadline deadline) {
 }
 
 /// The lowest height of an object's mesh; looked up again only when the object has changed.
-double FrameDrawer::lowestHeight(const Item& item) {
+double FrameDrawer::lowestHeight(const DrawItem& item) {
     if (ground_.lowest.size() <= item.index) {
         ground_.lowest.resize(item.index + 1);
         ground_.lowestOf.resize(item.index + 1);
     }
     auto& [world, height] = ground_.lowest[item.index];
     std::uint64_t& serial = ground_.lowestOf[item.index];
-    if (world != item.world || serial != item.mesh->serial()) {
-        world = item.world;
+    if (world != item.placement->world || serial != item.mesh->serial()) {
+        world = item.placement->world;
         serial = item.mesh->serial();
         height = lowestPoint(item.view, world);
     }
@@ -75,8 +75,8 @@ void FrameDrawer::planGround(const Scene& scene, const View& view) {
         return;
     }
     GroundUnder under;
-    for (const Item& item : items_) {
-        under.add(item.view.bounds, item.world, lowestHeight(item));
+    for (const DrawItem& item : items_) {
+        under.add(item.view.bounds, item.placement->world, lowestHeight(item));
     }
     const auto place = under.place(scene.ground, eye(view.camera));
     if (place) {
@@ -122,7 +122,8 @@ void FrameDrawer::drawGround(const Scene& scene) {
     ground_.data.bind(binding::object);
     pipeline.program->use();
     setGroundBlending(pipeline.effects.ground);
-    ground_.mesh->draw();
+    ground_.instance.place(worldMatrix(ground_.place));
+    ground_.mesh->draw(ground_.instance);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }

@@ -24,6 +24,14 @@ void DepthRange::add(const Bounds& bounds, const glm::dmat4& objectToCamera) {
     }
 }
 
+void DepthRange::add(std::span<const glm::dvec3> points, const glm::dmat4& worldToCamera) {
+    for (const glm::dvec3& point : points) {
+        const glm::dvec3 seen(worldToCamera * glm::dvec4(point, 1.0));
+        add(-seen.z);
+        addReach(glm::length(seen));
+    }
+}
+
 void DepthRange::addReach(double distance) {
     if (std::isfinite(distance)) {
         farthestPoint_ = std::max(farthestPoint_, distance);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include "core/mesh.h"
 #include "scene/scene.h"
@@ -14,6 +17,9 @@ class DepthRange {
   public:
     /// Adds a box of object space.
     void add(const Bounds& bounds, const glm::dmat4& objectToCamera);
+
+    /// Adds points of world space.
+    void add(std::span<const glm::dvec3> points, const glm::dmat4& worldToCamera);
 
     /// Adds a distance along the view.
     void add(double depth);

@@ -36,19 +36,34 @@ const GpuMesh& GpuMeshStore::get(const MeshView& mesh) {
 }
 
 GpuMesh& GpuMeshStore::prepare(const MeshView& mesh) {
-    const std::uint64_t sample =
-        sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u));
     const Key key{mesh.vertices.data(), mesh.indices.data(), mesh.vertices.size(),
-                  mesh.indices.size(), sample};
+                  mesh.indices.size()};
+    if (lastEntry_ != nullptr && key == last_) {
+        return lastEntry_->mesh;
+    }
     auto found = meshes_.find(key);
-    if (found == meshes_.end()) {
-        found = meshes_.emplace(key, Entry{GpuMesh(mesh, ++made_), frame_}).first;
+    const bool isLookedAt = found != meshes_.end() && found->second.looked == look_;
+    if (!isLookedAt) {
+        const std::uint64_t sample =
+            sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u));
+        if (found == meshes_.end() || found->second.sample != sample) {
+            found = meshes_.insert_or_assign(key, Entry{GpuMesh(mesh, ++made_), sample}).first;
+        }
+        found->second.looked = look_;
     }
     found->second.lastFrame = frame_;
+    last_ = key;
+    lastEntry_ = &found->second;
     return found->second.mesh;
 }
 
+void GpuMeshStore::beginFrame() {
+    ++look_;
+    lastEntry_ = nullptr;
+}
+
 void GpuMeshStore::endFrame() {
+    lastEntry_ = nullptr;
     std::erase_if(meshes_, [this](const auto& entry) {
         return frame_ - entry.second.lastFrame > framesKept;
     });

@@ -20,18 +20,26 @@ class GpuMeshStore {
     /// The mesh, with room for its content when it is new; it may be incomplete.
     GpuMesh& prepare(const MeshView& mesh);
 
+    /// Call once per frame: contents are looked at once between its two ends.
+    void beginFrame();
+
     /// Call once per frame: forgets what was not drawn for a while.
     void endFrame();
 
   private:
-    using Key = std::tuple<const void*, const void*, std::size_t, std::size_t, std::uint64_t>;
+    using Key = std::tuple<const void*, const void*, std::size_t, std::size_t>;
     struct Entry {
         GpuMesh mesh;
-        std::uint64_t lastFrame;
+        std::uint64_t sample = 0;
+        std::uint64_t looked = 0; ///< in which frame that was made
+        std::uint64_t lastFrame = 0;
     };
 
     std::map<Key, Entry> meshes_;
+    Key last_; ///< objects of the same mesh often follow each other
+    Entry* lastEntry_ = nullptr;
     std::uint64_t frame_ = 0;
+    std::uint64_t look_ = 1;
     std::uint64_t made_ = 0;
 };
 

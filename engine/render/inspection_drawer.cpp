@@ -125,6 +125,8 @@ void InspectionDrawer::collect(const Scene& scene, const View& view, const MeshS
     cameraToWorld_ = glm::inverse(worldToCamera);
     depths_ = DepthRange();
     items_.clear();
+    instances_.clear();
+    meshes_.beginFrame();
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const bool drawn = object.visible && canBeSeen(object.material);
@@ -133,8 +135,10 @@ void InspectionDrawer::collect(const Scene& scene, const View& view, const MeshS
             const glm::dmat4 world = worldMatrix(object);
             depths_.add(mesh.bounds, worldToCamera * world);
             items_.push_back({i, &meshes_.get(mesh), mesh.bounds, world});
+            instances_.add(instanceAt(world));
         }
     }
+    instances_.upload();
     while (slots_.size() < scene.objects.size()) {
         slots_.emplace_back();
     }
@@ -172,7 +176,7 @@ void InspectionDrawer::drawShadows(const Scene& scene) {
     shadows_.clearCasters();
     for (const Item& item : items_) {
         if (isCaster(scene.objects[item.index])) {
-            shadows_.addCaster(*item.mesh, item.bounds, item.world);
+            shadows_.addCaster(*item.mesh, {item.bounds, item.world});
         }
     }
     if (auto planned = shadows_.plan(scene, scene, cameraToWorld_, pipelines_.programs());
@@ -205,17 +209,16 @@ void InspectionDrawer::feed(const Scene& scene, const View& view) {
     }
     for (const Item& item : items_) {
         if (slots_[item.index].pipeline) {
-            feedObject(scene.objects[item.index], item);
+            feedMaterial(scene.objects[item.index].material, slots_[item.index]);
         }
     }
 }
 
-void InspectionDrawer::feedObject(const Object& object, const Item& item) {
-    Slot& slot = slots_[item.index];
+void InspectionDrawer::feedMaterial(const Material& material, Slot& slot) {
     const auto size = static_cast<std::size_t>(slot.pipeline->object.vec4s);
     slot.data.reserve(size);
-    packObject(slot.data.staging(), *slot.pipeline, object, item.world, cameraToWorld_);
-    textures_.bind(slot.data.staging(), *slot.pipeline, object.material);
+    packMaterial(slot.data.staging(), *slot.pipeline, material, cameraToWorld_);
+    textures_.bind(slot.data.staging(), *slot.pipeline, material);
     const bool changed = slot.data.upload(size);
     report_.uploadedBuffers += changed ? 1 : 0;
     if (!slot.pipeline->object.model) {
@@ -223,7 +226,7 @@ void InspectionDrawer::feedObject(const Object& object, const Item& item) {
     }
     static const Scene nothing; // a table knows no lights
     const PipelineStore::Entry& table =
-        tables_.get(object.material, EffectKey::ofMaterial(object.material, *catalog_), {nothing});
+        tables_.get(material, EffectKey::ofMaterial(material, *catalog_), {nothing});
     if (table.pipeline && (changed || slot.albedo.filledWith() != table.pipeline.get())) {
         slot.data.bind(binding::object);
         slot.albedo.fill(*table.pipeline);
@@ -239,7 +242,8 @@ void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
     glDepthFunc(GL_LESS);
     sceneData_.bind(binding::scene);
     shadows_.bind();
-    for (const Item& item : items_) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        const Item& item = items_[i];
         Slot& slot = slots_[item.index];
         if (slot.pipeline) {
             ++report_.drawnObjects;
@@ -251,7 +255,7 @@ void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
             slot.albedo.bind();
             textures_.bind(slot.data.staging(), *slot.pipeline,
                            scene.objects[item.index].material);
-            item.mesh->draw();
+            item.mesh->draw(instances_, {0, item.mesh->triangles(), i, 1});
         }
     }
 }

@@ -61,7 +61,7 @@ class InspectionDrawer {
     void note(const PipelineStore::Entry& entry);
     void drawShadows(const Scene& scene);
     void feed(const Scene& scene, const View& view);
-    void feedObject(const Object& object, const Item& item);
+    void feedMaterial(const Material& material, Slot& slot);
     void drawItems(const Scene& scene, int firstTerm);
     PixelProbe read(const Scene& scene, const Item& item, const ProbeTarget::Outputs& outputs);
     void readLights(const Scene& scene, const View& view, glm::ivec2 pixel, PixelProbe& probe);
@@ -81,6 +81,7 @@ class InspectionDrawer {
     EffectKey keys_;
     std::vector<Slot> slots_;
     std::vector<Item> items_;
+    InstanceBuffer instances_; ///< by item
     glm::dmat4 cameraToWorld_{1.0};
     DepthRange depths_;
     FrameReport report_;

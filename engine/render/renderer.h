@@ -49,6 +49,7 @@ struct FrameReport {
     int compiled = 0;         ///< programs compiled (not found in memory or on disk) for this frame
     int uploadedBuffers = 0;  ///< uniform buffers written
     int drawnObjects = 0;
+    int drawCalls = 0;        ///< for the objects; those of one mesh and material share one
     bool isWaiting = false;   ///< images are not whole yet: another frame shows more of them
     int shadowMaps = 0;       ///< depth maps drawn (six for a light that shines everywhere)
     std::vector<std::string> effects; ///< the blocks in the shaders, canonical order

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string>
 
 #include <epoxy/gl.h>
@@ -50,22 +51,22 @@ void ShadowMaps::setCatalog(std::shared_ptr<const Catalog> catalog) {
 
 void ShadowMaps::clearCasters() {
     meshes_.clear();
+    byMesh_.clear();
     boxes_.clear();
     serials_.clear();
     views_.clear();
 }
 
-void ShadowMaps::addCaster(const GpuMesh& mesh, const Bounds& bounds, const glm::dmat4& world) {
+void ShadowMaps::addCaster(const GpuMesh& mesh, const CasterBox& box) {
     meshes_.push_back(&mesh);
-    boxes_.push_back({bounds, world});
+    boxes_.push_back(box);
     serials_.push_back(mesh.serial());
 }
 
 Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
                               const glm::dmat4& cameraToWorld, ProgramCache& programs) {
     layer_ = 0;
-    caster_ = 0;
-    triangle_ = 0;
+    isBegun_ = false;
     lost_ = 0;
     makeViews(scene, effects, cameraToWorld, mostTexels);
     if (neededLayers() == 0) {
@@ -201,31 +202,56 @@ std::int64_t ShadowMaps::pendingTriangles() const {
 }
 
 void ShadowMaps::drawSome(int triangles) {
-    while (triangles > 0 && layer_ < layers_.size()) {
+    std::int64_t left = triangles;
+    while (left > 0 && layer_ < layers_.size()) {
         Layer& layer = layers_[layer_];
-        if (layer.isDrawn || caster_ == meshes_.size()) {
+        if (layer.isDrawn || (isBegun_ && run_ == runs_.size())) {
             layer.isDrawn = true;
+            isBegun_ = false;
             ++layer_;
-            caster_ = 0;
             continue;
         }
         beginLayer(layer, static_cast<int>(layer_));
-        for (; triangles > 0 && caster_ < meshes_.size(); ++caster_) {
-            if (!isSeen(layer, caster_)) {
-                continue;
+        while (left > 0 && run_ < runs_.size()) {
+            const Run& run = runs_[run_];
+            const DrawRange range =
+                slices_.next(run.mesh->triangles(), run.first, run.count, left);
+            run.mesh->draw(instances_, range);
+            left -= range.total();
+            if (slices_.isDone(run.count)) {
+                slices_ = DrawSlices();
+                ++run_;
             }
-            const GpuMesh& mesh = *meshes_[caster_];
-            feed(layer, caster_);
-            const int count = std::min(triangles, mesh.triangles() - triangle_);
-            mesh.draw(triangle_, count);
-            triangles -= count;
-            triangle_ += count;
-            if (triangle_ < mesh.triangles()) {
-                return;
-            }
-            triangle_ = 0;
         }
     }
+}
+
+/// What the layer shows, sorted by mesh.
+void ShadowMaps::gather(const Layer& layer) {
+    if (byMesh_.size() != meshes_.size()) {
+        byMesh_.resize(meshes_.size());
+        std::iota(byMesh_.begin(), byMesh_.end(), std::size_t(0));
+        std::ranges::sort(byMesh_, std::less<>(), [this](std::size_t caster) {
+            return std::pair(serials_[caster], caster);
+        });
+    }
+    const glm::dmat4 worldToMap = shadowClip(layer.view, layer.face);
+    runs_.clear();
+    instances_.clear();
+    for (const std::size_t caster : byMesh_) {
+        if (!isSeen(worldToMap, caster)) {
+            continue;
+        }
+        if (runs_.empty() || runs_.back().mesh != meshes_[caster]) {
+            runs_.push_back({meshes_[caster], instances_.size(), 0});
+        }
+        ++runs_.back().count;
+        instances_.add(instanceAt(boxes_[caster].world));
+    }
+    instances_.upload();
+    run_ = 0;
+    slices_ = DrawSlices();
+    isBegun_ = true;
 }
 
 /// Everything is drawn from both sides, so that open meshes cast shadows too.
@@ -238,19 +264,17 @@ void ShadowMaps::beginLayer(const Layer& layer, int index) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     program_->use();
-    if (caster_ == 0 && triangle_ == 0 && !layer.isDrawn) {
+    if (!isBegun_) {
         glClear(GL_DEPTH_BUFFER_BIT);
+        gather(layer);
     }
-}
-
-void ShadowMaps::feed(const Layer& layer, std::size_t caster) {
-    const glm::mat4 matrix(shadowClip(layer.view, layer.face) * boxes_[caster].world);
-    glUniformMatrix4fv(program_->uniform("objectToMap"), 1, GL_FALSE, glm::value_ptr(matrix));
+    const glm::mat4 worldToMap(shadowClip(layer.view, layer.face));
+    glUniformMatrix4fv(program_->uniform("worldToMap"), 1, GL_FALSE, glm::value_ptr(worldToMap));
 }
 
 /// False when the caster's box lies beyond one side of the map.
-bool ShadowMaps::isSeen(const Layer& layer, std::size_t caster) const {
-    const glm::dmat4 clip = shadowClip(layer.view, layer.face) * boxes_[caster].world;
+bool ShadowMaps::isSeen(const glm::dmat4& worldToMap, std::size_t caster) const {
+    const glm::dmat4 clip = worldToMap * boxes_[caster].world;
     glm::bvec4 outside(true);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec4 x = clip * cornerOf(boxes_[caster].bounds, corner);
@@ -259,7 +283,7 @@ bool ShadowMaps::isSeen(const Layer& layer, std::size_t caster) const {
         outside.z = outside.z && x.y < -x.w;
         outside.w = outside.w && x.y > x.w;
     }
-    return !(outside.x || outside.y || outside.z || outside.w);
+    return !glm::any(outside);
 }
 
 void ShadowMaps::bind() const {

@@ -8,6 +8,7 @@
 
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "render/draw_slices.h"
 #include "render/gpu_mesh.h"
 #include "render/shadow_view.h"
 #include "scene/scene.h"
@@ -23,7 +24,7 @@ class ShadowMaps {
 
     /// Begins a frame: first what casts shadows, then plan().
     void clearCasters();
-    void addCaster(const GpuMesh& mesh, const Bounds& bounds, const glm::dmat4& world);
+    void addCaster(const GpuMesh& mesh, const CasterBox& box);
 
     /// Which maps the scene's lights need, and which of them must be drawn. The lights of `effects`
     /// say whether there are shadows, those of `scene` where they fall. Without a map, or where the
@@ -59,9 +60,9 @@ class ShadowMaps {
     void planLayers(bool allAnew);
     Result<void> makeProgram(ProgramCache& programs);
     Result<void> makeTexture(int texels, int layers);
+    void gather(const Layer& layer);
     void beginLayer(const Layer& layer, int index);
-    void feed(const Layer& layer, std::size_t caster);
-    bool isSeen(const Layer& layer, std::size_t caster) const;
+    bool isSeen(const glm::dmat4& worldToMap, std::size_t caster) const;
 
     std::shared_ptr<const Catalog> catalog_;
     std::shared_ptr<const gl::Program> program_;
@@ -69,14 +70,25 @@ class ShadowMaps {
     gl::Framebuffer framebuffer_;
     std::vector<ShadowView> views_;
     std::vector<Layer> layers_;
+    /// Casters of one mesh that a layer shows.
+    struct Run {
+        const GpuMesh* mesh = nullptr;
+        std::size_t first = 0; ///< in instances_
+        std::size_t count = 0;
+    };
+
     std::vector<const GpuMesh*> meshes_;
     std::vector<CasterBox> boxes_;
     std::vector<std::uint64_t> serials_;
     std::vector<CasterBox> drawnBoxes_;
     std::vector<std::uint64_t> drawnSerials_;
+    std::vector<std::size_t> byMesh_; ///< the casters, those of one mesh together
+    std::vector<Run> runs_;           ///< of the layer that is drawn
+    InstanceBuffer instances_;
     std::size_t layer_ = 0; ///< where drawing goes on
-    std::size_t caster_ = 0;
-    int triangle_ = 0;
+    bool isBegun_ = false;  ///< runs_ are those of layer_
+    std::size_t run_ = 0;
+    DrawSlices slices_;
     int lost_ = 0;
 };
 

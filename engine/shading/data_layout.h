@@ -32,12 +32,11 @@ struct ShadowLayout {
     static constexpr int vec4s = 6;
 };
 
-/// The array `objectData`: what belongs to one object and its material.
+/// The array `objectData`: a material's values, shared by all objects that have them. Where an
+/// object is comes to the vertices (render/instance.h).
 struct ObjectLayout {
-    static constexpr int world = 0;   ///< three rows of the matrix to world space
-    static constexpr int normal = 3;  ///< three rows of its inverse transpose
-    static constexpr int surface = 6; ///< x: opacity
-    static constexpr int fixed = 7;   ///< the model's values follow
+    static constexpr int surface = 0; ///< x: opacity
+    static constexpr int fixed = 1;   ///< the model's values follow
     /// The rows that take (u, v, 1) to a place in the image, with its strength and its threshold in
     /// their w (see packTextures).
     static constexpr int vec4sPerTexture = 2;

@@ -3,8 +3,11 @@
 
 layout(location = 0) in vec3 position;
 
-uniform mat4 objectToMap;
+// Of each object, as in passes/surface.vert.
+layout(location = 5) in mat3x4 objectToWorld;
+
+uniform mat4 worldToMap;
 
 void main() {
-    gl_Position = objectToMap * vec4(position, 1.0);
+    gl_Position = worldToMap * vec4(vec4(position, 1.0) * objectToWorld, 1.0);
 }
