@@ -48,10 +48,11 @@ MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
     : theme_(theme), document_(catalog), switches_(document_), watcher_(catalog), presets_(catalog),
       thumbnails_(catalog, {cacheFolder() / "thumbnails", programCacheFolder(),
                             FileActions::defaultScene()}),
+      programs_(programCacheFolder()),
       autosave_(document_, stateFolder() / "autosave"),
       files_(new FileActions(document_, meshes_, session_, this)),
       pictures_(new PictureExport(session_, this)),
-      views_(new CompareArea({document_, meshes_, environments_, switches_},
+      views_(new CompareArea({document_, meshes_, environments_, switches_, programs_},
                              programCacheFolder(), this)),
       status_(new StatusLine(document_, meshes_, environments_, messages_, this)) {
     document_.setTextureLibrary(&textures_);

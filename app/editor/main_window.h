@@ -20,6 +20,7 @@
 #include "status_line.h"
 #include "theme.h"
 #include "viewport/compare_area.h"
+#include "viewport/program_worker.h"
 #include "viewport/texture_library.h"
 
 class QMenu;
@@ -89,6 +90,7 @@ class MainWindow : public QMainWindow {
     CatalogWatcher watcher_;
     PresetLibrary presets_;
     ThumbnailMaker thumbnails_;
+    ProgramWorker programs_;
     Autosave autosave_;
     FileActions* files_;
     PictureExport* pictures_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -60,6 +61,9 @@ class FrameDrawer {
     /// triangles that are quick do not heed it, the others also wait for the device before they say
     /// that they are done. The picture does not depend on the steps.
     bool proceed(const Scene& scene, const View& view, Deadline deadline);
+
+    /// See Renderer::lackedPrograms().
+    std::uint64_t lackedPrograms(const Scene& scene, const View& view, const MeshSource& meshes);
 
     /// See Renderer::foresee().
     bool foresee(const Scene& scene, const View& view, const MeshSource& meshes);

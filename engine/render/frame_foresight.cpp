@@ -2,6 +2,7 @@
 // The part of FrameDrawer that makes programs before a frame needs them.
 #include <algorithm>
 
+#include <boost/container_hash/hash.hpp>
 #include <epoxy/gl.h>
 
 #include "render/frame_drawer.h"
@@ -26,6 +27,34 @@ bool FrameDrawer::hasPipelines(const Scene& effects) {
         ++known;
         return pipelines_.has(EffectKey::ofMaterial(object.material, *catalog_), sceneKey);
     });
+}
+
+std::uint64_t FrameDrawer::lackedPrograms(const Scene& scene, const View& view,
+                                          const MeshSource& meshes) {
+    if (catalog_ == nullptr) {
+        return 0;
+    }
+    effects_ = &effectsOf(view, scene);
+    heldEffects_ = effects_ != &scene;
+    collect(scene, view, meshes);
+    planGround(scene, view);
+    const std::uint64_t around = surroundings().key;
+    std::size_t lacked = display_.has(*effects_) ? 0 : 1;
+    for (const Item& item : items_) {
+        const std::uint64_t key =
+            EffectKey::ofMaterial(effects_->objects[item.index].material, *catalog_);
+        if (!pipelines_.has(key, around)) {
+            boost::hash_combine(lacked, key);
+        }
+    }
+    if (ground_.isSeen && !pipelines_.hasGround(effects_->ground.mode, around)) {
+        boost::hash_combine(lacked, 1);
+    }
+    if (lacked != 0) {
+        boost::hash_combine(lacked, around);
+    }
+    effects_ = nullptr;
+    return lacked;
 }
 
 /// Drivers put work off until a program is drawn with: it is, outside of what can be seen. Where

@@ -219,6 +219,12 @@ void Renderer::show(unsigned framebuffer) {
     }
 }
 
+std::uint64_t Renderer::lackedPrograms(const Scene& scene, const View& view,
+                                       const MeshSource& meshes) {
+    implementation_->endSketch();
+    return implementation_->lackedPrograms(scene, view, meshes);
+}
+
 bool Renderer::foresee(const Scene& scene, const View& view, const MeshSource& meshes) {
     implementation_->endSketch();
     return implementation_->foresee(scene, view, meshes);

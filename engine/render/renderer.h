@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -104,6 +105,11 @@ class Renderer {
     /// What the last drawSmall(), with all that followed, has taken: the next one goes by it.
     void noteTime(double milliseconds);
     void show(unsigned framebuffer);
+
+    /// Whether a frame of this view would have to wait for programs to be made or loaded: 0 if not,
+    /// else a number that is the same while the same ones are lacking. Takes the place of a frame
+    /// that is not done.
+    std::uint64_t lackedPrograms(const Scene& scene, const View& view, const MeshSource& meshes);
 
     /// Makes the programs that a frame of this view would need, so that it need not wait for them.
     /// Nothing is shown, and the report stays; false when they are all there. Takes the place of a

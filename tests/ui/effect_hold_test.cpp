@@ -62,15 +62,18 @@ class EffectHolds : public WindowFixture, public testing::WithParamInterface<Dra
     }
 };
 
-TEST_P(EffectHolds, PressWithoutWarning_Compiles) {
+TEST_P(EffectHolds, PressWithoutWarning_WaitsForPrograms) {
+    const int before = view().waitCount();
     press();
-    EXPECT_GT(view().report().compiled, 0); // or the next test could not fail
+    EXPECT_EQ(view().waitCount(), before + 1); // or the next test could not fail
 }
 
-TEST_P(EffectHolds, PressAfterForesight_CompilesNothing) {
+TEST_P(EffectHolds, PressAfterForesight_WaitsForNothing) {
     document().foresee(path(), GetParam().parameterId);
     EXPECT_EQ(newFrames(), 0);
+    const int before = view().waitCount();
     press();
+    EXPECT_EQ(view().waitCount(), before);
     EXPECT_TRUE(isInTheShader());
     EXPECT_EQ(view().report().compiled, 0);
 }

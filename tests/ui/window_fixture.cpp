@@ -48,7 +48,8 @@ void WindowFixture::close() {
 
 int WindowFixture::newFrames() {
     QTest::qWait(settleMs);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return view().isUpToDate(); }, frameLimitMs));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [this] { return view().isUpToDate() && !view().isForeseeing(); }, frameLimitMs));
     const int before = framesBefore_;
     framesBefore_ = view().frameCount();
     return framesBefore_ - before;

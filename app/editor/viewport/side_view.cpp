@@ -50,7 +50,7 @@ SideView::SideView(const ViewSources& sources, Side side,
                               [this, &environments = sources.environments] {
                                   return environments.image(document_.environmentPicture());
                               },
-                              programCache, texturesOf(document_)},
+                              programCache, texturesOf(document_), &sources.programs},
                              this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(edge, edge, edge, edge);

@@ -15,6 +15,7 @@ class QLabel;
 namespace patina {
 
 class InspectionPanel;
+class ProgramWorker;
 
 /// What views show.
 struct ViewSources {
@@ -22,6 +23,7 @@ struct ViewSources {
     MeshLibrary& meshes;
     EnvironmentLibrary& environments;
     EffectSwitches& switches;
+    ProgramWorker& programs;
 };
 
 /// One side of the comparison: a viewport under a coloured, lettered title, and what the mouse

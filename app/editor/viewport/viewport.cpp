@@ -14,6 +14,7 @@
 #include <QUrl>
 
 #include "render/stretched_picture.h"
+#include "viewport/program_worker.h"
 
 namespace patina {
 
@@ -31,6 +32,9 @@ Viewport::Viewport(Sources sources, QWidget* parent)
     connect(&turn_, &QTimer::timeout, this, &Viewport::proceed);
     foresight_.setSingleShot(true);
     connect(&foresight_, &QTimer::timeout, this, &Viewport::makeForeseen);
+    if (sources_.programs) {
+        connect(sources_.programs, &ProgramWorker::finished, this, &Viewport::takePrograms);
+    }
     probeTimer_.setSingleShot(true);
     connect(&probeTimer_, &QTimer::timeout, this, &Viewport::probe);
     sampleTimer_.setSingleShot(true);

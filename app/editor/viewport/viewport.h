@@ -19,6 +19,7 @@ class QLabel;
 
 namespace patina {
 
+class ProgramWorker;
 class StretchedPicture;
 
 /// Shows a scene with a Renderer of its own and hands the mouse and the keys to a
@@ -40,6 +41,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
         std::function<std::shared_ptr<const EnvironmentImage>()> environment;
         std::filesystem::path programCache;
         TextureSource textures{}; ///< the images of materials; without it none are shown
+        ProgramWorker* programs = nullptr; ///< makes programs; without it frames wait for them
     };
 
     explicit Viewport(Sources sources, QWidget* parent = nullptr);
@@ -77,6 +79,12 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void announceScene();
 
     int frameCount() const { return frameCount_; }
+
+    /// Frames so far that had to wait for programs.
+    int waitCount() const { return waitCount_; }
+
+    /// Programs that may be wanted soon are being made.
+    bool isForeseeing() const { return !foreseen_.empty(); }
     const FrameReport& report() const;
 
     /// The picture before exposure and tone mapping.
@@ -132,7 +140,18 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void dropEvent(QDropEvent* event) override;
 
   private:
-    enum class Progress { Idle, Drawing, Drawn };
+    enum class Progress {
+        Idle,
+        Waiting, ///< for programs, with the last picture on the screen
+        Drawing,
+        Drawn
+    };
+
+    /// What a ProgramWorker was asked for.
+    struct Order {
+        quint64 number = 0; ///< 0: nothing, or it came
+        std::uint64_t lacked = 0;
+    };
 
     void dropRenderer();
     void showNote();
@@ -142,6 +161,10 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void probeSoon();
     void probe();
     void makeForeseen();
+    bool waitsForPrograms();
+    void takePrograms(quint64 number);
+    quint64 askFor(const Scene& scene, const View& view);
+    void prepareForeseen();
     void watchForRest();
     void releaseWhenIdle();
     View view() const;
@@ -165,10 +188,13 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     QString frameTime_; ///< the last one that was known
     QString failure_;
     int frameCount_ = 0;
+    int waitCount_ = 0;
     Progress progress_ = Progress::Idle; ///< of a frame that takes several turns
     bool sketching_ = false;             ///< that frame is a sketch
     QTimer turn_;                        ///< its next one
+    Order ordered_;                      ///< for the next frame
     std::vector<Scene> foreseen_;        ///< whose programs are still to be made
+    quint64 foreseenOrder_ = 0;          ///< of the last of them; 0: it was not asked for
     QTimer foresight_;                   ///< one of them a turn
     QElapsedTimer sinceFrame_;
     QTimer idleTimer_;

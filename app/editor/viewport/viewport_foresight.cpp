@@ -1,14 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of Viewport that makes programs before they are wanted.
+// The part of Viewport that has programs made: those a frame waits for, and those that may be
+// wanted soon.
 #include <utility>
 
+#include "viewport/program_worker.h"
 #include "viewport/viewport.h"
 
 namespace patina {
 
+/// Whether the frame to be drawn lacks programs that are made elsewhere meanwhile. The first frame
+/// has no window yet that could stand still. What came and is still lacking was not kept by the
+/// driver or the disk: it is made here.
+bool Viewport::waitsForPrograms() {
+    if (!sources_.programs || inspecting_ || frameCount_ == 0) {
+        return false;
+    }
+    const std::uint64_t lacked =
+        renderer_->lackedPrograms(sources_.scene(), view(), sources_.meshes);
+    if (lacked == 0 || (ordered_.number == 0 && ordered_.lacked == lacked)) {
+        ordered_ = {};
+        return false;
+    }
+    ordered_ = {askFor(sources_.scene(), view()), lacked};
+    ++waitCount_;
+    progress_ = Progress::Waiting;
+    if (isNew_) {
+        showNote();
+    }
+    return true;
+}
+
+quint64 Viewport::askFor(const Scene& scene, const View& view) {
+    ProgramWorker::Frame frame{scene, {}, view, {}, 0, catalog_};
+    if (view.effects) {
+        frame.effects = *view.effects;
+    }
+    frame.view.effects = nullptr;
+    frame.view.environmentImage = nullptr;
+    for (const Object& object : scene.objects) {
+        const MeshView mesh = object.visible ? sources_.meshes(object) : MeshView();
+        frame.meshes.push_back(mesh.indices.empty() ? Bounds() : mesh.bounds);
+        frame.triangles += std::ssize(mesh.indices) / 3;
+    }
+    return sources_.programs->ask(std::move(frame));
+}
+
+void Viewport::takePrograms(quint64 number) {
+    if (number == ordered_.number) {
+        ordered_.number = 0;
+        if (progress_ == Progress::Waiting) {
+            progress_ = Progress::Idle;
+            stale_ = true;
+            update();
+        }
+    }
+    if (number == foreseenOrder_) {
+        prepareForeseen();
+    }
+}
+
 void Viewport::foresee(const Scene& effects) {
     if (renderer_ && isVisible() && !inspecting_) {
         foreseen_.push_back(effects);
+        foreseenOrder_ = 0;
         foresight_.start(0);
     }
 }
@@ -20,6 +74,21 @@ void Viewport::makeForeseen() {
         return;
     }
     if (stale_ || isDrawing()) {
+        return;
+    }
+    View ahead = view();
+    ahead.effects = &foreseen_.back();
+    if (sources_.programs) {
+        foreseenOrder_ = askFor(sources_.scene(), ahead);
+    } else {
+        prepareForeseen();
+    }
+}
+
+/// Loads what was made elsewhere, so that a frame that needs it does not have to.
+void Viewport::prepareForeseen() {
+    foreseenOrder_ = 0;
+    if (!renderer_ || foreseen_.empty() || stale_ || isDrawing()) {
         return;
     }
     const Scene effects = std::move(foreseen_.back());

@@ -58,6 +58,9 @@ void Viewport::beginFrame() {
     if (std::exchange(catalogIsNew_, false)) {
         renderer_->setCatalog(catalog_);
     }
+    if (waitsForPrograms()) {
+        return;
+    }
     timer_->begin();
     if (inspecting_) {
         renderer_->drawInspection(sources_.scene(), view(), sources_.meshes,
@@ -139,7 +142,8 @@ void Viewport::finishFrame() {
 
 void Viewport::giveUpFrame() {
     turn_.stop();
-    if (std::exchange(progress_, Progress::Idle) != Progress::Idle) {
+    const Progress progress = std::exchange(progress_, Progress::Idle);
+    if (progress == Progress::Drawing || progress == Progress::Drawn) {
         makeCurrent();
         timer_->end();
         doneCurrent();

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/program_worker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "free_memory.h"
+#include "gl/headless_context.h"
+
+namespace patina {
+namespace {
+
+/// How long the context is kept for the next frame.
+constexpr std::chrono::seconds patience{3};
+
+/// The longer side of the picture that nothing is drawn into.
+constexpr int side = 16;
+
+/// A stand-in with the same box: programs do not depend on triangles, but what is left out of them
+/// does on where things are.
+Mesh standInFor(const Bounds& bounds, int triangles) {
+    Mesh mesh;
+    mesh.bounds = bounds;
+    mesh.vertices.resize(3);
+    mesh.vertices[0].position = bounds.lower;
+    mesh.vertices[1].position = bounds.upper;
+    mesh.vertices[2].position = bounds.center();
+    for (int i = 0; i < triangles; ++i) {
+        mesh.indices.insert(mesh.indices.end(), {0, 1, 2});
+    }
+    return mesh;
+}
+
+/// What there is more triangles than pixels of is drawn into another kind of buffer, for which
+/// drivers compile anew.
+int trianglesFor(const ProgramWorker::Frame& frame) {
+    const glm::ivec2 size = frame.view.size;
+    return frame.triangles > std::int64_t(size.x) * size.y ? side * side + 1 : 1;
+}
+
+/// Images that are there need not be sent to the device for this.
+TextureLookup placeholder(const TextureUse&, TextureDecoding) {
+    return {nullptr, true};
+}
+
+/// A context with a renderer in it.
+class Workshop {
+  public:
+    static std::unique_ptr<Workshop> open(const std::filesystem::path& programCache) {
+        auto context = gl::HeadlessContext::create();
+        if (!context) {
+            return nullptr;
+        }
+        auto renderer = Renderer::create({programCache});
+        if (!renderer) {
+            return nullptr;
+        }
+        auto shop = std::make_unique<Workshop>();
+        shop->context_ = std::move(*context);
+        shop->renderer_ = std::move(*renderer);
+        shop->renderer_->setTextures(placeholder);
+        return shop;
+    }
+
+    void make(const ProgramWorker::Frame& frame) {
+        if (catalog_ != frame.catalog) {
+            catalog_ = frame.catalog;
+            renderer_->setCatalog(catalog_);
+        }
+        std::vector<Mesh> meshes;
+        for (const Bounds& bounds : frame.meshes) {
+            meshes.push_back(bounds.empty() ? Mesh() : standInFor(bounds, trianglesFor(frame)));
+        }
+        View view = frame.view;
+        const double scale = double(side) / std::max(view.size.x, view.size.y);
+        view.size = glm::max(glm::ivec2(glm::dvec2(view.size) * scale), glm::ivec2(1));
+        view.effects = frame.effects ? &*frame.effects : nullptr;
+        const Object* const first = frame.scene.objects.data();
+        renderer_->foresee(frame.scene, view, [&](const Object& object) {
+            return meshes[static_cast<std::size_t>(&object - first)].view();
+        });
+    }
+
+  private:
+    std::unique_ptr<gl::HeadlessContext> context_;
+    std::unique_ptr<Renderer> renderer_;
+    std::shared_ptr<const Catalog> catalog_;
+};
+
+} // namespace
+
+ProgramWorker::ProgramWorker(std::filesystem::path programCache, QObject* parent)
+    : QObject(parent), programCache_(std::move(programCache)) {
+    thread_.setMaxThreadCount(1);
+    thread_.setExpiryTimeout(100);
+}
+
+ProgramWorker::~ProgramWorker() {
+    {
+        const std::lock_guard lock(mutex_);
+        isEnding_ = true;
+    }
+    news_.notify_all();
+    thread_.waitForDone();
+}
+
+quint64 ProgramWorker::ask(Frame frame) {
+    const std::lock_guard lock(mutex_);
+    jobs_.push_back({++asked_, std::move(frame)});
+    if (!std::exchange(isWorking_, true)) {
+        thread_.start([this] { work(); });
+    }
+    news_.notify_all();
+    return asked_;
+}
+
+/// The next frame; nothing when there was none for a while.
+std::optional<ProgramWorker::Job> ProgramWorker::next() {
+    std::unique_lock lock(mutex_);
+    news_.wait_for(lock, patience, [this] { return isEnding_ || !jobs_.empty(); });
+    if (isEnding_ || jobs_.empty()) {
+        isWorking_ = false;
+        return std::nullopt;
+    }
+    Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    return job;
+}
+
+void ProgramWorker::work() {
+    std::unique_ptr<Workshop> shop = Workshop::open(programCache_);
+    while (const std::optional<Job> job = next()) {
+        if (shop) {
+            shop->make(job->frame);
+        }
+        Q_EMIT finished(job->number);
+    }
+    shop.reset();
+    returnFreeMemory();
+}
+
+} // namespace patina
