@@ -36,13 +36,13 @@ std::uint64_t FrameDrawer::lackedPrograms(const Scene& scene, const View& view,
     }
     effects_ = &effectsOf(view, scene);
     heldEffects_ = effects_ != &scene;
-    collect(scene, view, meshes);
+    collect(scene, view, meshes, Purpose::Frame);
     planGround(scene, view);
     const std::uint64_t around = surroundings().key;
     std::size_t lacked = display_.has(*effects_) ? 0 : 1;
-    for (const Item& item : items_) {
+    for (const DrawMaterial& material : materials_) {
         const std::uint64_t key =
-            EffectKey::ofMaterial(effects_->objects[item.index].material, *catalog_);
+            EffectKey::ofMaterial(effects_->objects[material.object].material, *catalog_);
         if (!pipelines_.has(key, around)) {
             boost::hash_combine(lacked, key);
         }
