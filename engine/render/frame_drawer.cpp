@@ -33,6 +33,11 @@ bool isDrawn(const Object& object) {
     return object.visible && canBeSeen(object.material);
 }
 
+/// Neighbours often are, and then it need not be looked up.
+bool isOfOneMesh(const Object& a, const Object& b) {
+    return a.mesh == b.mesh && a.fitUnitBox == b.fitUnitBox && a.flipNormals == b.flipNormals;
+}
+
 } // namespace
 
 const Scene& FrameDrawer::effectsOf(const View& view, const Scene& scene) {
@@ -173,9 +178,17 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
     const glm::dmat4 worldToClip =
         projection(view.camera, aspect, depths_) * cameras_.worldToCamera;
     const glm::dvec3 origin = eye(view.camera);
+    const Object* last = nullptr; // of which `mesh` is
+    MeshView mesh;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        const MeshView mesh = isDrawn(object) ? meshes(object) : MeshView{};
+        if (!isDrawn(object)) {
+            continue;
+        }
+        if (last == nullptr || !isOfOneMesh(*last, object)) {
+            mesh = meshes(object);
+            last = &object;
+        }
         if (mesh.indices.empty()) {
             continue;
         }

@@ -11,5 +11,6 @@ bool modelSwap();
 bool largeMesh();
 bool meshLoading();
 bool modelCost();
+bool manyObjects();
 
 } // namespace patina::benchmarks

@@ -26,7 +26,8 @@ int main(int count, char** arguments) {
                                         {"model-swap", patina::benchmarks::modelSwap},
                                         {"large-mesh", patina::benchmarks::largeMesh},
                                         {"mesh-loading", patina::benchmarks::meshLoading},
-                                        {"model-cost", patina::benchmarks::modelCost}};
+                                        {"model-cost", patina::benchmarks::modelCost},
+                                        {"many-objects", patina::benchmarks::manyObjects}};
     const std::vector<std::string_view> wanted(arguments + 1, arguments + count);
     bool kept = true;
     for (const Entry& entry : entries) {

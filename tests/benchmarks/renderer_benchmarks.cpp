@@ -2,22 +2,10 @@
 // What an edit costs in the renderer: a slider's tick, and another model.
 #include <ctime>
 
-#include <chrono>
-#include <filesystem>
-#include <memory>
-
-#include <epoxy/gl.h>
-
 #include "allocations.h"
 #include "benchmarks.h"
-#include "catalog/catalog.h"
-#include "gl/framebuffer.h"
-#include "gl/headless_context.h"
-#include "render/renderer.h"
-#include "scene/primitives.h"
-#include "scene/scene_file.h"
+#include "stage.h"
 #include "statistics.h"
-#include "support/program.h"
 
 namespace patina::benchmarks {
 namespace {
@@ -29,65 +17,6 @@ double threadSeconds() {
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
-
-double wallSeconds() {
-    using Clock = std::chrono::steady_clock;
-    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
-
-/// The default scene with one sphere, a renderer without programs on disk, and a target.
-class Stage {
-  public:
-    explicit Stage(glm::ivec2 size)
-        : context_(gl::HeadlessContext::create().value()),
-          catalog_(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()))),
-          renderer_(Renderer::create({.programCache = folder_.path()}).value()),
-          mesh_(primitive("sphere").value()) {
-        const auto file = dataFolder() / "presets" / "default.patina-scene.json";
-        scene = readScene(file, *catalog_).value().scene;
-        scene.objects.resize(1);
-        view.size = size;
-        view.camera = scene.camera;
-        renderer_->setCatalog(catalog_);
-        color_ = gl::Renderbuffer::create(size, GL_RGBA8, 0);
-        target_ = gl::Framebuffer::create();
-        target_.attachColor(color_);
-    }
-
-    void use(const char* model) {
-        Material& material = scene.objects.front().material;
-        material = withModel(material, nullptr, *catalog_->find("models", model));
-    }
-
-    void set(const char* parameter, double value) {
-        std::get<double>(scene.objects.front().material.model.parameters[parameter]) = value;
-    }
-
-    const FrameReport& draw() {
-        return renderer_->draw(
-            scene, view, [this](const Object&) { return mesh_.view(); }, target_.name());
-    }
-
-    /// Wall time of a frame until the GPU is done with it.
-    double frameSeconds() {
-        const double began = wallSeconds();
-        draw();
-        glFinish();
-        return wallSeconds() - began;
-    }
-
-    Scene scene;
-    View view;
-
-  private:
-    tests::TemporaryFolder folder_;
-    std::unique_ptr<gl::HeadlessContext> context_;
-    std::shared_ptr<const Catalog> catalog_;
-    std::unique_ptr<Renderer> renderer_;
-    Mesh mesh_;
-    gl::Renderbuffer color_;
-    gl::Framebuffer target_;
-};
 
 } // namespace
 

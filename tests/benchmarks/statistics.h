@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,22 @@ inline Spread spreadOf(std::vector<double> samples) {
         return samples[std::size_t(share * double(samples.size() - 1))];
     };
     return {at(0.5), at(0.25), at(0.75)};
+}
+
+/// How straight a line through the points is: the coefficient of determination of y over x.
+inline double straightness(const std::vector<double>& x, const std::vector<double>& y) {
+    const double n = double(x.size());
+    const double meanX = std::accumulate(x.begin(), x.end(), 0.0) / n;
+    const double meanY = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xx += (x[i] - meanX) * (x[i] - meanX);
+        xy += (x[i] - meanX) * (y[i] - meanY);
+        yy += (y[i] - meanY) * (y[i] - meanY);
+    }
+    return xy * xy / (xx * yy);
 }
 
 /// "12.3 ms (11.9 .. 13.0)"

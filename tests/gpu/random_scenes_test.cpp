@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes of everything in any mixture. PATINA_RANDOM_SCENES=<first>,<count> draws others than the
+// few of each run; `ninja random-scenes` draws ten thousand.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+#include "gpu/frames_examined.h"
+#include "gpu_fixture.h"
+#include "random_scenes.h"
+#include "render/scene_depth.h"
+#include "shading/program_source.h"
+
+namespace patina {
+namespace {
+
+constexpr std::uint64_t parts = 4;
+constexpr std::uint64_t scenesPerPart = 12;
+constexpr std::uint64_t scenesPerContext = 200; ///< drivers keep what they have compiled
+constexpr std::uint64_t examinedScenes = 5;     ///< one of so many is looked at before it is cut
+constexpr int size = 16;
+
+struct Share {
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;
+};
+
+Share shareOf(std::uint64_t part) {
+    unsigned long first = 0;
+    unsigned long count = 0;
+    const char* wanted = std::getenv("PATINA_RANDOM_SCENES");
+    if (wanted != nullptr && std::sscanf(wanted, "%lu,%lu", &first, &count) == 2) {
+        return {first + part * count / parts,
+                (part + 1) * count / parts - part * count / parts};
+    }
+    return {part * scenesPerPart, scenesPerPart};
+}
+
+std::shared_ptr<const TexturePicture> picture(float shade) {
+    FileImage image{{4, 4, 4, {}}, 8};
+    for (int i = 0; i < 16; ++i) {
+        const float x = float(i % 5) / 4.0f;
+        image.image.pixels.insert(image.image.pixels.end(), {x, shade, 1.0f - x, 0.5f + 0.5f * x});
+    }
+    return std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
+}
+
+class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint64_t> {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        shipped_ = catalog;
+        shaders_ = std::make_unique<ExaminedShaders>(ExaminedShaders::Stage::Surface);
+        examining_ = std::make_shared<const Catalog>(
+            loadCatalog(std::array{BlockRoot{shaders_->path(), true}}));
+        pictures_ = {picture(0.0f), picture(1.0f)};
+        begin();
+    }
+
+    /// A new renderer in a new context.
+    void begin() {
+        renderer.reset();
+        debug.reset();
+        context.reset();
+        GpuTest::SetUp();
+        makeRenderer();
+        // Two images are there, one is missing, one on its way.
+        renderer->setTextures([this](const TextureUse& use, TextureDecoding) -> TextureLookup {
+            const auto number = std::size_t(use.file[std::string("/picture").size()] - '0');
+            return {number < pictures_.size() ? pictures_[number] : nullptr, number == 2};
+        });
+    }
+
+    View viewFor(const Scene& scene, std::uint64_t number) const {
+        View view = viewOf(scene, size);
+        view.samples = number % 2 == 0 ? 4 : 1;
+        view.environmentImage = panorama_;
+        view.environmentSamples = 4;
+        return view;
+    }
+
+    /// Which blocks the program of a material has, as its text says.
+    std::set<std::string> blocksIn(const EffectSet& set) const {
+        std::set<std::string> blocks;
+        const auto source = surfaceProgram(set, *catalog);
+        EXPECT_TRUE(source) << (source ? "" : text(source.error()));
+        const auto files = source ? source->fragment.files : std::vector<std::string>();
+        for (const std::string& file : files) {
+            const std::filesystem::path path(file);
+            const std::string kind = path.parent_path().filename();
+            if (catalog->find(kind, path.stem().string()) != nullptr) {
+                blocks.insert(kind + '/' + path.stem().string());
+            }
+        }
+        return blocks;
+    }
+
+    /// Which blocks its rows name: "texture/<id>" is none.
+    std::set<std::string> blocksNamed(const EffectSet& set) const {
+        std::set<std::string> blocks;
+        for (const EffectLine& line : effectLines(set)) {
+            const auto slash = line.effect.find('/');
+            const bool isBlock = slash != std::string::npos &&
+                                 catalog->find(line.effect.substr(0, slash),
+                                               line.effect.substr(slash + 1)) != nullptr;
+            if (isBlock) {
+                blocks.insert(line.effect);
+            }
+        }
+        return blocks;
+    }
+
+    static std::size_t texturesNamed(const EffectSet& set) {
+        return std::size_t(std::ranges::count_if(effectLines(set), [](const EffectLine& line) {
+            return line.effect.starts_with("texture/");
+        }));
+    }
+
+    void expectNamedBlocks(const Scene& scene) {
+        const EffectView view = effectView(scene, scene.camera, meshSource());
+        for (const Object& each : scene.objects) {
+            const EffectSet set = effectSet(each.material, scene, *catalog, view);
+            EXPECT_EQ(blocksIn(set), blocksNamed(set));
+            EXPECT_EQ(set.textures.size(), texturesNamed(set));
+        }
+    }
+
+    void expectSound(const Image& image) {
+        ASSERT_FALSE(image.pixels.empty());
+        const auto isSound = [](float x) { return std::isfinite(x) && x >= 0.0f; };
+        EXPECT_TRUE(std::ranges::all_of(image.pixels, isSound));
+    }
+
+    Image captured(const Scene& scene, std::uint64_t number, bool display) {
+        auto image = renderer->capture(scene, viewFor(scene, number), meshSource(), display);
+        EXPECT_TRUE(image) << (image ? "" : image.error().text());
+        const FrameReport& report = renderer->report();
+        const auto mistakes = std::span(report.messages)
+                                  .first(report.messages.size() - report.warnings);
+        EXPECT_TRUE(mistakes.empty()) << text(Errors(mistakes.begin(), mistakes.end()));
+        return image ? *image : Image();
+    }
+
+    /// Without anything behind the objects, which is no surface and not looked at.
+    void examine(Scene scene, std::uint64_t number) {
+        scene.background = glm::dvec3(0.0);
+        if (scene.environment) {
+            scene.environment->parameters["background"] = std::string("hidden");
+        }
+        for (Object& each : scene.objects) {
+            each.material.opacity = each.material.opacity > 0.0 ? 1.0 : 0.0;
+        }
+        renderer->setCatalog(examining_);
+        const Image image = captured(scene, number, false);
+        renderer->setCatalog(shipped_);
+        glm::vec3 worst(0.0f);
+        for (int i = 0; i < image.width * image.height; ++i) {
+            worst = glm::max(worst, pixel(image, i % image.width, i / image.width));
+        }
+        EXPECT_EQ(worst, glm::vec3(0.0f))
+            << "red: a colour that is not finite, green: negative, blue: a point or a light";
+    }
+
+    void expectSilence() {
+        EXPECT_EQ(debug->messages(), std::vector<std::string>());
+    }
+
+    void draw(std::uint64_t number) {
+        SCOPED_TRACE("scene " + std::to_string(number));
+        const Scene scene = RandomScenes(*shipped_).scene(number);
+        expectSound(captured(scene, number, false));
+        expectSound(captured(scene, number, true));
+        expectNamedBlocks(scene);
+        if (number % examinedScenes == 0) {
+            examine(scene, number);
+        }
+        expectSilence();
+    }
+
+  private:
+    std::shared_ptr<const Catalog> shipped_;
+    std::shared_ptr<const Catalog> examining_;
+    std::unique_ptr<ExaminedShaders> shaders_;
+    std::array<std::shared_ptr<const TexturePicture>, 2> pictures_;
+    std::shared_ptr<const EnvironmentImage> panorama_ =
+        EnvironmentImage::from({4, 2, 1, {0.1f, 0.5f, 8.0f, 1.0f, 0.0f, 0.2f, 0.3f, 0.4f}});
+};
+
+TEST_P(RandomScene, OfAnyMixture_CompilesIsFiniteAndHasNoOtherBlock) {
+    const Share share = shareOf(GetParam());
+    for (std::uint64_t i = 0; i < share.count; ++i) {
+        if (i % scenesPerContext == scenesPerContext - 1) {
+            begin();
+        }
+        draw(share.first + i);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, RandomScene, testing::Range(std::uint64_t(0), parts));
+
+} // namespace
+} // namespace patina
