@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/framebuffer.h"
 
+#include <array>
+#include <cassert>
+
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
@@ -31,6 +34,21 @@ void Framebuffer::attachColor(const Renderbuffer& buffer) {
 void Framebuffer::attachDepth(const Renderbuffer& buffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffer.name());
+}
+
+void Framebuffer::attachColor(const TargetTexture& texture, unsigned location) {
+    static constexpr std::array<GLenum, 2> locations{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    assert(location < locations.size());
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, locations[location], texture.target(), texture.name(),
+                           0);
+    glDrawBuffers(static_cast<GLsizei>(location + 1), locations.data());
+}
+
+void Framebuffer::attachDepth(const TargetTexture& texture) {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture.target(), texture.name(),
+                           0);
 }
 
 void Framebuffer::attachDepth(const TextureArray& texture, int layer) {

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "gl/name.h"
 #include "gl/renderbuffer.h"
+#include "gl/target_texture.h"
 #include "gl/texture.h"
 #include "gl/texture_array.h"
 
@@ -21,6 +22,9 @@ class Framebuffer {
     void attachColor(const Texture& texture);
     void attachColor(const Renderbuffer& buffer);
     void attachDepth(const Renderbuffer& buffer);
+    /// The colours that a program writes to `location`; those of all locations from 0 on are drawn.
+    void attachColor(const TargetTexture& texture, unsigned location);
+    void attachDepth(const TargetTexture& texture);
     /// A layer of depths; it may be attached again and again, and no colours are drawn then.
     void attachDepth(const TextureArray& texture, int layer);
 
