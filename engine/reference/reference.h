@@ -83,6 +83,8 @@ struct Block {
     /// What comes from the unit direction d, E / pi, and the picture's colour there.
     glm::dvec3 (*environment)(const glm::dvec3& d, const glm::dvec3& picture,
                               Parameters) = nullptr;
+    /// How much a surface at the depth 0 .. 1 counts.
+    double (*transparency)(double depth, double opacity, Parameters) = nullptr;
 };
 
 /// Every block, sorted by kind and id.

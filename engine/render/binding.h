@@ -10,6 +10,11 @@ inline constexpr unsigned object = 2;
 inline constexpr unsigned environment = 3;
 
 /// Texture units, of the 16 that every driver has. Passes that draw no surface use the first ones.
+/// Of layers that shine through each other: what was drawn of them.
+inline constexpr unsigned layerSum = 0;
+inline constexpr unsigned layerShare = 1;
+inline constexpr unsigned nearerLayer = 2;
+
 /// Of an environment: where it is bright, its picture, and that in small.
 inline constexpr unsigned environmentTable = 4;
 inline constexpr unsigned environmentImage = 5;

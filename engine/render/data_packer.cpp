@@ -158,6 +158,15 @@ void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Mate
     packTextures(out, pipeline, material);
 }
 
+void packLayers(std::span<glm::vec4> out, const Pipeline& pipeline, const LayersToPack& packing,
+                const glm::dmat4& cameraToWorld) {
+    const ObjectLayout& layout = pipeline.object;
+    packPlace(out, *layout.transparency, packing.values, exact, cameraToWorld);
+    const double way = packing.farthest - packing.nearest;
+    out[static_cast<std::size_t>(layout.layers())] =
+        glm::vec4(packing.nearest, way > 1e-30 ? 1.0 / way : 0.0, 0.0, 0.0);
+}
+
 void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground& ground,
                 const GroundToPack& packing) {
     const GroundPlace& place = packing.place;

@@ -40,6 +40,18 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                   const glm::dmat4& cameraToWorld);
 
+/// The values of the block that puts surfaces together which shine through each other, and the
+/// depths between which they lie.
+struct LayersToPack {
+    const Values& values;
+    double nearest = 0.0;
+    double farthest = 1.0;
+};
+
+/// Adds them to the `objectData` of such a surface.
+void packLayers(std::span<glm::vec4> out, const Pipeline& pipeline, const LayersToPack& packing,
+                const glm::dmat4& cameraToWorld);
+
 /// Where the ground is, and the environment's light on it if it were white.
 struct GroundToPack {
     const GroundPlace& place;

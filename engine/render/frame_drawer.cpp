@@ -58,6 +58,7 @@ void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     shadows_.setCatalog(catalog_);
     display_.forget();
     environment_.forget();
+    transparency_.forget();
     described_.clear();
     describedLost_ = -1;
 }
@@ -95,6 +96,9 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     uploadView(view);
     choosePipelines();
     orderItems();
+    if (auto begun = beginLayers(scene); !begun) {
+        return fail(begun.error());
+    }
     bands_.begin(sources_, target_.drawnSize(), triangles_, environment_.rounds());
     clear(scene, view);
     return true;
@@ -292,6 +296,9 @@ void FrameDrawer::feedMaterial(const Scene& scene, const DrawMaterial& material)
     const std::span<glm::vec4> data = materialData_.staging(material.data);
     const Material& values = scene.objects[material.object].material;
     packMaterial(data, pipeline, values, cameras_.cameraToWorld);
+    if (isLayered(material)) {
+        packLayersOf(scene, material, data);
+    }
     textures_.bind(data, pipeline, values);
     report_.uploadedBuffers += materialData_.upload(material.data) ? 1 : 0;
     materialData_.bind(binding::object, material.data);

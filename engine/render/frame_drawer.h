@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "render/placement.h"
 #include "render/renderer.h"
 #include "render/shadow_maps.h"
+#include "render/transparency_pass.h"
 #include "render/uniform_buffer.h"
 #include "render/uniform_pool.h"
 #include "shading/effect_key.h"
@@ -110,6 +112,7 @@ class FrameDrawer {
         DrawSlices slices; ///< of the batch
         std::int64_t triangles = 0; ///< since the clock was asked
         bool hasGround = false;
+        bool hasLayers = false;
         bool resolved = false;
     };
     struct Cameras {
@@ -145,6 +148,13 @@ class FrameDrawer {
     double lowestHeight(const DrawItem& item);
     void chooseGround(const PipelineStore::Surroundings& around);
     void drawGround(const Scene& scene);
+    Result<void> beginLayers(const Scene& scene);
+    Result<void> addLayers();
+    bool isLayered(const DrawMaterial& material) const;
+    std::span<const DrawBatch> transparentBatches() const;
+    void packLayersOf(const Scene& scene, const DrawMaterial& material, std::span<glm::vec4> data);
+    void drawLayers(const Scene& scene);
+    void drawLayer(const Scene& scene, const DrawBatch& batch, TransparencyPass::Stage stage);
     void addLost();
     bool uploadMeshes(Deadline deadline);
     bool drawBands(const Scene& scene, Deadline deadline);
@@ -191,6 +201,8 @@ class FrameDrawer {
     InstanceBuffer instances_; ///< in the list's order
     UniformPool materialData_;
     std::optional<std::size_t> fedMaterial_;
+    TransparencyPass transparency_;
+    DepthRange layerDepths_; ///< of what shines through
     Cameras cameras_;
     DepthRange depths_;
     Cursor cursor_;

@@ -59,7 +59,8 @@ bool FrameDrawer::drawBands(const Scene& scene, Deadline deadline) {
 }
 
 bool FrameDrawer::hasDrawnItems() const {
-    return cursor_.batch == list_.batches().size() && (cursor_.hasGround || !ground_.isSeen);
+    return cursor_.batch == list_.batches().size() && (cursor_.hasGround || !ground_.isSeen) &&
+           (cursor_.hasLayers || !transparency_.isIn());
 }
 
 void FrameDrawer::drawOpaque(const Scene& scene) {
@@ -90,7 +91,8 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
         if (cursor_.batch >= list_.opaqueBatches()) {
             drawGround(scene); // behind what shines through
         }
-        if (!drawBatch(scene, list_.batches()[cursor_.batch], deadline)) {
+        const DrawBatch& batch = list_.batches()[cursor_.batch];
+        if (!isLayered(materials_[batch.material]) && !drawBatch(scene, batch, deadline)) {
             break;
         }
         if (++cursor_.batch < list_.batches().size() && isDue(deadline)) {
@@ -100,6 +102,7 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
     const bool isDone = cursor_.batch == list_.batches().size();
     if (isDone) {
         drawGround(scene);
+        drawLayers(scene);
     }
     setPass(Pass::opaque);
     if (deadline != never) {

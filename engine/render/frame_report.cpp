@@ -105,6 +105,7 @@ void FrameDrawer::leaveState() {
 
 /// A driver may keep what was drawn with last until something else is: one pixel takes its place.
 void FrameDrawer::releaseTargets() {
+    transparency_.leaveOut();
     if (!display_.isPrepared() || !target_.fit(glm::ivec2(1), 1, false)) {
         target_ = HdrTarget();
         return;

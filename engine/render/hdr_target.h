@@ -33,6 +33,10 @@ class HdrTarget {
     /// Pixels of the image that is drawn per side of a resolved one.
     int fineness() const { return built_.fineness; }
 
+    /// What is drawn into: its framebuffer and the depths in it.
+    unsigned framebuffer() const { return framebuffer_.name(); }
+    const gl::Renderbuffer& depth() const { return depth_; }
+
     const gl::Texture& resolved() const { return resolvedImage_; }
     unsigned resolvedFramebuffer() const { return resolvedFramebuffer_.name(); }
 

@@ -70,6 +70,9 @@ struct Scene {
     std::optional<BlockValues> fog;  ///< of kind "fog"; absent: off
     /// Of kind "environment"; absent: off. Its picture is a path that scene files resolve.
     std::optional<BlockValues> environment;
+    /// Of kind "transparency": how objects that let something through are put together; absent:
+    /// each is blended over what is behind it, far ones first.
+    std::optional<BlockValues> transparency;
     glm::dvec3 ambient{0.0};         ///< linear colour of the light from everywhere
     Hemisphere hemisphere;           ///< beside it
     glm::dvec3 background{0.18f};    ///< linear; a float, as files hold it

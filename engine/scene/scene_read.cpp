@@ -46,7 +46,8 @@ class SceneReader {
         reader_.read("name", scene().name);
         readObjects();
         readLights();
-        readFog();
+        readBlock("fog", scene().fog);
+        readBlock("transparency", scene().transparency);
         readPicture();
         readGround();
         readCamera();
@@ -211,14 +212,14 @@ class SceneReader {
         }
     }
 
-    void readFog() {
-        const Json* fog = reader_.find("fog");
-        if (fog == nullptr || fog->is_null()) {
-            return;
+    /// A block that the scene may have: its key in the file is its kind.
+    void readBlock(std::string_view kind, std::optional<BlockValues>& into) {
+        const Json* json = reader_.find(kind);
+        if (json != nullptr && !json->is_null()) {
+            JsonReader reader = reader_.child(kind);
+            into = blocks_.read(reader, kind);
+            into->unknown.update(reader.unknown());
         }
-        JsonReader reader = reader_.child("fog");
-        scene().fog = blocks_.read(reader, "fog");
-        scene().fog->unknown.update(reader.unknown());
     }
 
     /// Scenes of before there were environments have an object without an id, which is kept.

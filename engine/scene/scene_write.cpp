@@ -97,6 +97,7 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
         json["lights"].push_back(toJson(light));
     }
     json["fog"] = scene.fog ? toJson(*scene.fog) : Json();
+    json["transparency"] = scene.transparency ? toJson(*scene.transparency) : Json();
     json["ambient"] = triple(scene.ambient);
     json["hemisphere"].update(toJson(scene.hemisphere)); // as the camera below
     json["background"] = triple(scene.background);

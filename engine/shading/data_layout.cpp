@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/data_layout.h"
 
+#include "scene/transparency.h"
+
 namespace patina {
 namespace {
 
@@ -21,6 +23,10 @@ int LightPlace::vec4s() const {
     return light.vec4s() + (shadow ? shadow->vec4s() + ShadowLayout::vec4s : 0);
 }
 
+bool ObjectLayout::isPeeled() const {
+    return transparency && layersParameter(*transparency->block) != nullptr;
+}
+
 ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
     ObjectLayout layout;
     if (set.model) {
@@ -36,6 +42,10 @@ ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
     }
     layout.firstTexture = layout.vec4s;
     layout.vec4s = layout.texture(set.textures.size());
+    if (set.scene.transparency && letsThrough(set)) {
+        layout.transparency = placed(*set.scene.transparency, catalog, layout.vec4s);
+        layout.vec4s += layout.transparency ? 1 : 0;
+    }
     if (set.ground != GroundMode::Off) {
         layout.ground = layout.vec4s;
         layout.vec4s += set.scene.environment ? 3 : 2;

@@ -47,7 +47,15 @@ struct ObjectLayout {
     int firstTexture = fixed; ///< of EffectSet::textures, each with vec4sPerTexture
     std::optional<int> ground; ///< of the ground: colour and opacity, its disk, and the
                                ///< environment's light on it where there is one
+    std::optional<BlockPlace> transparency; ///< of a surface that is put together with others: a
+                                            ///< block's values, then what layers() says
     int vec4s = fixed;
+
+    /// Whether such surfaces are put in order, one layer after the other.
+    bool isPeeled() const;
+
+    /// x: the depth of the nearest surface of that sort; y: one over that from there to the last.
+    int layers() const { return transparency->first + transparency->vec4s(); }
 
     int texture(std::size_t index) const {
         return firstTexture + vec4sPerTexture * static_cast<int>(index);

@@ -138,6 +138,20 @@ const Block* shadowBlock(const Light& light, const Block& block, const Catalog& 
     return casts ? catalog.find("shadows", light.shadow->id) : nullptr;
 }
 
+bool letsThrough(const Object& object) {
+    return object.visible && canBeSeen(object.material) && isTransparent(object.material);
+}
+
+int countLettingThrough(const Scene& scene) {
+    return static_cast<int>(std::ranges::count_if(scene.objects, letsThrough));
+}
+
+const Block* transparencyBlock(const Scene& scene, const Catalog& catalog) {
+    const bool isNeeded =
+        scene.transparency && std::ranges::any_of(scene.objects, letsThrough);
+    return isNeeded ? catalog.find("transparency", scene.transparency->id) : nullptr;
+}
+
 bool hasHemisphere(const Scene& scene) {
     return !notPositive(scene.hemisphere.sky) || !notPositive(scene.hemisphere.ground);
 }

@@ -53,6 +53,14 @@ bool hasShadows(const Scene& scene, const Catalog& catalog);
 /// The block that draws the shadows in a light of kind `light`; null where it has none.
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog);
 
+/// Whether something shines through an object that is drawn; how many of a scene's there are.
+bool letsThrough(const Object& object);
+int countLettingThrough(const Scene& scene);
+
+/// The block that puts together what shines through; null where nothing does, or each object is
+/// blended by itself.
+const Block* transparencyBlock(const Scene& scene, const Catalog& catalog);
+
 /// Whether the sky or the ground of the ambient hemisphere sends light.
 bool hasHemisphere(const Scene& scene);
 

@@ -127,6 +127,10 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
         static const AccuracyLevels exact;
         addBlock(hash, *fog, scene.fog->parameters, exact);
     }
+    if (const Block* transparency = transparencyBlock(scene, catalog)) {
+        static const AccuracyLevels exact;
+        addBlock(hash, *transparency, scene.transparency->parameters, exact);
+    }
     hash.add(ofEnvironment(scene, catalog));
     hash.add(hasHemisphere(scene) ? 1 : 0);
     hash.add(hasAmbient(scene) ? 1 : 0);

@@ -127,6 +127,15 @@ void addLitLines(std::vector<EffectLine>& lines, const EffectSet& set) {
     }
 }
 
+void addTransparencyLine(std::vector<EffectLine>& lines, const SceneEffects& scene) {
+    const std::string& sorted = reasonFor(scene.reasons, "transparency");
+    if (scene.transparency) {
+        lines.push_back(lineOf(*scene.transparency));
+    } else if (!sorted.empty()) {
+        lines.push_back({"transparency", "sorted", sorted});
+    }
+}
+
 bool isListed(const std::vector<EffectLine>& lines, const std::string& effect) {
     return std::any_of(lines.begin(), lines.end(), [&effect](const EffectLine& line) {
         return line.effect == effect || line.effect.starts_with(effect + '/') ||
@@ -162,6 +171,9 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
     if (set.opacity) {
         lines.push_back({"opacity", {}, reasonFor(set.reasons, "opacity")});
     }
+    if (letsThrough(set)) {
+        addTransparencyLine(lines, set.scene);
+    }
     return lines;
 }
 
@@ -181,6 +193,7 @@ std::vector<EffectLine> leftOutLines(const EffectSet& set) {
     addAbsent(out, in, {"texture", {}, "No image is bound to the material."});
     addAbsent(out, in, {"fog", {}, "The scene has no fog."});
     addAbsent(out, in, {"opacity", {}, "The material's opacity is 1."});
+    addAbsent(out, in, {"transparency", {}, "Nothing shines through the object."});
     return out;
 }
 

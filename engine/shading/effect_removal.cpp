@@ -103,6 +103,12 @@ void removeOpacity(Scene& scene, const Effect&, const Catalog&) {
     }
 }
 
+void removeTransparency(Scene& scene, const Effect& effect, const Catalog&) {
+    if (scene.transparency && scene.transparency->id == effect.id) {
+        scene.transparency.reset();
+    }
+}
+
 void removeExposure(Scene& scene, const Effect&, const Catalog&) {
     scene.exposure = 0.0;
 }
@@ -112,7 +118,7 @@ void removeToneMapping(Scene& scene, const Effect&, const Catalog&) {
 }
 
 /// Every effect that has a row: by the part of its name before the slash.
-constexpr std::array<std::pair<std::string_view, Remove>, 15> removals{{
+constexpr std::array<std::pair<std::string_view, Remove>, 16> removals{{
     {"models", removeModel},
     {"fresnel", removePart},
     {"specular", removePart},
@@ -126,6 +132,7 @@ constexpr std::array<std::pair<std::string_view, Remove>, 15> removals{{
     {"texture", removeTexture},
     {"fog", removeFog},
     {"opacity", removeOpacity},
+    {"transparency", removeTransparency},
     {"exposure", removeExposure},
     {"tone mapping", removeToneMapping},
 }};

@@ -50,6 +50,7 @@ Scene aloneIn(const Scene& scene, std::size_t object) {
     alone.ambient = scene.ambient;
     alone.hemisphere = scene.hemisphere;
     alone.environment = scene.environment;
+    alone.transparency = scene.transparency;
     alone.ground = scene.ground;
     alone.exposure = scene.exposure;
     alone.toneMapping = scene.toneMapping;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/transparency.h"
 #include "shading/block_use.h"
 #include "shading/effect_choice.h"
 #include "shading/fog_depth.h"
@@ -57,6 +58,44 @@ void addEnvironment(SceneEffects& effects, const Scene& scene, const Catalog& ca
                                     "The scene has an environment that sends light.");
     } else if (scene.environment) {
         effects.leftOut.push_back({"environment/" + scene.environment->id, choice.whyNot});
+    }
+}
+
+std::string objectsLettingThrough(int count) {
+    return count == 1 ? std::string("One object lets something through")
+                      : fmt::format("{} objects let something through", count);
+}
+
+/// Of the surfaces that shine through each other: `how` they are put together.
+const char* wayOf(const Scene& scene, const Block* block) {
+    if (block == nullptr) {
+        return "each is blended over what is behind it, far ones first";
+    }
+    return layersOf(*scene.transparency, *block) > 0
+               ? "the layers of each pixel are put in their order"
+               : "all layers of a pixel are mixed at once";
+}
+
+void addTransparency(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
+    const int count = countLettingThrough(scene);
+    if (count == 0) {
+        if (scene.transparency) {
+            effects.leftOut.push_back({"transparency/" + scene.transparency->id,
+                                       "No object lets anything through."});
+        }
+        return;
+    }
+    const Block* block = transparencyBlock(scene, catalog);
+    const std::string reason =
+        fmt::format("{}: {}.", objectsLettingThrough(count), wayOf(scene, block));
+    if (block != nullptr) {
+        effects.transparency = useOf(*block, scene.transparency->parameters, {}, reason);
+        return;
+    }
+    effects.reasons["transparency"] = reason;
+    if (scene.transparency) {
+        effects.leftOut.push_back(
+            {"transparency/" + scene.transparency->id, "No transparency of this kind is known."});
     }
 }
 
@@ -203,6 +242,7 @@ SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const Effe
     addLights(effects, scene, catalog);
     addFog(effects, scene, catalog, view);
     addEnvironment(effects, scene, catalog);
+    addTransparency(effects, scene, catalog);
     addAmbient(effects, scene);
     return effects;
 }
@@ -219,6 +259,12 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     addOpacity(set, material);
     set.scene = sceneEffects(scene, catalog, view);
     return set;
+}
+
+bool letsThrough(const EffectSet& set) {
+    return set.opacity || std::ranges::any_of(set.textures, [](const TextureEffect& texture) {
+               return texture.role == TextureRole::Opacity && !texture.cutOut;
+           });
 }
 
 EffectSet groundEffects(const Scene& scene, const Catalog& catalog, const EffectView& view) {

@@ -60,6 +60,7 @@ struct SceneEffects {
     std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
     std::optional<BlockUse> fog;
     std::optional<BlockUse> environment;
+    std::optional<BlockUse> transparency; ///< in programs of what lets something through
     bool ambient = false;
     bool hemisphere = false;
     Reasons reasons;
@@ -106,6 +107,9 @@ struct EffectSet {
 
     friend bool operator==(const EffectSet&, const EffectSet&) = default;
 };
+
+/// Whether something may shine through what is drawn with the set.
+bool letsThrough(const EffectSet& set);
 
 /// What the scene's lights, fog and ambient colour call for. A light is left out when it is
 /// disabled or cannot send anything (its `color` is black or its `intensity` is 0), fog when its

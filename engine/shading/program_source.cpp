@@ -38,19 +38,27 @@ std::string ProgramSource::hash() const {
     return boost::uuids::to_string(generate(vertex.text + '\0' + fragment.text));
 }
 
+void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout) {
+    vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
+    const bool hasTextures = TextureWriter(set, layout).writeVertex(vertex);
+    if (layout.isPeeled()) {
+        vertex.add("invariant gl_Position;\n");
+    }
+    vertex.addFile("passes/surface.vert");
+    vertex.add(hasTextures ? "void main() {\n    placeSurface();\n    placeImages();\n}\n"
+                           : "void main() {\n    placeSurface();\n}\n");
+}
+
 Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
                                       SurfaceOutput output, int sceneVec4s) {
     const ObjectLayout layout = objectLayout(set, catalog);
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
-    vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
     if (output == SurfaceOutput::AlbedoTable) {
+        vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
         vertex.addFile("passes/screen.vert");
     } else {
-        const bool hasTextures = TextureWriter(set, layout).writeVertex(vertex);
-        vertex.addFile("passes/surface.vert");
-        vertex.add(hasTextures ? "void main() {\n    placeSurface();\n    placeImages();\n}\n"
-                               : "void main() {\n    placeSurface();\n}\n");
+        addSurfaceVertex(vertex, set, layout);
     }
 
     SourceBuilder fragment(shaderRoot(catalog));
@@ -62,15 +70,20 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
     return joined(vertex, fragment);
 }
 
-Checked<ProgramSource> screenProgram(const Catalog& catalog,
-                                     const std::function<void(SourceBuilder&)>& write) {
+Checked<ProgramSource> program(const Catalog& catalog, const StageWriter& writeVertex,
+                               const StageWriter& writeFragment) {
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
-    vertex.addFile("passes/screen.vert");
+    writeVertex(vertex);
     SourceBuilder fragment(shaderRoot(catalog));
     fragment.add(prelude);
-    write(fragment);
+    writeFragment(fragment);
     return joined(vertex, fragment);
+}
+
+Checked<ProgramSource> screenProgram(const Catalog& catalog, const StageWriter& write) {
+    return program(
+        catalog, [](SourceBuilder& vertex) { vertex.addFile("passes/screen.vert"); }, write);
 }
 
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,

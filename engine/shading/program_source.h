@@ -31,9 +31,17 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
 
 class SourceBuilder;
 
+/// Adds the text of a stage.
+using StageWriter = std::function<void(SourceBuilder&)>;
+
+Checked<ProgramSource> program(const Catalog& catalog, const StageWriter& writeVertex,
+                               const StageWriter& writeFragment);
+
 /// A program that covers the target; `write` adds its fragment stage.
-Checked<ProgramSource> screenProgram(const Catalog& catalog,
-                                     const std::function<void(SourceBuilder&)>& write);
+Checked<ProgramSource> screenProgram(const Catalog& catalog, const StageWriter& write);
+
+/// The vertex stage of surfaceProgram().
+void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout);
 
 /// A program made of files of the shader folder alone.
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,

@@ -75,6 +75,7 @@ void SurfaceWriter::writeSurface() {
     writeBlend();
     writeFog();
     writeOpacity();
+    writeLayer();
     writeMain();
 }
 
@@ -318,7 +319,7 @@ void SurfaceWriter::writeMain() {
     const char* albedo = object_.model && set_.textures.empty() ? "albedoAt(s)" : "vec4(0.0)";
     const std::string store =
         isInspected() ? fmt::format("storeInspected(s, {}, {}, {})", stored_, albedo, alpha_)
-                      : fmt::format("store({}, {})", stored_, alpha_);
+                      : fmt::format(fmt::runtime(store_), stored_, alpha_);
     out_.add(
         fmt::format("void main() {{\n{}    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
                     "{}{}    {};\n}}\n",

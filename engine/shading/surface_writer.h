@@ -43,6 +43,7 @@ class SurfaceWriter {
     void writeBlend();
     void writeFog();
     void writeOpacity();
+    void writeLayer();
     void writeGround();
     void addToGround(const std::string& light);
     void writeMain();
@@ -64,6 +65,7 @@ class SurfaceWriter {
     std::string last_; ///< behind everything else in main
     std::string alpha_ = "1.0";
     std::string stored_ = "shaded";
+    std::string store_ = "store({}, {})"; ///< the colour, the opacity
 };
 
 } // namespace patina

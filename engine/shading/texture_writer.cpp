@@ -78,6 +78,17 @@ void TextureWriter::writeDeclarations(SourceBuilder& out) const {
     if (has(TextureRole::Height)) {
         out.addFile("passes/height_map.glsl");
     }
+    writeSamplers(out);
+}
+
+void TextureWriter::writeOpacityDeclarations(SourceBuilder& out) const {
+    if (!set_.textures.empty()) {
+        out.addFile("passes/image_place.glsl");
+        writeSamplers(out);
+    }
+}
+
+void TextureWriter::writeSamplers(SourceBuilder& out) const {
     for (std::size_t i = 0; i < set_.textures.size(); ++i) {
         out.add(fmt::format("uniform sampler2D {};\n", samplerName(i)));
     }

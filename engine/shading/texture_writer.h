@@ -25,6 +25,9 @@ class TextureWriter {
     /// Samplers and functions.
     void writeDeclarations(SourceBuilder& out) const;
 
+    /// Those that opacity() needs alone.
+    void writeOpacityDeclarations(SourceBuilder& out) const;
+
     /// Bends the normal of the Surface `s`.
     std::string relief() const;
 
@@ -38,6 +41,7 @@ class TextureWriter {
 
   private:
     bool has(TextureRole role) const;
+    void writeSamplers(SourceBuilder& out) const;
     std::string texel(std::size_t index) const;
     std::string changed(std::size_t index, const std::string& value) const;
 

@@ -17,7 +17,8 @@ const std::map<std::string, std::string> kindWords = {{"models", ""},
                                                       {"lights", "Light"},
                                                       {"fog", "Fog"},
                                                        {"shadows", "Shadow"},
-                                                       {"environment", "Environment"}};
+                                                       {"environment", "Environment"},
+                                                       {"transparency", "Transparency"}};
 
 std::string pascalCase(const std::string& id) {
     std::string name;
@@ -44,7 +45,7 @@ std::string structNameOf(const SourceFile& file) {
 std::vector<SourceFile> blockShaders() {
     return filesUnder(
         {"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog",
-         "shaders/shadows", "shaders/environment"},
+         "shaders/shadows", "shaders/environment", "shaders/transparency"},
         {".glsl"});
 }
 

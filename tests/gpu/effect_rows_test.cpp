@@ -45,6 +45,7 @@ class EffectRowsTest : public ShadingTest {
         rich.parts["specular"] = block("specular", "gaussian");
         rich.model.parameters["emissive.color"] = glm::dvec3(0.5);
         rich.opacity = 0.5;
+        scene_.transparency = block("transparency", "peeled");
         rich.textures["diffuse.color"] = textureUse("diffuse.color", "/wood.png");
         scene_.lights = {light("point"), light("head")};
         scene_.lights[0].shadow = block("shadows", "soft");
@@ -87,7 +88,7 @@ TEST_F(EffectRowsTest, EveryEffectThatIsIn_CanBeLeftOut) {
     useEverything();
     const std::vector<EffectRow> all = rows();
     ASSERT_EQ(std::count_if(all.begin(), all.end(), [](const EffectRow& each) { return each.in; }),
-              16);
+              17);
     for (const EffectRow& each : all) {
         EXPECT_TRUE(each.removable || !each.in) << each.line.effect;
     }
@@ -96,7 +97,7 @@ TEST_F(EffectRowsTest, EveryEffectThatIsIn_CanBeLeftOut) {
 TEST_F(EffectRowsTest, EmptyScene_SaysWhatItLacks) {
     for (const char* effect :
          {"ambient", "fog", "fresnel", "opacity", "emission", "exposure", "tone mapping", "shadows",
-          "ground", "hemisphere", "environment", "texture"}) {
+          "ground", "hemisphere", "environment", "texture", "transparency"}) {
         EXPECT_FALSE(row(effect).line.reason.empty()) << effect;
         EXPECT_FALSE(isIn(effect)) << effect;
     }

@@ -172,6 +172,13 @@ std::string entryFunctions(const Block& block) {
                            "    return {0}(o, unpack(data));\n}}\n",
                            name);
     }
+    if (block.kind == "transparency") {
+        return fmt::format("double callTransparency(double depth, double opacity,\n"
+                           "                        Parameters data) {{\n"
+                           "    Layer l;\n    l.depth = depth;\n    l.opacity = opacity;\n"
+                           "    return {0}(l, unpack(data));\n}}\n",
+                           name);
+    }
     return fmt::format(
         "double callFog(const reference::FogRay& x, Parameters data) {{\n    FogRay ray;\n"
         "    ray.eye = x.eye;\n    ray.direction = x.direction;\n    ray.range = x.range;\n"
@@ -192,6 +199,9 @@ std::string entryAssignments(const std::string& kind) {
     }
     if (kind == "environment") {
         return "    block.environment = &callEnvironment;\n";
+    }
+    if (kind == "transparency") {
+        return "    block.transparency = &callTransparency;\n";
     }
     return "    block.fog = &callFog;\n    block.fogColor = &callFogColor;\n";
 }

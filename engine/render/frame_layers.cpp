@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of FrameDrawer that draws what shines through in no order of its objects.
+#include <algorithm>
+#include <span>
+
+#include <epoxy/gl.h>
+
+#include "render/data_packer.h"
+#include "render/frame_drawer.h"
+#include "scene/transparency.h"
+
+namespace patina {
+namespace {
+
+/// The scene's values for the block that the programs have.
+const BlockValues& valuesOf(const Scene& scene, const Scene& effects) {
+    const bool same = scene.transparency && scene.transparency->id == effects.transparency->id;
+    return same ? *scene.transparency : *effects.transparency;
+}
+
+} // namespace
+
+/// A program that is left over from before a change may know nothing of layers: its object is
+/// blended by itself.
+bool FrameDrawer::isLayered(const DrawMaterial& material) const {
+    const Pipeline* pipeline = material.pipeline.get();
+    return transparency_.isIn() && pipeline != nullptr && pipeline->object.transparency &&
+           pipeline->object.isPeeled() == transparency_.isPeeled();
+}
+
+std::span<const DrawBatch> FrameDrawer::transparentBatches() const {
+    return list_.batches().subspan(list_.opaqueBatches());
+}
+
+Result<void> FrameDrawer::beginLayers(const Scene& scene) {
+    const bool isNeeded = effects_->transparency && !transparentBatches().empty();
+    const Block* block =
+        isNeeded ? catalog_->find("transparency", effects_->transparency->id) : nullptr;
+    if (block == nullptr) {
+        transparency_.leaveOut();
+        return {};
+    }
+    const int before = pipelines_.programs().compiledCount();
+    auto begun = transparency_.begin(target_, layersOf(valuesOf(scene, *effects_), *block),
+                                     *catalog_, pipelines_.programs());
+    if (begun) {
+        begun = addLayers();
+    }
+    report_.compiled += pipelines_.programs().compiledCount() - before;
+    return begun;
+}
+
+/// Their programs for depths, and how deep they reach.
+Result<void> FrameDrawer::addLayers() {
+    layerDepths_ = DepthRange();
+    for (const DrawBatch& batch : transparentBatches()) {
+        const DrawMaterial& material = materials_[batch.material];
+        const DrawItem& item = items_[list_.items()[batch.first]];
+        layerDepths_.add(item.view.bounds, cameras_.worldToCamera * item.placement->world);
+        if (!isLayered(material)) {
+            continue;
+        }
+        auto added = transparency_.addPipeline(material.pipeline, pipelines_.programs());
+        if (!added) {
+            return added;
+        }
+    }
+    return {};
+}
+
+void FrameDrawer::packLayersOf(const Scene& scene, const DrawMaterial& material,
+                               std::span<glm::vec4> data) {
+    packLayers(data, *material.pipeline,
+               {valuesOf(scene, *effects_).parameters, layerDepths_.near(), layerDepths_.far()},
+               cameras_.cameraToWorld);
+}
+
+/// At once, however long it takes.
+void FrameDrawer::drawLayers(const Scene& scene) {
+    if (!transparency_.isIn() || cursor_.hasLayers) {
+        return;
+    }
+    cursor_.hasLayers = true;
+    transparency_.draw(target_, [this, &scene](TransparencyPass::Stage stage) {
+        for (const DrawBatch& batch : transparentBatches()) {
+            if (isLayered(materials_[batch.material])) {
+                drawLayer(scene, batch, stage);
+            }
+        }
+    });
+    report_.drawnObjects += static_cast<int>(
+        std::ranges::count_if(transparentBatches(), [this](const DrawBatch& batch) {
+            return isLayered(materials_[batch.material]);
+        }));
+}
+
+void FrameDrawer::drawLayer(const Scene& scene, const DrawBatch& batch,
+                            TransparencyPass::Stage stage) {
+    feed(scene, batch);
+    if (stage == TransparencyPass::Stage::Depths) {
+        transparency_.useDepths(materials_[batch.material].pipeline);
+        fedMaterial_.reset(); // its program is no longer in use
+    }
+    batch.mesh->draw(instances_, {0, batch.mesh->triangles(), batch.first, batch.count});
+    ++report_.drawCalls;
+}
+
+} // namespace patina

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/transparency_pass.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+#include "render/binding.h"
+#include "shading/layer_source.h"
+#include "shading/texture_writer.h"
+
+namespace patina {
+namespace {
+
+int samplesOf(const HdrTarget& target) {
+    GLint samples = 0;
+    target.bind();
+    glGetIntegerv(GL_SAMPLES, &samples);
+    return std::max(samples, 1);
+}
+
+void clearColor(int location, const std::array<float, 4>& value) {
+    glClearBufferfv(GL_COLOR, location, value.data());
+}
+
+void maskColors(GLboolean written) {
+    glColorMask(written, written, written, written);
+}
+
+Result<std::shared_ptr<const gl::Program>> found(const Checked<ProgramSource>& source,
+                                                 ProgramCache& cache) {
+    if (!source) {
+        return tl::unexpected(source.error().front());
+    }
+    const ProgramCache::Found made = cache.get(*source);
+    if (!made.program) {
+        return tl::unexpected(made.errors.front());
+    }
+    return made.program;
+}
+
+} // namespace
+
+Result<void> TransparencyPass::begin(const HdrTarget& target, int layers, const Catalog& catalog,
+                                     ProgramCache& cache) {
+    const Shape wanted{target.drawnSize(), samplesOf(target), layers > 0};
+    if (!(wanted == shape_)) {
+        leaveOut();
+        if (auto built = build(wanted); !built) {
+            leaveOut();
+            return built;
+        }
+    }
+    layers_ = layers;
+    isIn_ = true;
+    return composition_ ? Result<void>() : makeComposition(catalog, cache);
+}
+
+void TransparencyPass::leaveOut() {
+    if (isIn_ || shape_.samples > 0) {
+        isIn_ = false;
+        shape_ = Shape();
+        sum_ = gl::TargetTexture();
+        share_ = gl::TargetTexture();
+        mixed_ = gl::Framebuffer();
+        sides_.reset();
+        forget();
+    }
+}
+
+void TransparencyPass::forget() {
+    composition_.reset();
+    depthPrograms_.clear();
+}
+
+Result<void> TransparencyPass::build(const Shape& shape) {
+    shape_ = shape;
+    sum_ = gl::TargetTexture::create(shape.size, GL_RGBA32F, shape.samples);
+    if (shape.isPeeled) {
+        return buildSides();
+    }
+    share_ = gl::TargetTexture::create(shape.size, GL_R32F, shape.samples);
+    mixed_ = gl::Framebuffer::create();
+    mixed_.attachColor(sum_, 0);
+    mixed_.attachColor(share_, 1);
+    return mixed_.check();
+}
+
+Result<void> TransparencyPass::buildSides() {
+    sides_.emplace();
+    for (Side& side : *sides_) {
+        side.depths =
+            gl::TargetTexture::create(shape_.size, GL_DEPTH_COMPONENT32F, shape_.samples);
+        side.framebuffer = gl::Framebuffer::create();
+        side.framebuffer.attachColor(sum_, 0);
+        side.framebuffer.attachDepth(side.depths);
+        side.isAnySeen = gl::SampleQuery::create();
+        if (auto checked = side.framebuffer.check(); !checked) {
+            return checked;
+        }
+    }
+    return {};
+}
+
+Result<void> TransparencyPass::makeComposition(const Catalog& catalog, ProgramCache& cache) {
+    auto made = found(layerComposition(catalog, shape_.isPeeled, isMultisampled()), cache);
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    composition_ = std::move(*made);
+    composition_->bindSampler("layerSum", binding::layerSum);
+    composition_->bindSampler("layerShare", binding::layerShare);
+    return {};
+}
+
+Result<void> TransparencyPass::addPipeline(const std::shared_ptr<const Pipeline>& pipeline,
+                                           ProgramCache& cache) {
+    if (!shape_.isPeeled || depthPrograms_.contains(pipeline)) {
+        return {};
+    }
+    const OpacityPart part = opacityPart(pipeline->effects, pipeline->object);
+    auto made = found(peelProgram(part, *pipeline->catalog, isMultisampled()), cache);
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    (*made)->bindBlock("ViewBlock", binding::view);
+    (*made)->bindBlock("ObjectBlock", binding::object);
+    (*made)->bindSampler("nearerLayer", binding::nearerLayer);
+    if (part.hasImage()) {
+        (*made)->bindSampler(samplerName(0).c_str(),
+                             binding::firstTexture + static_cast<unsigned>(*part.image));
+    }
+    depthPrograms_.emplace(pipeline, std::move(*made));
+    return {};
+}
+
+void TransparencyPass::useDepths(const std::shared_ptr<const Pipeline>& pipeline) const {
+    depthPrograms_.at(pipeline)->use();
+}
+
+void TransparencyPass::draw(const HdrTarget& target, const DrawObjects& drawObjects) {
+    if (shape_.isPeeled) {
+        drawInOrder(target, drawObjects);
+    } else {
+        drawMixed(target, drawObjects);
+    }
+    compose(target);
+}
+
+/// C. Everitt, Interactive order-independent transparency, 2001. Each layer is blended under those
+/// before it: their alpha is what they let through. Once no sample has another layer, the device
+/// draws nothing any more.
+void TransparencyPass::drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects) {
+    static constexpr float nearest = 0.0f;
+    glBindFramebuffer(GL_FRAMEBUFFER, (*sides_)[1].framebuffer.name());
+    maskColors(GL_TRUE);
+    glDepthMask(GL_TRUE);
+    clearColor(0, {0.0f, 0.0f, 0.0f, 1.0f});
+    glClearBufferfv(GL_DEPTH, 0, &nearest);
+    glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+    for (int layer = 0; layer < layers_; ++layer) {
+        const Side& side = (*sides_)[static_cast<std::size_t>(layer % 2)];
+        const Side& nearer = (*sides_)[static_cast<std::size_t>((layer + 1) % 2)];
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, side.framebuffer.name());
+        glBlitFramebuffer(0, 0, shape_.size.x, shape_.size.y, 0, 0, shape_.size.x, shape_.size.y,
+                          GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+        glBindFramebuffer(GL_FRAMEBUFFER, side.framebuffer.name());
+        if (layer > 0) {
+            nearer.isAnySeen.beginCondition();
+        }
+        drawDepths(side, nearer, drawObjects);
+        if (layer > 0) {
+            gl::SampleQuery::endCondition();
+        }
+        side.isAnySeen.beginCondition();
+        maskColors(GL_TRUE);
+        glEnable(GL_BLEND);
+        glDepthFunc(GL_EQUAL);
+        glDepthMask(GL_FALSE);
+        drawObjects(Stage::Layers);
+        gl::SampleQuery::endCondition();
+        glDepthMask(GL_TRUE);
+    }
+}
+
+/// The nearest that is behind the layer before and in front of what is solid.
+void TransparencyPass::drawDepths(const Side& side, const Side& nearer,
+                                  const DrawObjects& drawObjects) const {
+    maskColors(GL_FALSE);
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
+    nearer.depths.bind(binding::nearerLayer);
+    side.isAnySeen.begin();
+    drawObjects(Stage::Depths);
+    gl::SampleQuery::end();
+}
+
+/// McGuire and Bavoil 2013: a weighted sum, and the product of what the surfaces let through.
+void TransparencyPass::drawMixed(const HdrTarget& target, const DrawObjects& drawObjects) {
+    mixed_.attachDepth(target.depth()); // it may be another one than in the last frame
+    maskColors(GL_TRUE);
+    clearColor(0, {0.0f, 0.0f, 0.0f, 0.0f});
+    clearColor(1, {1.0f, 1.0f, 1.0f, 1.0f});
+    glEnable(GL_BLEND);
+    glBlendFunci(0, GL_ONE, GL_ONE);
+    glBlendFunci(1, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_FALSE);
+    drawObjects(Stage::Layers);
+    glDepthMask(GL_TRUE);
+}
+
+void TransparencyPass::compose(const HdrTarget& target) const {
+    target.bind();
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
+    sum_.bind(binding::layerSum);
+    if (!shape_.isPeeled) {
+        share_.bind(binding::layerShare);
+    }
+    composition_->use();
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+} // namespace patina

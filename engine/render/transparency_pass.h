@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "catalog/catalog.h"
+#include "gl/framebuffer.h"
+#include "gl/sample_query.h"
+#include "gl/target_texture.h"
+#include "gl/vertex_array.h"
+#include "render/hdr_target.h"
+#include "render/pipeline.h"
+#include "shading/program_cache.h"
+
+namespace patina {
+
+/// Puts together what shines through, whatever the order in which it is drawn: layer by layer from
+/// the nearest on, or all at once as a weighted mean. Works on every sample of a pixel by itself.
+/// Its memory (24 bytes for each sample) is there only while it is in use.
+class TransparencyPass {
+  public:
+    /// What the objects are drawn for.
+    enum class Stage {
+        Depths, ///< with useDepths()
+        Layers  ///< with their own programs
+    };
+    using DrawObjects = std::function<void(Stage)>;
+
+    /// `layers`: so many are put in order; 0: all are mixed. The target has been fitted.
+    Result<void> begin(const HdrTarget& target, int layers, const Catalog& catalog,
+                       ProgramCache& cache);
+
+    /// The frame needs none of this.
+    void leaveOut();
+
+    bool isIn() const { return isIn_; }
+
+    /// Whether layers are put in order.
+    bool isPeeled() const { return shape_.isPeeled; }
+
+    /// Makes what useDepths() needs of a pipeline. Nothing where layers are not put in order.
+    Result<void> addPipeline(const std::shared_ptr<const Pipeline>& pipeline, ProgramCache& cache);
+    void useDepths(const std::shared_ptr<const Pipeline>& pipeline) const;
+
+    /// Draws the objects as often as it takes, over what is in the target.
+    void draw(const HdrTarget& target, const DrawObjects& drawObjects);
+
+    /// The shader files may have changed.
+    void forget();
+
+  private:
+    struct Shape {
+        glm::ivec2 size{0};
+        int samples = 0;
+        bool isPeeled = false;
+        friend bool operator==(const Shape&, const Shape&) = default;
+    };
+    /// Depths of one layer; the other side has those of the layer before it.
+    struct Side {
+        gl::TargetTexture depths;
+        gl::Framebuffer framebuffer;
+        gl::SampleQuery isAnySeen;
+    };
+
+    Result<void> build(const Shape& shape);
+    Result<void> buildSides();
+    Result<void> makeComposition(const Catalog& catalog, ProgramCache& cache);
+    void drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects);
+    void drawDepths(const Side& side, const Side& nearer, const DrawObjects& drawObjects) const;
+    void drawMixed(const HdrTarget& target, const DrawObjects& drawObjects);
+    void compose(const HdrTarget& target) const;
+    bool isMultisampled() const { return shape_.samples > 1; }
+
+    bool isIn_ = false;
+    int layers_ = 0;
+    Shape shape_;
+    gl::TargetTexture sum_;
+    gl::TargetTexture share_; ///< of mixed layers: what they let through
+    gl::Framebuffer mixed_;
+    std::optional<std::array<Side, 2>> sides_;
+    gl::VertexArray noVertices_ = gl::VertexArray::create();
+    std::shared_ptr<const gl::Program> composition_; ///< for shape_
+    std::map<std::shared_ptr<const Pipeline>, std::shared_ptr<const gl::Program>>
+        depthPrograms_; ///< for shape_'s number of samples
+};
+
+} // namespace patina

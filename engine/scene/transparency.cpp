@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/transparency.h"
+
+#include <algorithm>
+
+namespace patina {
+namespace {
+
+/// What a block of a user's own may ask for at most.
+constexpr int mostLayers = 64;
+
+int wholeNumber(const Value& value) {
+    const int* number = std::get_if<int>(&value);
+    return number == nullptr ? 1 : *number;
+}
+
+} // namespace
+
+const Parameter* layersParameter(const Block& transparency) {
+    const Parameter* layers = transparency.parameter("layers");
+    return layers != nullptr && layers->type == ParameterType::Int ? layers : nullptr;
+}
+
+int layersOf(const BlockValues& transparency, const Block& block) {
+    const Parameter* parameter = layersParameter(block);
+    if (parameter == nullptr) {
+        return 0;
+    }
+    const auto given = transparency.parameters.find(parameter->id);
+    const bool usable = given != transparency.parameters.end() &&
+                        std::holds_alternative<int>(given->second);
+    return std::clamp(wholeNumber(usable ? given->second : parameter->defaultValue), 1, mostLayers);
+}
+
+} // namespace patina

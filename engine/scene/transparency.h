@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/block.h"
+#include "material/material.h"
+
+namespace patina {
+
+/// The parameter `layers` of a kind of transparency: it puts so many surfaces of each pixel in
+/// order, one after the other. Null for one that mixes them all at once.
+const Parameter* layersParameter(const Block& transparency);
+
+/// How many surfaces are put in order, at least 1; 0 where all are mixed at once.
+int layersOf(const BlockValues& transparency, const Block& block);
+
+} // namespace patina
