@@ -6,9 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "catalog/fills.h"
 #include "cli/command.h"
-#include "cli/value_text.h"
+#include "cli/scene_block.h"
 #include "material/block_values.h"
 #include "scene/environment.h"
 
@@ -16,7 +15,6 @@ namespace patina {
 namespace {
 
 constexpr std::string_view kind = "environment";
-constexpr std::string_view prefix = "environment.";
 
 std::string knownIds(const Catalog& catalog) {
     std::string known;
@@ -56,33 +54,7 @@ Result<void> choose(Scene& scene, const std::string& choice, const Catalog& cata
     return {};
 }
 
-Result<void> assign(Scene& scene, const std::string& assignment, const Catalog& catalog) {
-    const std::size_t equals = assignment.find('=');
-    const std::string id = assignment.substr(prefix.size(), equals - prefix.size());
-    const Block* block =
-        scene.environment ? catalog.find(kind, scene.environment->id) : nullptr;
-    const Parameter* parameter = block == nullptr ? nullptr : block->parameter(id);
-    if (equals == std::string::npos || parameter == nullptr) {
-        return failure(fmt::format("--set {}: the scene's environment has no such parameter",
-                                   assignment),
-                       block == nullptr ? "--environment" : "an id that `patina models` lists");
-    }
-    const auto value = valueFromText(*parameter, assignment.substr(equals + 1));
-    if (!value) {
-        return tl::unexpected(value.error());
-    }
-    Values& values = scene.environment->parameters;
-    for (const auto& [changed, held] : afterEdit(*block, values, *parameter, *value)) {
-        values.insert_or_assign(changed, held);
-    }
-    return {};
-}
-
 } // namespace
-
-bool isForEnvironment(const std::string& assignment) {
-    return assignment.starts_with(prefix);
-}
 
 Result<void> chooseEnvironment(Scene& scene, const PictureOptions& options,
                                const Catalog& catalog) {
@@ -91,14 +63,7 @@ Result<void> chooseEnvironment(Scene& scene, const PictureOptions& options,
             return chosen;
         }
     }
-    for (const std::string& assignment : options.sets) {
-        if (isForEnvironment(assignment)) {
-            if (auto assigned = assign(scene, assignment, catalog); !assigned) {
-                return assigned;
-            }
-        }
-    }
-    return {};
+    return assignAll({std::string(kind), scene.environment}, options.sets, catalog);
 }
 
 Result<std::shared_ptr<const EnvironmentImage>>

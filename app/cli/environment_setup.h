@@ -15,9 +15,6 @@ namespace patina {
 /// file for the block that shows one, or "none"; and `--set environment.<id>=value`.
 Result<void> chooseEnvironment(Scene& scene, const PictureOptions& options, const Catalog& catalog);
 
-/// Whether an assignment of `--set` is about the environment.
-bool isForEnvironment(const std::string& assignment);
-
 /// The picture that the scene's environment is made of; null where it needs none. One that cannot
 /// be read is an error where the options name it; where a scene does, a warning on standard error,
 /// and a placeholder stands in for it.

@@ -65,6 +65,9 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--environment", options.environment,
                        "What lights the scene from all around: an environment's id, an HDR "
                        "panorama's file, or none");
+    command.add_option("--transparency", options.transparency,
+                       "How what shines through is put together: sorted by object, or the id of "
+                       "another way");
     command
         .add_option("--samples", options.samples,
                     "Directions per pixel that an environment's light is summed from")

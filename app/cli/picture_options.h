@@ -23,13 +23,14 @@ struct PictureOptions {
     std::string mesh;              ///< a file or "builtin:<name>"; empty: the scene's
     std::string scene;             ///< a file; empty: the shipped default scene
     std::string environment;       ///< a block's id, a file or "none"; empty: the scene's
+    std::string transparency;      ///< a block's id or "sorted"; empty: the scene's
     int samples = 256;             ///< directions per pixel of an environment's light
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};
 };
 
-/// --scene, --mesh, --set, --texture, --model, --fresnel, --specular, --environment, --samples,
-/// --exposure.
+/// --scene, --mesh, --set, --texture, --model, --fresnel, --specular, --environment,
+/// --transparency, --samples, --exposure.
 void addSceneOptions(CLI::App& command, PictureOptions& options);
 
 /// --size.

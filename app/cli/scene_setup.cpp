@@ -7,7 +7,9 @@
 
 #include "catalog/fills.h"
 #include "cli/environment_setup.h"
+#include "cli/scene_block.h"
 #include "cli/texture_text.h"
+#include "cli/transparency_setup.h"
 #include "cli/value_text.h"
 #include "core/number_text.h"
 #include "material/model_swap.h"
@@ -243,7 +245,7 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
         return tl::unexpected(oneError(model.error()));
     }
     for (const std::string& assignment : inOrder(options.sets, object.material, catalog)) {
-        if (isForEnvironment(assignment)) {
+        if (isForScene(assignment)) {
             continue;
         }
         if (auto applied = applySet(object.material, assignment, catalog); !applied) {
@@ -281,6 +283,9 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
         }
     }
     if (auto chosen = chooseEnvironment(setup->scene, options, catalog); !chosen) {
+        return tl::unexpected(oneError(chosen.error()));
+    }
+    if (auto chosen = chooseTransparency(setup->scene, options, catalog); !chosen) {
         return tl::unexpected(oneError(chosen.error()));
     }
     if (options.exposure) {

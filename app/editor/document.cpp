@@ -28,6 +28,7 @@ void Document::connectSignals() {
     connect(this, &Document::textureChanged, this, forgetSecondScene);
     connect(this, &Document::fogReplaced, this, forgetSecondScene);
     connect(this, &Document::environmentReplaced, this, forgetSecondScene);
+    connect(this, &Document::transparencyReplaced, this, forgetSecondScene);
     connect(this, &Document::lightsChanged, this, forgetSecondScene);
     connect(this, &Document::objectsChanged, this, forgetSecondScene);
     connect(this, &Document::sceneReplaced, this, forgetSecondScene);
@@ -49,6 +50,7 @@ void Document::connectSignals() {
     });
     connect(this, &Document::fogReplaced, this, &Document::endEffectHold);
     connect(this, &Document::environmentReplaced, this, &Document::endEffectHold);
+    connect(this, &Document::transparencyReplaced, this, &Document::endEffectHold);
     connect(this, &Document::lightsChanged, this, &Document::endEffectHold);
     connect(this, &Document::objectsChanged, this, &Document::endEffectHold);
     connect(this, &Document::comparingChanged, this, &Document::endEffectHold);
@@ -61,6 +63,7 @@ void Document::connectSignals() {
     connect(this, &Document::textureChanged, this, &Document::changed);
     connect(this, &Document::fogReplaced, this, &Document::changed);
     connect(this, &Document::environmentReplaced, this, &Document::changed);
+    connect(this, &Document::transparencyReplaced, this, &Document::changed);
     connect(this, &Document::lightsChanged, this, &Document::changed);
     connect(this, &Document::objectsChanged, this, &Document::changed);
     connect(this, &Document::comparingChanged, this, &Document::changed);
@@ -152,6 +155,7 @@ BlockPath Document::currentPath(BlockPath::Part part) const {
         return {part, currentLight_, Side::A};
     case BlockPath::Part::Fog:
     case BlockPath::Part::Environment:
+    case BlockPath::Part::Transparency:
     case BlockPath::Part::Scene:
         return {part, 0, Side::A};
     case BlockPath::Part::Object:
@@ -175,6 +179,8 @@ std::string_view kindOf(BlockPath::Part part) {
         return "fog";
     case BlockPath::Part::Environment:
         return "environment";
+    case BlockPath::Part::Transparency:
+        return "transparency";
     default:
         return partKind(part);
     }

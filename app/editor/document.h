@@ -116,6 +116,8 @@ class Document : public QObject {
     void setShadow(int index, std::string_view blockId);
     void setFog(std::string_view blockId);
     void setEnvironment(std::string_view blockId);
+    /// How what shines through is put together. Empty: sorted by object.
+    void setTransparency(std::string_view blockId);
     /// Lights the scene with a picture: of the environment if it shows one, else of the first kind
     /// that does.
     void setEnvironmentPicture(const std::filesystem::path& file);
@@ -166,6 +168,7 @@ class Document : public QObject {
     void materialChanged(int object, patina::Side side);
     void fogReplaced();
     void environmentReplaced();
+    void transparencyReplaced();
     /// The list of lights: added, removed, renamed, switched, another kind.
     void lightsChanged();
     /// The list of objects: added, removed, renamed, another mesh.
@@ -217,6 +220,7 @@ class Document : public QObject {
     DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
     std::optional<BlockValues> lastFog_; ///< comes back when fog is turned on again
     std::optional<BlockValues> lastEnvironment_; ///< the same
+    std::optional<BlockValues> lastTransparency_;
     std::map<BlockPath::Part, Block> fixedBlocks_;
     mutable std::map<std::string, Block, std::less<>> accuracyBlocks_; ///< by model id
     QUndoStack undoStack_;

@@ -29,6 +29,10 @@ void Document::setCatalog(std::shared_ptr<const Catalog> catalog) {
         state_.scene.environment =
             reconciled(*state_.scene.environment, "environment", *before, *catalog_);
     }
+    if (state_.scene.transparency) {
+        state_.scene.transparency =
+            reconciled(*state_.scene.transparency, "transparency", *before, *catalog_);
+    }
     Q_EMIT catalogChanged();
 }
 

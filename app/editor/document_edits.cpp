@@ -8,6 +8,7 @@
 #include "commands/model_command.h"
 #include "commands/object_command.h"
 #include "commands/part_command.h"
+#include "commands/transparency_command.h"
 #include "document.h"
 #include "scene/environment.h"
 #include "short_text.h"
@@ -213,6 +214,24 @@ void Document::setEnvironment(std::string_view blockId) {
     undoStack_.push(new EnvironmentCommand(
         *this, last ? swapped(*last, before, *wanted) : defaultsOf(*wanted),
         tr("Environment %1").arg(labelOf(*wanted))));
+}
+
+void Document::setTransparency(std::string_view blockId) {
+    const std::optional<BlockValues>& held = state_.scene.transparency;
+    const Block* wanted = catalog_->find("transparency", blockId);
+    if ((held ? held->id : std::string()) == blockId || (!wanted && !blockId.empty())) {
+        return;
+    }
+    if (held) {
+        lastTransparency_ = held;
+    }
+    if (!wanted) {
+        undoStack_.push(new TransparencyCommand(*this, std::nullopt, tr("Sorted by object")));
+        return;
+    }
+    const bool isBack = lastTransparency_ && lastTransparency_->id == blockId;
+    undoStack_.push(new TransparencyCommand(
+        *this, isBack ? *lastTransparency_ : defaultsOf(*wanted), labelOf(*wanted)));
 }
 
 std::string_view Document::environmentPicture() const {

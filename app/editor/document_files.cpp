@@ -76,6 +76,7 @@ void Document::replaceState(DocumentState state, DocumentFile file, int object) 
     undoStack_.clear();
     interaction_ = 0;
     lastFog_.reset();
+    lastTransparency_.reset();
     isRecovered_ = false;
     state_ = std::move(state);
     savedState_ = state_;

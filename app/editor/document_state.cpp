@@ -36,6 +36,9 @@ auto findBlockValues(State& state, const BlockPath& path) -> decltype(pointer(st
     if (path.part == BlockPath::Part::Environment) {
         return pointer(state.scene.environment);
     }
+    if (path.part == BlockPath::Part::Transparency) {
+        return pointer(state.scene.transparency);
+    }
     if (path.part == BlockPath::Part::Light) {
         auto* light = elementAt(state.scene.lights, path.index);
         return light ? &light->block : nullptr;

@@ -32,6 +32,7 @@ struct BlockPath {
         Shadow,   ///< the values of a light's shadows
         Fog,      ///< the values of the fog
         Environment, ///< the values of the environment
+        Transparency, ///< how what shines through is put together
         Object,   ///< an object's transform and switches
         Scene     ///< ambient, background, exposure, tone mapping
     };

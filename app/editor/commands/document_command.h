@@ -19,6 +19,7 @@ class DocumentCommand : public QUndoCommand {
         Light,
         Fog,
         Environment,
+        Transparency,
         Object,
         Texture,
         Camera

@@ -6,6 +6,10 @@
 namespace patina {
 
 BlockChooser::BlockChooser(Document& document, const QString& kind, Off off, QWidget* parent)
+    : BlockChooser(document, kind, off == Off::Offered ? tr("Off") : QString(), parent) {}
+
+BlockChooser::BlockChooser(Document& document, const QString& kind, const QString& off,
+                           QWidget* parent)
     : QComboBox(parent), document_(document), kind_(kind), off_(off) {
     setFocusPolicy(Qt::StrongFocus);
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -31,8 +35,8 @@ void BlockChooser::show(const QString& id) {
 void BlockChooser::fill() {
     const QSignalBlocker quiet(this);
     clear();
-    if (off_ == Off::Offered) {
-        addItem(tr("Off"), QString());
+    if (!off_.isEmpty()) {
+        addItem(off_, QString());
     }
     for (const Block* block : document_.catalog().ofKind(kind_.toStdString())) {
         addItem(QString::fromStdString(block->label), QString::fromStdString(block->id));

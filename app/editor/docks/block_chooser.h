@@ -17,6 +17,10 @@ class BlockChooser : public QComboBox {
 
     BlockChooser(Document& document, const QString& kind, Off off, QWidget* parent = nullptr);
 
+    /// With words of its own for what there is without a block.
+    BlockChooser(Document& document, const QString& kind, const QString& off,
+                 QWidget* parent = nullptr);
+
     /// The id of the block in use; empty for none.
     void show(const QString& id);
 
@@ -28,7 +32,7 @@ class BlockChooser : public QComboBox {
 
     Document& document_;
     QString kind_;
-    Off off_;
+    QString off_; ///< empty: there is no such choice
     QString shown_;
 };
 

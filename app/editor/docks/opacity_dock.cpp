@@ -1,18 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/opacity_dock.h"
 
+#include <QGroupBox>
 #include <QLabel>
+#include <QVBoxLayout>
 
-#include "parameters/document_form.h"
+#include "docks/block_chooser.h"
 #include "docks/panel.h"
+#include "parameters/document_form.h"
 
 namespace patina {
 
-OpacityDock::OpacityDock(const DockContext& context) {
+OpacityDock::OpacityDock(const DockContext& context)
+    : document_(context.document),
+      transparency_(
+          new BlockChooser(document_, "transparency", tr("Sorted by object"), this)) {
     QLabel* hint = hintLabel(this);
-    hint->setText(tr("What lies over the whole surface, whatever its model. Below an opacity of 1 "
-                     "the object is drawn after the opaque ones, farthest first."));
-    fillPanel(this, {hint}, new DocumentForm(context.document, BlockPath::Part::Material));
+    hint->setText(tr("What lies over the whole surface, whatever its model."));
+    transparency_->setAccessibleName(tr("Order of transparent objects"));
+    transparency_->setToolTip(
+        tr("<p>How objects below an opacity of 1 are put together, in the whole scene.</p>"
+           "<p>Sorted by object: each is drawn over what is behind it, farthest first, and only "
+           "its nearest surface is seen. That is wrong where objects cross.</p>"));
+    auto* scene = new QGroupBox(tr("Transparent objects of the scene"), this);
+    auto* inScene = new QVBoxLayout(scene);
+    inScene->addWidget(labelled(tr("&Order"), transparency_));
+    inScene->addWidget(new DocumentForm(document_, BlockPath::Part::Transparency));
+    auto* forms = new QWidget;
+    auto* layout = new QVBoxLayout(forms);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Material));
+    layout->addWidget(scene);
+    layout->addStretch(1);
+    fillPanel(this, {hint}, forms);
+    connect(transparency_, &BlockChooser::chosen, this,
+            [this](const QString& id) { document_.setTransparency(id.toStdString()); });
+    connect(&document_, &Document::transparencyReplaced, this, &OpacityDock::update);
+    connect(&document_, &Document::sceneReplaced, this, &OpacityDock::update);
+    update();
+}
+
+void OpacityDock::update() {
+    const std::optional<BlockValues>& chosen = document_.scene().transparency;
+    transparency_->show(chosen ? QString::fromStdString(chosen->id) : QString());
 }
 
 } // namespace patina

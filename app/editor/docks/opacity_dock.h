@@ -7,12 +7,21 @@
 
 namespace patina {
 
-/// The active material's opacity, which every model has.
+class BlockChooser;
+
+/// The active material's opacity, which every model has, and how the scene puts together what
+/// shines through.
 class OpacityDock : public QWidget {
     Q_OBJECT
 
   public:
     explicit OpacityDock(const DockContext& context);
+
+  private:
+    void update();
+
+    Document& document_;
+    BlockChooser* transparency_;
 };
 
 } // namespace patina

@@ -24,6 +24,7 @@ DocumentForm::DocumentForm(Document& document, BlockPath::Part part, QWidget* pa
     connect(&document_, &Document::materialChanged, this, &DocumentForm::follow);
     connect(&document_, &Document::fogReplaced, this, &DocumentForm::follow);
     connect(&document_, &Document::environmentReplaced, this, &DocumentForm::follow);
+    connect(&document_, &Document::transparencyReplaced, this, &DocumentForm::follow);
     connect(&document_, &Document::lightsChanged, this, &DocumentForm::follow);
     connect(&document_, &Document::objectsChanged, this, &DocumentForm::follow);
     connect(&document_, &Document::currentChanged, this, &DocumentForm::follow);
