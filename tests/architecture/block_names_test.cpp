@@ -12,10 +12,11 @@ namespace {
 
 /// Block ids that are also ordinary words of this trade. They may stand in a sentence or a name
 /// (a point in space, the head of a list, linear light), but never as a string equal to the id.
-constexpr std::array<std::string_view, 15> ordinaryWords = {
+constexpr std::array<std::string_view, 16> ordinaryWords = {
     "point",       "head",      "spot",       "linear",    "directional",
     "exponential", "empirical", "dielectric", "conductor", "constant",
-    "hard",        "filtered",  "soft",       "image",     "studio"};
+    "hard",        "filtered",  "soft",       "image",     "studio",
+    "weighted"};
 
 /// Strings that equal an id and mean something else.
 struct OtherMeaning {

@@ -30,6 +30,7 @@ const Catalog& catalog() {
         folder.add("fog", plainDescriptor("mist"));
         folder.add("shadows", plainDescriptor("veil"));
         folder.add("environment", panoramaDescriptor());
+        folder.add("transparency", plainDescriptor("glass"));
         return folder.load();
     }();
     return made;
@@ -272,6 +273,18 @@ TEST_F(SceneFile, EnvironmentOfFormerFiles_IsNoneAndIsKept) {
     ASSERT_TRUE(reading);
     EXPECT_FALSE(reading->scene.environment);
     EXPECT_EQ(toJson(reading->scene, folder_.path())["environment"]["whatever"], 1);
+}
+
+TEST_F(SceneFile, Transparency_ComesBack) {
+    const auto reading = readChanged(
+        {{"transparency", {{"id", "glass"}, {"parameters", {{"gloss", 0.5}}}, {"later", 1}}}});
+    ASSERT_TRUE(reading && reading->scene.transparency);
+    EXPECT_EQ(reading->scene.transparency->parameters.at("gloss"), Value(0.5));
+    const json written = toJson(reading->scene, folder_.path());
+    EXPECT_EQ(written["transparency"]["later"], 1);
+    const auto again = read(written);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->scene.transparency, reading->scene.transparency);
 }
 
 TEST_F(SceneFile, Hemisphere_ComesBack) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How transparent objects are put together: chosen, undone, and kept, in the window.
+#include <QDockWidget>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "docks/block_chooser.h"
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+constexpr int limitMs = 120000;
+
+class TransparencyInTheWindow : public WindowFixture {
+  protected:
+    BlockChooser* chooser() {
+        QDockWidget* dock = window().dock("opacity");
+        dock->show();
+        dock->raise();
+        newFrames();
+        return dock->findChild<BlockChooser*>();
+    }
+};
+
+TEST_F(TransparencyInTheWindow, Chooser_OffersSortedAndEveryKind) {
+    ASSERT_NE(chooser(), nullptr);
+    EXPECT_EQ(chooser()->count(),
+              1 + static_cast<int>(document().catalog().ofKind("transparency").size()));
+    EXPECT_EQ(chooser()->currentText(), "Sorted by object");
+}
+
+TEST_F(TransparencyInTheWindow, Chosen_IsShownAndUndoneInOneStep) {
+    BlockChooser* shown = chooser();
+    const int before = document().undoStack().count();
+    document().setTransparency("peeled");
+    EXPECT_EQ(document().undoStack().count(), before + 1);
+    EXPECT_EQ(shown->currentData().toString(), "peeled");
+    document().undoStack().undo();
+    EXPECT_FALSE(document().scene().transparency);
+    EXPECT_EQ(shown->currentText(), "Sorted by object");
+}
+
+TEST_F(TransparencyInTheWindow, ChosenAgain_HasItsValues) {
+    document().setTransparency("peeled");
+    document().setValue(document().currentPath(BlockPath::Part::Transparency), "layers", 3);
+    document().setTransparency("weighted");
+    document().setTransparency("");
+    document().setTransparency("peeled");
+    EXPECT_EQ(document().scene().transparency->parameters.at("layers"), Value(3));
+}
+
+TEST_F(TransparencyInTheWindow, OpacityDraggedToOneAndBack_CompilesNothing) {
+    view().setFixedSize(160, 120);
+    document().setTransparency("peeled");
+    const BlockPath path = document().currentPath(BlockPath::Part::Material);
+    document().setValue(path, "opacity", 0.5);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().isUpToDate(); }, limitMs));
+    int compiled = 0;
+    QObject::connect(&view(), &Viewport::frameDrawn, &view(),
+                     [&] { compiled += view().report().compiled; });
+    const int token = document().beginInteraction(path, "opacity");
+    for (const double opacity : {0.8, 1.0, 0.0, 0.3}) {
+        const int frames = view().frameCount();
+        document().setValue(path, "opacity", opacity);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view().frameCount() > frames; }, limitMs));
+    }
+    EXPECT_EQ(compiled, 0);
+    document().endInteraction(token);
+}
+
+} // namespace
+} // namespace patina::tests
