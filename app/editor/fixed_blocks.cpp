@@ -225,7 +225,8 @@ Block objectBlock() {
         described(ParameterType::Bool, "visible", "Visible", "Draw this object.", true),
         described(ParameterType::Bool, "castsShadow", "Casts shadow",
                   "Keep light from others, where a light has shadows. Objects that let more than "
-                  "half of the light through never do.",
+                  "half of the light through never do; an opacity map leaves its holes in the "
+                  "shadow.",
                   true),
         ranged(described(ParameterType::Vec3, "translation", "Position", "Where the object stands.",
                          glm::dvec3(0.0)),

@@ -32,11 +32,13 @@ void FrameDrawer::planShadows(const Scene& scene) {
     shadows_.clearCasters();
     for (const DrawItem& item : items_) {
         if (isCaster(scene.objects[item.index])) {
-            shadows_.addCaster(*item.mesh, {item.view.bounds, item.placement->world});
+            shadows_.addCaster(*item.mesh, {item.view.bounds, item.placement->world},
+                               scene.objects[item.index].material);
         }
     }
     const int before = pipelines_.programs().compiledCount();
-    auto planned = shadows_.plan(scene, *effects_, cameras_.cameraToWorld, pipelines_.programs());
+    auto planned = shadows_.plan(scene, *effects_, cameras_.cameraToWorld, pipelines_.programs(),
+                                 textures_);
     report_.compiled += pipelines_.programs().compiledCount() - before;
     shadowError_ = planned ? std::nullopt : std::optional(planned.error());
     report_.shadowMaps = shadows_.pending();
@@ -44,7 +46,7 @@ void FrameDrawer::planShadows(const Scene& scene) {
 
 bool FrameDrawer::drawShadows(Deadline deadline) {
     while (shadows_.pending() > 0) {
-        shadows_.drawSome(deadline == never ? std::numeric_limits<int>::max() : slice);
+        shadows_.drawSome(deadline == never ? std::numeric_limits<int>::max() : slice, textures_);
         if (shadows_.pending() > 0 && mustStop(deadline)) {
             return false;
         }

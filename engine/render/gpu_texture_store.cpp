@@ -73,6 +73,20 @@ void GpuTextureStore::bind(std::span<glm::vec4> data, const Pipeline& pipeline,
     glActiveTexture(GL_TEXTURE0);
 }
 
+std::uint64_t GpuTextureStore::stateOf(const TextureEffect& effect,
+                                       const Material& material) const {
+    const auto use = material.textures.find(effect.id);
+    if (!source_ || use == material.textures.end()) {
+        return 0;
+    }
+    const TextureLookup found = source_(use->second, decodingOf(use->second, effect));
+    const auto entry = entries_.find(found.picture.get());
+    const bool isComplete = entry != entries_.end() && entry->second.texture.isComplete();
+    // Addresses are even.
+    return std::uint64_t(reinterpret_cast<std::uintptr_t>(found.picture.get())) +
+           (isComplete ? 1 : 0);
+}
+
 /// A placeholder on a relief or an opacity would hide what is there.
 void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& material,
                               glm::vec4& data) {

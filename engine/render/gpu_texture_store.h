@@ -33,6 +33,9 @@ class GpuTextureStore {
     /// active.
     void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material);
 
+    /// A number that changes when bind() would show another state of one image of the material.
+    std::uint64_t stateOf(const TextureEffect& effect, const Material& material) const;
+
     /// Whether images of this frame are not whole yet: another frame shows more of them.
     bool isWaiting() const { return isWaiting_; }
 

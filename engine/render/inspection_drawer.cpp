@@ -176,16 +176,18 @@ void InspectionDrawer::drawShadows(const Scene& scene) {
     shadows_.clearCasters();
     for (const Item& item : items_) {
         if (isCaster(scene.objects[item.index])) {
-            shadows_.addCaster(*item.mesh, {item.bounds, item.world});
+            shadows_.addCaster(*item.mesh, {item.bounds, item.world},
+                               scene.objects[item.index].material);
         }
     }
-    if (auto planned = shadows_.plan(scene, scene, cameraToWorld_, pipelines_.programs());
+    if (auto planned =
+            shadows_.plan(scene, scene, cameraToWorld_, pipelines_.programs(), textures_);
         !planned) {
         report_.messages.push_back(planned.error());
     }
     report_.shadowMaps = shadows_.pending();
     while (shadows_.pending() > 0) {
-        shadows_.drawSome(std::numeric_limits<int>::max());
+        shadows_.drawSome(std::numeric_limits<int>::max(), textures_);
     }
 }
 

@@ -11,7 +11,7 @@
 
 #include "render/binding.h"
 #include "shading/effect_choice.h"
-#include "shading/program_source.h"
+#include "shading/shadow_source.h"
 
 namespace patina {
 namespace {
@@ -46,6 +46,7 @@ const Block* shadowedLight(const Light& light, const Catalog& catalog) {
 void ShadowMaps::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
     program_.reset();
+    holes_.forget();
     layers_.clear();
 }
 
@@ -54,17 +55,21 @@ void ShadowMaps::clearCasters() {
     byMesh_.clear();
     boxes_.clear();
     serials_.clear();
+    holesOf_.clear();
+    holes_.clear();
     views_.clear();
 }
 
-void ShadowMaps::addCaster(const GpuMesh& mesh, const CasterBox& box) {
+void ShadowMaps::addCaster(const GpuMesh& mesh, const CasterBox& box, const Material& material) {
     meshes_.push_back(&mesh);
     boxes_.push_back(box);
     serials_.push_back(mesh.serial());
+    holesOf_.push_back(hasHoles(material) ? holes_.add(material) : solid);
 }
 
 Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
-                              const glm::dmat4& cameraToWorld, ProgramCache& programs) {
+                              const glm::dmat4& cameraToWorld, ProgramCache& programs,
+                              const GpuTextureStore& textures) {
     layer_ = 0;
     isBegun_ = false;
     lost_ = 0;
@@ -82,6 +87,9 @@ Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
     }
     Result<void> made = makeProgram(programs);
     if (made) {
+        made = holes_.prepare(catalog_, programs, textures);
+    }
+    if (made) {
         made = makeTexture(texels, neededLayers());
     }
     if (!made) {
@@ -94,7 +102,8 @@ Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
 }
 
 bool ShadowMaps::hasChanged() const {
-    return boxes_ != drawnBoxes_ || serials_ != drawnSerials_;
+    return boxes_ != drawnBoxes_ || serials_ != drawnSerials_ || holesOf_ != drawnHolesOf_ ||
+           holes_.hasChanged();
 }
 
 void ShadowMaps::makeViews(const Scene& scene, const Scene& effects,
@@ -148,6 +157,8 @@ void ShadowMaps::planLayers(bool allAnew) {
     if (allAnew) {
         drawnBoxes_ = boxes_;
         drawnSerials_ = serials_;
+        drawnHolesOf_ = holesOf_;
+        holes_.noteDrawn();
     }
 }
 
@@ -155,8 +166,7 @@ Result<void> ShadowMaps::makeProgram(ProgramCache& programs) {
     if (program_) {
         return {};
     }
-    const std::array<std::string, 1> files{"passes/shadow_map.frag"};
-    const auto source = passProgram(*catalog_, "passes/shadow_map.vert", files);
+    const auto source = shadowMapProgram(*catalog_);
     if (!source) {
         return tl::unexpected(source.error().front());
     }
@@ -201,7 +211,7 @@ std::int64_t ShadowMaps::pendingTriangles() const {
     return triangles * pending();
 }
 
-void ShadowMaps::drawSome(int triangles) {
+void ShadowMaps::drawSome(int triangles, GpuTextureStore& textures) {
     std::int64_t left = triangles;
     while (left > 0 && layer_ < layers_.size()) {
         Layer& layer = layers_[layer_];
@@ -214,6 +224,7 @@ void ShadowMaps::drawSome(int triangles) {
         beginLayer(layer, static_cast<int>(layer_));
         while (left > 0 && run_ < runs_.size()) {
             const Run& run = runs_[run_];
+            beginRun(layer, textures);
             const DrawRange range =
                 slices_.next(run.mesh->triangles(), run.first, run.count, left);
             run.mesh->draw(instances_, range);
@@ -242,8 +253,10 @@ void ShadowMaps::gather(const Layer& layer) {
         if (!isSeen(worldToMap, caster)) {
             continue;
         }
-        if (runs_.empty() || runs_.back().mesh != meshes_[caster]) {
-            runs_.push_back({meshes_[caster], instances_.size(), 0});
+        const bool isLike = !runs_.empty() && runs_.back().mesh == meshes_[caster] &&
+                            runs_.back().holes == holesOf_[caster];
+        if (!isLike) {
+            runs_.push_back({meshes_[caster], instances_.size(), 0, holesOf_[caster]});
         }
         ++runs_.back().count;
         instances_.add(instanceAt(boxes_[caster].world));
@@ -263,12 +276,19 @@ void ShadowMaps::beginLayer(const Layer& layer, int index) {
     glDepthFunc(GL_LESS);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    program_->use();
     if (!isBegun_) {
         glClear(GL_DEPTH_BUFFER_BIT);
         gather(layer);
     }
+}
+
+void ShadowMaps::beginRun(const Layer& layer, GpuTextureStore& textures) {
     const glm::mat4 worldToMap(shadowClip(layer.view, layer.face));
+    if (runs_[run_].holes != solid) {
+        holes_.use(runs_[run_].holes, worldToMap, textures);
+        return;
+    }
+    program_->use();
     glUniformMatrix4fv(program_->uniform("worldToMap"), 1, GL_FALSE, glm::value_ptr(worldToMap));
 }
 

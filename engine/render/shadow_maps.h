@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "gl/program.h"
 #include "render/draw_slices.h"
 #include "render/gpu_mesh.h"
+#include "render/shadow_holes.h"
 #include "render/shadow_view.h"
 #include "scene/scene.h"
 #include "shading/program_cache.h"
@@ -24,19 +26,19 @@ class ShadowMaps {
 
     /// Begins a frame: first what casts shadows, then plan().
     void clearCasters();
-    void addCaster(const GpuMesh& mesh, const CasterBox& box);
+    void addCaster(const GpuMesh& mesh, const CasterBox& box, const Material& material);
 
     /// Which maps the scene's lights need, and which of them must be drawn. The lights of `effects`
     /// say whether there are shadows, those of `scene` where they fall. Without a map, or where the
     /// error says why none can be drawn, everything is lit.
     Result<void> plan(const Scene& scene, const Scene& effects, const glm::dmat4& cameraToWorld,
-                      ProgramCache& programs);
+                      ProgramCache& programs, const GpuTextureStore& textures);
 
     /// Maps (faces) that are still to be drawn, and their triangles.
     int pending() const;
     std::int64_t pendingTriangles() const;
     /// Draws about so many triangles of them; their meshes are complete.
-    void drawSome(int triangles);
+    void drawSome(int triangles, GpuTextureStore& textures);
 
     /// By light.
     std::span<const ShadowView> views() const { return views_; }
@@ -62,6 +64,7 @@ class ShadowMaps {
     Result<void> makeTexture(int texels, int layers);
     void gather(const Layer& layer);
     void beginLayer(const Layer& layer, int index);
+    void beginRun(const Layer& layer, GpuTextureStore& textures);
     bool isSeen(const glm::dmat4& worldToMap, std::size_t caster) const;
 
     std::shared_ptr<const Catalog> catalog_;
@@ -70,18 +73,24 @@ class ShadowMaps {
     gl::Framebuffer framebuffer_;
     std::vector<ShadowView> views_;
     std::vector<Layer> layers_;
-    /// Casters of one mesh that a layer shows.
+    static constexpr std::size_t solid = std::numeric_limits<std::size_t>::max();
+
+    /// Casters of one mesh that a layer shows, all solid or one with holes.
     struct Run {
         const GpuMesh* mesh = nullptr;
         std::size_t first = 0; ///< in instances_
         std::size_t count = 0;
+        std::size_t holes = solid; ///< the number of its holes
     };
 
     std::vector<const GpuMesh*> meshes_;
     std::vector<CasterBox> boxes_;
     std::vector<std::uint64_t> serials_;
+    std::vector<std::size_t> holesOf_; ///< by caster: the number of its holes, or solid
+    ShadowHoles holes_;
     std::vector<CasterBox> drawnBoxes_;
     std::vector<std::uint64_t> drawnSerials_;
+    std::vector<std::size_t> drawnHolesOf_;
     std::vector<std::size_t> byMesh_; ///< the casters, those of one mesh together
     std::vector<Run> runs_;           ///< of the layer that is drawn
     InstanceBuffer instances_;

@@ -69,6 +69,11 @@ void addTextures(EffectSet& set, const Material& material, const Catalog& catalo
     }
 }
 
+TextureEffect textureEffect(const std::string& id, const TextureUse& use, const Material& material,
+                            const Catalog& catalog) {
+    return effectOf(id, use, textureTarget(id, use, material, catalog));
+}
+
 EffectLine lineOf(const TextureEffect& texture) {
     const std::string detail =
         texture.role == TextureRole::Normal || texture.role == TextureRole::Height

@@ -8,6 +8,6 @@ layout(location = 5) in mat3x4 objectToWorld;
 
 uniform mat4 worldToMap;
 
-void main() {
+void placeInMap() {
     gl_Position = worldToMap * vec4(vec4(position, 1.0) * objectToWorld, 1.0);
 }

@@ -205,6 +205,9 @@ class RandomScenes {
         if (chance(0.3)) {
             scene.environment = block("environment");
         }
+        if (chance(0.5)) {
+            scene.transparency = block("transparency");
+        }
         scene.ambient = chance(0.5) ? glm::dvec3(0.0) : color();
         if (chance(0.3)) {
             scene.hemisphere = {color(), color(), point(1.0)};

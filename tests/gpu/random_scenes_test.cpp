@@ -146,6 +146,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
     /// Without anything behind the objects, which is no surface and not looked at.
     void examine(Scene scene, std::uint64_t number) {
         scene.background = glm::dvec3(0.0);
+        scene.transparency.reset(); // each surface stores what was wrong with it by itself
         if (scene.environment) {
             scene.environment->parameters["background"] = std::string("hidden");
         }
