@@ -18,6 +18,7 @@
 #include "scene/mesh_path.h"
 #include "scene/primitives.h"
 #include "scene/scene_file.h"
+#include "scene/scene_limits.h"
 
 namespace patina {
 namespace {
@@ -79,7 +80,7 @@ Error meshMistake(const std::string& mesh) {
 }
 
 Errors meshMistakes(const fs::path& file, const Scene& scene) {
-    const Result<LocatedJson> document = readJson(file);
+    const Result<LocatedJson> document = readJson(file, sceneLimits);
     Errors errors;
     for (std::size_t i = 0; document && i < scene.objects.size(); ++i) {
         const Error mistake = meshMistake(scene.objects[i].mesh);
@@ -114,7 +115,7 @@ std::string formatOf(const fs::path& file) {
     if (endsWith(".patina.json")) {
         return "patina.preset";
     }
-    const Result<LocatedJson> document = readJson(file);
+    const Result<LocatedJson> document = readJson(file, sceneLimits);
     const bool says = document && document->value.is_object() &&
                       document->value.contains("format") && document->value["format"].is_string();
     return says ? document->value["format"].get<std::string>() : std::string();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include "scene/environment.h"
 #include "scene/mesh_path.h"
 #include "scene/primitives.h"
+#include "scene/scene_limits.h"
 #include "scene/scene_words.h"
 
 namespace patina {
@@ -167,8 +169,14 @@ class SceneReader {
                  fmt::format("the preset \"{}\" is not in the scene's folder", path),
                  "a relative path with forward slashes");
         }
-        Checked<PresetReading> reading = readPreset(folder_ / path, blocks_.catalog);
-        return reading ? taken(*reading) : damaged(reading.error(), path);
+        auto known = presets_.find(path);
+        if (known == presets_.end()) {
+            Checked<PresetReading> reading = readPreset(folder_ / path, blocks_.catalog);
+            known = presets_
+                        .emplace(path, reading ? taken(*reading) : damaged(reading.error(), path))
+                        .first;
+        }
+        return known->second;
     }
 
     Material taken(PresetReading& reading) {
@@ -349,6 +357,7 @@ class SceneReader {
     const std::filesystem::path& folder_;
     Errors errors_;
     SceneReading reading_;
+    std::map<std::string, Material> presets_; ///< of files that were read, each once
     JsonReader reader_;
     BlockReader blocks_;
     Json cameraUnknown_;
@@ -360,7 +369,7 @@ class SceneReader {
 } // namespace
 
 Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog) {
-    const Result<LocatedJson> document = readJson(path);
+    const Result<LocatedJson> document = readJson(path, sceneLimits);
     if (!document) {
         return tl::unexpected(Errors{document.error()});
     }
@@ -370,7 +379,7 @@ Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog
 }
 
 bool saysItIsAScene(const std::filesystem::path& path) {
-    const Result<LocatedJson> document = readJson(path);
+    const Result<LocatedJson> document = readJson(path, sceneLimits);
     if (!document || !document->value.is_object()) {
         return false;
     }

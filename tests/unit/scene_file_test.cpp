@@ -94,6 +94,27 @@ TEST_F(SceneFile, PresetFile_IsTheObjectsMaterial) {
               "From a file");
 }
 
+/// Some eleven megabytes, as an artist's own scene of so many objects has.
+TEST_F(SceneFile, TenThousandObjects_AreReadAsTheyWereWritten) {
+    Scene scene = read(plainScene())->scene;
+    scene.objects.resize(10000, scene.objects.front());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        scene.objects[i].name = std::to_string(i) + std::string(600, 'x');
+    }
+    ASSERT_TRUE(writeScene(file_, scene));
+    ASSERT_GT(std::filesystem::file_size(file_), JsonLimits().bytes);
+    const auto reading = readScene(file_, catalog());
+    ASSERT_TRUE(reading) << text(reading.error());
+    EXPECT_TRUE(reading->scene == scene);
+}
+
+TEST_F(SceneFile, MissingPresetFileOfTwoObjects_IsOneNote) {
+    json scene = plainScene();
+    scene["objects"][0]["preset"] = "nowhere.patina.json";
+    scene["objects"].push_back(scene["objects"][0]);
+    EXPECT_EQ(read(scene)->notes.size(), 1u);
+}
+
 TEST_F(SceneFile, MissingPresetFile_IsANoteThatNamesIt) {
     const auto reading = readObject({{"preset", "none.patina.json"}});
     ASSERT_TRUE(reading);
