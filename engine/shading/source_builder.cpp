@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "shading/unused_code.h"
+
 namespace patina {
 namespace {
 
@@ -154,7 +156,7 @@ Checked<ShaderSource> SourceBuilder::finish() const {
     if (!errors_.empty()) {
         return tl::unexpected(errors_);
     }
-    return source_;
+    return withoutUnused(source_);
 }
 
 } // namespace patina
