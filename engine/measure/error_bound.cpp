@@ -107,6 +107,12 @@ void moveTowardsMirror(reference::Geometry& geometry) {
     geometry.v -= step;
 }
 
+/// Whether the frame is exact in floats and picks components of vectors, so that cosines are as
+/// exact as these, however small.
+bool isUpright(const reference::Geometry& geometry) {
+    return geometry.n == glm::dvec3(0.0, 0.0, 1.0) && geometry.t == glm::dvec3(1.0, 0.0, 0.0);
+}
+
 ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
                             const ReferenceNumbers& exact) {
     reference::Geometry geometry = geometryOf(place);
@@ -117,6 +123,11 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
         }
     }
     movable.steps.assign(movable.numbers.size(), rounding);
+    if (isUpright(geometry)) {
+        for (std::size_t i = 0; i < movable.steps.size(); ++i) {
+            movable.steps[i] *= std::abs(*movable.numbers[i]);
+        }
+    }
     for (double* coordinate : {&geometry.pixel.x, &geometry.pixel.y}) {
         movable.numbers.push_back(coordinate);
         movable.steps.push_back(rounding * std::abs(*coordinate));
