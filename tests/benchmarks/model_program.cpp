@@ -12,6 +12,7 @@
 #include "measure/eval_case.h"
 #include "measure/eval_source.h"
 #include "shading/block_source.h"
+#include "shading/block_use.h"
 #include "shading/compile_log.h"
 #include "shading/source_builder.h"
 
@@ -43,7 +44,9 @@ Subject subjectOf(const Catalog& catalog, const ModelChoice& choice) {
 
 void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::string& function,
                    std::span<const SlotFill> slots) {
-    const std::vector<CompiledValue> compiled = compiledValues(block);
+    // As views do, which also look at values that may be equal.
+    const std::vector<CompiledValue> compiled =
+        useOf(*block.block, block.values, block.accuracy, {}).compiled;
     builder.add(constantsSource(*block.block));
     builder.add(structSource(*block.block));
     builder.add(unpackSource(*block.block, {function, compiled, slots}));

@@ -92,7 +92,9 @@ std::string head() {
         "the normal. One colour\nparameter at a time is at its largest and the others are black; "
         "everything else has its\ndefault, or the one choice that the row names. Choices that "
         "change nothing and colours that\nare switched off are left out. More than 1 is more than "
-        "arrived; the descriptor's exemption from\n`energy_conserving` says why.\n\nWritten by "
+        "arrived; the descriptor's exemption from\n`energy_conserving` says why. A "
+        "model that draws marks is looked at in one place of its\npattern, pixel (0, 0), where ink "
+        "and paper stand for themselves: no mean over the pattern.\n\nWritten by "
         "`PATINA_WRITE_DOCS=1 patina-stability-tests --gtest_filter='Energy.*'`.\n\n"
         "| model | part |";
     std::string rule = "| --- | --- |";
