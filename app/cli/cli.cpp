@@ -87,7 +87,12 @@ int runCommand(int argc, char** argv) {
         return 1;
     }
     std::cout.flush();
-    return status != 0 || !std::cout ? 1 : 0; // a full disk behind standard output is a failure
+    if (!std::cout) {
+        std::cerr << "patina: standard output takes no more; expected room on its disk, or a "
+                     "reader that stays\n";
+        return 1;
+    }
+    return status == 0 ? 0 : 1;
 }
 
 void report(const Errors& messages) {

@@ -209,6 +209,28 @@ void listFunctions() {
     }
 }
 
+constexpr const char* caseKeys =
+    "A case is one of these. Vectors are arrays of 3 numbers; directions point away from the\n"
+    "surface and need not be unit; parameters that are not named have their defaults.\n"
+    "  {\"model\": ID, \"l\": to the light, \"v\": to the viewer, \"n\": normal, \"t\": tangent,\n"
+    "   \"pixel\": [X, Y], \"parameters\": {ID: VALUE, ...}, \"accuracy\": {ID: LEVEL, ...},\n"
+    "   and for its slot \"fresnel\": BLOCK or \"specular\": BLOCK}\n"
+    "                              pi f cos(theta_l), R G B\n"
+    "  {\"specular\": BLOCK, \"l\": ..., \"v\": ...}\n"
+    "                              on the scale of a model\n"
+    "  {\"fresnel\": BLOCK, \"cos\": -1 .. 1}\n"
+    "                              the reflectance, R G B\n"
+    "  {\"light\": BLOCK, \"x\": point}\n"
+    "                              E/pi, R G B, and \"l\", the direction to the light\n"
+    "  {\"fog\": BLOCK, \"distance\": metres, \"eye\": point, \"direction\": vector}\n"
+    "                              the share of the surface's light that is left\n"
+    "  {\"function\": NAME, \"arguments\": [NUMBER, ...]}\n"
+    "                              what the function of the shader library gives\n"
+    "BLOCK is an id, or {\"id\": ID, \"parameters\": {...}, \"accuracy\": {...}}. Every case may have\n"
+    "an \"id\", which its answer repeats, and a \"precision\": \"double\" (the default) or \"gpu\".\n"
+    "An answer is {\"id\": ..., \"value\": ...}, or has an \"error\" in place of the value.\n"
+    "  echo '{\"model\": \"lambert\", \"l\": [0, 0, 1], \"v\": [0, 0, 1]}' | patina eval";
+
 } // namespace
 
 void addEval(CLI::App& program, int& status) {
@@ -216,6 +238,7 @@ void addEval(CLI::App& program, int& status) {
         "eval", "Evaluate models, Fresnel blocks, lights, fog and shader functions:\n"
                 "one JSON case per line on standard input, one result per line on standard output");
     auto functions = std::make_shared<bool>(false);
+    command->footer(caseKeys);
     command->add_flag("--functions", *functions, "List the shader library's functions instead");
     command->callback([functions, &status] {
         if (*functions) {

@@ -83,6 +83,12 @@ Result<bool> choosePart(Material& material, const std::string& kind, const std::
     if (!block) {
         return tl::unexpected(block.error());
     }
+    const Block* model = catalog.find("models", material.model.id);
+    if (model != nullptr && !hasPlaceFor(*model, kind)) {
+        return failure(fmt::format("{} {}: the model \"{}\" has no place for it", kind, id,
+                                   material.model.id),
+                       fmt::format("a model with a {} slot", kind));
+    }
     const BlockValues* held = material.part(kind);
     const Block* before = held == nullptr ? nullptr : catalog.find(kind, held->id);
     material = withPart(material, kind, before, *block);

@@ -147,6 +147,10 @@ Json lighten(Material& material, const Block& model) {
 
 } // namespace
 
+bool hasPlaceFor(const Block& model, std::string_view kind) {
+    return model.slot(kind) != nullptr || kind == "fresnel";
+}
+
 Material swappedModel(const Material& material, const Block& newModel, const Catalog& catalog) {
     const Block* before = catalog.find("models", material.model.id);
     if (before == nullptr) {

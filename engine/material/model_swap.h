@@ -5,6 +5,10 @@
 
 namespace patina {
 
+/// Whether a part of this kind does anything with the model: it fills a slot, or blends the sum of
+/// the lights, as Fresnel blocks do without one.
+bool hasPlaceFor(const Block& model, std::string_view kind);
+
 /// The material with another model of the catalogue: its values as withModel carries them over, and
 /// its parts as models use them. A part that filled a slot rests while the model has no such slot,
 /// where it would work on the whole surface, and comes back with the slot; so does a part that was

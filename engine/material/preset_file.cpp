@@ -8,6 +8,7 @@
 #include "catalog/suggestion.h"
 #include "material/block_values.h"
 #include "material/file_header.h"
+#include "material/model_swap.h"
 #include "material/texture_file.h"
 
 namespace patina {
@@ -90,7 +91,18 @@ class PresetReader {
                 BlockValues& values = material().parts[key];
                 values = blocks_.read(block, kind);
                 values.unknown.update(block.unknown());
+                notePlace(key);
             }
+        }
+    }
+
+    /// A part without a place changes nothing; it is kept for the next model.
+    void notePlace(const std::string& kind) {
+        const Block* model = blocks_.catalog.find("models", material().model.id);
+        if (model != nullptr && !hasPlaceFor(*model, kind)) {
+            note(reader_.pointer(kind),
+                 fmt::format("the model \"{}\" has no place for this", model->id),
+                 fmt::format("a model with a {} slot", kind));
         }
     }
 

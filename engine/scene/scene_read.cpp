@@ -27,7 +27,7 @@ using Json = nlohmann::json;
 // screen: metres, factors, linear light, powers of two, degrees.
 constexpr double farthest = 1e6;
 constexpr double largestScale = 1e6;
-constexpr double smallestScale = 1e-6;
+constexpr double smallestScale = 1e-6f; // numbers of files are floats
 constexpr double brightest = 1e6;
 
 /// The number nearest to a factor that does not flatten the object.
@@ -72,7 +72,7 @@ class SceneReader {
         const double limited = std::clamp(value, lowest, highest);
         if (limited != value) {
             value = limited;
-            noteRange(reader, key, fmt::format("{} to {}", lowest, highest));
+            noteRange(reader, key, lowest, highest);
         }
     }
 
@@ -81,14 +81,15 @@ class SceneReader {
         const glm::dvec3 limited = glm::clamp(value, lowest, highest);
         if (limited != value) {
             value = limited;
-            noteRange(reader, key, fmt::format("{} to {}", lowest, highest));
+            noteRange(reader, key, lowest, highest);
         }
     }
 
-    void noteRange(const JsonReader& reader, std::string_view key, std::string range) {
+    void noteRange(const JsonReader& reader, std::string_view key, double lowest,
+                   double highest) {
         note(reader.pointer(key),
              fmt::format("\"{}\" is outside its range and was brought into it", key),
-             std::move(range));
+             fmt::format("{} to {}", static_cast<float>(lowest), static_cast<float>(highest)));
     }
 
     void readObjects() {
@@ -123,7 +124,7 @@ class SceneReader {
                                 usableScale(object.scale.z)};
         if (usable != object.scale) {
             object.scale = usable;
-            noteRange(reader, "scale", fmt::format("{} to {}", smallestScale, largestScale));
+            noteRange(reader, "scale", smallestScale, largestScale);
         }
     }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "material/model_swap.h"
 #include "scene/transparency.h"
 #include "shading/block_use.h"
 #include "shading/effect_choice.h"
@@ -128,7 +129,7 @@ bool fillSlot(EffectSet& set, const Slot& slot, const Material& material, const 
 /// What the material chooses and the model does not call, but for what blends the sum.
 void nameUnusedParts(EffectSet& set, const Block& model, const Material& material) {
     for (const auto& [kind, values] : material.parts) {
-        if (model.slot(kind) == nullptr && kind != "fresnel") {
+        if (!hasPlaceFor(model, kind)) {
             set.leftOut.push_back({kind + '/' + values.id, "The model has no slot for it."});
         }
     }

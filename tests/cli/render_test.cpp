@@ -186,6 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Failure{{gold, "--size", "20000x20000", "-o", "-"}, "20000"},
                     Failure{{gold, "--size", "0x10", "-o", "-"}, "size"},
                     Failure{{gold, "--size", "banana", "-o", "-"}, "size"},
+                    Failure{{"--model", "phong", "--specular", "gaussian", "-o", "-"}, "no place"},
                     Failure{{gold, "--mesh", "builtin:teapot", "-o", "-"}, "teapot"},
                     Failure{{gold, "--mesh", "missing.obj", "-o", "-"}, "missing.obj"},
                     Failure{{gold, "--scene", "missing.patina-scene.json", "-o", "-"},
