@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "document.h"
+#include "material/texture_path.h"
 #include "scene/scene_file.h"
 
 namespace patina {
@@ -55,6 +56,20 @@ DocumentState withoutMaterial(DocumentState state, int object) {
     return state;
 }
 
+/// Images that will not be read from the file before its user agrees.
+Errors imagesOutside(const Material& material, const std::filesystem::path& file) {
+    Errors outside;
+    for (const auto& [key, use] : material.textures) {
+        if (!staysInFolder(imageForFile(use.file, std::filesystem::absolute(file).parent_path()))) {
+            outside.push_back({file.string(), 0, 0,
+                               "is saved, but the texture \"" + use.file +
+                                   "\" lies outside its folder: who opens it has to allow that",
+                               "images beside the file or below it"});
+        }
+    }
+    return outside;
+}
+
 QString titleOf(const std::filesystem::path& path) {
     return QString::fromStdString(path.filename().string());
 }
@@ -67,8 +82,13 @@ void Document::tell(const Errors& messages) {
     }
 }
 
+/// Absolute: what a path means must not depend on the folder that some later program starts in.
 void Document::setFile(DocumentFile file) {
     file_ = std::move(file);
+    std::error_code ignored; // it then stays as it is
+    if (const auto path = std::filesystem::absolute(file_.path, ignored); !ignored) {
+        file_.path = path.lexically_normal();
+    }
     Q_EMIT fileChanged();
 }
 
@@ -165,7 +185,10 @@ Scene Document::sceneToSave() const {
 }
 
 bool Document::mayOverwrite(const std::filesystem::path& path) {
-    if (file_.readOnly && path == file_.path) {
+    std::error_code ignored; // it is no file yet
+    const bool isSame =
+        path == file_.path || std::filesystem::equivalent(path, file_.path, ignored);
+    if (file_.readOnly && isSame) {
         Q_EMIT message({path.string(), 0, 0, "the file was written by a newer version of Patina",
                         "another file name, so that nothing in it is lost"});
         return false;
@@ -181,6 +204,9 @@ bool Document::saveScene(const std::filesystem::path& path) {
     if (!written) {
         Q_EMIT message(written.error());
         return false;
+    }
+    for (const Object& object : state_.scene.objects) {
+        tell(imagesOutside(object.material, path));
     }
     savedState_ = state_;
     isRecovered_ = false;
@@ -204,6 +230,7 @@ bool Document::savePreset(const std::filesystem::path& path, const BlockPath& of
         Q_EMIT message(written.error());
         return false;
     }
+    tell(imagesOutside(*held, path));
     if (of.side == Side::A && file_.kind != DocumentFile::Kind::Scene) {
         presetObject_ = of.index;
         setFile({DocumentFile::Kind::Preset, path, false});

@@ -26,11 +26,19 @@ QString sceneFilter() {
     return QObject::tr("Patina scenes (*.patina-scene.json)");
 }
 
+/// When a file was written; nothing where there is none.
+std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::path& file) {
+    std::error_code missing;
+    const auto time = std::filesystem::last_write_time(file, missing);
+    return missing ? std::nullopt : std::optional(time);
+}
+
 QString withSuffix(QString file, const QString& suffix) {
     if (file.isEmpty() || file.endsWith(suffix)) {
         return file;
     }
-    return file.remove(QStringLiteral(".json")) + suffix;
+    const QString json = QStringLiteral(".json");
+    return (file.endsWith(json) ? file.chopped(json.size()) : file) + suffix;
 }
 
 } // namespace
@@ -40,11 +48,14 @@ FileActions::FileActions(Document& document, MeshLibrary& meshes, Session& sessi
     : QObject(window), document_(document), meshes_(meshes), session_(session), window_(window) {
     connect(&meshes, &MeshLibrary::loaded, this, &FileActions::meshLoaded);
     connect(&meshes, &MeshLibrary::failed, this, &FileActions::meshFailed);
+    connect(&document, &Document::fileChanged, this,
+            [this] { written_ = timeOf(document_.file().path); });
 }
 
 void FileActions::newDocument() {
     if (mayLoseDocument()) {
         document_.openTemplate(defaultScene());
+        forgetMeshes();
         Q_EMIT documentReplaced();
     }
 }
@@ -55,7 +66,7 @@ bool FileActions::save() {
         return saveAs();
     }
     // Also when nothing was edited: the camera is no edit, and the file may be gone or another.
-    const bool isSaved = document_.save();
+    const bool isSaved = mayReplaceChanged(file.path) && document_.save();
     if (isSaved) {
         noteSaved(QString::fromStdString(file.path.string()));
     }
@@ -66,7 +77,10 @@ bool FileActions::saveAs() {
     const bool isPreset =
         document_.file().kind == DocumentFile::Kind::Preset && !document_.outgrewPreset();
     QString filter = isPreset ? presetFilter() : sceneFilter();
-    const QString start = session_.folder("scene") + '/' + suggestedName();
+    const std::filesystem::path folder = document_.file().path.parent_path();
+    const QString start = (folder.empty() ? session_.folder("scene")
+                                          : QString::fromStdString(folder.string())) +
+                          '/' + suggestedName();
     QString file = QFileDialog::getSaveFileName(window_, tr("Save As"), start,
                                                 sceneFilter() + ";;" + presetFilter(), &filter);
     if (file.isEmpty()) {
@@ -133,6 +147,18 @@ void FileActions::exportPreset() {
     }
 }
 
+/// Somebody else may have written the file since it was opened or saved here.
+bool FileActions::mayReplaceChanged(const std::filesystem::path& file) {
+    const auto written = timeOf(file);
+    return !written || written == written_ ||
+           QMessageBox::warning(window_, tr("Save"),
+                                tr("%1 was changed by another program since it was opened. "
+                                   "Replace it?")
+                                    .arg(QString::fromStdString(file.filename().string())),
+                                QMessageBox::Yes | QMessageBox::No,
+                                QMessageBox::No) == QMessageBox::Yes;
+}
+
 /// The dialog asked about the name that was typed, not about the one with its ending.
 bool FileActions::mayReplace(const QString& asked, const QString& file) {
     return file == asked || !QFileInfo::exists(file) ||
@@ -154,10 +180,11 @@ void FileActions::importMesh() {
 
 void FileActions::open(const QStringList& files, Side side) {
     QStringList documents;
-    QStringList panoramas; // last: an edit of the document that is opened
+    QStringList meshes;    // these and what follows belong to the document that is opened
+    QStringList panoramas;
     for (const QString& file : files) {
         if (kindOf(file) == Kind::Mesh) {
-            load(file);
+            meshes << file;
         } else if (kindOf(file) == Kind::Panorama) {
             panoramas << file;
         } else {
@@ -170,6 +197,9 @@ void FileActions::open(const QStringList& files, Side side) {
     if (!documents.isEmpty() && kindOf(documents.front()) == Kind::Preset) {
         document_.applyPreset(documents.takeFirst().toStdString(),
                               side == Side::A ? Side::B : Side::A);
+    }
+    for (const QString& mesh : meshes) {
+        load(mesh);
     }
     for (const QString& file : documents) {
         tell({file.toStdString(), 0, 0, "is not opened: there is room for one scene or preset",
@@ -275,10 +305,17 @@ void FileActions::openDocument(const QString& file) {
     const bool opened = kindOf(file) == Kind::Scene ? document_.openScene(file.toStdString())
                                                     : document_.openPreset(file.toStdString());
     if (opened) {
-        meshes_.forgetFailures();
+        forgetMeshes();
         noteFile(file);
         Q_EMIT documentReplaced();
     }
+}
+
+/// What was on its way for the former document.
+void FileActions::forgetMeshes() {
+    wanted_.clear();
+    meshes_.forgetFailures();
+    meshes_.cancelAllBut(document_.scene());
 }
 
 /// The object is added when its mesh is there; a mesh that cannot be read changes nothing.

@@ -69,6 +69,7 @@ class FileActions : public QObject {
 
   private:
     void openDocument(const QString& file);
+    void forgetMeshes();
     void load(const QString& mesh);
     void meshLoaded(const QString& mesh);
     bool showsOnlyTheStart() const;
@@ -77,6 +78,7 @@ class FileActions : public QObject {
     void noteSaved(const QString& file);
     void noteFile(const QString& file);
     bool mayReplace(const QString& asked, const QString& file);
+    bool mayReplaceChanged(const std::filesystem::path& file);
     QString questionText() const;
     QString suggestedName() const;
 
@@ -84,6 +86,7 @@ class FileActions : public QObject {
     MeshLibrary& meshes_;
     Session& session_;
     QWidget* window_;
+    std::optional<std::filesystem::file_time_type> written_; ///< the document's file, by us
     std::map<QString, Object> wanted_; ///< objects that wait for their mesh, by its file
 };
 

@@ -40,6 +40,7 @@ class MainWindow : public QMainWindow {
     PictureExport& pictures() { return *pictures_; }
     CompareArea& views() { return *views_; }
     MessageLog& messages() { return messages_; }
+    MeshLibrary& meshes() { return meshes_; }
     Autosave& autosave() { return autosave_; }
     QDockWidget* dock(const QString& name) const;
 

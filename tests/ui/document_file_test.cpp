@@ -181,4 +181,26 @@ TEST_F(DocumentFile_, PresetFromTheFuture_IsNotSavedOver) {
     EXPECT_EQ(readFile(folder / "a.patina.json"), future);
 }
 
+TEST_F(DocumentFile_, ImageOutsideTheFolder_IsSaidWhenItIsSaved) {
+    Material material = *document.material(Side::A);
+    material.textures["normal"] = textureUse("normal", (folder / "far" / "a.png").string());
+    document.replaceMaterial(Side::A, material, "Test");
+    std::filesystem::create_directories(folder / "near");
+    ASSERT_TRUE(document.savePreset(folder / "near" / "a.patina.json", Side::A));
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages.front().find("far/a.png"), std::string::npos) << messages.front();
+}
+
+TEST_F(DocumentFile_, PresetFromTheFutureUnderAnotherName_IsNotSavedOver) {
+    document.savePreset(folder / "a.patina.json", Side::A);
+    std::string future = readFile(folder / "a.patina.json");
+    const std::string version = "\n  \"version\": 1";
+    future.replace(future.find(version), version.size(), "\n  \"version\": 99");
+    writeFile(folder / "a.patina.json", future);
+    std::filesystem::create_symlink(folder.path(), folder / "same");
+    ASSERT_TRUE(document.openPreset(folder / "same" / "a.patina.json"));
+    EXPECT_FALSE(document.savePreset(folder / "a.patina.json", Side::A));
+    EXPECT_EQ(readFile(folder / "a.patina.json"), future);
+}
+
 } // namespace patina::tests

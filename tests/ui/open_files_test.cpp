@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the command line, the menu and a drop name is opened, or it is said why not.
+#include <chrono>
+
 #include <QTest>
 
+#include "ui/answer.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests {
 namespace {
+
+constexpr int limitMs = 20000;
 
 class OpenFiles : public WindowFixture {
   protected:
@@ -45,6 +50,47 @@ TEST_F(OpenFiles, SceneBesideAPreset_IsNamedAsNotOpened) {
 TEST_F(OpenFiles, ThirdPreset_IsNamedAsNotOpened) {
     window().files().open({presetFile(), presetFile(), "third.patina.json"}, Side::A);
     EXPECT_NE(messages().find("third.patina.json"), std::string::npos) << messages();
+}
+
+TEST_F(OpenFiles, RelativePath_StaysTheSameFileElsewhere) {
+    sceneFile("here.patina-scene.json");
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(home("."));
+    window().files().open({"here.patina-scene.json"}, Side::A);
+    std::filesystem::current_path(before);
+    EXPECT_EQ(document().file().path, home("here.patina-scene.json"));
+}
+
+TEST_F(OpenFiles, MeshOnItsWayWhenAnotherDocumentCame_IsNotAddedToIt) {
+    writeFile(home("late.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    window().files().open({QString::fromStdString(home("late.obj").string())}, Side::A);
+    window().files().newDocument();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !window().meshes().isLoading(); }, limitMs));
+    newFrames();
+    EXPECT_EQ(document().scene().objects.size(), 1u);
+    EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(OpenFiles, FileChangedByAnotherProgram_IsAskedAboutBeforeItIsReplaced) {
+    const QString scene = sceneFile("ours.patina-scene.json");
+    window().files().open({scene}, Side::A);
+    writeFile(home("ours.patina-scene.json"), "theirs");
+    std::filesystem::last_write_time(home("ours.patina-scene.json"),
+                                     std::filesystem::file_time_type::clock::now() +
+                                         std::chrono::seconds(5));
+    const Answer no(QMessageBox::No);
+    EXPECT_FALSE(window().files().save());
+    EXPECT_TRUE(no.wasAsked());
+    EXPECT_EQ(readFile(home("ours.patina-scene.json")), "theirs");
+}
+
+TEST_F(OpenFiles, FileThatOnlyWeWrote_IsReplacedWithoutAQuestion) {
+    const QString scene = sceneFile("ours.patina-scene.json");
+    window().files().open({scene}, Side::A);
+    const Answer no(QMessageBox::No);
+    EXPECT_TRUE(window().files().save());
+    EXPECT_TRUE(window().files().save());
+    EXPECT_FALSE(no.wasAsked());
 }
 
 } // namespace

@@ -10,11 +10,7 @@ BlockChooser::BlockChooser(Document& document, const QString& kind, Off off, QWi
 
 BlockChooser::BlockChooser(Document& document, const QString& kind, const QString& off,
                            QWidget* parent)
-    : QComboBox(parent), document_(document), kind_(kind), off_(off) {
-    setFocusPolicy(Qt::StrongFocus);
-    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    setMinimumContentsLength(8); // or a long name would make the dock wide
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    : ChoiceBox(parent), document_(document), kind_(kind), off_(off) {
     connect(this, &QComboBox::activated, this,
             [this](int index) { Q_EMIT chosen(itemData(index).toString()); });
     connect(&document, &Document::catalogChanged, this, &BlockChooser::fill);

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QComboBox>
-
 #include "document.h"
+#include "parameters/choice_box.h"
 
 namespace patina {
 
 /// A list of all blocks of one kind, with "Off" on top where there may be none. It shows what the
 /// document has and asks for another one; it changes nothing itself.
-class BlockChooser : public QComboBox {
+class BlockChooser : public ChoiceBox {
     Q_OBJECT
 
   public:

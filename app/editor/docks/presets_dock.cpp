@@ -13,6 +13,7 @@
 
 #include "docks/panel.h"
 #include "docks/picture_grid.h"
+#include "docks/search_box.h"
 #include "document.h"
 #include "file_actions.h"
 #include "library/preset_library.h"
@@ -63,7 +64,7 @@ QString nameOf(const PresetEntry& entry) {
 
 PresetsDock::PresetsDock(const DockContext& context)
     : document_(context.document), files_(context.files), presets_(context.presets),
-      thumbnails_(context.thumbnails), search_(new QLineEdit(this)), hint_(hintLabel(this)),
+      thumbnails_(context.thumbnails), search_(new SearchBox(this)), hint_(hintLabel(this)),
       grid_(new PictureGrid(pictureSize, this)) {
     auto* save = textButton(tr("Save…"), tr("Save the active material as a preset of your own"),
                             this);

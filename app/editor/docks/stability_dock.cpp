@@ -38,7 +38,7 @@ QString verdictOf(const StabilityOutcome& outcome) {
         return StabilityDock::tr("Could not be checked: %1").arg(outcome.problems.join(' '));
     }
     if (!outcome.failures.empty()) {
-        return outcome.complete ? StabilityDock::tr("It breaks: %1").arg(cases)
+        return outcome.complete ? StabilityDock::tr("It breaks (%1 tried)").arg(cases)
                                 : StabilityDock::tr("Stopped after %1: it breaks").arg(cases);
     }
     return outcome.complete

@@ -5,6 +5,14 @@
 
 namespace patina {
 
+bool asksForUndo(const QEvent& event) {
+    if (event.type() != QEvent::ShortcutOverride) {
+        return false;
+    }
+    const auto& press = static_cast<const QKeyEvent&>(event);
+    return press.matches(QKeySequence::Undo) || press.matches(QKeySequence::Redo);
+}
+
 ValueBox::ValueBox(QWidget* parent) : QLineEdit(parent) {
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setContextMenuPolicy(Qt::NoContextMenu); // the row has one
@@ -22,12 +30,9 @@ QSize ValueBox::sizeHint() const {
 }
 
 bool ValueBox::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
-        const auto* press = static_cast<QKeyEvent*>(event);
-        if (press->matches(QKeySequence::Undo) || press->matches(QKeySequence::Redo)) {
-            event->ignore();
-            return false;
-        }
+    if (!isModified() && asksForUndo(*event)) {
+        event->ignore();
+        return false;
     }
     return QLineEdit::event(event);
 }

@@ -94,6 +94,16 @@ void MeshLibrary::cancelAll() {
     }
 }
 
+void MeshLibrary::cancelAllBut(const Scene& scene) {
+    for (const auto& [key, progress] : loading_) {
+        if (std::ranges::none_of(scene.objects, [&](const Object& object) {
+                return keyOf(object) == key;
+            })) {
+            progress->cancelled = true;
+        }
+    }
+}
+
 void MeshLibrary::forgetFailures() {
     failures_.clear();
 }

@@ -42,6 +42,9 @@ class MeshLibrary : public QObject {
     /// Gives up on everything that is loading.
     void cancelAll();
 
+    /// Gives up on what is loading and is in no object of the scene.
+    void cancelAllBut(const Scene& scene);
+
     /// The files process, for whoever else has files to read.
     AssetClient& client();
 
