@@ -70,7 +70,7 @@ TEST(EnvironmentOption, PictureOfASceneThatIsGone_IsAWarningAndAPlaceholder) {
 }
 
 TEST(EnvironmentOption, Effects_NameIt) {
-    const Outcome outcome = patina({"effects", gold, "--environment", "studio"});
+    const Outcome outcome = patina({"effects", gold, "--environment", "studio", "--no-cost"});
     EXPECT_NE(outcome.out.find("environment/studio"), std::string::npos) << outcome.out;
 }
 
