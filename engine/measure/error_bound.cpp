@@ -107,10 +107,10 @@ void moveTowardsMirror(reference::Geometry& geometry) {
     geometry.v -= step;
 }
 
-/// Whether the frame is exact in floats and picks components of vectors, so that cosines are as
-/// exact as these, however small.
+/// Whether the normal is exact in floats and picks a component of vectors, so that cosines with it
+/// are as exact as that component, however small. Grains turn the other two.
 bool isUpright(const reference::Geometry& geometry) {
-    return geometry.n == glm::dvec3(0.0, 0.0, 1.0) && geometry.t == glm::dvec3(1.0, 0.0, 0.0);
+    return geometry.n == glm::dvec3(0.0, 0.0, 1.0);
 }
 
 ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
@@ -124,8 +124,11 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
     }
     movable.steps.assign(movable.numbers.size(), rounding);
     if (isUpright(geometry)) {
-        for (std::size_t i = 0; i < movable.steps.size(); ++i) {
-            movable.steps[i] *= std::abs(*movable.numbers[i]);
+        for (double* number : {&geometry.l.z, &geometry.v.z, &geometry.n.x, &geometry.n.y,
+                               &geometry.n.z}) {
+            const auto place = std::ranges::find(movable.numbers, number);
+            movable.steps[static_cast<std::size_t>(place - movable.numbers.begin())] *=
+                std::abs(*number);
         }
     }
     for (double* coordinate : {&geometry.pixel.x, &geometry.pixel.y}) {

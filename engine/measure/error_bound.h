@@ -8,10 +8,12 @@ namespace patina {
 /// How far a float result may be from the double-precision one on the same float inputs:
 /// (16 noise + 32 * 2^-24) |value| + 1e-30. noise |value| is what the exact value changes by when
 /// its inputs move by half a unit in the last place of a float: the sum of the changes as each
-/// moves in turn, or, where that is larger, the change as all move together. That is 2^-24 for a
-/// cosine and for each component of the unit vectors that a model is given (whose lengths are
-/// therefore not exactly 1, as in the shader), and 2^-24 of itself for a point, a distance or a
-/// parameter. What is a choice or a whole number does not move.
+/// moves in turn, or, where that is larger, the change as all move together, or as light and viewer
+/// move towards mirror directions, where a lobe may be narrower than a rounding. That is 2^-24 for
+/// a cosine and for each component of the unit vectors that a model is given (whose lengths are
+/// therefore not exactly 1, as in the shader), and 2^-24 of itself for a point, a distance, a
+/// parameter, and a component along a normal that is (0, 0, 1): such a cosine is exact, however
+/// small. What is a choice or a whole number does not move.
 class ErrorBound {
   public:
     /// `request` says what the values mean; it must outlive the bound.
