@@ -126,8 +126,8 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
     if (isUpright(geometry)) {
         for (double* number : {&geometry.l.z, &geometry.v.z, &geometry.n.x, &geometry.n.y,
                                &geometry.n.z}) {
-            const auto place = std::ranges::find(movable.numbers, number);
-            movable.steps[static_cast<std::size_t>(place - movable.numbers.begin())] *=
+            const auto at = std::ranges::find(movable.numbers, number);
+            movable.steps[static_cast<std::size_t>(at - movable.numbers.begin())] *=
                 std::abs(*number);
         }
     }
