@@ -44,7 +44,6 @@ TEST_F(TransparencyInTheWindow, Chosen_IsShownAndUndoneInOneStep) {
 TEST_F(TransparencyInTheWindow, ChosenAgain_HasItsValues) {
     document().setTransparency("peeled");
     document().setValue(document().currentPath(BlockPath::Part::Transparency), "layers", 3);
-    document().setTransparency("weighted");
     document().setTransparency("");
     document().setTransparency("peeled");
     EXPECT_EQ(document().scene().transparency->parameters.at("layers"), Value(3));
