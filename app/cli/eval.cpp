@@ -210,26 +210,26 @@ void listFunctions() {
 }
 
 constexpr const char* caseKeys =
-    "A case is one of these. Vectors are arrays of 3 numbers; directions point away from the\n"
-    "surface and need not be unit; parameters that are not named have their defaults.\n"
-    "  {\"model\": ID, \"l\": to the light, \"v\": to the viewer, \"n\": normal, \"t\": tangent,\n"
-    "   \"pixel\": [X, Y], \"parameters\": {ID: VALUE, ...}, \"accuracy\": {ID: LEVEL, ...},\n"
-    "   and for its slot \"fresnel\": BLOCK or \"specular\": BLOCK}\n"
-    "                              pi f cos(theta_l), R G B\n"
-    "  {\"specular\": BLOCK, \"l\": ..., \"v\": ...}\n"
-    "                              on the scale of a model\n"
-    "  {\"fresnel\": BLOCK, \"cos\": -1 .. 1}\n"
-    "                              the reflectance, R G B\n"
-    "  {\"light\": BLOCK, \"x\": point}\n"
-    "                              E/pi, R G B, and \"l\", the direction to the light\n"
-    "  {\"fog\": BLOCK, \"distance\": metres, \"eye\": point, \"direction\": vector}\n"
-    "                              the share of the surface's light that is left\n"
-    "  {\"function\": NAME, \"arguments\": [NUMBER, ...]}\n"
-    "                              what the function of the shader library gives\n"
-    "BLOCK is an id, or {\"id\": ID, \"parameters\": {...}, \"accuracy\": {...}}. Every case may have\n"
-    "an \"id\", which its answer repeats, and a \"precision\": \"double\" (the default) or \"gpu\".\n"
-    "An answer is {\"id\": ..., \"value\": ...}, or has an \"error\" in place of the value.\n"
-    "  echo '{\"model\": \"lambert\", \"l\": [0, 0, 1], \"v\": [0, 0, 1]}' | patina eval";
+    R"(A case is one of these. Vectors are arrays of 3 numbers; directions point away from the
+surface and need not be unit; parameters that are not named have their defaults.
+  {"model": ID, "l": to the light, "v": to the viewer, "n": normal, "t": tangent,
+   "pixel": [X, Y], "parameters": {ID: VALUE, ...}, "accuracy": {ID: LEVEL, ...},
+   and for its slot "fresnel": BLOCK or "specular": BLOCK}
+                              pi f cos(theta_l), R G B
+  {"specular": BLOCK, "l": ..., "v": ...}
+                              on the scale of a model
+  {"fresnel": BLOCK, "cos": -1 .. 1}
+                              the reflectance, R G B
+  {"light": BLOCK, "x": point}
+                              E/pi, R G B, and "l", the direction to the light
+  {"fog": BLOCK, "distance": metres, "eye": point, "direction": vector}
+                              the share of the surface's light that is left
+  {"function": NAME, "arguments": [NUMBER, ...]}
+                              what the function of the shader library gives
+BLOCK is an id, or {"id": ID, "parameters": {...}, "accuracy": {...}}. Every case may have
+an "id", which its answer repeats, and a "precision": "double" (the default) or "gpu".
+An answer is {"id": ..., "value": ...}, or has an "error" in place of the value.
+  echo '{"function": "sqr", "arguments": [3]}' | patina eval)";
 
 } // namespace
 

@@ -46,8 +46,8 @@ TEST(UnusedCode, StructsConstantsAndMacros_StayWhereTheyAreRead) {
 }
 
 TEST(UnusedCode, InputsOutputsAndUniforms_AlwaysStay) {
-    const std::string text = "#version 410 core\nlayout(std140) uniform Block {\n    vec4 data[2];\n"
-                             "};\nuniform sampler2D image;\nin vec3 place;\nout vec4 color;\n"
+    const std::string text = "#version 410 core\nlayout(std140) uniform Block {\n"
+                             "    vec4 data[2];\n};\nuniform sampler2D image;\nin vec3 place;\nout vec4 color;\n"
                              "void main() {}\n";
     EXPECT_EQ(kept(text), text);
 }
