@@ -108,9 +108,15 @@ void moveTowardsMirror(reference::Geometry& geometry) {
 }
 
 /// Whether the normal is exact in floats and picks a component of vectors, so that cosines with it
-/// are as exact as that component, however small. Grains turn the other two.
-bool isUpright(const reference::Geometry& geometry) {
-    return geometry.n == glm::dvec3(0.0, 0.0, 1.0);
+/// are as exact as that component, however small. A grain mixes the other two with their roundings.
+bool hasExactCosines(const ReferenceCase& bound, const reference::Geometry& geometry,
+                     const ReferenceNumbers& exact) {
+    if (geometry.n != glm::dvec3(0.0, 0.0, 1.0)) {
+        return false;
+    }
+    reference::Geometry turned = geometry;
+    turned.t = {-geometry.t.y, geometry.t.x, geometry.t.z};
+    return bound.evaluate(turned) == exact;
 }
 
 ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
@@ -123,7 +129,7 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
         }
     }
     movable.steps.assign(movable.numbers.size(), rounding);
-    if (isUpright(geometry)) {
+    if (hasExactCosines(bound, geometry, exact)) {
         for (double* number : {&geometry.l.z, &geometry.v.z, &geometry.n.x, &geometry.n.y,
                                &geometry.n.z}) {
             const auto at = std::ranges::find(movable.numbers, number);

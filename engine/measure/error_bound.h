@@ -12,8 +12,8 @@ namespace patina {
 /// move towards mirror directions, where a lobe may be narrower than a rounding. That is 2^-24 for
 /// a cosine and for each component of the unit vectors that a model is given (whose lengths are
 /// therefore not exactly 1, as in the shader), and 2^-24 of itself for a point, a distance, a
-/// parameter, and a component along a normal that is (0, 0, 1): such a cosine is exact, however
-/// small. What is a choice or a whole number does not move.
+/// parameter, and a component along a normal that is (0, 0, 1) where no grain matters: such a
+/// cosine is exact, however small. What is a choice or a whole number does not move.
 class ErrorBound {
   public:
     /// `request` says what the values mean; it must outlive the bound.

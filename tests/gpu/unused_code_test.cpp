@@ -47,8 +47,8 @@ TEST(UnusedCode, StructsConstantsAndMacros_StayWhereTheyAreRead) {
 
 TEST(UnusedCode, InputsOutputsAndUniforms_AlwaysStay) {
     const std::string text = "#version 410 core\nlayout(std140) uniform Block {\n"
-                             "    vec4 data[2];\n};\nuniform sampler2D image;\nin vec3 place;\nout vec4 color;\n"
-                             "void main() {}\n";
+                             "    vec4 data[2];\n};\nuniform sampler2D image;\nin vec3 place;\n"
+                             "out vec4 color;\nvoid main() {}\n";
     EXPECT_EQ(kept(text), text);
 }
 
