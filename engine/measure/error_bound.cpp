@@ -114,9 +114,13 @@ bool hasExactCosines(const ReferenceCase& bound, const reference::Geometry& geom
     if (geometry.n != glm::dvec3(0.0, 0.0, 1.0)) {
         return false;
     }
-    reference::Geometry turned = geometry;
-    turned.t = {-geometry.t.y, geometry.t.x, geometry.t.z};
-    return bound.evaluate(turned) == exact;
+    constexpr glm::dvec3 grains[] = {{1.0, 0.0, 0.0}, {0.6, 0.8, 0.0}};
+    return std::ranges::all_of(grains, [&](const glm::dvec3& grain) {
+        reference::Geometry turned =
+            reference::geometry(geometry.n, grain, geometry.l, geometry.v);
+        turned.pixel = geometry.pixel;
+        return bound.evaluate(turned) == exact;
+    });
 }
 
 ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
