@@ -48,7 +48,8 @@ GpuMesh::Array& GpuMesh::arrayFor(const InstanceBuffer& instances) const {
     }
     // Buffers that nobody fills any more.
     std::erase_if(arrays_, [](const Array& array) { return array.instances.use_count() == 1; });
-    Array& made = arrays_.emplace_back(instances.buffer(), 0, makeArray());
+    arrays_.push_back({instances.buffer(), 0, makeArray()});
+    Array& made = arrays_.back();
     made.array.instanced(Instance::firstAttribute, *made.instances, Instance::attributes, 0);
     return made;
 }

@@ -96,9 +96,10 @@ void MeshLibrary::cancelAll() {
 
 void MeshLibrary::cancelAllBut(const Scene& scene) {
     for (const auto& [key, progress] : loading_) {
-        if (std::ranges::none_of(scene.objects, [&](const Object& object) {
-                return keyOf(object) == key;
-            })) {
+        const auto isOfKey = [&wanted = key](const Object& object) {
+            return keyOf(object) == wanted;
+        };
+        if (std::ranges::none_of(scene.objects, isOfKey)) {
             progress->cancelled = true;
         }
     }
