@@ -94,9 +94,7 @@ std::string_view nameOf(std::string_view text) {
     if (words.size() < 2) {
         return {};
     }
-    const bool isMacro = text.starts_with('#');
-    if (isMacro) {
-        addWords(text, words);
+    if (text.starts_with('#')) {
         return words[0] == "define" || words[0] == "undef" ? words[1] : std::string_view();
     }
     if (words[0] == "struct") {

@@ -26,6 +26,16 @@ struct DocumentFile_ : testing::Test {
         QObject::connect(&document, &Document::message,
                          [this](const Error& error) { messages.push_back(error.text()); });
     }
+
+    /// a.patina.json as a newer version of Patina would write it.
+    std::string writeFuturePreset() {
+        EXPECT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+        std::string future = readFile(folder / "a.patina.json");
+        const std::string version = "\n  \"version\": 1";
+        future.replace(future.find(version), version.size(), "\n  \"version\": 99");
+        writeFile(folder / "a.patina.json", future);
+        return future;
+    }
 };
 
 } // namespace
@@ -170,11 +180,7 @@ TEST_F(DocumentFile_, MissingFolder_SaysSo) {
 }
 
 TEST_F(DocumentFile_, PresetFromTheFuture_IsNotSavedOver) {
-    document.savePreset(folder / "a.patina.json", Side::A);
-    std::string future = readFile(folder / "a.patina.json");
-    const std::string version = "\n  \"version\": 1";
-    future.replace(future.find(version), version.size(), "\n  \"version\": 99");
-    writeFile(folder / "a.patina.json", future);
+    const std::string future = writeFuturePreset();
     ASSERT_TRUE(document.openPreset(folder / "a.patina.json"));
     EXPECT_TRUE(document.file().readOnly);
     EXPECT_FALSE(document.save());
@@ -192,11 +198,7 @@ TEST_F(DocumentFile_, ImageOutsideTheFolder_IsSaidWhenItIsSaved) {
 }
 
 TEST_F(DocumentFile_, PresetFromTheFutureUnderAnotherName_IsNotSavedOver) {
-    document.savePreset(folder / "a.patina.json", Side::A);
-    std::string future = readFile(folder / "a.patina.json");
-    const std::string version = "\n  \"version\": 1";
-    future.replace(future.find(version), version.size(), "\n  \"version\": 99");
-    writeFile(folder / "a.patina.json", future);
+    const std::string future = writeFuturePreset();
     std::filesystem::create_symlink(folder.path(), folder / "same");
     ASSERT_TRUE(document.openPreset(folder / "same" / "a.patina.json"));
     EXPECT_FALSE(document.savePreset(folder / "a.patina.json", Side::A));
