@@ -21,8 +21,9 @@ using Clock = std::chrono::steady_clock;
 /// What a frame of a window takes of images into the GPU's memory: some milliseconds.
 constexpr std::size_t textureBytesAtOnce = std::size_t(8) << 20;
 
-/// So long a frame may take that might be a quick one.
-constexpr std::chrono::milliseconds firstPatience{80};
+/// So long a frame may take that might be a quick one, with the images it is drawn into. What
+/// shows it in the window takes some 40 ms more on a slow screen.
+constexpr std::chrono::milliseconds firstPatience{40};
 
 /// A whole frame that takes no longer needs no sketch, which has about this share of its work.
 constexpr std::chrono::milliseconds longestQuick{48};
@@ -83,9 +84,7 @@ class Renderer::Implementation : public FrameDrawer {
         }
     }
 
-    bool goOn(std::chrono::milliseconds patience) {
-        return proceed(steppedScene, steppedView, Clock::now() + patience);
-    }
+    bool goOn(Clock::time_point limit) { return proceed(steppedScene, steppedView, limit); }
 
     /// Half as wide and high as the view, with one sample per pixel. False where so many triangles
     /// are seen that this would take hardly less.
@@ -165,6 +164,7 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
     implementation_->endInspection();
     implementation_->endSketch();
     implementation_->limitTextures(textureBytesAtOnce);
+    const Clock::time_point limit = Clock::now() + firstPatience;
     if (!implementation_->begin(scene, view, meshes)) {
         return true;
     }
@@ -176,7 +176,8 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
         return true;
     }
     implementation_->keep(scene, view);
-    const bool isDone = !isLarge && pace == FrameBands::Pace::Unknown && proceed(firstPatience);
+    const bool isDone = !isLarge && pace == FrameBands::Pace::Unknown &&
+                        implementation_->goOn(limit);
     if (isDone) {
         show(framebuffer);
     }
@@ -207,7 +208,7 @@ Renderer::Sketch Renderer::sketch(const Scene& scene, const View& view, const Me
 }
 
 bool Renderer::proceed(std::chrono::milliseconds patience) {
-    return implementation_->goOn(patience);
+    return implementation_->goOn(Clock::now() + patience);
 }
 
 void Renderer::show(unsigned framebuffer) {
