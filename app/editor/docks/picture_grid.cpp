@@ -54,12 +54,13 @@ void PictureGrid::setEntries(const std::vector<Entry>& entries) {
     const int inSight = verticalScrollBar()->value();
     clear();
     wished_.clear();
+    const QIcon empty(emptyPicture()); // one for all: a library may hold thousands
     for (const Entry& entry : entries) {
         auto* item = new QListWidgetItem(entry.name, this);
         item->setData(keyRole, entry.key);
         item->setData(fileRole, entry.file);
         item->setToolTip(entry.toolTip);
-        item->setIcon(pictures_.value(entry.key, QIcon(emptyPicture())));
+        item->setIcon(pictures_.value(entry.key, empty));
         if (entry.file.isEmpty()) {
             item->setFlags(item->flags() & ~Qt::ItemIsDragEnabled);
         }
