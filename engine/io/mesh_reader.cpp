@@ -13,6 +13,7 @@
 #include "io/mesh_finisher.h"
 #include "io/obj_reader.h"
 #include "io/ply_header.h"
+#include "io/text_file.h"
 
 namespace patina {
 namespace {
@@ -37,6 +38,17 @@ bool isUtf16Text(const std::filesystem::path& file, const std::string& format) {
            (found == "\xff\xfe" || found == "\xfe\xff");
 }
 
+/// Assimp looks past a byte order mark in the other formats.
+bool hasTextThatMarksHoldUp(const std::string& format) {
+    return format == ".ply" || format == ".fbx";
+}
+
+Result<RawMesh> readGeneralObj(const std::filesystem::path& file, const ReportProgress& report) {
+    return objForAssimp(file).and_then([&](const std::optional<std::string>& text) {
+        return text ? readWithAssimp(file, *text, report) : readWithAssimp(file, report);
+    });
+}
+
 Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportProgress& report) {
     const std::string format = formatOf(file);
     if (isUtf16Text(file, format)) {
@@ -49,9 +61,7 @@ Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportPro
         if (auto mesh = readPlainObj(file, report)) {
             return std::move(*mesh);
         }
-        if (const auto text = objForAssimp(file)) {
-            return readWithAssimp(file, *text, report);
-        }
+        return readGeneralObj(file, report);
     }
     if (format == ".gltf" || format == ".glb") {
         auto mesh = readGltf(file, report);
@@ -62,7 +72,9 @@ Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportPro
             return std::move(**mesh);
         }
     }
-    return readWithAssimp(file, report);
+    const bool isHeldUp = hasTextThatMarksHoldUp(format) && startsWithMark(file);
+    const auto text = isHeldUp ? textOf(file) : std::nullopt;
+    return text ? readWithAssimp(file, *text, report) : readWithAssimp(file, report);
 }
 
 } // namespace

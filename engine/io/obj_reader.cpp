@@ -2,7 +2,6 @@
 #include "io/obj_reader.h"
 
 #include <algorithm>
-#include <fstream>
 #include <istream>
 #include <iterator>
 #include <streambuf>
@@ -11,7 +10,9 @@
 
 #include <tiny_obj_loader.h>
 
+#include "io/obj_commas.h"
 #include "io/obj_dialect.h"
+#include "io/text_file.h"
 
 namespace patina {
 namespace {
@@ -41,18 +42,6 @@ class ReportedText final : public std::streambuf {
     const ReportProgress& report_;
     std::size_t taken_ = 0;
 };
-
-/// Nothing when the file is empty or cannot be read.
-std::optional<std::string> textOf(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary | std::ios::ate);
-    const auto size = stream.tellg();
-    if (!stream || size <= 0) {
-        return std::nullopt;
-    }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    stream.seekg(0).read(text.data(), size);
-    return stream ? std::optional(std::move(text)) : std::nullopt;
-}
 
 struct Obj {
     tinyobj::attrib_t attributes;
@@ -154,9 +143,18 @@ std::optional<RawMesh> readPlainObj(const std::filesystem::path& file,
     return whole ? std::optional(std::move(mesh)) : std::nullopt;
 }
 
-std::optional<std::string> objForAssimp(const std::filesystem::path& file) {
-    const std::optional<std::string> text = textOf(file);
-    return text ? withLeadingZeros(*text) : std::nullopt;
+Result<std::optional<std::string>> objForAssimp(const std::filesystem::path& file) {
+    std::optional<std::string> text = textOf(file);
+    if (!text) {
+        return text;
+    }
+    if (const auto comma = unclearComma(*text)) {
+        return tl::unexpected(*comma);
+    }
+    if (auto whole = withLeadingZeros(*text)) {
+        return whole;
+    }
+    return startsWithMark(file) ? std::move(text) : std::nullopt;
 }
 
 } // namespace patina

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/error.h"
 #include "io/raw_mesh.h"
 #include "io/report_progress.h"
 
@@ -17,8 +18,8 @@ namespace patina {
 std::optional<RawMesh> readPlainObj(const std::filesystem::path& file,
                                     const ReportProgress& report);
 
-/// An OBJ file's text as Assimp understands it (see withLeadingZeros); nothing when it does so as
-/// the file stands.
-std::optional<std::string> objForAssimp(const std::filesystem::path& file);
+/// An OBJ file's text as Assimp understands it (see withLeadingZeros; without a byte order mark);
+/// nothing when it does so as the file stands. An error where its numbers cannot be told.
+Result<std::optional<std::string>> objForAssimp(const std::filesystem::path& file);
 
 } // namespace patina

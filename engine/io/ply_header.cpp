@@ -4,6 +4,8 @@
 #include <fstream>
 #include <string>
 
+#include "io/text_file.h"
+
 namespace patina {
 namespace {
 
@@ -16,6 +18,9 @@ bool hasWholePlyHeader(const std::filesystem::path& file) {
     std::string start(longestHeader, '\0');
     stream.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<std::size_t>(stream.gcount()));
+    if (start.starts_with(byteOrderMark)) {
+        start.erase(0, byteOrderMark.size());
+    }
     const std::size_t end = start.find("end_header");
     return start.starts_with("ply") && end != std::string::npos &&
            start.find_first_of("\r\n", end) != std::string::npos;
