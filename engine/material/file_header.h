@@ -26,6 +26,7 @@ Checked<Reading> settled(Reading reading, Errors errors) {
         return reading;
     }
     if (!reading.readOnly) {
+        errors.insert(errors.end(), reading.notes.begin(), reading.notes.end());
         sortByPlace(errors);
         return tl::unexpected(std::move(errors));
     }

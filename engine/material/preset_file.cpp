@@ -10,6 +10,7 @@
 #include "material/file_header.h"
 #include "material/model_swap.h"
 #include "material/texture_file.h"
+#include "material/texture_key.h"
 
 namespace patina {
 namespace {
@@ -34,6 +35,7 @@ class PresetReader {
         readAccuracy();
         const TextureReading textures = readTextures(reader_, folder(), reading_.notes);
         material().textures = textures.uses;
+        noteTextures();
         material().unknown = reader_.unknown();
         if (!textures.unknown.empty()) {
             material().unknown["textures"] = textures.unknown;
@@ -150,6 +152,15 @@ class PresetReader {
                      oneOf(level, levels));
             }
             level = levels.front();
+        }
+    }
+
+    void noteTextures() {
+        for (const auto& [key, use] : material().textures) {
+            if (const auto why = whyNoImage(key, material(), blocks_.catalog)) {
+                note(reader_.pointer("textures") + '/' + escapedToken(key), why->problem,
+                     why->expected);
+            }
         }
     }
 

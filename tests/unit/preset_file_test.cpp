@@ -22,11 +22,13 @@ Catalog testCatalog() {
     BlockFolder folder;
     json model = plainDescriptor("velvet");
     model["version"] = 2;
+    json color = parameter("color", "color", {0.5, 0.5, 0.5});
+    color["texture"] = {"rgb"};
     json lobe = parameter("lobe", "enum", "wide");
     lobe["values"] = {{{"id", "wide"}, {"label", "W"}}, {{"id", "narrow"}, {"label", "N"}}};
     json fuzz = parameter("fuzz", "float", 0.25);
     fuzz["migrations"] = {{{"from", "hair"}, {"until", 1}}};
-    model["parameters"] = {parameter("color", "color", {0.5, 0.5, 0.5}), lobe, fuzz,
+    model["parameters"] = {color, lobe, fuzz,
                            parameter("soft", "bool", true)};
     model["accuracy"] = {
         {{"id", "sum"},
@@ -106,6 +108,37 @@ TEST(ReadPreset, SeveralMistakes_AreAllReported) {
     const auto read = reading({{"name", 5}, {"opacity", "x"}, {"parameters", {{"soft", 1}}}});
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().size(), 3u);
+}
+
+TEST(ReadPreset, NoteBesideAMistake_IsReportedToo) {
+    const auto read = reading({{"parameters", {{"soft", 1}, {"lobe", "narow"}}}});
+    ASSERT_FALSE(read);
+    EXPECT_NE(text(read.error()).find("\"narow\" is no choice of \"lobe\""), std::string::npos);
+}
+
+json imageOn(const std::string& key) {
+    return {{"textures", {{key, {{"file", "wood.png"}}}}}};
+}
+
+TEST(ReadPreset, ImageOnAValueThatTakesOne_HasNoNotes) {
+    EXPECT_EQ(messages(imageOn("color")), "");
+}
+
+TEST(ReadPreset, ImageOnAnUnknownValue_IsANote) {
+    EXPECT_EQ(messages(imageOn("colour")),
+              "the material has no value \"colour\" that takes an image; it is kept as it is; "
+              "expected 'color', or one of normal, height, opacity, color\n");
+}
+
+TEST(ReadPreset, ImageOnAValueThatTakesNone_IsANote) {
+    EXPECT_NE(messages(imageOn("fuzz")).find("no value \"fuzz\" that takes an image"),
+              std::string::npos);
+}
+
+TEST(ReadPreset, ImageOnAnUnknownModelsValue_IsNotDoubted) {
+    json changes = imageOn("sheen");
+    changes["model"] = {{"id", "silk"}};
+    EXPECT_EQ(messages(changes).find("takes an image"), std::string::npos) << messages(changes);
 }
 
 TEST(ReadPreset, OutOfRange_IsBroughtInWithANote) {
