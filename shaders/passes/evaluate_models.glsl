@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-// A model's pi f cos(theta_l), not cut at 0: who looks for mistakes must see what the model gave.
+// A model's pi f cos(theta_l), not cut at 0: who looks for mistakes must see what the model gave,
+// and `patina eval` cuts what it answers.
 // Texels: n and the x of the pixel, t and its y, l, v, then the parameters. The program defines
 // EVALUATED_BLOCK, the model's function, and LIGHT_GATE and VIEW_GATE.
 #include "lib/directions.glsl"

@@ -99,5 +99,18 @@ TEST_F(NewModel, EvalOnTheGpu_GivesItsFormula) {
     EXPECT_NEAR(answer["value"][0].get<double>(), 1.0 / 1.5, 1e-6);
 }
 
+TEST_F(NewModel, EvalOnTheGpu_CutsANegativeValueAtZero) {
+    writeFile(data_ / "patina/shaders/models/wrap-lambert.glsl",
+              "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+              "vec3 wrapLambert(Directions d, WrapLambert p) {\n    return vec3(-0.5);\n}\n");
+    const Outcome outcome = patinaWithIt({"eval"}, R"({"id": "a", "model": "wrap-lambert",)"
+                                                   R"( "l": [0, 0, 1], "v": [0, 0, 1],)"
+                                                   R"( "precision": "gpu"})"
+                                                   "\n");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.out;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["value"], (std::vector<double>{0.0, 0.0, 0.0}))
+        << outcome.out;
+}
+
 } // namespace
 } // namespace patina::tests
