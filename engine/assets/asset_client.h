@@ -50,7 +50,9 @@ class AssetClient {
     struct Options {
         std::filesystem::path program;   ///< empty: `patina-files` beside this program, or in
                                          ///< ../libexec/patina
-        double timeLimitSeconds = 20.0;  ///< for one request
+        double timeLimitSeconds = 20.0;  ///< of the process' own work on one request, so that a
+                                         ///< busy machine fails no fair one
+        double waitLimitSeconds = 60.0;  ///< for one request by the clock, for one that hangs
         std::size_t memoryLimitBytes = std::size_t(2) << 30;
     };
 

@@ -2,6 +2,7 @@
 #include "assets/files_process.h"
 
 #include <csignal>
+#include <ctime>
 
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
@@ -84,6 +85,14 @@ FilesProcess::~FilesProcess() {
 }
 
 const Channel& FilesProcess::channel() const { return state_->channel; }
+
+double FilesProcess::workSeconds() const {
+    clockid_t clock{};
+    timespec time{};
+    const bool isKnown = ::clock_getcpuclockid(state_->child.id(), &clock) == 0 &&
+                         ::clock_gettime(clock, &time) == 0;
+    return isKnown ? double(time.tv_sec) + 1e-9 * double(time.tv_nsec) : 0.0;
+}
 
 void FilesProcess::kill() {
     std::error_code ignored; // it may have ended by itself

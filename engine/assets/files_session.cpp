@@ -97,16 +97,40 @@ Result<FilesSession::Answer> FilesSession::ask(const Request& request) {
     return answer;
 }
 
+/// How long an answer may take: work is counted rather than time, since others may need the
+/// machine as well. Work on several processors counts once.
+class FilesSession::Patience {
+  public:
+    Patience(const AssetClient::Options& options, const FilesProcess& process)
+        : options_(options), process_(process) {}
+
+    /// The limit that is over, in seconds.
+    std::optional<double> end() const {
+        const double waited = std::chrono::duration<double>(Clock::now() - begin_).count();
+        if (waited > options_.waitLimitSeconds) {
+            return options_.waitLimitSeconds;
+        }
+        const bool isLong = waited > options_.timeLimitSeconds &&
+                            process_.workSeconds() - workBefore_ > options_.timeLimitSeconds;
+        return isLong ? std::optional(options_.timeLimitSeconds) : std::nullopt;
+    }
+
+  private:
+    const AssetClient::Options& options_;
+    const FilesProcess& process_;
+    Clock::time_point begin_ = Clock::now();
+    double workBefore_ = process_.workSeconds();
+};
+
 Result<FilesSession::Answer> FilesSession::await(const Request& request) {
-    const auto limit = std::chrono::duration<double>(options_.timeLimitSeconds);
-    const auto begin = Clock::now();
+    const Patience patience(options_, *process_);
     while (true) {
         if (request.progress != nullptr && request.progress->cancelled) {
             return tl::unexpected(ended(request, "cancelled while " + request.doing));
         }
-        if (Clock::now() - begin > limit) {
-            return tl::unexpected(ended(request, fmt::format("stopped after {:g} seconds of {}",
-                                                             limit.count(), request.doing)));
+        if (const auto limit = patience.end()) {
+            return tl::unexpected(ended(
+                request, fmt::format("stopped after {:g} seconds of {}", *limit, request.doing)));
         }
         auto received = process_->channel().receive(pollInterval);
         if (!received && received.error() == Channel::Fault::closed) {

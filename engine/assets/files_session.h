@@ -41,7 +41,7 @@ class FilesSession {
     Error refuse(const Request& request, const std::string& why);
 
   private:
-    class Wait;
+    class Patience;
 
     Result<void> begin(const Request& request);
     Result<Answer> await(const Request& request);

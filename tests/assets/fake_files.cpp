@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <sys/socket.h>
 #include <sys/mman.h>
@@ -71,6 +73,12 @@ void misbehave(const std::string& how, const Channel& channel) {
         std::abort();
     } else if (how == "hang") {
         ::sleep(1000);
+    } else if (how == "sleep") { // as one whose turn on the processor does not come
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        answer(channel, triangle());
+    } else if (how == "spin") {
+        while (std::clock() < 1000 * CLOCKS_PER_SEC) {
+        }
     } else if (how == "noise") {
         ::send(STDIN_FILENO, "this is not a message", 21, 0);
     } else if (how == "progress of nan") {

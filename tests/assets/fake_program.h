@@ -16,10 +16,10 @@ class FakeProgram {
     FakeProgram(const FakeProgram&) = delete;
     FakeProgram& operator=(const FakeProgram&) = delete;
 
-    static AssetClient::Options options(double timeLimitSeconds = 20.0) {
+    static AssetClient::Options options(double waitLimitSeconds = 20.0) {
         AssetClient::Options options;
         options.program = std::filesystem::path(PATINA_BINARY_DIR) / "bin" / "patina-fake-files";
-        options.timeLimitSeconds = timeLimitSeconds;
+        options.waitLimitSeconds = waitLimitSeconds;
         return options;
     }
 };

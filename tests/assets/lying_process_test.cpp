@@ -101,6 +101,25 @@ TEST(HangingProcess, PastTheTimeLimit_IsEndedWithAMessage) {
     EXPECT_EQ(mesh.error().problem, "stopped after 0.2 seconds of reading");
 }
 
+TEST(WorkingProcess, PastTheLimitOfItsWork_IsEndedWithAMessage) {
+    const FakeProgram fake("spin");
+    AssetClient::Options options = FakeProgram::options();
+    options.timeLimitSeconds = 0.2;
+    AssetClient client(options);
+    const auto mesh = load(client);
+    ASSERT_FALSE(mesh);
+    EXPECT_EQ(mesh.error().problem, "stopped after 0.2 seconds of reading");
+}
+
+TEST(WorkingProcess, WithoutAProcessorForLongerThanThat_MayFinish) {
+    const FakeProgram fake("sleep");
+    AssetClient::Options options = FakeProgram::options();
+    options.timeLimitSeconds = 0.2;
+    AssetClient client(options);
+    const auto mesh = load(client);
+    EXPECT_TRUE(mesh) << mesh.error().text();
+}
+
 TEST(HangingProcess, Once_DoesNotSpoilTheNextRequest) {
     AssetClient client(FakeProgram::options(0.5));
     {
