@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "catalog/xdg_folders.h"
 
 #include <cstdlib>
 #include <optional>
@@ -29,18 +30,28 @@ fs::path installedFolder() {
     return (program.parent_path() / PATINA_DATA_FROM_PROGRAM).lexically_normal();
 }
 
-/// The XDG Base Directory Specification ignores relative paths.
-std::optional<fs::path> userDataFolder() {
-    if (const auto xdg = environmentPath("XDG_DATA_HOME"); xdg && xdg->is_absolute()) {
-        return *xdg / "patina";
+std::optional<fs::path> absolutePath(const char* variable) {
+    const auto path = environmentPath(variable);
+    return path && path->is_absolute() ? path : std::nullopt;
+}
+
+std::optional<fs::path> userFolder(const char* variable, const fs::path& belowHome) {
+    if (const auto folder = absolutePath(variable)) {
+        return *folder / "patina";
     }
-    if (const auto home = environmentPath("HOME")) {
-        return *home / ".local" / "share" / "patina";
-    }
-    return std::nullopt;
+    const auto home = absolutePath("HOME");
+    return home ? std::optional(*home / belowHome / "patina") : std::nullopt;
 }
 
 } // namespace
+
+std::optional<fs::path> xdgDataFolder() {
+    return userFolder("XDG_DATA_HOME", fs::path(".local") / "share");
+}
+
+std::optional<fs::path> xdgCacheFolder() {
+    return userFolder("XDG_CACHE_HOME", ".cache");
+}
 
 std::filesystem::path dataFolder() {
     if (const auto chosen = environmentPath("PATINA_DATA_DIR")) {
@@ -53,7 +64,7 @@ std::filesystem::path dataFolder() {
 
 std::vector<BlockRoot> standardBlockRoots() {
     std::vector<BlockRoot> roots{{dataFolder() / "shaders", true}};
-    if (const auto user = userDataFolder()) {
+    if (const auto user = xdgDataFolder()) {
         roots.push_back({*user / "shaders", false});
     }
     return roots;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "catalog/xdg_folders.h"
 #include "catalog_fixture.h"
 
 namespace patina {
@@ -164,6 +165,24 @@ TEST(StandardBlockRoots, RelativeXdgVariable_IsIgnored) {
     const Variable xdg("XDG_DATA_HOME", "data");
     const Variable home("HOME", "/home/me");
     EXPECT_EQ(standardBlockRoots().back().folder, "/home/me/.local/share/patina/shaders");
+}
+
+TEST(XdgCacheFolder, WithoutVariables_IsBelowHome) {
+    const Variable xdg("XDG_CACHE_HOME", "");
+    const Variable home("HOME", "/home/me");
+    EXPECT_EQ(xdgCacheFolder(), "/home/me/.cache/patina");
+}
+
+TEST(XdgCacheFolder, WithoutAHome_IsNone) {
+    const Variable xdg("XDG_CACHE_HOME", "");
+    const Variable home("HOME", "");
+    EXPECT_EQ(xdgCacheFolder(), std::nullopt);
+}
+
+TEST(XdgCacheFolder, RelativePaths_AreIgnored) {
+    const Variable xdg("XDG_CACHE_HOME", "cache");
+    const Variable home("HOME", "me");
+    EXPECT_EQ(xdgCacheFolder(), std::nullopt);
 }
 
 TEST(Catalog, MissingSchema_IsAnErrorThatNamesIt) {
