@@ -16,6 +16,7 @@
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
+#include "cli/texture_text.h"
 #include "core/display_image.h"
 
 namespace patina {
@@ -65,7 +66,7 @@ Checked<void> draw(std::vector<Side>& sides, const Options& options,
     }
     AssetClient client;
     TextureLoader textures(client);
-    maker->setTextures(textures);
+    maker->setTextures(textures, filesIn(options.picture.textures));
     for (Side& side : sides) {
         const auto meshes = SceneMeshes::load(side.scene, client);
         if (!meshes) {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
+#include "catalog/xdg_folders.h"
 #include "cli/command.h"
 
 namespace patina {
@@ -40,8 +40,9 @@ Result<PictureMaker> PictureMaker::create(std::shared_ptr<const Catalog> catalog
     return maker;
 }
 
-void PictureMaker::setTextures(TextureLoader& textures) {
+void PictureMaker::setTextures(TextureLoader& textures, std::vector<std::string> needed) {
     textures_ = &textures;
+    neededTextures_ = std::move(needed);
     renderer_->setTextures(textures.source());
 }
 
@@ -66,10 +67,23 @@ Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, 
         return tl::unexpected(frame.messages);
     }
     report(frame.messages);
-    if (textures_ != nullptr) {
-        report(textures_->takeProblems());
+    if (auto looked = lookAtTextures(); !looked) {
+        return tl::unexpected(looked.error());
     }
     return std::move(*image);
+}
+
+Checked<void> PictureMaker::lookAtTextures() {
+    Errors problems = textures_ == nullptr ? Errors() : textures_->takeProblems();
+    const bool isNeeded = std::any_of(problems.begin(), problems.end(), [this](const Error& error) {
+        return std::find(neededTextures_.begin(), neededTextures_.end(), error.file) !=
+               neededTextures_.end();
+    });
+    if (isNeeded) {
+        return tl::unexpected(std::move(problems));
+    }
+    report(problems);
+    return {};
 }
 
 bool PictureFile::isLinear() const {
@@ -92,12 +106,8 @@ Result<void> PictureFile::check() const {
 }
 
 fs::path programCacheFolder() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache != nullptr && fs::path(cache).is_absolute()) {
-        return fs::path(cache) / "patina" / "programs";
-    }
-    const char* home = std::getenv("HOME");
-    return home != nullptr ? fs::path(home) / ".cache" / "patina" / "programs" : fs::path();
+    const auto cache = xdgCacheFolder();
+    return cache ? *cache / "programs" : fs::path();
 }
 
 } // namespace patina

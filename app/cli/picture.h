@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "catalog/catalog.h"
 #include "core/error.h"
@@ -18,8 +19,9 @@ class PictureMaker {
   public:
     static Result<PictureMaker> create(std::shared_ptr<const Catalog> catalog);
 
-    /// Images come from there. It outlives what is drawn.
-    void setTextures(TextureLoader& textures);
+    /// Images come from there. It outlives what is drawn. Without one of the needed files there is
+    /// no picture; a checker stands for any other that cannot be read.
+    void setTextures(TextureLoader& textures, std::vector<std::string> needed);
 
     /// What the scenes' environments show, and how many samples their light has.
     void setEnvironment(std::shared_ptr<const EnvironmentImage> image, int samples);
@@ -32,9 +34,12 @@ class PictureMaker {
   private:
     PictureMaker() = default;
 
+    Checked<void> lookAtTextures();
+
     std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
     TextureLoader* textures_ = nullptr;
+    std::vector<std::string> neededTextures_;
     std::shared_ptr<const EnvironmentImage> environment_;
     int samples_ = 0;
 };
@@ -55,7 +60,7 @@ struct PictureFile {
     Result<void> check() const;
 };
 
-/// Where program binaries are kept between runs.
+/// Where program binaries are kept between runs; empty where a user has no folder for such things.
 std::filesystem::path programCacheFolder();
 
 } // namespace patina

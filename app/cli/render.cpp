@@ -13,6 +13,7 @@
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
+#include "cli/texture_text.h"
 #include "core/display_image.h"
 
 namespace patina {
@@ -54,7 +55,7 @@ Checked<Image> picture(const Options& options, const std::shared_ptr<const Catal
     }
     report(loaded->remarks());
     TextureLoader textures(client);
-    maker->setTextures(textures);
+    maker->setTextures(textures, filesIn(options.picture.textures));
     const auto environment = environmentPicture(scene, options.picture, *catalog, client);
     if (!environment) {
         return tl::unexpected(oneError(environment.error()));

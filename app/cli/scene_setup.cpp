@@ -269,6 +269,13 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
     return {};
 }
 
+void noteEmptiness(SceneSetup& setup, const PictureOptions& options) {
+    const std::vector<Object>& objects = setup.scene.objects;
+    if (std::none_of(objects.begin(), objects.end(), [](const Object& o) { return o.visible; })) {
+        setup.notes.push_back({options.scene, 0, 0, "the scene shows no object", {}});
+    }
+}
+
 } // namespace
 
 Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& options,
@@ -297,6 +304,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
     if (options.exposure) {
         setup->scene.exposure = *options.exposure;
     }
+    noteEmptiness(*setup, options);
     return setup;
 }
 

@@ -13,13 +13,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string fullPath(const std::string& file) {
+    return fs::absolute(file).lexically_normal().generic_string();
+}
+
 Result<void> layOn(Material& material, const std::string& key, const std::string& file,
                    const Catalog& catalog) {
     std::error_code failed;
     if (!fs::is_regular_file(file, failed)) {
         return tl::unexpected(Error{file, 0, 0, "no such file", "an image"});
     }
-    const TextureUse use = textureUse(key, fs::absolute(file).lexically_normal().generic_string());
+    const TextureUse use = textureUse(key, fullPath(file));
     if (const char* why = textureTarget(key, use, material, catalog).whyNot) {
         return failure(fmt::format("--texture {}: {}", key, why),
                        "a value that takes an image, or normal, height or opacity");
@@ -71,6 +75,17 @@ Result<void> applyTexture(Material& material, const std::string& assignment,
     return colon == std::string::npos
                ? layOn(material, name, text, catalog)
                : change(material, name.substr(0, colon), name.substr(colon + 1), text, catalog);
+}
+
+std::vector<std::string> filesIn(const std::vector<std::string>& assignments) {
+    std::vector<std::string> files;
+    for (const std::string& assignment : assignments) {
+        const std::size_t equals = assignment.find('=');
+        if (equals != std::string::npos && assignment.find(':') >= equals) {
+            files.push_back(fullPath(assignment.substr(equals + 1)));
+        }
+    }
+    return files;
 }
 
 } // namespace patina

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "catalog/catalog.h"
 #include "core/error.h"
@@ -13,5 +14,8 @@ namespace patina {
 /// "diffuse.color:wrap=mirror" changes how one lies that is there.
 Result<void> applyTexture(Material& material, const std::string& assignment,
                           const Catalog& catalog);
+
+/// The full paths of the images among such assignments.
+std::vector<std::string> filesIn(const std::vector<std::string>& assignments);
 
 } // namespace patina

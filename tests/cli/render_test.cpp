@@ -96,6 +96,21 @@ TEST(RenderCommand, EmptyScene_IsItsBackground) {
     EXPECT_TRUE(outcome.out.starts_with(pngSignature));
 }
 
+TEST(RenderCommand, EmptyScene_SaysThatItIs) {
+    const TemporaryFolder folder;
+    const std::string scene = emptyScene(folder);
+    const Outcome outcome = patina({"render", "--scene", scene, "--size", "32x32", "-o", "-"});
+    EXPECT_EQ(outcome.err, scene + ": the scene shows no object\n");
+}
+
+TEST(RenderCommand, HomeThatIsNoPath_GetsNothingIntoTheWorkingFolder) {
+    const std::string home = "home-that-is-no-path";
+    patina(Start{.arguments = {"render", "--model", "lambert", "--size", "8x8", "-o", "-"},
+                 .environment = {{"HOME", home}, {"XDG_CACHE_HOME", ""}},
+                 .input = {}});
+    EXPECT_FALSE(std::filesystem::exists(home));
+}
+
 TEST(RenderCommand, PresetInAnEmptyScene_HasAnObject) {
     const TemporaryFolder folder;
     const std::string scene = emptyScene(folder);

@@ -63,6 +63,24 @@ TEST_F(TextureOption, MissingFile_IsAnError) {
     EXPECT_NE(outcome.err.find("/nowhere/a.png: no such file"), std::string::npos) << outcome.err;
 }
 
+TEST_F(TextureOption, FileCutShort_IsAnErrorWithoutAPicture) {
+    const std::string whole = readFile(image());
+    writeFile(folder_ / "half.png", whole.substr(0, whole.size() / 2));
+    const std::string half = folder_ / "half.png";
+    const Outcome outcome = drawn({"--texture", "diffuse.color=" + half});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find(half + ": "), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out.png"));
+}
+
+TEST_F(TextureOption, EmptyFile_IsAnError) {
+    writeFile(folder_ / "empty.png", "");
+    const std::string empty = folder_ / "empty.png";
+    const Outcome outcome = drawn({"--texture", "normal=" + empty});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find(empty + ": "), std::string::npos) << outcome.err;
+}
+
 TEST_F(TextureOption, MissingFileInAPreset_IsAMessageAndAPicture) {
     writeFile(folder_ / "a.patina.json",
               R"({"format": "patina.preset", "version": 1, "model": {"id": "lambert"},)"
