@@ -92,6 +92,8 @@ class Document : public QObject {
     int beginInteraction(const BlockPath& path, std::string_view parameterId);
     /// The artist is about to change this value: what the views need for it is made ready.
     void foresee(const BlockPath& path, std::string_view parameterId);
+    /// The artist may be about to choose this model.
+    void foreseeModel(Side side, std::string_view modelId);
     /// The scene whose effects a side's programs have while a value is dragged; null: its own.
     const Scene* effects(Side side) const { return effectHold_.scene(side); }
     bool isInteracting() const { return interaction_ != 0; }

@@ -10,6 +10,7 @@
 #include "commands/part_command.h"
 #include "commands/transparency_command.h"
 #include "document.h"
+#include "material/model_swap.h"
 #include "scene/environment.h"
 #include "short_text.h"
 
@@ -58,6 +59,16 @@ void Document::setModel(Side side, std::string_view modelId) {
     const Block* model = catalog_->find("models", modelId);
     if (held && model && held->model.id != modelId) {
         undoStack_.push(new ModelCommand(*this, {currentObject_, side}, *model));
+    }
+}
+
+void Document::foreseeModel(Side side, std::string_view modelId) {
+    const Block* model = catalog_->find("models", modelId);
+    DocumentState ahead = state_;
+    Material* held = materialAt(ahead, currentObject_, side);
+    if (held && model && held->model.id != modelId && !isInteracting()) {
+        *held = swappedModel(*held, *model, *catalog_);
+        Q_EMIT effectsForeseen(ahead);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QTest>
 
+#include "docks/picture_grid.h"
 #include "parameters/parameter_row.h"
 #include "ui/window_fixture.h"
 
@@ -180,6 +181,24 @@ TEST_F(Foresight, RowOfAnOrdinaryValue_AsksNothing) {
 /// Without any the picture is shown by a program that does not multiply.
 TEST_F(Foresight, RowOfTheExposure_Asks) {
     EXPECT_GT(foreseenAfter([this] { hover(row("exposure", "scene")); }, 1), 0);
+}
+
+/// A model is made ready before it is clicked, so that the swap itself compiles nothing.
+TEST_F(Foresight, PointerThatRestsOnAModel_HasItsProgramsMade) {
+    auto* grid = window().dock("model")->findChild<PictureGrid*>();
+    const std::string current = document().material(Side::A)->model.id;
+    const bool isFirst = grid->keyOf(grid->item(0)).toStdString() == current;
+    QListWidgetItem* other = grid->item(isFirst ? 1 : 0);
+    const int waits = view().waitCount();
+    const QPoint place = grid->visualItemRect(other).center();
+    const int asked = foreseenAfter([&] { QTest::mouseMove(grid->viewport(), place); }, 1);
+    ASSERT_EQ(asked, 1);
+    newFrames();
+    QTest::mouseClick(grid->viewport(), Qt::LeftButton, Qt::NoModifier, place);
+    newFrames();
+    EXPECT_EQ(document().material(Side::A)->model.id, grid->keyOf(other).toStdString());
+    EXPECT_EQ(view().report().compiled, 0);
+    EXPECT_EQ(view().waitCount(), waits);
 }
 
 TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {

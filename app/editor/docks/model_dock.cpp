@@ -13,6 +13,7 @@ namespace patina {
 namespace {
 
 constexpr int pictureSize = 72;
+constexpr int restMs = 80;
 const QString pictureGroup = QStringLiteral("model/");
 
 } // namespace
@@ -28,6 +29,15 @@ ModelDock::ModelDock(const DockContext& context)
             [this](QListWidgetItem* item) { choose(grid_->keyOf(item)); });
     connect(grid_, &QListWidget::itemActivated, this,
             [this](QListWidgetItem* item) { choose(grid_->keyOf(item)); });
+    grid_->setMouseTracking(true);
+    rest_.setSingleShot(true);
+    rest_.setInterval(restMs);
+    connect(&rest_, &QTimer::timeout, this, [this] {
+        document_.foreseeModel(document_.activeSide(), approached_.toStdString());
+    });
+    connect(grid_, &QListWidget::itemEntered, this, &ModelDock::approach);
+    connect(grid_, &QListWidget::currentItemChanged, this, &ModelDock::approach);
+    connect(grid_, &QListWidget::viewportEntered, &rest_, &QTimer::stop);
     connect(&thumbnails_, &ThumbnailMaker::ready, this,
             [this](const QString& name, const QImage& picture) {
                 if (name.startsWith(pictureGroup)) {
@@ -66,9 +76,18 @@ void ModelDock::showCurrent() {
     grid_->setEnabled(material != nullptr);
 }
 
+/// Its programs are made before it is chosen.
+void ModelDock::approach(const QListWidgetItem* item) {
+    if (item) {
+        approached_ = grid_->keyOf(item);
+        rest_.start();
+    }
+}
+
 void ModelDock::choose(const QString& id) {
     const Material* material = document_.material(document_.activeSide());
     if (material && material->model.id != id.toStdString()) {
+        rest_.stop();
         document_.setModel(document_.activeSide(), id.toStdString());
     }
 }

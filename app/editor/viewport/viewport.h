@@ -58,9 +58,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// Something that is drawn has changed.
     void refresh();
 
-    /// A frame with the effects of this scene may be wanted soon: its programs are made when there
-    /// is nothing else to do.
-    void foresee(const Scene& effects);
+    /// A frame of this scene may be wanted soon: its programs are made when there is nothing else
+    /// to do.
+    void foresee(const Scene& ahead);
 
     /// A frame is being drawn that takes several turns.
     bool isDrawing() const { return progress_ != Progress::Idle; }
@@ -168,6 +168,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void watchForRest();
     void releaseWhenIdle();
     View view() const;
+    View viewAhead() const;
     void beginFrame();
     void proceed();
     void finishSketch();

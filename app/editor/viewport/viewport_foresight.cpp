@@ -59,12 +59,19 @@ void Viewport::takePrograms(quint64 number) {
     }
 }
 
-void Viewport::foresee(const Scene& effects) {
+void Viewport::foresee(const Scene& ahead) {
     if (renderer_ && isVisible() && !inspecting_) {
-        foreseen_.push_back(effects);
+        foreseen_.push_back(ahead);
         foreseenOrder_ = 0;
         foresight_.start(0);
     }
+}
+
+/// How a scene that is foreseen will be looked at.
+View Viewport::viewAhead() const {
+    View ahead = view();
+    ahead.effects = nullptr;
+    return ahead;
 }
 
 /// What is drawn goes first; the frame that comes then asks again for what is left.
@@ -76,10 +83,8 @@ void Viewport::makeForeseen() {
     if (stale_ || isDrawing()) {
         return;
     }
-    View ahead = view();
-    ahead.effects = &foreseen_.back();
     if (sources_.programs) {
-        foreseenOrder_ = askFor(sources_.scene(), ahead);
+        foreseenOrder_ = askFor(foreseen_.back(), viewAhead());
     } else {
         prepareForeseen();
     }
@@ -91,12 +96,10 @@ void Viewport::prepareForeseen() {
     if (!renderer_ || foreseen_.empty() || stale_ || isDrawing()) {
         return;
     }
-    const Scene effects = std::move(foreseen_.back());
+    const Scene ahead = std::move(foreseen_.back());
     foreseen_.pop_back();
-    View ahead = view();
-    ahead.effects = &effects;
     makeCurrent();
-    renderer_->foresee(sources_.scene(), ahead, sources_.meshes);
+    renderer_->foresee(ahead, viewAhead(), sources_.meshes);
     doneCurrent();
     watchForRest();
     foresight_.start(0);
