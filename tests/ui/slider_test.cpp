@@ -11,6 +11,15 @@ using Slider = Form;
 using Number = Form;
 using Label = Form;
 
+/// From 0 to 1 in steps of a hundredth.
+SliderRange range01() {
+    Parameter parameter;
+    parameter.min = parameter.softMin = 0.0;
+    parameter.max = parameter.softMax = 1.0;
+    parameter.step = 0.01;
+    return SliderRange(parameter);
+}
+
 TEST_F(Slider, Drag_IsOneStep) {
     drag(slider("roughness"), 0.5, 0.8);
     EXPECT_EQ(fixture.steps(), 1);
@@ -56,6 +65,34 @@ TEST_F(Slider, ControlDrag_SnapsToSteps) {
     drag(slider("tilt"), 0.4, 0.715, Qt::ControlModifier);
     const double tilt = fixture.number("tilt");
     EXPECT_EQ(tilt, std::round(tilt));
+}
+
+TEST_F(Slider, ControlDragOverStepsFinerThanPixels_SnapsToRoundNumbers) {
+    drag(slider("roughness"), 0.5, 0.7312, Qt::ControlModifier); // 0.01 is about a pixel
+    const double twentieths = 20.0 * fixture.number("roughness");
+    EXPECT_NEAR(twentieths, std::round(twentieths), 1e-5);
+}
+
+TEST_F(Slider, ControlDragOnALogScale_SnapsToNumbersAsRoundAsTheyAreLarge) {
+    drag(slider("exponent"), 0.5, 0.9, Qt::ControlModifier);
+    const double tens = 0.1 * fixture.number("exponent");
+    EXPECT_GT(tens, 10.0);
+    EXPECT_EQ(tens, std::round(tens));
+}
+
+TEST_F(Slider, ControlDragFromPixelToPixel_StaysAndThenGoesOn) {
+    const double there = range01().snappedValueAt(0.5, 6.0 / 150.0);
+    EXPECT_EQ(range01().snappedValueAt(0.5 + 2.0 / 150.0, 6.0 / 150.0), there);
+    EXPECT_NE(range01().snappedValueAt(0.5 + 8.0 / 150.0, 6.0 / 150.0), there);
+}
+
+TEST_F(Slider, SnappingWhereStepsAreLong_IsToSingleSteps) {
+    EXPECT_DOUBLE_EQ(range01().snappedValueAt(0.137, 0.001), 0.14);
+}
+
+TEST_F(Slider, SnappingAtItsEnds_ReachesThem) {
+    EXPECT_EQ(range01().snappedValueAt(0.0, 0.04), 0.0);
+    EXPECT_EQ(range01().snappedValueAt(1.0, 0.04), 1.0);
 }
 
 TEST_F(Slider, PlainDrag_GivesShortNumbers) {

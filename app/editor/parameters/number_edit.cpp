@@ -110,8 +110,9 @@ void NumberEdit::scrub(double pixels, Qt::KeyboardModifiers modifiers) {
     if (scrubRange_.isInHardRange(position)) {
         scrubPosition_ = position; // or the way back from the end would be as long as the way there
     }
-    const double number = scrubRange_.continuedValueAt(position, pixel);
-    ask(modifiers & Qt::ControlModifier ? scrubRange_.nearestStep(number) : number);
+    ask(modifiers & Qt::ControlModifier
+            ? scrubRange_.continuedSnapAt(position, snapPixels * pixel)
+            : scrubRange_.continuedValueAt(position, pixel));
 }
 
 void NumberEdit::endScrub() {

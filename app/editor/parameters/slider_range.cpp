@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace patina {
 
@@ -92,12 +93,32 @@ double SliderRange::continuedValueAt(double position, double span) const {
     return canRound ? std::clamp(tidied(value, change), min_, max_) : value;
 }
 
-double SliderRange::nearestStep(double value) const {
-    return stepped(std::round(value / step_) * step_, 0.0);
+/// The nearest multiple of the shortest round number of steps that is no shorter than `change`.
+double SliderRange::snapped(double value, double change) const {
+    const double wanted = std::isfinite(change) ? change / step_ : 1.0;
+    double power = 1.0;
+    while (10.0 * power < wanted) {
+        power *= 10.0;
+    }
+    const auto counts = {1.0, 2.0, 5.0, 10.0};
+    const auto* const count =
+        std::find_if(counts.begin(), std::prev(counts.end()),
+                     [&](double number) { return number * power >= wanted; });
+    const double apart = *count * power * step_;
+    return stepped(std::round(value / apart) * apart, 0.0);
 }
 
-double SliderRange::snapped(double value) const {
-    return std::clamp(std::round(value / step_) * step_, lower_, upper_);
+double SliderRange::snappedValueAt(double position, double span) const {
+    const double half = span / 2.0;
+    const double inside = std::clamp(position, half, 1.0 - half);
+    const double change = valueAt(inside + half) - valueAt(inside - half);
+    return std::clamp(snapped(valueAt(position), change), lower_, upper_);
+}
+
+double SliderRange::continuedSnapAt(double position, double span) const {
+    const double half = span / 2.0;
+    return snapped(std::clamp(continued(position), min_, max_),
+                   continued(position + half) - continued(position - half));
 }
 
 double SliderRange::stepped(double value, double steps) const {

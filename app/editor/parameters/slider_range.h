@@ -36,8 +36,13 @@ class SliderRange {
     double continuedValueAt(double position, double span) const;
     bool isInHardRange(double position) const;
 
-    double nearestStep(double value) const; ///< a multiple of the step, inside the hard range
-    double snapped(double value) const; ///< to the next multiple of the step, inside the slider
+    /// The next value in round multiples of the step (1, 2, 5, 10, ... steps) that are at least
+    /// `span` of the slider's length apart there: on a short slider single steps would not be felt.
+    double snappedValueAt(double position, double span) const;
+
+    /// Like snappedValueAt, but positions go on past both ends as far as the hard range.
+    double continuedSnapAt(double position, double span) const;
+
     double stepped(double value, double steps) const; ///< steps further, inside the hard range
 
     friend bool operator==(const SliderRange&, const SliderRange&) = default;
@@ -46,6 +51,7 @@ class SliderRange {
     double kneeOfLog() const;
     double continued(double position) const;
     double tidied(double value, double change) const;
+    double snapped(double value, double change) const;
 
     double lower_ = 0.0;
     double upper_ = 1.0;

@@ -25,6 +25,10 @@ class WheelSteps {
     double rest_ = 0.0;
 };
 
+/// So far apart, in pixels of a drag, are the values it snaps to at least: near enough for every
+/// round number, far enough to be felt and hit.
+inline constexpr double snapPixels = 6.0;
+
 /// What Shift makes of a step.
 double fineness(Qt::KeyboardModifiers modifiers);
 

@@ -104,9 +104,10 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
 void ValueSlider::moveTo(double share, Qt::KeyboardModifiers modifiers) {
     const double inside = std::clamp(share, 0.0, 1.0);
     const double pixel = 1.0 / length();
-    const double tidy = range_.tidyValueAt(inside, pixel * fineness(modifiers));
-    const double wanted =
-        modifiers & Qt::ControlModifier ? range_.snapped(range_.valueAt(inside)) : tidy;
+    const double span = pixel * fineness(modifiers);
+    const double wanted = modifiers & Qt::ControlModifier
+                              ? range_.snappedValueAt(inside, snapPixels * span)
+                              : range_.tidyValueAt(inside, span);
     if (wanted != value_) {
         Q_EMIT moved(wanted);
     }
