@@ -12,6 +12,7 @@
 #include "catalog/descriptor.h"
 #include "catalog/descriptor_checks.h"
 #include "catalog/json_schema.h"
+#include "catalog/shader_names.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
 #include "material/preset_file.h"
@@ -56,9 +57,13 @@ Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog) {
     if (!descriptor) {
         return descriptor.error();
     }
-    return slotMistakes(*descriptor, [&](const std::string& kind) {
+    Errors mistakes = slotMistakes(*descriptor, [&](const std::string& kind) {
         return idsOfKind(kind, file, catalog);
     });
+    const Errors names = nameMistakes(*descriptor, shaderNames(dataFolder() / "shaders"));
+    mistakes.insert(mistakes.end(), names.begin(), names.end());
+    sortByPlace(mistakes);
+    return mistakes;
 }
 
 /// What is wrong with the name of a mesh; an empty problem when it can be read from.

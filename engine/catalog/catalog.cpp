@@ -8,6 +8,7 @@
 
 #include "catalog/descriptor.h"
 #include "catalog/descriptor_checks.h"
+#include "catalog/shader_names.h"
 #include "catalog/suggestion.h"
 
 namespace patina {
@@ -69,6 +70,7 @@ class Loader {
     explicit Loader(const JsonSchema& schema) : schema_(schema) {}
 
     Catalog run(std::span<const BlockRoot> roots) {
+        catalog_.roots.assign(roots.begin(), roots.end());
         for (const BlockRoot& root : roots) {
             readRoot(root);
         }
@@ -146,7 +148,7 @@ class Loader {
             return;
         }
         descriptor->block.shipped = shipped;
-        if (isUnique(*descriptor)) {
+        if (isUnique(*descriptor) && (shipped || leavesNames(*descriptor))) {
             descriptors_.push_back(std::move(*descriptor));
         }
     }
@@ -164,6 +166,16 @@ class Loader {
             }
         }
         return true;
+    }
+
+    /// Tests see to it that the shipped blocks do; only others are worth reading every shader for.
+    bool leavesNames(const Descriptor& descriptor) {
+        if (takenNames_.empty() && !catalog_.roots.empty()) {
+            takenNames_ = shaderNames(catalog_.roots.front().folder);
+        }
+        const Errors mistakes = nameMistakes(descriptor, takenNames_);
+        append(catalog_.errors, mistakes);
+        return mistakes.empty();
     }
 
     std::vector<std::string> idsOfKind(const std::string& kind) const {
@@ -193,6 +205,7 @@ class Loader {
     const JsonSchema& schema_;
     std::vector<std::string> kinds_; ///< of the shipped folders
     std::vector<Descriptor> descriptors_;
+    ShaderNames takenNames_; ///< of the first root
     Catalog catalog_;
 };
 

@@ -56,6 +56,32 @@ TEST(Catalog, SharedAndPassesFolders_HoldNoBlocks) {
     EXPECT_EQ(text(folder.load().errors), "");
 }
 
+/// The messages about a user's model of this id, beside the shaders that ship.
+std::string complaintsAbout(const std::string& id) {
+    BlockFolder user;
+    user.add("models", plainDescriptor(id));
+    const std::filesystem::path shipped = std::filesystem::path(PATINA_SOURCE_DIR) / "shaders";
+    return text(loadCatalog(std::vector<BlockRoot>{{shipped, true}, {user.root(), false}}).errors);
+}
+
+class TakenName : public testing::TestWithParam<const char*> {};
+
+TEST_P(TakenName, AsAUsersId_IsAMistake) {
+    const std::string id = GetParam();
+    EXPECT_NE(complaintsAbout(id).find("/models/" + id + ".json:2:8: the id \"" + id + '"'),
+              std::string::npos)
+        << complaintsAbout(id);
+}
+
+INSTANTIATE_TEST_SUITE_P(Names, TakenName,
+                         testing::Values("directions", "incidence", "illumination", "fog-ray",
+                                         "layer", "surface", "light", "safe-normalize", "mix",
+                                         "texture", "reflect"));
+
+TEST(Catalog, FreeNameAsAUsersId_IsNone) {
+    EXPECT_EQ(complaintsAbout("velvet"), "");
+}
+
 TEST(Catalog, UsersFolderOfNoKind_IsAMistakeThatNamesTheKinds) {
     BlockFolder shipped;
     BlockFolder users;

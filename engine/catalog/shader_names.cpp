@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/shader_names.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A function of the same name would hide them all, whatever its arguments.
+bool isFunctionOfGlsl(std::string_view name) {
+    constexpr auto names = std::to_array<std::string_view>(
+        {"abs", "acos", "acosh", "all", "any", "asin", "asinh", "atan", "atanh", "barrier",
+         "ceil", "clamp", "cos", "cosh", "cross", "degrees", "determinant", "distance", "dot",
+         "equal", "exp", "exp2", "faceforward", "floor", "fma", "fract", "frexp", "fwidth",
+         "greaterThan", "greaterThanEqual", "inverse", "inversesqrt", "isinf", "isnan", "ldexp",
+         "length", "lessThan", "lessThanEqual", "log", "log2", "max", "min", "mix", "mod", "modf",
+         "noise1", "noise2", "noise3", "noise4", "normalize", "notEqual", "outerProduct", "pow",
+         "radians", "reflect", "refract", "round", "roundEven", "shadow1D", "shadow2D", "sign",
+         "sin", "sinh", "smoothstep", "sqrt", "step", "tan", "tanh", "texelFetch",
+         "texelFetchOffset", "texture", "texture1D", "texture2D", "texture3D", "textureCube",
+         "textureGather", "textureGrad", "textureLod", "textureOffset", "textureProj",
+         "textureSize", "transpose", "trunc"});
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool isLetter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Calls `take(word, rest of the line after it)` for each word before a remark.
+template <class Take>
+void forEachWord(std::string_view line, const Take& take) {
+    line = line.substr(0, line.find("//"));
+    while (!line.empty()) {
+        const auto first = std::find_if(line.begin(), line.end(), isLetter);
+        const auto end = std::find_if_not(first, line.end(), isLetter);
+        const auto begins = static_cast<std::size_t>(first - line.begin());
+        const auto length = static_cast<std::size_t>(end - first);
+        const std::string_view rest = line.substr(begins + length);
+        take(line.substr(begins, length), rest);
+        line = rest;
+    }
+}
+
+/// A declaration of a library file starts its line; what is inside braces is indented.
+void addDeclaration(ShaderNames& names, std::string_view line) {
+    if (line.empty() || !isLetter(line.front())) {
+        return;
+    }
+    bool isDone = false;
+    forEachWord(line, [&](std::string_view word, std::string_view rest) {
+        const bool isNamed = rest.starts_with('(') || rest.starts_with(" {");
+        if (isNamed && !isDone && !word.empty()) {
+            names.emplace(word);
+            isDone = true;
+        }
+    });
+}
+
+void addWords(ShaderNames& names, std::string_view line) {
+    forEachWord(line, [&](std::string_view word, std::string_view) {
+        if (!word.empty()) {
+            names.emplace(word);
+        }
+    });
+}
+
+void addFiles(ShaderNames& names, const fs::path& folder,
+              void (*add)(ShaderNames&, std::string_view)) {
+    std::error_code status; // what cannot be read is said where it is needed
+    for (fs::directory_iterator at(folder, status), end; !status && at != end;
+         at.increment(status)) {
+        std::ifstream file(at->path());
+        for (std::string line; std::getline(file, line);) {
+            add(names, line);
+        }
+    }
+}
+
+} // namespace
+
+ShaderNames shaderNames(const fs::path& shaders) {
+    ShaderNames names;
+    addFiles(names, shaders / "lib", addDeclaration);
+    addFiles(names, shaders / "passes", addWords);
+    return names;
+}
+
+Errors nameMistakes(const Descriptor& descriptor, const ShaderNames& taken) {
+    Errors errors;
+    for (const std::string& name : {structName(descriptor.block), functionName(descriptor.block)}) {
+        if (errors.empty() && (isFunctionOfGlsl(name) || taken.contains(name))) {
+            errors.push_back(descriptor.document.error(
+                "/id",
+                fmt::format("the id \"{}\" makes the name \"{}\", which is taken by {}",
+                            descriptor.block.id, name,
+                            isFunctionOfGlsl(name) ? "GLSL" : "Patina's own shaders"),
+                "another id"));
+        }
+    }
+    return errors;
+}
+
+} // namespace patina
