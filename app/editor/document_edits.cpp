@@ -128,7 +128,6 @@ void Document::addLight(std::string_view blockId) {
     const Light light{block->label, true, defaultsOf(*block)};
     undoStack_.push(
         new LightCommand(*this, index, std::nullopt, light, tr("Add %1").arg(labelOf(*block))));
-    setCurrentLight(index);
 }
 
 void Document::setLight(int index, const Light& light) {
@@ -286,7 +285,6 @@ void Document::addObject(const Object& object) {
     const int index = static_cast<int>(state_.scene.objects.size());
     undoStack_.push(new ObjectCommand(*this, index, std::nullopt, object,
                                       tr("Add %1").arg(QString::fromStdString(object.name))));
-    setCurrentObject(index);
 }
 
 void Document::setObject(int index, const Object& object) {

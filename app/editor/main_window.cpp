@@ -143,8 +143,8 @@ void MainWindow::connectParts() {
     connect(status_, &StatusLine::effectsWished, this, &MainWindow::showEffects);
     connect(views_, &CompareArea::filesDropped, files_, &FileActions::drop);
     connect(status_, &StatusLine::messagesWished, this, [this] {
-        QDockWidget* messages = dock("messages");
-        messages->setVisible(!messages->isVisible());
+        const bool inFront = !dock("messages")->visibleRegion().isEmpty();
+        inFront ? dock("messages")->hide() : showMessages();
     });
     connect(&document_, &Document::currentChanged, this,
             [this] { status_->setViewport(&views_->active().viewport()); });
@@ -252,6 +252,7 @@ void MainWindow::showEffects() {
 
 void MainWindow::showMessages() {
     dock("messages")->show();
+    dock("messages")->raise(); // it may lie behind other tabs
 }
 
 void MainWindow::offerRecovery() {

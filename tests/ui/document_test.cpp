@@ -148,6 +148,31 @@ TEST_F(DocumentEdit, Objects_UndoAndRedo) {
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
 
+/// Side B is on the current object: redoing an import must not move it to another one.
+TEST_F(DocumentEdit, CurrentObject_FollowsUndoAndRedo) {
+    const int first = document.currentObject();
+    document.addObject(document.scene().objects.front());
+    const int second = document.currentObject();
+    ASSERT_NE(first, second);
+    document.undoStack().undo();
+    EXPECT_EQ(document.currentObject(), first);
+    document.undoStack().redo();
+    EXPECT_EQ(document.currentObject(), second);
+    document.removeObject(first);
+    EXPECT_EQ(document.currentObject(), second - 1);
+    document.undoStack().undo();
+    EXPECT_EQ(document.currentObject(), second);
+}
+
+TEST_F(DocumentEdit, RemovedLight_IsCurrentAgainWhenItIsBack) {
+    document.addLight("sun");
+    ASSERT_EQ(document.currentLight(), 1);
+    document.removeLight(1);
+    document.setCurrentLight(0);
+    document.undoStack().undo();
+    EXPECT_EQ(document.currentLight(), 1);
+}
+
 TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
     document.addLight("sun");
     const int light = document.currentLight();

@@ -5,7 +5,8 @@ namespace patina {
 
 LightCommand::LightCommand(Document& document, int index, std::optional<Light> before,
                            std::optional<Light> after, const QString& label)
-    : ListCommand(document, Kind::Light, label, index, std::move(before), std::move(after)) {}
+    : ListCommand(document, Kind::Light, label, index, std::move(before), std::move(after),
+                  document.currentLight()) {}
 
 std::vector<Light>& LightCommand::list() const {
     return state().scene.lights;
@@ -13,6 +14,10 @@ std::vector<Light>& LightCommand::list() const {
 
 void LightCommand::announce() const {
     Q_EMIT document().lightsChanged();
+}
+
+void LightCommand::setCurrent(int index) const {
+    document().setCurrentLight(index);
 }
 
 } // namespace patina

@@ -14,6 +14,7 @@ class LightCommand : public ListCommand<Light> {
   private:
     std::vector<Light>& list() const override;
     void announce() const override;
+    void setCurrent(int index) const override;
 };
 
 } // namespace patina

@@ -5,7 +5,8 @@ namespace patina {
 
 ObjectCommand::ObjectCommand(Document& document, int index, std::optional<Object> before,
                              std::optional<Object> after, const QString& label)
-    : ListCommand(document, Kind::Object, label, index, std::move(before), std::move(after)) {}
+    : ListCommand(document, Kind::Object, label, index, std::move(before), std::move(after),
+                  document.currentObject()) {}
 
 std::vector<Object>& ObjectCommand::list() const {
     return state().scene.objects;
@@ -13,6 +14,10 @@ std::vector<Object>& ObjectCommand::list() const {
 
 void ObjectCommand::announce() const {
     Q_EMIT document().objectsChanged();
+}
+
+void ObjectCommand::setCurrent(int index) const {
+    document().setCurrentObject(index);
 }
 
 } // namespace patina

@@ -14,6 +14,7 @@ class ObjectCommand : public ListCommand<Object> {
   private:
     std::vector<Object>& list() const override;
     void announce() const override;
+    void setCurrent(int index) const override;
 };
 
 } // namespace patina
