@@ -145,7 +145,7 @@ std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& cat
     }
     const BlockValues* part = material.part("fresnel");
     const Block* fresnel = part == nullptr ? nullptr : catalog.find("fresnel", part->id);
-    if (fresnel != nullptr && (model == nullptr || !hasFresnelSlot(*model))) {
+    if (fresnel != nullptr && model != nullptr && !hasFresnelSlot(*model)) {
         addBlock(hash, *fresnel, part->parameters, material.accuracy);
     }
     if (model != nullptr) {

@@ -221,9 +221,11 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
     set.fresnelMode = hasFresnelSlot(*model) ? FresnelMode::Slot : FresnelMode::None;
 }
 
+/// A stand-in for an unknown model keeps its hatching: blending it would hide that.
 void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) {
     const BlockValues* part = material.part("fresnel");
-    if (part == nullptr || set.fresnelMode == FresnelMode::Slot) {
+    const bool isKnown = catalog.find("models", material.model.id) != nullptr;
+    if (part == nullptr || !isKnown || set.fresnelMode == FresnelMode::Slot) {
         return;
     }
     if (const Block* block = catalog.find("fresnel", part->id)) {

@@ -252,6 +252,14 @@ TEST_F(RendererTest, UnknownModel_IsDrawnAsAStandIn) {
     EXPECT_NE(middle(capture(scene)), glm::vec3(0.25f));
 }
 
+TEST_F(RendererTest, UnknownModelWithAFresnelTerm_IsDrawnAsTheSameStandIn) {
+    Scene scene = simpleScene();
+    scene.objects[0].material.model.id = "from-the-future";
+    const Image plain = capture(scene);
+    scene.objects[0].material.parts["fresnel"] = {"schlick", 1, {{"f0", 0.9}}};
+    EXPECT_EQ(capture(scene).pixels, plain.pixels);
+}
+
 TEST_F(RendererTest, Opacity_MixesWithWhatIsBehind) {
     Scene scene = plate();
     scene.objects[0].material.opacity = 0.25;
