@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "catalog/fills.h"
+#include "cli/accuracy_text.h"
 #include "cli/environment_setup.h"
 #include "cli/scene_block.h"
 #include "cli/texture_text.h"
@@ -140,23 +141,6 @@ Result<bool> setOpacity(Material& material, const std::string& text) {
     return true;
 }
 
-Result<bool> setLevel(Material& material, const Block* model, const std::string& id,
-                      const std::string& text) {
-    const AccuracyChoice* choice = model == nullptr ? nullptr : model->accuracyChoice(id);
-    if (choice == nullptr) {
-        return false;
-    }
-    std::string known;
-    for (const EnumValue& level : choice->values) {
-        if (level.id == text) {
-            material.accuracy[id] = text;
-            return true;
-        }
-        known += (known.empty() ? "one of " : ", ") + level.id;
-    }
-    return failure(fmt::format("{}: \"{}\" is not a level of it", id, text), known);
-}
-
 /// "<kind>" chooses a part, "<kind>.<id>" or the id alone sets one of its parameters.
 Result<bool> setInParts(Material& material, const std::string& id, const std::string& text,
                         const Catalog& catalog) {
@@ -190,7 +174,7 @@ Result<void> applySet(Material& material, const std::string& assignment, const C
     Result<bool> done =
         id == "opacity" ? setOpacity(material, text) : setIn(model, &material.model, id, text);
     if (done && !*done) {
-        done = setLevel(material, model, id, text);
+        done = setLevel(material, id, text, catalog);
     }
     if (done && !*done) {
         done = setInParts(material, id, text, catalog);

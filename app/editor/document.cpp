@@ -5,6 +5,7 @@
 
 #include "commands/parameter_command.h"
 #include "fixed_blocks.h"
+#include "material/blocks_in_use.h"
 
 namespace patina {
 
@@ -196,11 +197,15 @@ const Block* Document::block(const BlockPath& path) const {
         const BlockValues* values = blockValuesAt(state_, path);
         return values ? catalog_->find(kindOf(path.part), values->id) : nullptr;
     }
-    const Block* model = block({BlockPath::Part::Model, path.index, path.side});
-    if (!model) {
+    const Material* material = materialAt(state_, path.index, path.side);
+    if (!material || !block({BlockPath::Part::Model, path.index, path.side})) {
         return nullptr;
     }
-    return &accuracyBlocks_.try_emplace(model->id, accuracyBlock(*model)).first->second;
+    const std::vector<const Block*> blocks = blocksInUse(*material, *catalog_);
+    const auto known = accuracyBlocks_.find(blocks);
+    return known != accuracyBlocks_.end()
+               ? &known->second
+               : &accuracyBlocks_.emplace(blocks, accuracyBlock(blocks)).first->second;
 }
 
 Value Document::value(const BlockPath& path, const Parameter& parameter) const {

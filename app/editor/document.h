@@ -224,7 +224,7 @@ class Document : public QObject {
     std::optional<BlockValues> lastEnvironment_; ///< the same
     std::optional<BlockValues> lastTransparency_;
     std::map<BlockPath::Part, Block> fixedBlocks_;
-    mutable std::map<std::string, Block, std::less<>> accuracyBlocks_; ///< by model id
+    mutable std::map<std::vector<const Block*>, Block> accuracyBlocks_; ///< by the blocks in use
     QUndoStack undoStack_;
 };
 

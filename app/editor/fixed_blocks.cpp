@@ -262,19 +262,29 @@ Block materialBlock() {
     return block;
 }
 
-Block accuracyBlock(const Block& model) {
+namespace {
+
+void addChoice(Block& block, const AccuracyChoice& choice) {
+    if (choice.values.empty() || block.parameter(choice.id) != nullptr) {
+        return;
+    }
+    Parameter parameter = described(ParameterType::Enum, choice.id, choice.label, choice.doc,
+                                    choice.values.front().id);
+    parameter.values = choice.values;
+    parameter.compiled = Compiled::Yes;
+    block.parameters.push_back(std::move(parameter));
+}
+
+} // namespace
+
+Block accuracyBlock(std::span<const Block* const> blocks) {
     Block block;
     block.id = "accuracy";
     block.label = "Accuracy";
-    for (const AccuracyChoice& choice : model.accuracy) {
-        if (choice.values.empty()) {
-            continue;
+    for (const Block* used : blocks) {
+        for (const AccuracyChoice& choice : used->accuracy) {
+            addChoice(block, choice);
         }
-        Parameter parameter = described(ParameterType::Enum, choice.id, choice.label, choice.doc,
-                                        choice.values.front().id);
-        parameter.values = choice.values;
-        parameter.compiled = Compiled::Yes;
-        block.parameters.push_back(std::move(parameter));
     }
     return block;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "catalog/block.h"
@@ -15,8 +16,8 @@ Block sceneBlock();
 Block objectBlock();
 Block materialBlock();
 
-/// The accuracy choices of a model as enum parameters.
-Block accuracyBlock(const Block& model);
+/// The accuracy choices of blocks as enum parameters; blocks share a choice of the same id.
+Block accuracyBlock(std::span<const Block* const> blocks);
 
 std::optional<Value> sceneValue(const Scene& scene, std::string_view parameterId);
 std::optional<Value> objectValue(const Object& object, std::string_view parameterId);

@@ -81,6 +81,18 @@ EvalBlock chosen(const Block& block, const std::vector<std::size_t>& row) {
     return made;
 }
 
+/// As few rows as have every choice: the pairs are for the filler's own sweep.
+std::vector<std::vector<std::size_t>> everyChoiceOnce(const std::vector<std::size_t>& counts) {
+    const std::size_t most = counts.empty() ? 1 : *std::max_element(counts.begin(), counts.end());
+    std::vector<std::vector<std::size_t>> rows(most);
+    for (std::size_t i = 0; i < most; ++i) {
+        for (const std::size_t count : counts) {
+            rows[i].push_back(i % count);
+        }
+    }
+    return rows;
+}
+
 std::vector<EvalBlock> fillers(const Catalog& catalog, const Block& block) {
     std::vector<EvalBlock> all;
     if (block.slots.empty()) {
@@ -90,7 +102,7 @@ std::vector<EvalBlock> fillers(const Catalog& catalog, const Block& block) {
         all.emplace_back(); // the slot may stay empty
     }
     for (const Block* filler : catalog.ofKind(block.slots.front().kind)) {
-        for (const auto& row : pairwiseRows(compiledCounts(*filler))) {
+        for (const auto& row : everyChoiceOnce(compiledCounts(*filler))) {
             all.push_back(chosen(*filler, row));
         }
     }

@@ -5,6 +5,9 @@ float conductorChannel(Incidence i, ConductorFresnel p, float eta, float k) {
     if (p.reflectance == CONDUCTOR_FRESNEL_REFLECTANCE_HIGH_INDEX) {
         return fresnelConductorHighIndex(i.c, eta / p.indexOutside, k / p.indexOutside);
     }
+    if (p.reflectance == CONDUCTOR_FRESNEL_REFLECTANCE_SCHLICK) {
+        return schlickConductor(i, eta / p.indexOutside, k / p.indexOutside);
+    }
     float Rs;
     float Rp;
     conductorReflectances(i, p.indexOutside, eta, k, Rs, Rp);

@@ -3,6 +3,14 @@
 
 // Fresnel's reflectance, the mean of both polarisations or one of them.
 vec3 dielectricFresnel(Incidence i, DielectricFresnel p) {
+    if (p.polarisation == DIELECTRIC_FRESNEL_POLARISATION_UNPOLARISED) {
+        if (p.reflectanceClear == DIELECTRIC_FRESNEL_REFLECTANCE_CLEAR_SCHLICK) {
+            return vec3(schlickDielectric(i, p.indexOutside, p.indexInside));
+        }
+        if (p.reflectanceClear == DIELECTRIC_FRESNEL_REFLECTANCE_CLEAR_EXPONENTIAL) {
+            return vec3(exponentialDielectric(i, p.indexOutside, p.indexInside));
+        }
+    }
     float Rs;
     float Rp;
     dielectricReflectances(i, p.indexOutside, p.indexInside, Rs, Rp);

@@ -49,6 +49,29 @@ float fresnelDielectric(float c, float eta) {
     return 0.5 * (Rs + Rp);
 }
 
+// Schlick's reflectance of a dielectric, F0 = ((etaT - etaI) / (etaT + etaI))^2. From the denser
+// side the rise is that at the angle outside, and all is reflected beyond the critical angle.
+// Nothing for equal indices.
+float schlickDielectric(Incidence i, float etaI, float etaT) {
+    float F0 = sqr((etaT - etaI) / (etaT + etaI));
+    float versine = i.versine;
+    if (etaT < etaI) {
+        versine = 1.0 - min(safeSqrt(refractedG2(i, etaI, etaT)) * etaI / etaT, 1.0);
+    }
+    return F0 > 0.0 ? F0 + (1.0 - F0) * pow5(versine) : 0.0;
+}
+
+// The same with (1 - c)^5 fitted by 2^(-(5.55473 c + 6.98316) c) (Karis, Real Shading in Unreal
+// Engine 4, SIGGRAPH 2013 course). Beyond the critical angle c counts as 0.
+float exponentialDielectric(Incidence i, float etaI, float etaT) {
+    float F0 = sqr((etaT - etaI) / (etaT + etaI));
+    float c = i.c;
+    if (etaT < etaI) {
+        c = min(safeSqrt(refractedG2(i, etaI, etaT)) * etaI / etaT, 1.0);
+    }
+    return F0 > 0.0 ? F0 + (1.0 - F0) * exp2(-(5.55473 * c + 6.98316) * c) : 0.0;
+}
+
 // Reflectance of a conductor of the index eta + i k for light polarised across (Rs) and in (Rp) the
 // plane of incidence, seen from a dielectric of the index etaI > 0; eta, k >= 0. With both over
 // etaI, t = eta^2 - k^2 - sin^2 and a + i b = sqrt(t + 2 i eta k):
@@ -104,6 +127,14 @@ float fresnelConductorHighIndex(float c, float eta, float k) {
     float Rs = (sqr(eta - c) + k2) / max(sqr(eta + c) + k2, 1e-30);
     float Rp = (sqr(eta * c - 1.0) + k2 * c * c) / (sqr(eta * c + 1.0) + k2 * c * c);
     return 0.5 * (Rs + Rp);
+}
+
+// Schlick's reflectance of a conductor, F0 + (1 - F0)(1 - c)^5 with F0 that of the index eta + i k:
+// ((eta - 1)^2 + k^2 + 4 eta (1 - c)^5) / ((eta + 1)^2 + k^2). Lazanyi and Szirmay-Kalos, Fresnel
+// Term Approximations for Metals, WSCG 2005, equation 4.
+float schlickConductor(Incidence i, float eta, float k) {
+    float k2 = k * k;
+    return (sqr(eta - 1.0) + k2 + 4.0 * eta * pow5(i.versine)) / (sqr(eta + 1.0) + k2);
 }
 
 // The index of the dielectric that reflects F0 facing the surface, (1 + sqrt F0) / (1 - sqrt F0),

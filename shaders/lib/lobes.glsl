@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // Highlights that are functions of one angle, 1 in their middle.
 #include "lib/elementary.glsl"
-#include "lib/microfacet.glsl"
-
-// (r.v)^e, e >= 0, from rv = r.v and versineRv = 1 - r.v; 0 where r.v <= 0, also for e = 0.
-// B. T. Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975.
-float phongLobe(float versineRv, float rv, float e) {
-    return pow1m(versineRv, rv, e);
-}
 
 // (n.h)^e, e >= 0, from sin2h : cos2h, the squared sine and cosine of the angle between n and h,
 // and the sign of nH = n.(l + v); 0 where n.h <= 0, also for e = 0. J. F. Blinn, Models of Light
@@ -22,17 +15,6 @@ float blinnLobe(float sin2h, float cos2h, float nH, float e) {
 // 1994.
 float schlickLobe(float versineRv, float rv, float m) {
     return rv > 0.0 ? rv / (rv + m * versineRv) : 0.0;
-}
-
-// exp(-(theta_h / m)^2), theta_h the angle between n and h, m >= 0 its width in radians; 0 where
-// n.h <= 0. m -> 0 is 1 where h = n and else 0, which a rounding of the directions decides: like
-// facets, a lobe is never narrower than slopeWidth() allows.
-// R. L. Cook and K. E. Torrance, ACM TOG 1(1), 1982 (Blinn's Gaussian, 1977).
-float gaussianHighlight(float sin2h, float cos2h, float nH, float m) {
-    if (!(nH > 0.0)) {
-        return 0.0;
-    }
-    return gaussianLobe(sin2h, cos2h, sqrt(cos2h / (sin2h + cos2h)), slopeWidth(m));
 }
 
 // The factor pi (e + 2) / (2 pi) that makes the integral of (r.v)^e (n.l) / pi one when the light

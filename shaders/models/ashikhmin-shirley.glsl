@@ -9,17 +9,25 @@ float ashikhminShirleyRise(float y) {
     return y * (5.0 - y * (10.0 - y * (10.0 - y * (5.0 - y))));
 }
 
+// -ln(n.h) over the squared sine of n.h on the scale of H; cheaply (1 - n.h) over it.
+float ashikhminShirleyFall(Directions d, AshikhminShirley p) {
+    if (p.falloff == ASHIKHMIN_SHIRLEY_FALLOFF_GAUSSIAN) {
+        return 1.0 / ((d.sin2h + d.cos2h) * (1.0 + d.nh));
+    }
+    return minusLnCosBySin2(d.sin2h, d.cos2h);
+}
+
 // (n.h)^(nu cos^2 phi + nv sin^2 phi) sqrt((nu + 1)(nv + 1)) with phi the azimuth of h. The
 // exponent is (nu (H.t)^2 + nv (H.b)^2) / sin^2 on the scale of H, and -ln cos / sin^2 has a limit
 // at h = n.
 float ashikhminShirleyLobe(Directions d, AshikhminShirley p) {
     if (p.shininessYEqual) { // no azimuth is left
-        float exponent = p.shininessX * d.sin2h * minusLnCosBySin2(d.sin2h, d.cos2h);
+        float exponent = p.shininessX * d.sin2h * ashikhminShirleyFall(d, p);
         return exp2(-1.4426950408889634 * exponent) * (p.shininessX + 1.0);
     }
     Directions g = alongGrain(d, p.tangentAngle);
     float weight = p.shininessX * sqr(g.tH) + p.shininessY * sqr(g.bH);
-    return exp2(-1.4426950408889634 * weight * minusLnCosBySin2(d.sin2h, d.cos2h))
+    return exp2(-1.4426950408889634 * weight * ashikhminShirleyFall(d, p))
         * sqrt((p.shininessX + 1.0) * (p.shininessY + 1.0));
 }
 
@@ -30,7 +38,8 @@ vec3 ashikhminShirley(Directions d, AshikhminShirley p) {
     float lobe = 0.125 * ashikhminShirleyLobe(d, p) * (d.nl / max(d.nl, d.nv))
         / max(d.lh, 1e-20);
     vec3 diffuse = p.diffuseColor * d.nl;
-    if (p.diffuseKind == ASHIKHMIN_SHIRLEY_DIFFUSE_KIND_COUPLED) {
+    if (p.diffuseKind == ASHIKHMIN_SHIRLEY_DIFFUSE_KIND_COUPLED
+        && p.base == ASHIKHMIN_SHIRLEY_BASE_EXACT) {
         vec3 Rs = p.specularColor * slotFresnel(incidenceOf(1.0), p.fresnel);
         float rise = ashikhminShirleyRise(0.5 * d.nl) * ashikhminShirleyRise(0.5 * d.nv);
         diffuse *= (vec3(1.0) - Rs) * (1.2173913043478261 * rise);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT-0
+#include "lib/cheap_microfacet.glsl"
 #include "lib/directions.glsl"
 #include "lib/fresnel.glsl"
+#include "lib/gaussians.glsl"
 #include "lib/gloss.glsl"
 #include "lib/masking.glsl"
 #include "lib/microfacet.glsl"
+#include "lib/powers.glsl"
 
 // The width of the facets' slopes: the RMS slope of the Beckmann surface that is masked alike, or
 // alpha of the GGX one. The Gaussians are Beckmann's for small angles; for the power Walter et al.
@@ -42,6 +45,26 @@ float cookTorranceD(Directions d, CookTorrance p) {
     return gaussianLobe(d.sin2h, d.cos2h, d.nh, width) / gaussianNormaliser(width);
 }
 
+// The same with fewer operations, for all but GGX, of which nothing can be left out.
+float cookTorranceReducedD(Directions d, CookTorrance p) {
+    float width = cookTorranceWidth(p);
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_BECKMANN) {
+        return beckmannSeries(d.sin2h, d.cos2h, width);
+    }
+    if (p.distribution == COOK_TORRANCE_DISTRIBUTION_PHONG) {
+        float e = phongExponent(slopeWidth(p.roughness));
+        return (e + 2.0) * gaussianPower(halfVersine(d), d.nh, e) / (2.0 * PI);
+    }
+    return gaussianLobeBy(ANGLE_SMALL, d.sin2h, d.cos2h, d.nh, width) / gaussianNormaliser(width);
+}
+
+float cookTorranceFacets(Directions d, CookTorrance p) {
+    if (p.facets == COOK_TORRANCE_FACETS_REDUCED && !cookTorranceIsGgx(p)) {
+        return cookTorranceReducedD(d, p);
+    }
+    return cookTorranceD(d, p);
+}
+
 // What turns D into pi times the distribution as printed: Blinn's are 1 at the peak, and Beckmann's
 // lacks the 1/pi.
 float cookTorrancePrinted(CookTorrance p) {
@@ -64,19 +87,30 @@ float cookTorrancePrinted(CookTorrance p) {
 // c / G1 of one direction.
 float cookTorranceUnmasked(CookTorrance p, float c, float s2) {
     float width = cookTorranceWidth(p);
-    if (p.masking == COOK_TORRANCE_MASKING_SCHLICK_SMITH) {
+    if (p.masking == COOK_TORRANCE_MASKING_SCHLICK_SMITH
+        || p.shadowing == COOK_TORRANCE_SHADOWING_SCHLICK) {
         return schlickUnmasked(c, (cookTorranceIsGgx(p) ? 0.5 : 0.79788456080286536) * width);
     }
     if (cookTorranceIsGgx(p)) {
         return ggxUnmasked(c, s2, width);
     }
+    if (p.shadowing == COOK_TORRANCE_SHADOWING_WALTER) {
+        return walterUnmasked(c, s2, width);
+    }
     return beckmannUnmasked(c, s2, width);
 }
 
-// G / (4 n.v).
+// G / (4 n.v). "None" is G = (n.l)(n.v), which leaves nothing of the term.
 float cookTorranceVisibility(Directions d, CookTorrance p) {
+    if (p.shadowing == COOK_TORRANCE_SHADOWING_NONE) {
+        return 0.25 * d.nl;
+    }
     if (p.masking == COOK_TORRANCE_MASKING_V_CAVITY) {
         return vCavityVisibility(d.nl, d.nv, d.nH, d.HH);
+    }
+    if (p.shadowing == COOK_TORRANCE_SHADOWING_HAMMON && cookTorranceIsGgx(p)
+        && p.masking == COOK_TORRANCE_MASKING_SMITH_CORRELATED) {
+        return hammonVisibility(d.nl, d.nv, cookTorranceWidth(p));
     }
     float Sl = cookTorranceUnmasked(p, d.nl, d.sin2l);
     float Sv = cookTorranceUnmasked(p, d.nv, d.sin2v);
@@ -110,7 +144,7 @@ vec3 cookTorrance(Directions d, CookTorrance p) {
         scale = 4.0 * cookTorrancePrinted(p);
     }
     vec3 F = slotFresnel(cookTorranceIncidence(d, p), p.fresnel);
-    float lobe = scale * cookTorranceD(d, p) * cookTorranceVisibility(d, p);
+    float lobe = scale * cookTorranceFacets(d, p) * cookTorranceVisibility(d, p);
     vec3 highlight = p.specularColor * F * (specularShare * lobe);
     return p.diffuseColor * (diffuseShare * d.nl)
         + glossed(highlight, p.gloss, p.glossMode == COOK_TORRANCE_GLOSS_MODE_LIMIT, d.nl);

@@ -6,7 +6,7 @@
 // max(0, Cx lt vt + Cy lb vb + Cz ln vn)^e for one channel, C = (Cx, Cy, Cz). The part that is the
 // same in every azimuth is written with the exact versine of r.v (mirroring lobes, Cx + Cy < 0) or
 // l.v (lobes back to the light), so that 1 - base is not formed from a rounded base.
-float lafortunePower(Directions g, vec3 C, float e) {
+float lafortunePower(Directions g, Lafortune p, vec3 C, float e) {
     float x = g.lt * g.vt;
     float y = g.lb * g.vb;
     float z = g.nl * g.nv;
@@ -14,7 +14,11 @@ float lafortunePower(Directions g, vec3 C, float e) {
     float turn = mirrors ? C.z : -C.z;
     float versine = mirrors ? g.versineRv : 2.0 * g.versineLh * (1.0 + g.lh);
     float gap = (1.0 - C.z) + C.z * versine - (C.x + turn) * x - (C.y + turn) * y;
-    return powNear1(gap, C.x * x + C.y * y + C.z * z, e);
+    float base = C.x * x + C.y * y + C.z * z;
+    if (p.falloff == LAFORTUNE_FALLOFF_GAUSSIAN) {
+        return base > 0.0 ? exp2(min(-1.4426950408889634 * e * gap, 100.0)) : 0.0;
+    }
+    return powNear1(gap, base, e);
 }
 
 // The lobe per channel, times pi or, with the factor (e + 2) / (2 pi) that makes the mirror lobe
@@ -24,9 +28,9 @@ vec3 lafortuneLobe(Directions g, Lafortune p, vec3 Cx, vec3 Cy, vec3 Cz, vec3 e)
     if (p.normalisation == LAFORTUNE_NORMALISATION_NORMALISED) {
         scale = 0.5 * e + vec3(1.0);
     }
-    return scale * vec3(lafortunePower(g, vec3(Cx.x, Cy.x, Cz.x), e.x),
-        lafortunePower(g, vec3(Cx.y, Cy.y, Cz.y), e.y),
-        lafortunePower(g, vec3(Cx.z, Cy.z, Cz.z), e.z));
+    return scale * vec3(lafortunePower(g, p, vec3(Cx.x, Cy.x, Cz.x), e.x),
+        lafortunePower(g, p, vec3(Cx.y, Cy.y, Cz.y), e.y),
+        lafortunePower(g, p, vec3(Cx.z, Cy.z, Cz.z), e.z));
 }
 
 // Lafortune et al. 1997: f = rho / pi + sum of the lobes; pi f cos theta_l.

@@ -2,10 +2,11 @@
 #include "lib/directions.glsl"
 #include "lib/gloss.glsl"
 #include "lib/lobes.glsl"
+#include "lib/powers.glsl"
 
 // The lobe (r.v)^e of Phong 1975; normalised, pi (n.l) (e + 2) / (2 pi) (r.v)^e of Lewis 1994.
 vec3 phong(Directions d, Phong p) {
-    float lobe = phongLobe(d.versineRv, d.rv, p.shininess);
+    float lobe = powerLobe(p.power, d.versineRv, d.rv, p.shininess);
     float white = 1.0;
     if (p.normalisation == PHONG_NORMALISATION_NORMALISED) {
         lobe *= phongNormalisation(p.shininess) * d.nl;

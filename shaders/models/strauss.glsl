@@ -3,13 +3,16 @@
 #include "lib/elementary.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/gloss.glsl"
-#include "lib/lobes.glsl"
 #include "lib/microfacet.glsl"
+#include "lib/powers.glsl"
 
 // The argument x of Strauss's F and G, 0 at the normal and 1 at the horizon, and y = 1 - x. It is
 // the angle in right angles: with it F(0) = 0 and G(0) = 1, as the paper requires.
 void straussArgument(Strauss p, float c, float s2, OUT(float) x, OUT(float) y) {
-    if (p.argument == STRAUSS_ARGUMENT_COSINE) {
+    if (p.argument == STRAUSS_ARGUMENT_ANGLE && p.terms == STRAUSS_TERMS_COSINE) {
+        x = s2 / (1.0 + c); // 1 - c in the place of the angle, both 0 at the normal
+        y = c;
+    } else if (p.argument == STRAUSS_ARGUMENT_COSINE) {
         x = c;
         y = s2 / (1.0 + c);
     } else {
@@ -30,7 +33,7 @@ float straussLobe(Directions d, Strauss p) {
     if (p.lobe == STRAUSS_LOBE_GGX) {
         return PI * alpha * alpha * ggxDistribution(d.sin2h, d.cos2h, alpha);
     }
-    return phongLobe(d.versineRv, d.rv, 3.0 / max(rough, 1e-30));
+    return powerLobe(p.power, d.versineRv, d.rv, 3.0 / max(rough, 1e-30));
 }
 
 // Strauss 1990. The exponent 3 / (1 - s) of a perfect mirror is kept finite at 3e30: the lobe is

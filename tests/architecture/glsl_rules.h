@@ -109,7 +109,7 @@ class GlslRules {
         const std::string statement = statementBefore(position);
         const auto open = std::count(statement.begin(), statement.end(), '[');
         const auto closed = std::count(statement.begin(), statement.end(), ']');
-        static const std::regex counting(R"(^\s*(?:const\s+)?int\s)");
+        static const std::regex counting(R"((?:^|\n)\s*(?:const\s+)?int\s)");
         static const std::regex loop(R"(^[^\n]*\bfor\s*\(\s*int\b)");
         return open > closed || std::regex_search(statement, counting) ||
                std::regex_search(line.substr(0, line.find('\n')), loop);

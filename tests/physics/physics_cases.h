@@ -48,12 +48,13 @@ struct Subject {
     const reference::Block* code;
     std::vector<double> parameters;
 
-    Subject(const std::string& kind, const std::string& id, const Values& values = {})
+    Subject(const std::string& kind, const std::string& id, const Values& values = {},
+            const AccuracyLevels& levels = {})
         : block(catalog().find(kind, id)), code(reference::findBlock(kind, id)) {
         if (block == nullptr || code == nullptr) {
             throw std::runtime_error("no block " + kind + "/" + id);
         }
-        parameters = packed(*block, values, {});
+        parameters = packed(*block, values, levels);
     }
 
     glm::dvec3 shade(const reference::Geometry& geometry,

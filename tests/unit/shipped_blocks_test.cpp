@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 namespace patina {
@@ -31,6 +33,34 @@ TEST(ShippedBlocks, EveryBlock_SaysWhatItIsAndWhereItIsFrom) {
     for (const Block& block : shipped().blocks) {
         EXPECT_FALSE(block.summary.empty() || block.source.empty() || block.applications.empty())
             << block.id;
+    }
+}
+
+TEST(ShippedBlocks, EveryAccuracyLevel_SaysWhatItIs) {
+    for (const Block& block : shipped().blocks) {
+        for (const AccuracyChoice& choice : block.accuracy) {
+            EXPECT_GE(choice.values.size(), 2U) << block.id << ' ' << choice.id;
+            EXPECT_FALSE(choice.doc.empty()) << block.id << ' ' << choice.id;
+            for (const EnumValue& level : choice.values) {
+                EXPECT_FALSE(level.label.empty() || level.doc.empty())
+                    << block.id << ' ' << choice.id << ' ' << level.id;
+            }
+        }
+    }
+}
+
+/// Materials keep one level for each id, and lib/ counts on the order.
+TEST(ShippedBlocks, AccuracyChoicesOfOneId_HaveTheSameLevels) {
+    std::map<std::string, std::vector<std::string>> known;
+    for (const Block& block : shipped().blocks) {
+        for (const AccuracyChoice& choice : block.accuracy) {
+            std::vector<std::string> levels;
+            for (const EnumValue& level : choice.values) {
+                levels.push_back(level.id);
+            }
+            EXPECT_EQ(known.emplace(choice.id, levels).first->second, levels)
+                << block.id << ' ' << choice.id;
+        }
     }
 }
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/accuracy_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "material/blocks_in_use.h"
+
+namespace patina {
+namespace {
+
+/// The choice that a name means among those of one block.
+const AccuracyChoice* choiceNamed(const Block& block, const std::string& name) {
+    for (const std::string& before : {std::string("accuracy"), block.kind}) {
+        if (name.starts_with(before + '.')) {
+            if (const auto* choice = block.accuracyChoice(name.substr(before.size() + 1))) {
+                return choice;
+            }
+        }
+    }
+    return block.accuracyChoice(name);
+}
+
+} // namespace
+
+Result<bool> setLevel(Material& material, const std::string& name, const std::string& level,
+                      const Catalog& catalog) {
+    const AccuracyChoice* choice = nullptr;
+    for (const Block* block : blocksInUse(material, catalog)) {
+        choice = choice == nullptr ? choiceNamed(*block, name) : choice;
+    }
+    if (choice == nullptr) {
+        return false;
+    }
+    std::string known;
+    for (const EnumValue& value : choice->values) {
+        if (value.id == level) {
+            material.accuracy[choice->id] = level;
+            return true;
+        }
+        known += (known.empty() ? "one of " : ", ") + value.id;
+    }
+    return failure(fmt::format("{}: \"{}\" is not a level of it", name, level), known);
+}
+
+} // namespace patina

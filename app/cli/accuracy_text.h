@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/error.h"
+#include "material/material.h"
+
+namespace patina {
+
+/// Sets an accuracy choice of a block that the material uses, named by its id alone or with the
+/// block's kind or the word "accuracy" and a dot before it. False where none has this name.
+Result<bool> setLevel(Material& material, const std::string& name, const std::string& level,
+                      const Catalog& catalog);
+
+} // namespace patina

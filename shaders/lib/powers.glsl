@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT-0
+// (1 - d)^e with c = 1 - d, the power that most highlights are, exactly and in three cheaper ways.
+// d and c are both known without cancellation; e >= 0; 0 where c is not positive, also for e = 0.
+#include "lib/directions.glsl"
+#include "lib/elementary.glsl"
+#include "lib/lobes.glsl"
+
+// The levels of an accuracy choice "power", in the order in which every descriptor lists them: the
+// exact power is the one before these.
+const int POWER_SQUARING = 1;
+const int POWER_RATIONAL = 2;
+const int POWER_GAUSSIAN = 3;
+
+// Repeated squaring: with e = f 2^n and 1 <= f <= 2 (f = e below 1), x^f = c (2 - f d) / (2 c + f d),
+// which is exact for f = 0, 1 and 2, squared n times. So it is exact for the exponents 1, 2,
+// 4, 8 ...; between them the error is below 0.0282 / e^2. All but the last four squarings are made
+// of 1 - x, which near the middle of the lobe has more digits than x.
+float squaredPower(float d, float c, float e) {
+    if (!(c > 0.0)) {
+        return 0.0;
+    }
+    float doublings = floor(log2(max(e, 1.0)));
+    float f = e * exp2(-doublings);
+    float below = 2.0 * c + f * d;
+    float lack = f * d * (2.0 - d) / below;
+    float x = c * (2.0 - f * d) / below;
+    int n = int(doublings);
+    for (int i = 4; i < n; ++i) {
+        lack *= 2.0 - lack;
+        x = 1.0 - lack;
+    }
+    for (int i = max(n - 4, 0); i < n; ++i) {
+        x *= x;
+    }
+    return x;
+}
+
+// A Gaussian on the sphere, e^(-e d): the power for small angles. The error is 0.27 / e at most
+// where e > 5. J. Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance,
+// ACM TOG 28(5), 2009.
+float gaussianPower(float d, float c, float e) {
+    return c > 0.0 ? exp2(-1.4426950408889634 * (e * d)) : 0.0;
+}
+
+// The power by the level of the choice. With r.v it is the lobe of B. T. Phong, Illumination for
+// Computer Generated Pictures, CACM 18(6), 1975.
+float powerLobe(int level, float d, float c, float e) {
+    if (level == POWER_SQUARING) {
+        return squaredPower(d, c, e);
+    }
+    if (level == POWER_RATIONAL) {
+        return schlickLobe(d, c, e);
+    }
+    if (level == POWER_GAUSSIAN) {
+        return gaussianPower(d, c, e);
+    }
+    return pow1m(d, c, e);
+}
+
+// 1 - n.h; 1 where the half vector is below the horizon.
+float halfVersine(Directions d) {
+    return d.nh > 0.0 ? d.sin2h / ((d.sin2h + d.cos2h) * (1.0 + d.nh)) : 1.0;
+}
+
+// (n.h)^e by the level of the choice.
+float halfPowerLobe(int level, Directions d, float e) {
+    if (level == POWER_SQUARING || level == POWER_RATIONAL || level == POWER_GAUSSIAN) {
+        return powerLobe(level, halfVersine(d), d.nh, e);
+    }
+    return blinnLobe(d.sin2h, d.cos2h, d.nH, e);
+}
