@@ -221,7 +221,7 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
     set.fresnelMode = hasFresnelSlot(*model) ? FresnelMode::Slot : FresnelMode::None;
 }
 
-/// A stand-in for an unknown model keeps its hatching: blending it would hide that.
+/// A stand-in for an unknown model keeps its stripes: blending it would hide them.
 void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) {
     const BlockValues* part = material.part("fresnel");
     const bool isKnown = catalog.find("models", material.model.id) != nullptr;
