@@ -29,8 +29,23 @@ void addCommands(CLI::App& program, int& status) {
     }
 }
 
+/// The library's words for an option that is given again speak of what it requires.
+std::string inOurWords(const std::string& reason) {
+    constexpr std::string_view theirs = ": At Most 1 required but received ";
+    const std::size_t at = reason.find(theirs);
+    if (at == std::string::npos) {
+        return reason;
+    }
+    const std::string times = reason.substr(at + theirs.size());
+    return reason.substr(0, at) + ": given " + times + " times; expected once";
+}
+
 /// Help and version go to standard output and succeed; everything else is a wrong command line.
 int answer(const CLI::App& program, const CLI::ParseError& reason) {
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&reason) != nullptr) {
+        std::cerr << inOurWords(reason.what()) << "\nRun with --help for more information.\n";
+        return 1;
+    }
     return program.exit(reason, std::cout, std::cerr) == 0 ? 0 : 1;
 }
 

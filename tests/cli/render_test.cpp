@@ -197,6 +197,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Failure{{gold, "--set", "=3", "-o", "-"}, "id=value"},
                     Failure{{gold, "--exposure", "nan", "-o", "-"}, "exposure"},
                     Failure{{gold, "--exposure", "1e999", "-o", "-"}, "exposure"},
+                    Failure{{gold, "--size", "8x8", "--size", "9x9", "-o", "-"},
+                            "--size: given 2 times; expected once"},
                     Failure{{gold, "--exposure", "33", "-o", "-"}, "32"},
                     Failure{{gold, "--size", "20000x20000", "-o", "-"}, "20000"},
                     Failure{{gold, "--size", "0x10", "-o", "-"}, "size"},
