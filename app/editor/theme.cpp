@@ -22,8 +22,9 @@ const QString portalPath = QStringLiteral("/org/freedesktop/portal/desktop");
 const QString portalInterface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString appearanceGroup = QStringLiteral("org.freedesktop.appearance");
 const QString schemeKey = QStringLiteral("color-scheme");
-constexpr unsigned schemeDark = 1;
 constexpr unsigned schemeUnset = 0;
+constexpr unsigned schemeDark = 1;
+constexpr unsigned schemeLight = 2;
 
 /// The few colours a look is made of.
 struct Colours {
@@ -116,9 +117,13 @@ void Theme::followDesktop() {
 }
 
 void Theme::settingChanged(const QString& group, const QString& key, const QDBusVariant& value) {
-    if (group == appearanceGroup && key == schemeKey) {
-        setDesktopScheme(value.variant().toUInt());
+    if (group != appearanceGroup || key != schemeKey) {
+        return;
     }
+    // Some desktops go back from dark to no preference, and mean their usual light look.
+    const unsigned scheme = value.variant().toUInt();
+    const unsigned usual = gtkPrefersDark() ? schemeDark : schemeLight;
+    setDesktopScheme(scheme == schemeUnset ? usual : scheme);
 }
 
 void Theme::setDesktopScheme(unsigned scheme) {
