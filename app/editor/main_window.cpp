@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <QScreen>
 #include <QUrl>
@@ -229,11 +230,19 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::exportPicture() {
-    Viewport& viewport = views_->active().viewport();
+    const QPointer viewport(&views_->active().viewport());
+    const auto capture = [viewport](bool display, Viewport::PictureTaken taken) {
+        viewport ? viewport->capture(display, std::move(taken)) : taken({});
+    };
+    const auto cancel = [viewport] {
+        if (viewport) {
+            viewport->cancelCapture();
+        }
+    };
     const Material* material = document_.material(document_.activeSide());
     pictures_->ask(FileActions::asFileName(
                        material ? QString::fromStdString(material->name) : QString()),
-                   [&viewport](bool display) { return viewport.picture(display); });
+                   {capture, cancel});
 }
 
 void MainWindow::checkStability() {

@@ -5,10 +5,18 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QPointer>
+#include <QProgressDialog>
 
 #include "core/display_image.h"
 
 namespace patina {
+namespace {
+
+/// A picture that is drawn sooner needs no word about it.
+constexpr int quickMs = 300;
+
+} // namespace
 
 PictureExport::PictureExport(Session& session, QWidget* window)
     : QObject(window), session_(session), window_(window) {
@@ -40,8 +48,26 @@ void PictureExport::ask(const QString& name, const Source& source) {
 }
 
 void PictureExport::save(const QString& file, const Source& source) {
+    auto* progress =
+        new QProgressDialog(tr("Drawing the picture …"), tr("Cancel"), 0, 0, window_);
+    progress->setWindowModality(Qt::WindowModal);
+    progress->setMinimumDuration(quickMs);
+    connect(progress, &QProgressDialog::canceled, this, [progress, cancel = source.cancel] {
+        cancel();
+        progress->deleteLater();
+    });
+    source.capture(!isLinear(file), [this, file, progress = QPointer(progress)](Image picture) {
+        if (progress) {
+            progress->disconnect();
+            progress->hide();
+            progress->deleteLater();
+        }
+        write(file, std::move(picture));
+    });
+}
+
+void PictureExport::write(const QString& file, Image picture) {
     const bool display = !isLinear(file);
-    Image picture = source(display);
     if (picture.pixels.empty()) {
         Q_EMIT failed({file.toStdString(), 0, 0, "there is no picture to write", {}});
         return;

@@ -16,13 +16,18 @@ class QWidget;
 namespace patina {
 
 /// Asks where to and writes what a view shows to a picture file, in the background: 8-bit formats
-/// as it is on the screen, the others as linear floats.
+/// as it is on the screen, the others as linear floats. Where drawing takes long it shows that, and
+/// can be cancelled.
 class PictureExport : public QObject {
     Q_OBJECT
 
   public:
-    /// The picture as it is shown, divided by 255, or as linear floats.
-    using Source = std::function<Image(bool display)>;
+    /// Who draws the picture: as it is shown, divided by 255, or as linear floats. It is handed
+    /// over when it is done, unless it was cancelled.
+    struct Source {
+        std::function<void(bool display, std::function<void(Image)> taken)> capture;
+        std::function<void()> cancel;
+    };
 
     PictureExport(Session& session, QWidget* window);
     ~PictureExport() override;
@@ -39,6 +44,8 @@ class PictureExport : public QObject {
     void failed(patina::Error why);
 
   private:
+    void write(const QString& file, Image picture);
+
     Session& session_;
     QWidget* window_;
     std::unique_ptr<AssetClient> client_; ///< made when first needed

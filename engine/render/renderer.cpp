@@ -117,6 +117,15 @@ class Renderer::Implementation : public FrameDrawer {
         picture.show(framebuffer, *sketchedSize);
     }
 
+    /// The picture that was drawn last.
+    Result<Image> read(const Scene& scene, const View& view, bool display) {
+        if (!display) {
+            return readLinear(linearFramebuffer(), view.size, scene.exposure);
+        }
+        return readDisplay(view.size,
+                           [&](unsigned framebuffer) { show(scene, view, framebuffer); });
+    }
+
     /// What the frame that is drawn in steps shows.
     Scene steppedScene;
     std::optional<Scene> steppedEffects;
@@ -248,11 +257,24 @@ Result<Image> Renderer::capture(const Scene& scene, const View& view, const Mesh
     if (!isThere && !implementation_->drawLinear(scene, view, meshes)) {
         return tl::unexpected(implementation_->report().messages.front());
     }
-    if (!display) {
-        return readLinear(implementation_->linearFramebuffer(), view.size, scene.exposure);
+    return implementation_->read(scene, view, display);
+}
+
+Result<void> Renderer::beginCapture(const Scene& scene, const View& view,
+                                    const MeshSource& meshes) {
+    implementation_->endInspection();
+    implementation_->endSketch();
+    implementation_->limitTextures(GpuTextureStore::everything);
+    if (!implementation_->begin(scene, view, meshes)) {
+        return tl::unexpected(implementation_->report().messages.front());
     }
-    return readDisplay(
-        view.size, [&](unsigned framebuffer) { implementation_->show(scene, view, framebuffer); });
+    implementation_->keep(scene, view);
+    return {};
+}
+
+Result<Image> Renderer::captured(bool display) {
+    return implementation_->read(implementation_->steppedScene, implementation_->steppedView,
+                                 display);
 }
 
 const FrameReport& Renderer::drawInspection(const Scene& scene, const View& view,

@@ -130,6 +130,11 @@ class Renderer {
     Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
                           bool display);
 
+    /// As capture(), for a window that must not stand still: proceed() draws it bit by bit until it
+    /// is true, and captured() reads it then. An error: there is nothing to show.
+    Result<void> beginCapture(const Scene& scene, const View& view, const MeshSource& meshes);
+    Result<Image> captured(bool display);
+
     /// The numerical check: the frame in muted grey with patterns where a number is not finite or
     /// negative before anything cuts it, or where the surface sends out more than arrives. A
     /// program of its own; draw() gives back what it took.

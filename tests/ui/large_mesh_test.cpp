@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include <QFile>
+#include <QImage>
+#include <QProgressDialog>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTest>
@@ -127,6 +130,74 @@ TEST_F(LargeMesh, CancelledWhileItIsRead_ChangesNothing) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !messages.isEmpty(); }, limitMs));
     EXPECT_EQ(document().scene(), before);
     EXPECT_FALSE(document().isModified());
+}
+
+class LargeMeshExport : public LargeMesh {
+  protected:
+    void SetUp() override {
+        ASSERT_TRUE(dropAndWait());
+        const auto isShown = [this] { return newFrames() == 0 && view().isUpToDate(); };
+        ASSERT_TRUE(QTest::qWaitFor(isShown, limitMs));
+    }
+
+    void save() { window().pictures().save(name_, pictureOf(view())); }
+    QImage written() const { return QImage(name_).convertToFormat(QImage::Format_RGB888); }
+    bool isThere() const { return QFile::exists(name_); }
+
+  private:
+    QString name_ = QString::fromStdString(home("large.png").string());
+};
+
+TEST_F(LargeMeshExport, Picture_IsDrawnOverSeveralTurns) {
+    save();
+    int turns = 0;
+    while (view().isDrawing() && turns < limitMs) {
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        ++turns;
+    }
+    EXPECT_GT(turns, 1);
+}
+
+TEST_F(LargeMeshExport, Picture_IsWhatTheViewShows) {
+    QSignalSpy saved(&window().pictures(), &PictureExport::saved);
+    const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    save();
+    ASSERT_TRUE(saved.wait(limitMs));
+    const QImage picture = written();
+    ASSERT_EQ(picture.size(), shown.size());
+    int most = 0;
+    for (int y = 0; y < shown.height(); ++y) {
+        for (int i = 0; i < 3 * shown.width(); ++i) {
+            const int wanted = shown.constScanLine(y)[i];
+            most = std::max(most, std::abs(picture.constScanLine(y)[i] - wanted));
+        }
+    }
+    EXPECT_EQ(most, 0);
+}
+
+TEST_F(LargeMeshExport, ViewResizedMeanwhile_IsExportedInItsNewSize) {
+    QSignalSpy saved(&window().pictures(), &PictureExport::saved);
+    save();
+    window().resize(window().size() - QSize(60, 40));
+    ASSERT_TRUE(saved.wait(limitMs));
+    EXPECT_EQ(written().size(), view().size());
+}
+
+TEST_F(LargeMeshExport, Cancelled_WritesNothingAndSaysNothing) {
+    save();
+    auto* dialog = window().findChild<QProgressDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->cancel();
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(isThere());
+    EXPECT_EQ(window().messages().count(), 0);
+}
+
+TEST_F(LargeMeshExport, Done_TakesItsDialogAway) {
+    QSignalSpy saved(&window().pictures(), &PictureExport::saved);
+    save();
+    ASSERT_TRUE(saved.wait(limitMs));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !window().findChild<QProgressDialog*>(); }));
 }
 
 TEST_F(LargeMesh, DoubleClicked_PutsThePivotOnItsSurface) {

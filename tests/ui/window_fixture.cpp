@@ -64,6 +64,13 @@ void WindowFixture::drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers
     QTest::mouseRelease(&view(), button, modifiers, middle + by);
 }
 
+PictureExport::Source pictureOf(Viewport& view) {
+    return {[&view](bool display, Viewport::PictureTaken taken) {
+                view.capture(display, std::move(taken));
+            },
+            [&view] { view.cancelCapture(); }};
+}
+
 std::filesystem::path otherPreset(const Document& document) {
     const std::string model = document.material(Side::A)->model.id;
     for (const auto& file :

@@ -40,6 +40,9 @@ class WindowFixture : public testing::Test {
     int framesBefore_ = 0;
 };
 
+/// What a view shows, for an export.
+PictureExport::Source pictureOf(Viewport& view);
+
 /// A preset of some other model than the default scene's.
 std::filesystem::path otherPreset(const Document& document);
 

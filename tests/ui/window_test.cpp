@@ -129,7 +129,7 @@ TEST_F(Window, ObjectInAnEmptyScene_LooksLikeANewDocuments) {
 TEST_F(Window, ExportedPicture_IsWhatTheViewShows) {
     QSignalSpy saved(&window().pictures(), &PictureExport::saved);
     const QString file = QString::fromStdString(home("a.png").string());
-    window().pictures().save(file, [this](bool display) { return view().picture(display); });
+    window().pictures().save(file, pictureOf(view()));
     ASSERT_TRUE(saved.wait(waitMs)) << messagesIn(window()).toStdString();
     const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
     const QImage written = QImage(file).convertToFormat(QImage::Format_RGB888);
@@ -146,7 +146,7 @@ TEST_F(Window, ExportedPicture_IsWhatTheViewShows) {
 
 TEST_F(Window, PictureThatCannotBeWritten_IsAMessage) {
     const QString file = QString::fromStdString((home("missing") / "a.png").string());
-    window().pictures().save(file, [this](bool display) { return view().picture(display); });
+    window().pictures().save(file, pictureOf(view()));
     EXPECT_TRUE(waitUntil([&] { return window().messages().count() > 0; }));
 }
 

@@ -61,7 +61,8 @@ QSurfaceFormat Viewport::surfaceFormat() {
 }
 
 void Viewport::refresh() {
-    if (isDrawing() && (isContinued_ || !renderer_->hasMeshesOf(sources_.scene()))) {
+    const Scene& drawn = capture_ ? sources_.whole() : sources_.scene();
+    if (isDrawing() && (isContinued_ || !renderer_->hasMeshesOf(drawn))) {
         giveUpFrame(); // it only adds to a picture that is gone, or objects have come or gone
     }
     stale_ = true;
@@ -187,6 +188,9 @@ View Viewport::view() const {
 
 void Viewport::dropRenderer() {
     giveUpFrame();
+    if (const auto capture = std::exchange(capture_, std::nullopt)) {
+        capture->taken({});
+    }
     if (renderer_) {
         makeCurrent();
         timer_.reset();

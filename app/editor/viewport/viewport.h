@@ -94,6 +94,15 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// empty when none can be drawn.
     Image picture(bool display);
 
+    using PictureTaken = std::function<void(Image)>;
+
+    /// As picture(), over as many turns of the event loop as it takes, with what is shown staying
+    /// on the screen; one at a time. What changes meanwhile may or may not be in it.
+    void capture(bool display, PictureTaken taken);
+
+    /// Ends that without a picture.
+    void cancelCapture();
+
     /// "1.3 ms (GPU timer)", or how else it was measured. Call it a moment after the frame.
     QString frameTime();
 
@@ -144,7 +153,15 @@ class Viewport : public QOpenGLWidget, public ColorSource {
         Idle,
         Waiting, ///< for programs, with the last picture on the screen
         Drawing,
-        Drawn
+        Drawn,
+        Capturing ///< a picture that is to be kept
+    };
+
+    /// A picture that is asked for and not there yet.
+    struct Capture {
+        bool display = true;
+        PictureTaken taken;
+        bool isAnother = false; ///< than the one on the screen, to which more may be added
     };
 
     /// What a ProgramWorker was asked for.
@@ -171,6 +188,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     View viewAhead() const;
     void beginFrame();
     void proceed();
+    void beginCapture();
+    void proceedCapture();
+    void finishCapture(Image picture);
     void finishSketch();
     void finishFrame();
     void giveUpFrame();
@@ -208,6 +228,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     QLabel* note_; ///< that a picture is on its way
     bool isNew_ = true; ///< no frame of this scene has been begun yet
     bool inspecting_ = false;
+    std::optional<Capture> capture_;
     std::optional<QPoint> pointer_; ///< where it is, while it is over the view
     QTimer probeTimer_;             ///< its moves are gathered
 };

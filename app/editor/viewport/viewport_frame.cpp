@@ -47,7 +47,7 @@ void Viewport::paintGL() {
     } else if (progress_ == Progress::Drawn) {
         renderer_->show(defaultFramebufferObject());
         std::exchange(sketching_, false) ? finishSketch() : finishFrame();
-    } else if (progress_ == Progress::Idle && (stale_ || moreSamples_)) {
+    } else if (progress_ == Progress::Idle && !capture_ && (stale_ || moreSamples_)) {
         isContinued_ = !std::exchange(stale_, false);
         beginFrame();
     }
@@ -92,6 +92,10 @@ void Viewport::beginFrame() {
 /// Another turn of a long frame. Where the same objects are seen in another way it is finished
 /// before a newer one begins: dropping it for every move of a drag would show none.
 void Viewport::proceed() {
+    if (progress_ == Progress::Capturing) {
+        proceedCapture();
+        return;
+    }
     makeCurrent();
     const bool done = renderer_->proceed(patience);
     doneCurrent();
@@ -147,6 +151,9 @@ void Viewport::giveUpFrame() {
         makeCurrent();
         timer_->end();
         doneCurrent();
+    }
+    if (progress == Progress::Capturing && capture_) {
+        QTimer::singleShot(0, this, &Viewport::beginCapture); // of what there is now
     }
 }
 
