@@ -16,8 +16,8 @@
 namespace patina {
 namespace {
 
-constexpr std::array<AddCommand, 7> commands{addRender,   addCompare, addEffects, addEval,
-                                             addValidate, addModels,  addCheck};
+constexpr std::array<AddCommand, 8> commands{addRender,   addCompare, addEffects, addCost,
+                                             addEval,     addValidate, addModels,  addCheck};
 
 void addCommands(CLI::App& program, int& status) {
     program.description("Patina edits lighting models. Without a command it opens the editor:\n"

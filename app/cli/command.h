@@ -16,6 +16,7 @@ using AddCommand = void (*)(CLI::App& program, int& status);
 // The commands, one file each.
 void addCheck(CLI::App& program, int& status);
 void addCompare(CLI::App& program, int& status);
+void addCost(CLI::App& program, int& status);
 void addEffects(CLI::App& program, int& status);
 void addEval(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);

@@ -5,11 +5,8 @@
 #include <chrono>
 #include <utility>
 
-#include <epoxy/gl.h>
-
 #include "gl/driver.h"
-#include "gl/framebuffer.h"
-#include "measure/frame_timer.h"
+#include "measure/timed_frames.h"
 
 namespace patina {
 namespace {
@@ -34,14 +31,9 @@ glm::ivec2 chosenSize(glm::ivec2 wanted) {
 
 class EffectCostMeter::Implementation {
   public:
-    Implementation(Subject subject, const Options& options, std::unique_ptr<Renderer> renderer)
+    Implementation(Subject subject, const Options& options, std::unique_ptr<TimedFrames> drawn)
         : subject_(std::move(subject)), rounds_(options.rounds + warmUpRounds),
-          seconds_(options.seconds), renderer_(std::move(renderer)),
-          color_(
-              gl::Texture::create(chosenSize(options.size), GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE)),
-          target_(gl::Framebuffer::create()) {
-        target_.attachColor(color_);
-        view_.size = color_.size();
+          seconds_(options.seconds), drawn_(std::move(drawn)) {
         view_.camera = subject_.camera;
         view_.environmentImage = subject_.environment;
         for (const EffectRow& row : subject_.rows) {
@@ -60,13 +52,13 @@ class EffectCostMeter::Implementation {
         }
         const bool counts = done_ >= warmUpRounds * perRound();
         const auto began = Clock::now();
-        const double with = timeOf(subject_.scene);
+        const double with = drawn_->timeOf(subject_.scene, view_);
         if (counts) {
             frames_.push_back(with);
         }
         if (!tests_.empty()) {
             Test& test = tests_[static_cast<std::size_t>(done_) % tests_.size()];
-            const double without = timeOf(test.scene);
+            const double without = drawn_->timeOf(test.scene, view_);
             if (counts) {
                 test.differences.push_back(with - without);
             }
@@ -80,7 +72,7 @@ class EffectCostMeter::Implementation {
         }
     }
 
-    bool finished() const { return done_ >= total() || !problems_.empty(); }
+    bool finished() const { return done_ >= total() || !drawn_->problems().empty(); }
     double progress() const { return finished() ? 1.0 : double(done_) / total(); }
 
     EffectCosts costs() const {
@@ -92,9 +84,9 @@ class EffectCostMeter::Implementation {
             }
         }
         costs.rest = costs.frame.median - sumOf(costs, subject_.rows);
-        costs.size = view_.size;
-        costs.method = timer_.methodText();
-        costs.problems = problems_;
+        costs.size = drawn_->size();
+        costs.method = drawn_->method();
+        costs.problems = drawn_->problems();
         return costs;
     }
 
@@ -118,40 +110,15 @@ class EffectCostMeter::Implementation {
         rounds_ = std::min(rounds_, warmUpRounds + std::max(static_cast<int>(most), leastRounds));
     }
 
-    /// Shadow maps are drawn when something has changed, here the scene for the one before: the
-    /// frame counts that finds them there.
-    double timeOf(const Scene& scene) {
-        if (drawTimed(scene).shadowMaps > 0) {
-            drawTimed(scene);
-        }
-        return timer_.milliseconds();
-    }
-
-    const FrameReport& drawTimed(const Scene& scene) {
-        timer_.begin();
-        const FrameReport& frame = renderer_->draw(scene, view_, subject_.meshes, target_.name());
-        timer_.end();
-        glFinish();
-        timer_.collect();
-        if (frame.messages.size() > frame.warnings) {
-            problems_ = frame.messages;
-        }
-        return frame;
-    }
-
     Subject subject_;
     int rounds_;
     double seconds_;
     int done_ = 0;
     Clock::duration counted_{}; ///< what the rounds took that count
-    std::unique_ptr<Renderer> renderer_;
-    gl::Texture color_;
-    gl::Framebuffer target_;
-    FrameTimer timer_;
+    std::unique_ptr<TimedFrames> drawn_;
     View view_;
     std::vector<Test> tests_;
     std::vector<double> frames_; ///< milliseconds of frames with everything
-    Errors problems_;
 };
 
 EffectCostMeter::EffectCostMeter(std::unique_ptr<Implementation> implementation)
@@ -161,16 +128,13 @@ EffectCostMeter::~EffectCostMeter() = default;
 
 Result<std::unique_ptr<EffectCostMeter>> EffectCostMeter::create(Subject subject,
                                                                  const Options& options) {
-    auto renderer = Renderer::create({options.programCache});
-    if (!renderer) {
-        return tl::unexpected(renderer.error());
-    }
-    (*renderer)->setCatalog(subject.catalog);
-    if (subject.textures) {
-        (*renderer)->setTextures(subject.textures);
+    auto drawn = TimedFrames::create({subject.catalog, subject.meshes, subject.textures},
+                                     chosenSize(options.size), options.programCache);
+    if (!drawn) {
+        return tl::unexpected(drawn.error());
     }
     return std::unique_ptr<EffectCostMeter>(new EffectCostMeter(
-        std::make_unique<Implementation>(std::move(subject), options, std::move(*renderer))));
+        std::make_unique<Implementation>(std::move(subject), options, std::move(*drawn))));
 }
 
 void EffectCostMeter::step() {

@@ -3,34 +3,12 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include "measure/compiled_block.h"
 
 namespace patina {
 namespace {
 
 using Subject = EvalCase::Subject;
-
-/// Whether the compiled code reads its values where the catalogue of today puts them.
-bool matches(const reference::Block& code, const Block& block) {
-    const ParameterLayout layout = layoutOf(block);
-    return layout.floats == code.size &&
-           std::equal(layout.fields.begin(), layout.fields.end(), code.fields.begin(),
-                      code.fields.end(),
-                      [](const ParameterField& field, const reference::Field& compiled) {
-                          return field.name == compiled.name && field.offset == compiled.offset &&
-                                 field.components == compiled.components;
-                      });
-}
-
-Result<const reference::Block*> compiled(const Block& block) {
-    const reference::Block* code = reference::findBlock(block.kind, block.id);
-    if (code == nullptr || !matches(*code, block)) {
-        return failure(fmt::format("{} was {} this program was built", block.id,
-                                   code == nullptr ? "not there when" : "changed since"),
-                       R"("precision": "gpu", or a new build)");
-    }
-    return code;
-}
 
 ReferenceNumbers numbers(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
@@ -39,14 +17,14 @@ ReferenceNumbers numbers(const glm::dvec3& v) {
 } // namespace
 
 Result<ReferenceCode> ReferenceCode::find(const EvalCase& request) {
-    const auto block = compiled(*request.block.block);
+    const auto block = compiledBlock(*request.block.block);
     if (!block) {
         return tl::unexpected(block.error());
     }
     if (request.slot.block == nullptr) {
         return ReferenceCode{request.subject, *block, nullptr};
     }
-    const auto slot = compiled(*request.slot.block);
+    const auto slot = compiledBlock(*request.slot.block);
     if (!slot) {
         return tl::unexpected(slot.error());
     }

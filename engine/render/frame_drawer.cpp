@@ -87,7 +87,8 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     planGround(scene, view);
     makeRoomForLights();
     planShadows(scene);
-    if (auto fitting = target_.fit(view.size, view.samples, isDense(view)); !fitting) {
+    if (auto fitting = target_.fit(view.size, view.samples, isDense(view), view.numbers);
+        !fitting) {
         return fail(fitting.error());
     }
     if (auto begun = beginEnvironment(scene, view, purpose); !begun) {

@@ -46,8 +46,8 @@ int finenessFor(glm::ivec2 size, int samples) {
 
 } // namespace
 
-Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense) {
-    const Shape wanted{size, samples, dense ? 2 : 1};
+Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers numbers) {
+    const Shape wanted{size, samples, dense ? 2 : 1, numbers};
     if (wanted == wanted_) {
         return {};
     }
@@ -57,9 +57,9 @@ Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense) {
     *this = HdrTarget();
     const int fineness = dense ? finenessFor(size, samples) : 1;
     const int offered = std::clamp(samples, 1, std::max(1, driverLimit(GL_MAX_SAMPLES)));
-    Result<void> built = build({size, fineness > 1 ? 1 : offered, fineness});
+    Result<void> built = build({size, fineness > 1 ? 1 : offered, fineness, numbers});
     if (!built && (offered > 1 || fineness > 1)) {
-        built = build({size, 1, 1});
+        built = build({size, 1, 1, numbers});
     }
     if (built) {
         wanted_ = wanted;
@@ -71,9 +71,12 @@ Result<void> HdrTarget::build(const Shape& shape) {
     forgetErrors();
     built_ = shape;
     const glm::ivec2 drawn = shape.fineness * shape.size;
-    color_ = gl::Renderbuffer::create(drawn, GL_RGBA16F, shape.samples);
+    const bool isFull = shape.numbers == HdrNumbers::Full;
+    const GLenum format = isFull ? GL_RGBA32F : GL_RGBA16F;
+    color_ = gl::Renderbuffer::create(drawn, format, shape.samples);
     depth_ = gl::Renderbuffer::create(drawn, GL_DEPTH_COMPONENT32F, shape.samples);
-    resolvedImage_ = gl::Texture::create(shape.size, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT);
+    resolvedImage_ =
+        gl::Texture::create(shape.size, format, GL_RGBA, isFull ? GL_FLOAT : GL_HALF_FLOAT);
     if (glGetError() == GL_OUT_OF_MEMORY) {
         return failure(fmt::format("there is not enough graphics memory for {}x{} pixels",
                                    shape.size.x, shape.size.y));

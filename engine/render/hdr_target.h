@@ -5,11 +5,12 @@
 
 #include "core/error.h"
 #include "gl/framebuffer.h"
+#include "render/hdr_numbers.h"
 
 namespace patina {
 
-/// Where a frame is summed up: RGBA16F with several samples per pixel and depth, and its resolved
-/// image.
+/// Where a frame is summed up: RGBA16F (or RGBA32F) with several samples per pixel and depth, and
+/// its resolved image.
 class HdrTarget {
   public:
     /// Makes the target fit; nothing happens when it does already. Fewer samples are used where
@@ -19,7 +20,8 @@ class HdrTarget {
     /// instead of a share of one that is shaded once (MSAA): hardly two samples belong to the same
     /// triangle, so this shades no more often, shades each at its own place, and spares software
     /// drivers the sorting of samples, which takes them twice as long.
-    Result<void> fit(glm::ivec2 size, int samples, bool dense);
+    Result<void> fit(glm::ivec2 size, int samples, bool dense,
+                     HdrNumbers numbers = HdrNumbers::Half);
 
     /// Binds it for drawing, with its whole area as the viewport.
     void bind() const;
@@ -45,6 +47,7 @@ class HdrTarget {
         glm::ivec2 size{0};
         int samples = 0;  ///< per pixel of the image that is drawn
         int fineness = 1; ///< that image's pixels per side of a resolved one
+        HdrNumbers numbers = HdrNumbers::Half;
         friend bool operator==(const Shape&, const Shape&) = default;
     };
 

@@ -4,16 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <epoxy/gl.h>
-#include <glm/matrix.hpp>
 
 #include "render/binding.h"
-#include "render/data_packer.h"
-#include "shading/effect_choice.h"
-#include "shading/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -30,46 +25,20 @@ float luminance(const glm::dvec3& color) {
     return std::isfinite(sum) ? static_cast<float>(std::clamp(sum, 0.0, 65504.0)) : 0.0f;
 }
 
-void add(Errors& errors, const Errors& more) {
-    for (const Error& error : more) {
-        if (std::find(errors.begin(), errors.end(), error) == errors.end()) {
-            errors.push_back(error);
-        }
-    }
-}
-
-/// The scene's lights in the order of the program's terms.
-std::vector<std::size_t> lightsOf(const Scene& scene, const Pipeline& pipeline) {
-    const bool shadows = hasShadows(scene, *pipeline.catalog);
-    std::vector<std::size_t> order;
-    for (const LightGroup& group : pipeline.effects.scene.lights) {
-        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog, shadows) == group.key) {
-                order.push_back(i);
-            }
-        }
-    }
-    return order;
-}
-
 } // namespace
 
 InspectionDrawer::InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
                                    GpuTextureStore& textures, ShadowMaps& shadows)
-    : pipelines_(programCache, SurfaceOutput::Inspection),
-      tables_(std::move(programCache), SurfaceOutput::AlbedoTable), meshes_(meshes),
-      textures_(textures), shadows_(shadows) {
-    viewData_.reserve(ViewLayout::vec4s);
-    sceneData_.reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
-}
+    : items_(programCache, SurfaceOutput::Inspection, meshes, textures, shadows),
+      tables_(std::move(programCache), SurfaceOutput::AlbedoTable) {}
 
 void InspectionDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
-    pipelines_.setCatalog(catalog_);
+    items_.setCatalog(catalog_);
     tables_.setCatalog(catalog_);
     display_.reset();
-    for (Slot& slot : slots_) {
-        slot.albedo.forget();
+    for (AlbedoTable& albedo : albedos_) {
+        albedo.forget();
     }
 }
 
@@ -80,7 +49,7 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
         ready = target_.fit(view.size, 1, false);
     }
     if (!ready) {
-        report_.messages.assign(1, ready.error());
+        items_.report().messages.assign(1, ready.error());
         return ready;
     }
     target_.bind();
@@ -89,15 +58,13 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawItems(scene, 0);
     target_.resolve();
-    meshes_.endFrame();
-    textures_.endFrame();
+    items_.end();
     return {};
 }
 
 Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
                                        const MeshSource& meshes) {
-    report_ = FrameReport();
-    textures_.beginFrame();
+    items_.report() = FrameReport();
     if (catalog_ == nullptr) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
     }
@@ -107,159 +74,43 @@ Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
         if (!source) {
             return tl::unexpected(source.error().front());
         }
-        const ProgramCache::Found found = pipelines_.programs().get(*source);
+        const ProgramCache::Found found = items_.pipelines().programs().get(*source);
         if (!found.program) {
             return tl::unexpected(found.errors.front());
         }
         display_ = found.program;
     }
-    collect(scene, view, meshes);
-    choosePipelines(scene);
-    drawShadows(scene);
-    feed(scene, view);
+    items_.prepare(scene, view, meshes, false);
+    while (albedos_.size() < scene.objects.size()) {
+        albedos_.emplace_back();
+    }
+    for (const Item& item : items_.items()) {
+        if (item.pipeline && item.pipeline->object.model) {
+            fillAlbedo(scene.objects[item.index].material, item);
+        }
+    }
     return {};
 }
 
-void InspectionDrawer::collect(const Scene& scene, const View& view, const MeshSource& meshes) {
-    const glm::dmat4 worldToCamera = viewMatrix(view.camera);
-    cameraToWorld_ = glm::inverse(worldToCamera);
-    depths_ = DepthRange();
-    items_.clear();
-    instances_.clear();
-    meshes_.beginFrame();
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const Object& object = scene.objects[i];
-        const bool drawn = object.visible && canBeSeen(object.material);
-        const MeshView mesh = drawn ? meshes(object) : MeshView{};
-        if (!mesh.indices.empty()) {
-            const glm::dmat4 world = worldMatrix(object);
-            depths_.add(mesh.bounds, worldToCamera * world);
-            items_.push_back({i, &meshes_.get(mesh), mesh.bounds, world});
-            instances_.add(instanceAt(world));
-        }
-    }
-    instances_.upload();
-    while (slots_.size() < scene.objects.size()) {
-        slots_.emplace_back();
-    }
-}
-
-void InspectionDrawer::note(const PipelineStore::Entry& entry) {
-    add(report_.messages, entry.errors);
-    if (!entry.pipeline) {
-        return;
-    }
-    for (const EffectLine& line : effectLines(entry.pipeline->effects)) {
-        if (std::find(report_.effects.begin(), report_.effects.end(), line.effect) ==
-            report_.effects.end()) {
-            report_.effects.push_back(line.effect);
-        }
-    }
-}
-
-void InspectionDrawer::choosePipelines(const Scene& scene) {
-    const int before = pipelines_.programs().compiledCount();
-    const PipelineStore::Surroundings surroundings{scene, keys_.ofScene(scene, *catalog_)};
-    for (const Item& item : items_) {
-        const Material& material = scene.objects[item.index].material;
-        const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
-        const PipelineStore::Entry& entry = pipelines_.get(material, key, surroundings);
-        note(entry);
-        slots_[item.index].pipeline =
-            entry.pipeline ? entry.pipeline : pipelines_.standIn(surroundings).pipeline;
-    }
-    report_.compiled = pipelines_.programs().compiledCount() - before;
-}
-
-/// The same maps as the picture's; where they cannot be made everything is lit.
-void InspectionDrawer::drawShadows(const Scene& scene) {
-    shadows_.clearCasters();
-    for (const Item& item : items_) {
-        if (isCaster(scene.objects[item.index])) {
-            shadows_.addCaster(*item.mesh, {item.bounds, item.world},
-                               scene.objects[item.index].material);
-        }
-    }
-    if (auto planned =
-            shadows_.plan(scene, scene, cameraToWorld_, pipelines_.programs(), textures_);
-        !planned) {
-        report_.messages.push_back(planned.error());
-    }
-    report_.shadowMaps = shadows_.pending();
-    while (shadows_.pending() > 0) {
-        shadows_.drawSome(std::numeric_limits<int>::max(), textures_);
-    }
-}
-
-void InspectionDrawer::feed(const Scene& scene, const View& view) {
-    const double aspect = double(view.size.x) / double(view.size.y);
-    const glm::dmat4 worldToClip =
-        projection(view.camera, aspect, depths_) * glm::inverse(cameraToWorld_);
-    packView(viewData_.staging(), worldToClip, eye(view.camera), 1.0);
-    report_.uploadedBuffers += viewData_.upload(ViewLayout::vec4s) ? 1 : 0;
-    viewData_.bind(binding::view);
-    for (const Item& item : items_) {
-        const Slot& slot = slots_[item.index];
-        if (slot.pipeline) {
-            // All were made for this scene: they read the same data.
-            const PackedScene packed =
-                packScene(sceneData_.staging(), *slot.pipeline, {scene, scene, shadows_.views()},
-                          cameraToWorld_);
-            report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
-            break;
-        }
-    }
-    for (const Item& item : items_) {
-        if (slots_[item.index].pipeline) {
-            feedMaterial(scene.objects[item.index].material, slots_[item.index]);
-        }
-    }
-}
-
-void InspectionDrawer::feedMaterial(const Material& material, Slot& slot) {
-    const auto size = static_cast<std::size_t>(slot.pipeline->object.vec4s);
-    slot.data.reserve(size);
-    packMaterial(slot.data.staging(), *slot.pipeline, material, cameraToWorld_);
-    textures_.bind(slot.data.staging(), *slot.pipeline, material);
-    const bool changed = slot.data.upload(size);
-    report_.uploadedBuffers += changed ? 1 : 0;
-    if (!slot.pipeline->object.model) {
-        return;
-    }
+void InspectionDrawer::fillAlbedo(const Material& material, const Item& item) {
     static const Scene nothing; // a table knows no lights
     const PipelineStore::Entry& table =
         tables_.get(material, EffectKey::ofMaterial(material, *catalog_), {nothing});
-    if (table.pipeline && (changed || slot.albedo.filledWith() != table.pipeline.get())) {
-        slot.data.bind(binding::object);
-        slot.albedo.fill(*table.pipeline);
+    AlbedoTable& albedo = albedos_[item.index];
+    if (table.pipeline && (item.isNew || albedo.filledWith() != table.pipeline.get())) {
+        item.data->bind(binding::object);
+        albedo.fill(*table.pipeline);
     }
 }
 
 /// The target is bound.
 void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
-    glEnable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
-    glDisable(GL_DITHER);
-    glDepthFunc(GL_LESS);
-    sceneData_.bind(binding::scene);
-    shadows_.bind();
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-        const Item& item = items_[i];
-        Slot& slot = slots_[item.index];
-        if (slot.pipeline) {
-            ++report_.drawnObjects;
-            slot.data.bind(binding::object);
-            slot.pipeline->program->use();
-            glUniform1i(slot.pipeline->program->uniform("firstTerm"), firstTerm);
-            glUniform1f(slot.pipeline->program->uniform("objectNumber"),
-                        static_cast<float>(item.index + 1));
-            slot.albedo.bind();
-            textures_.bind(slot.data.staging(), *slot.pipeline,
-                           scene.objects[item.index].material);
-            item.mesh->draw(instances_, {0, item.mesh->triangles(), i, 1});
-        }
-    }
+    items_.draw(scene, [&](const Item& item) {
+        glUniform1i(item.pipeline->program->uniform("firstTerm"), firstTerm);
+        glUniform1f(item.pipeline->program->uniform("objectNumber"),
+                    static_cast<float>(item.index + 1));
+        albedos_[item.index].bind();
+    });
 }
 
 void InspectionDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
@@ -297,10 +148,9 @@ Result<std::optional<PixelProbe>> InspectionDrawer::probe(const Scene& scene, co
     drawItems(scene, 0);
     const ProbeTarget::Outputs outputs = probeTarget_->read(fromBelow);
     const auto number = static_cast<std::size_t>(outputs[0].b);
-    const auto item = std::find_if(items_.begin(), items_.end(), [number](const Item& each) {
-        return each.index + 1 == number;
-    });
-    if (item == items_.end()) {
+    const auto item = std::ranges::find_if(
+        items_.items(), [number](const Item& each) { return each.index + 1 == number; });
+    if (item == items_.items().end()) {
         return std::optional<PixelProbe>();
     }
     PixelProbe probe = read(scene, *item, outputs);
@@ -313,7 +163,7 @@ Result<std::optional<PixelProbe>> InspectionDrawer::probe(const Scene& scene, co
 
 PixelProbe InspectionDrawer::read(const Scene& scene, const Item& item,
                                   const ProbeTarget::Outputs& outputs) {
-    const EffectSet& effects = slots_[item.index].pipeline->effects;
+    const EffectSet& effects = item.pipeline->effects;
     const auto term = [&outputs](std::size_t i) { return outputs[i + 1]; };
     PixelProbe probe;
     probe.object = item.index;
@@ -335,7 +185,7 @@ PixelProbe InspectionDrawer::read(const Scene& scene, const Item& item,
     }
     probe.color = glm::vec3(term(6));
     probe.opacity = term(6).w;
-    for (const std::size_t light : lightsOf(scene, *slots_[item.index].pipeline)) {
+    for (const std::size_t light : lightsInOrder(scene, *item.pipeline)) {
         probe.lights.push_back({light, {}, 0.0f});
     }
     if (!effects.model) {

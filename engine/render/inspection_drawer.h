@@ -4,18 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "gl/vertex_array.h"
 #include "render/albedo_table.h"
-#include "render/frustum.h"
-#include "render/gpu_mesh_store.h"
-#include "render/gpu_texture_store.h"
 #include "render/hdr_target.h"
-#include "render/pipeline_store.h"
 #include "render/pixel_probe.h"
 #include "render/probe_target.h"
-#include "render/renderer.h"
-#include "render/shadow_maps.h"
-#include "render/uniform_buffer.h"
-#include "shading/effect_key.h"
+#include "render/surface_items.h"
 
 namespace patina {
 
@@ -40,51 +34,25 @@ class InspectionDrawer {
                                             const MeshSource& meshes, glm::ivec2 pixel);
 
     unsigned linearFramebuffer() const { return target_.resolvedFramebuffer(); }
-    const FrameReport& report() const { return report_; }
+    const FrameReport& report() const { return items_.report(); }
 
   private:
-    struct Slot {
-        UniformBuffer data;
-        AlbedoTable albedo;
-        std::shared_ptr<const Pipeline> pipeline; ///< null: nothing could be compiled
-    };
-    struct Item {
-        std::size_t index = 0;
-        const GpuMesh* mesh = nullptr;
-        Bounds bounds;
-        glm::dmat4 world{1.0};
-    };
+    using Item = SurfaceItems::Item;
 
     Result<void> prepare(const Scene& scene, const View& view, const MeshSource& meshes);
-    void collect(const Scene& scene, const View& view, const MeshSource& meshes);
-    void choosePipelines(const Scene& scene);
-    void note(const PipelineStore::Entry& entry);
-    void drawShadows(const Scene& scene);
-    void feed(const Scene& scene, const View& view);
-    void feedMaterial(const Material& material, Slot& slot);
+    void fillAlbedo(const Material& material, const Item& item);
     void drawItems(const Scene& scene, int firstTerm);
     PixelProbe read(const Scene& scene, const Item& item, const ProbeTarget::Outputs& outputs);
     void readLights(const Scene& scene, const View& view, glm::ivec2 pixel, PixelProbe& probe);
 
     std::shared_ptr<const Catalog> catalog_;
-    PipelineStore pipelines_;
+    SurfaceItems items_;
     PipelineStore tables_;
-    GpuMeshStore& meshes_;
-    GpuTextureStore& textures_;
-    ShadowMaps& shadows_;
+    std::vector<AlbedoTable> albedos_; ///< by object
     HdrTarget target_;
     std::optional<ProbeTarget> probeTarget_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();
     std::shared_ptr<const gl::Program> display_;
-    UniformBuffer viewData_;
-    UniformBuffer sceneData_;
-    EffectKey keys_;
-    std::vector<Slot> slots_;
-    std::vector<Item> items_;
-    InstanceBuffer instances_; ///< by item
-    glm::dmat4 cameraToWorld_{1.0};
-    DepthRange depths_;
-    FrameReport report_;
 };
 
 } // namespace patina

@@ -12,6 +12,7 @@
 #include "render/hdr_target.h"
 #include "render/inspection_drawer.h"
 #include "render/stretched_picture.h"
+#include "render/surface_buffer_drawer.h"
 
 namespace patina {
 namespace {
@@ -42,6 +43,7 @@ class Renderer::Implementation : public FrameDrawer {
         if (inspection_) {
             inspection_->setCatalog(catalog_);
         }
+        surfaces_.reset();
     }
 
     /// Made when it is first asked for.
@@ -55,6 +57,16 @@ class Renderer::Implementation : public FrameDrawer {
     }
 
     void endInspection() { inspection_.reset(); }
+
+    /// Made when it is first asked for.
+    SurfaceBufferDrawer& surfaces() {
+        if (!surfaces_) {
+            surfaces_ = std::make_unique<SurfaceBufferDrawer>(programCache_, meshStore(),
+                                                              textureStore(), shadowMaps());
+            surfaces_->setCatalog(catalog_);
+        }
+        return *surfaces_;
+    }
 
     const FrameReport& lastReport() const {
         return inspection_ ? inspection_->report() : FrameDrawer::report();
@@ -137,6 +149,7 @@ class Renderer::Implementation : public FrameDrawer {
     std::filesystem::path programCache_;
     std::shared_ptr<const Catalog> catalog_;
     std::unique_ptr<InspectionDrawer> inspection_;
+    std::unique_ptr<SurfaceBufferDrawer> surfaces_;
 };
 
 Renderer::Renderer() = default;
@@ -301,6 +314,11 @@ Result<Image> Renderer::captureInspection(const Scene& scene, const View& view,
 Result<std::optional<PixelProbe>> Renderer::probe(const Scene& scene, const View& view,
                                                   const MeshSource& meshes, glm::ivec2 pixel) {
     return implementation_->inspection().probe(scene, view, meshes, pixel);
+}
+
+Result<SurfaceBuffer> Renderer::captureSurfaces(const Scene& scene, const View& view,
+                                                const MeshSource& meshes) {
+    return implementation_->surfaces().capture(scene, view, meshes);
 }
 
 void Renderer::releaseTargets() {

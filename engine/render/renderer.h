@@ -15,6 +15,7 @@
 #include "core/image.h"
 #include "core/mesh.h"
 #include "render/environment_image.h"
+#include "render/hdr_numbers.h"
 #include "render/pixel_probe.h"
 #include "render/texture_source.h"
 #include "scene/scene.h"
@@ -26,6 +27,7 @@ struct View {
     glm::ivec2 size{512, 512};      ///< pixels, each at least 1
     Camera camera;
     int samples = 4;                ///< MSAA; lowered to what the driver offers
+    HdrNumbers numbers = HdrNumbers::Half; ///< of the linear picture
     /// Whose effects the programs have; nothing: the scene's own. The same objects and lights with
     /// other values, so that a value may pass what makes an effect needless without a new program.
     const Scene* effects = nullptr;
@@ -58,6 +60,8 @@ struct FrameReport {
     std::size_t warnings = 0; ///< so many of the messages, the last ones, say what was left out of
                               ///< a frame that is otherwise what was asked for
 };
+
+struct SurfaceBuffer;
 
 /// Draws scenes with OpenGL 4.1 core. Made, used and destroyed with one context current.
 class Renderer {
@@ -150,6 +154,11 @@ class Renderer {
     /// object. Draws only that pixel.
     Result<std::optional<PixelProbe>> probe(const Scene& scene, const View& view,
                                             const MeshSource& meshes, glm::ivec2 pixel);
+
+    /// What the programs of that frame have for each pixel, with one sample per pixel and all
+    /// objects drawn as opaque ones, without the ground.
+    Result<SurfaceBuffer> captureSurfaces(const Scene& scene, const View& view,
+                                          const MeshSource& meshes);
 
     /// Gives the buffers that a frame is drawn in back to the driver; the next frame makes them
     /// again. Programs and meshes stay.

@@ -11,6 +11,7 @@ namespace patina {
 enum class SurfaceOutput {
     Picture,     ///< the light that the surface sends to the viewer
     Inspection,  ///< its luminance, what is wrong with its numbers, and the numbers themselves
+    Buffer,      ///< what it is shaded from: place, directions, what images and shadows give it
     AlbedoTable, ///< the model's albedo by the viewer's direction, without mesh, lights or fog
 };
 

@@ -51,6 +51,8 @@ void SurfaceWriter::write(SurfaceOutput output) {
     output_ = output;
     if (output == SurfaceOutput::AlbedoTable) {
         writeAlbedoTable();
+    } else if (output == SurfaceOutput::Buffer) {
+        writeBuffer();
     } else {
         writeSurface();
     }

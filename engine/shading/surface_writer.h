@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shading/block_source.h"
@@ -51,6 +52,9 @@ class SurfaceWriter {
     void writeUnpack(const Block& block, const BlockUse& use, const std::string& function);
     void readFrom(const std::string& array);
     bool isInspected() const { return output_ == SurfaceOutput::Inspection; }
+    void writeBuffer();
+    void writeShares();
+    void noteValues(std::string_view kind, const std::string& variable);
     void noteTerm(const std::string& term, const std::string& value, const std::string& detail);
 
     SourceBuilder& out_;

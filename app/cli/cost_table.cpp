@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cost_table.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+bool isOnFront(const std::vector<std::size_t>& front, std::size_t point) {
+    return std::ranges::find(front, point) != front.end();
+}
+
+std::size_t widest(const CostChart& chart) {
+    std::size_t columns = 0;
+    for (const CostPoint& point : chart.points) {
+        columns = std::max(columns, levelsText(point.levels).size());
+    }
+    return columns;
+}
+
+std::string pointText(const CostPoint& point) {
+    const ChoiceCost& cost = point.cost;
+    const FrameError& error = point.error;
+    return fmt::format("{:6.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:9.1e} {:8.1e} {:8.1e} {:8.1e} "
+                       "{:6.2f} % {:8.1e}",
+                       cost.ratio.median, cost.ratio.lower, cost.ratio.upper,
+                       cost.settled ? ' ' : '?', cost.nanosecondsPerPixel, error.p99, error.max,
+                       error.mean, error.rms, 100.0 * error.stepShare, error.flip);
+}
+
+std::string headText(std::size_t columns) {
+    return fmt::format("  {:<{}}    time (of 95 % of runs) ns/pixel   p99 err      max     mean"
+                       "      RMS    8-bit     FLIP\n",
+                       "", columns);
+}
+
+nlohmann::json intervalJson(const MedianInterval& interval) {
+    return {{"median", interval.median}, {"lower", interval.lower}, {"upper", interval.upper}};
+}
+
+nlohmann::json errorJson(const FrameError& error) {
+    return {{"max", error.max},   {"mean", error.mean},           {"rms", error.rms},
+            {"p99", error.p99},   {"stepShare", error.stepShare}, {"shown", error.shown},
+            {"flip", error.flip}, {"pixels", error.pixels}};
+}
+
+nlohmann::json pointJson(const CostPoint& point, bool onFront) {
+    nlohmann::json levels = nlohmann::json::object();
+    for (const auto& [choice, level] : point.levels) {
+        levels[choice] = level;
+    }
+    return {{"levels", levels},
+            {"error", errorJson(point.error)},
+            {"ratio", intervalJson(point.cost.ratio)},
+            {"milliseconds", intervalJson(point.cost.milliseconds)},
+            {"nanosecondsPerPixel", point.cost.nanosecondsPerPixel},
+            {"runs", point.cost.runs},
+            {"settled", point.cost.settled},
+            {"front", onFront}};
+}
+
+nlohmann::json choiceJson(const Choice& choice) {
+    nlohmann::json levels = nlohmann::json::array();
+    for (const ChoiceLevel& level : choice.levels) {
+        levels.push_back({{"id", level.id}, {"label", level.label}, {"doc", level.doc}});
+    }
+    return {{"id", choice.id},       {"label", choice.label}, {"doc", choice.doc},
+            {"block", choice.block}, {"levels", levels}};
+}
+
+} // namespace
+
+std::string costText(const CostChart& chart) {
+    const std::vector<std::size_t> front = costFront(chart.points);
+    const std::size_t columns = widest(chart);
+    std::string text = headText(columns);
+    for (std::size_t i = 0; i < chart.points.size(); ++i) {
+        const CostPoint& point = chart.points[i];
+        text += fmt::format("{} {:<{}}  {}\n", isOnFront(front, i) ? '*' : ' ',
+                            levelsText(point.levels), columns, pointText(point));
+    }
+    return text + fmt::format("* nothing measured is better in time or in error and no worse in "
+                              "the other; ? still unsure of 3 %\n"
+                              "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
+                              "errors against {}\n",
+                              chart.size.x, chart.size.y, chart.pixels, chart.timer,
+                              chart.emptyMilliseconds, chart.right);
+}
+
+std::string costCsv(const CostChart& chart, const std::string& name, bool withNames) {
+    std::string text =
+        withNames ? "preset,levels,ratio,ratio_lower,ratio_upper,milliseconds,ns_per_pixel,runs,"
+                    "p99,max,mean,rms,step_share,shown,flip,front\n"
+                  : "";
+    const std::vector<std::size_t> front = costFront(chart.points);
+    for (std::size_t i = 0; i < chart.points.size(); ++i) {
+        const CostPoint& point = chart.points[i];
+        const ChoiceCost& cost = point.cost;
+        const FrameError& error = point.error;
+        text += fmt::format("\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name,
+                            levelsText(point.levels), cost.ratio.median, cost.ratio.lower,
+                            cost.ratio.upper, cost.milliseconds.median, cost.nanosecondsPerPixel,
+                            cost.runs, error.p99, error.max, error.mean, error.rms,
+                            error.stepShare, error.shown, error.flip,
+                            isOnFront(front, i) ? 1 : 0);
+    }
+    return text;
+}
+
+nlohmann::json costJson(const CostChart& chart) {
+    const std::vector<std::size_t> front = costFront(chart.points);
+    nlohmann::json choices = nlohmann::json::array();
+    for (const Choice& choice : chart.choices) {
+        choices.push_back(choiceJson(choice));
+    }
+    nlohmann::json points = nlohmann::json::array();
+    for (std::size_t i = 0; i < chart.points.size(); ++i) {
+        points.push_back(pointJson(chart.points[i], isOnFront(front, i)));
+    }
+    return {{"choices", choices},
+            {"points", points},
+            {"size", {chart.size.x, chart.size.y}},
+            {"pixels", chart.pixels},
+            {"exactMilliseconds", chart.exactMilliseconds},
+            {"emptyMilliseconds", chart.emptyMilliseconds},
+            {"timer", chart.timer},
+            {"right", chart.right}};
+}
+
+} // namespace patina

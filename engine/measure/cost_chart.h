@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "measure/choice_cost.h"
+#include "measure/choices.h"
+#include "measure/frame_error.h"
+
+namespace patina {
+
+/// One way to compute a frame: what it costs and how wrong it is.
+struct CostPoint {
+    ChosenLevels levels; ///< those that are not exact
+    FrameError error;
+    ChoiceCost cost;
+
+    bool isExact() const { return levels.empty(); }
+
+    friend bool operator==(const CostPoint&, const CostPoint&) = default;
+};
+
+/// What was measured of a material in a scene.
+struct CostChart {
+    std::vector<Choice> choices;
+    std::vector<CostPoint> points; ///< the exact one first, the others in the order of measuring
+    glm::ivec2 size{0};            ///< pixels of the frames
+    std::size_t pixels = 0;        ///< that are shaded
+    double exactMilliseconds = 0.0; ///< what the exact frame takes
+    double emptyMilliseconds = 0.0; ///< what a frame takes of which nothing is shaded
+    std::string timer;             ///< how frames were timed, for people
+    std::string right;             ///< what errors are measured against, for people
+
+    const CostPoint* find(const ChosenLevels& levels) const;
+
+    friend bool operator==(const CostChart&, const CostChart&) = default;
+};
+
+/// The error by which points are compared: the relative error that 99 of 100 pixels keep.
+double errorOf(const CostPoint& point);
+
+/// Whether nobody can tell the two apart in time, or in their errors.
+bool tiesInTime(const CostPoint& a, const CostPoint& b);
+bool tiesInError(const CostPoint& a, const CostPoint& b);
+
+/// The points than which no other is better in one respect and no worse in the other, as far as can
+/// be told; the fastest first. Points that tie in both are all on it.
+std::vector<std::size_t> costFront(const std::vector<CostPoint>& points);
+
+/// What may be spent: milliseconds of a frame, or an error as errorOf() has it.
+struct CostBudget {
+    std::optional<double> milliseconds;
+    std::optional<double> error;
+};
+
+/// The point that fits the budget: the most accurate one that is fast enough, or the fastest one
+/// that is accurate enough.
+struct BudgetAnswer {
+    std::size_t point = 0; ///< the one that fits, or else the nearest
+    bool fits = false;
+};
+std::optional<BudgetAnswer> bestFor(const CostBudget& budget,
+                                    const std::vector<CostPoint>& points);
+
+} // namespace patina

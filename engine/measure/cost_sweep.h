@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "measure/cost_chart.h"
+
+namespace patina {
+
+/// Measures what each choice of a material costs and how wrong it is: the exact frame, every level
+/// by itself, then the combinations that may be on the front. Works in steps; points are there as
+/// soon as they are measured. Made, used and destroyed with one context current.
+class CostSweep {
+  public:
+    /// What is measured. The catalogue and the meshes must stay while it is.
+    struct Subject {
+        Scene scene; ///< its ground is left out: nothing of it can be computed more cheaply
+        std::size_t object = 0;
+        Camera camera;
+        MeshSource meshes;
+        std::shared_ptr<const Catalog> catalog;
+        TextureSource textures{};
+        std::shared_ptr<const EnvironmentImage> environment{};
+    };
+
+    struct Options {
+        glm::ivec2 size{0}; ///< pixels; 0: 256 x 256 where the CPU draws, else 1024 x 1024
+        Choice::Scope scope = Choice::Scope::Material;
+        std::filesystem::path programCache{};
+        CostPairs::Options pairs{};
+        double seconds = 60.0;    ///< no combination is begun after that, and pairs get fewer
+        bool combinations = true; ///< not only single choices
+    };
+
+    static Result<std::unique_ptr<CostSweep>> create(Subject subject, const Options& options);
+    ~CostSweep();
+
+    /// Works for about so long, or for one frame where that takes longer.
+    void step(std::chrono::milliseconds patience);
+    bool finished() const;
+    double progress() const; ///< 0 .. 1; falls back when combinations are found worth measuring
+
+    /// Of what was measured so far.
+    const CostChart& chart() const;
+
+    /// Why it ended before its time; empty while all is well.
+    const Errors& problems() const;
+
+    /// The frame that errors are measured against; null before it is there.
+    const LinearFrame* right() const;
+
+    /// Where the levels go wrong: the relative error of each pixel, rows from the top. Draws a
+    /// frame; empty before there is one to compare with.
+    std::vector<double> errorMap(const ChosenLevels& levels);
+
+  private:
+    class Implementation;
+    explicit CostSweep(std::unique_ptr<Implementation> implementation);
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace patina

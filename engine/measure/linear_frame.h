@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace patina {
+
+/// A frame in linear light before exposure, in double precision. Rows from the top.
+struct LinearFrame {
+    glm::ivec2 size{0};
+    std::vector<glm::dvec3> colors;
+    std::vector<std::uint8_t> counts; ///< 1: the pixel shows what the frame is about
+
+    friend bool operator==(const LinearFrame&, const LinearFrame&) = default;
+};
+
+} // namespace patina

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "measure/choices.h"
+
+namespace patina {
+
+/// Gives a choice of the scope Picture one of its levels.
+void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& level,
+                   const Catalog& catalog);
+
+} // namespace patina

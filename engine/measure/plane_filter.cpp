@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/plane_filter.h"
+
+#include <algorithm>
+
+#include "measure/parallel.h"
+
+namespace patina {
+namespace {
+
+/// The sum around place `i` of `count` that are `stride` apart, from `first` on.
+double sumAround(const std::vector<double>& plane, std::size_t first, std::size_t stride, int i,
+                 int count, const Kernel& kernel) {
+    const int radius = static_cast<int>(kernel.size() / 2);
+    double sum = 0.0;
+    for (int k = -radius; k <= radius; ++k) {
+        const int at = std::clamp(i + k, 0, count - 1);
+        sum += kernel[static_cast<std::size_t>(k + radius)] *
+               plane[first + static_cast<std::size_t>(at) * stride];
+    }
+    return sum;
+}
+
+} // namespace
+
+std::vector<double> filtered(const std::vector<double>& plane, glm::ivec2 size,
+                             const Kernel& along, const Kernel& down) {
+    const auto columns = static_cast<std::size_t>(size.x);
+    std::vector<double> rows(plane.size());
+    std::vector<double> both(plane.size());
+    inParallel(plane.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t x = i % columns;
+            rows[i] = sumAround(plane, i - x, 1, static_cast<int>(x), size.x, along);
+        }
+    });
+    inParallel(plane.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto y = static_cast<int>(i / columns);
+            both[i] = sumAround(rows, i % columns, columns, y, size.y, down);
+        }
+    });
+    return both;
+}
+
+} // namespace patina

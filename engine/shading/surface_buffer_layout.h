@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "shading/effect_set.h"
+
+namespace patina {
+
+/// What a program of SurfaceOutput::Buffer writes: place and number of the object, normal and
+/// opacity, tangent, then a window of its values (shaders/passes/surface_buffer.glsl).
+struct SurfaceBufferLayout {
+    static constexpr int outputs = 8; ///< what every driver offers at once
+    static constexpr int window = 5;  ///< values among them
+};
+
+/// The images of a set that change a parameter, by their place in EffectSet::textures. Their
+/// results are the first values, in this order; behind them four lights' shares share each.
+std::vector<std::size_t> texturedInputs(const EffectSet& set);
+
+} // namespace patina

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fronts, budgets and the order of measuring, from made-up measurements.
+#include "measure/cost_chart.h"
+
+#include <gtest/gtest.h>
+
+#include "measure/sweep_plan.h"
+
+namespace patina {
+namespace {
+
+CostPoint point(const ChosenLevels& levels, double ratio, double error) {
+    CostPoint made;
+    made.levels = levels;
+    made.cost.ratio = {ratio, 0.99 * ratio, 1.01 * ratio};
+    made.cost.milliseconds = {10.0 * ratio, 9.9 * ratio, 10.1 * ratio};
+    made.error.p99 = error;
+    return made;
+}
+
+const std::vector<CostPoint>& someFront() {
+    static const std::vector<CostPoint> points{
+        point({}, 1.0, 1e-7), point({{"a", "fast"}}, 0.5, 0.01), point({{"a", "slow"}}, 0.9, 0.02),
+        point({{"a", "fastest"}}, 0.25, 0.1)};
+    return points;
+}
+
+TEST(CostFront, Beaten_AreLeftOut) {
+    EXPECT_EQ(costFront(someFront()), (std::vector<std::size_t>{3, 1, 0}));
+}
+
+TEST(CostFront, TiesInBoth_AreAllOnIt) {
+    EXPECT_EQ(costFront({point({}, 1.0, 0.0), point({{"a", "same"}}, 1.01, 0.0)}).size(), 2u);
+}
+
+TEST(CostFront, SameTimeAndWorse_IsLeftOut) {
+    EXPECT_EQ(costFront({point({}, 1.0, 0.0), point({{"a", "worse"}}, 0.99, 0.1)}),
+              std::vector<std::size_t>{0});
+}
+
+TEST(CostFront, ErrorsOfRounding_AreTheSame) {
+    EXPECT_TRUE(tiesInError(point({}, 1.0, 1e-9), point({}, 1.0, 9e-7)));
+}
+
+TEST(BestFor, Time_BuysTheLeastError) {
+    const auto answer = bestFor({6.0, {}}, someFront());
+    ASSERT_TRUE(answer);
+    EXPECT_TRUE(answer->fits);
+    EXPECT_EQ(answer->point, 1u);
+}
+
+TEST(BestFor, Error_BuysTheLeastTime) {
+    const auto answer = bestFor({{}, 0.05}, someFront());
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->point, 1u);
+}
+
+TEST(BestFor, TooLittleTime_NamesTheNearest) {
+    const auto answer = bestFor({1.0, {}}, someFront());
+    ASSERT_TRUE(answer);
+    EXPECT_FALSE(answer->fits);
+    EXPECT_EQ(answer->point, 3u);
+}
+
+TEST(BestFor, NoPoints_HaveNoAnswer) {
+    EXPECT_FALSE(bestFor({1.0, {}}, {}));
+}
+
+TEST(CostPairs, EqualTimes_SettleAtOnce) {
+    CostPairs pairs({}, 0.0);
+    for (int i = 0; i < 7; ++i) {
+        EXPECT_FALSE(pairs.finished());
+        pairs.add(2.0, 1.0);
+    }
+    EXPECT_TRUE(pairs.finished());
+    EXPECT_TRUE(pairs.cost().settled);
+    EXPECT_DOUBLE_EQ(pairs.cost().ratio.median, 0.5);
+}
+
+TEST(CostPairs, EmptyFrame_CountsForNothing) {
+    CostPairs pairs({}, 1.0);
+    pairs.add(3.0, 2.0);
+    EXPECT_DOUBLE_EQ(pairs.cost().ratio.median, 0.5);
+}
+
+TEST(CostPairs, Times_FollowFromTheRatio) {
+    ChoiceCost cost;
+    cost.ratio = {0.5, 0.25, 1.0};
+    const ChoiceCost timed = withTimes(cost, {3.0, 1.0, 1000});
+    EXPECT_EQ(timed.milliseconds, (MedianInterval{2.0, 1.5, 3.0}));
+    EXPECT_DOUBLE_EQ(timed.nanosecondsPerPixel, 1000.0);
+}
+
+TEST(CostPairs, RestlessTimes_EndUnsettled) {
+    CostPairs pairs({0.03, 7, 20}, 0.0);
+    for (int i = 0; i < 20; ++i) {
+        pairs.add(1.0, i % 2 == 0 ? 0.5 : 2.0);
+    }
+    EXPECT_TRUE(pairs.finished());
+    EXPECT_FALSE(pairs.cost().settled);
+}
+
+Choice choiceOf(const std::string& id, int levels) {
+    Choice choice;
+    choice.id = id;
+    for (int i = 0; i < levels; ++i) {
+        choice.levels.push_back({std::to_string(i), "", ""});
+    }
+    return choice;
+}
+
+/// Measures what a plan asks for, each level as fast and as wrong as its number says.
+CostChart followed(SweepPlan& plan) {
+    CostChart chart;
+    while (const auto levels = plan.next(chart)) {
+        double ratio = 1.0;
+        double error = 0.0;
+        for (const auto& [choice, level] : *levels) {
+            ratio *= 1.0 / (1.0 + std::stoi(level));
+            error += 0.01 * std::stoi(level);
+        }
+        chart.points.push_back(point(*levels, ratio, error));
+    }
+    return chart;
+}
+
+TEST(SweepPlan, Exact_ComesFirst) {
+    SweepPlan plan({choiceOf("a", 3)}, true);
+    EXPECT_TRUE(plan.next({})->empty());
+}
+
+TEST(SweepPlan, FewCombinations_AreAllMeasuredOnce) {
+    SweepPlan plan({choiceOf("a", 3), choiceOf("b", 3)}, true);
+    EXPECT_EQ(followed(plan).points.size(), 9u);
+}
+
+TEST(SweepPlan, WithoutCombinations_OnlySinglesAreMeasured) {
+    SweepPlan plan({choiceOf("a", 3), choiceOf("b", 3)}, false);
+    EXPECT_EQ(followed(plan).points.size(), 5u);
+}
+
+TEST(SweepPlan, ManyCombinations_AreGoneThroughGreedily) {
+    std::vector<Choice> choices;
+    for (int i = 0; i < 12; ++i) {
+        choices.push_back(choiceOf("c" + std::to_string(i), 3));
+    }
+    SweepPlan plan(choices, true);
+    const CostChart chart = followed(plan);
+    EXPECT_EQ(chart.points.size(), 1u + 24u + 11u);
+    EXPECT_EQ(chart.points.back().levels.size(), 12u);
+}
+
+/// A level that is slower than the exact one is in no combination.
+TEST(SweepPlan, WhatGainsNothing_IsNotCombined) {
+    SweepPlan plan({choiceOf("a", 2), choiceOf("b", 2)}, true);
+    CostChart chart;
+    while (const auto levels = plan.next(chart)) {
+        chart.points.push_back(point(*levels, levels->contains("b") ? 1.2 : 0.8, 0.1));
+    }
+    EXPECT_EQ(chart.points.size(), 3u);
+}
+
+} // namespace
+} // namespace patina

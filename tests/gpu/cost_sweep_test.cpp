@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The instrument is calibrated: a model whose work and whose errors are known.
+#include "measure/cost_sweep.h"
+
+#include "gpu_fixture.h"
+#include "support/program.h"
+
+namespace patina {
+namespace {
+
+class CostSweepTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        tests::writeFile(folder_ / "models/burn-test.json", R"({
+  "id": "burn-test", "version": 1, "label": "Burn", "summary": "s", "applications": "a",
+  "source": "a test", "doc": "d", "parameters": [], "claims": [],
+  "accuracy": [
+    {"id": "work", "label": "Work", "doc": "d", "values": [
+      {"id": "all", "label": "All", "doc": "d", "exact": true},
+      {"id": "half", "label": "Half", "doc": "d"},
+      {"id": "quarter", "label": "Quarter", "doc": "d"}]},
+    {"id": "slip", "label": "Slip", "doc": "d", "values": [
+      {"id": "none", "label": "None", "doc": "d", "exact": true},
+      {"id": "small", "label": "Small", "doc": "d"}]}
+  ]
+})");
+        tests::writeFile(folder_ / "models/burn-test.glsl", R"(// SPDX-License-Identifier: MIT-0
+#include "lib/directions.glsl"
+
+vec3 burnTest(Directions d, BurnTest p) {
+    int count = 4800;
+    float value = 0.5;
+    if (p.work == BURN_TEST_WORK_HALF) {
+        count = 2400;
+        value = 0.505;
+    }
+    if (p.work == BURN_TEST_WORK_QUARTER) {
+        count = 1200;
+        value = 0.55;
+    }
+    if (p.slip == BURN_TEST_SLIP_SMALL) {
+        value *= 1.001;
+    }
+    float sum = 0.0;
+    for (int i = 0; i < count; ++i) {
+        sum += sin(d.nl + float(i) * sum);
+    }
+    return vec3(value + 1e-12 * sum);
+}
+)");
+        const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true},
+                               BlockRoot{folder_.path(), false}};
+        catalog = std::make_shared<const Catalog>(loadCatalog(roots));
+        ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
+        scene_ = simpleScene("burn-test");
+        scene_.camera.distance = 2.5;
+    }
+
+    CostChart measured(bool combinations) {
+        CostSweep::Options options;
+        options.size = {48, 48};
+        options.pairs.most = 25;
+        options.combinations = combinations;
+        auto sweep = CostSweep::create({scene_, 0, scene_.camera, meshSource(), catalog}, options);
+        EXPECT_TRUE(sweep);
+        while (!(*sweep)->finished()) {
+            (*sweep)->step(std::chrono::milliseconds(20));
+        }
+        EXPECT_EQ((*sweep)->problems(), Errors());
+        return (*sweep)->chart();
+    }
+
+    tests::TemporaryFolder folder_;
+    Scene scene_;
+};
+
+TEST_F(CostSweepTest, KnownWork_GivesItsRatio) {
+    const CostChart chart = measured(false);
+    EXPECT_NEAR(chart.find({{"work", "half"}})->cost.ratio.median, 0.5, 0.05 * 0.5);
+    EXPECT_NEAR(chart.find({{"work", "quarter"}})->cost.ratio.median, 0.25, 0.05 * 0.25);
+}
+
+TEST_F(CostSweepTest, SameWork_HasTheRatioOne) {
+    const CostChart chart = measured(false);
+    EXPECT_NEAR(chart.find({{"slip", "small"}})->cost.ratio.median, 1.0, 0.05);
+}
+
+TEST_F(CostSweepTest, KnownErrors_AreFound) {
+    const CostChart chart = measured(false);
+    EXPECT_NEAR(chart.find({{"work", "half"}})->error.p99, 0.01, 1e-6);
+    EXPECT_NEAR(chart.find({{"work", "quarter"}})->error.max, 0.1, 1e-6);
+    EXPECT_NEAR(chart.find({{"slip", "small"}})->error.mean, 0.001, 1e-6);
+}
+
+TEST_F(CostSweepTest, Exact_IsRight) {
+    EXPECT_EQ(measured(false).find({})->error.max, 0.0);
+}
+
+TEST_F(CostSweepTest, Combinations_AreMeasuredWhereTheyMayGain) {
+    const CostChart chart = measured(true);
+    EXPECT_EQ(chart.points.size(), 4u); // a slip alone saves no time
+}
+
+TEST_F(CostSweepTest, Twice_GivesTheSameFront) {
+    const auto frontLevels = [](const CostChart& chart) {
+        std::vector<ChosenLevels> levels;
+        for (const std::size_t i : costFront(chart.points)) {
+            levels.push_back(chart.points[i].levels);
+        }
+        return levels;
+    };
+    EXPECT_EQ(frontLevels(measured(false)), frontLevels(measured(false)));
+}
+
+TEST_F(CostSweepTest, NothingInView_IsAnError) {
+    scene_.objects[0].visible = false;
+    auto sweep = CostSweep::create({scene_, 0, scene_.camera, meshSource(), catalog}, {});
+    ASSERT_TRUE(sweep);
+    (*sweep)->step(std::chrono::milliseconds(1));
+    EXPECT_TRUE((*sweep)->finished());
+    EXPECT_EQ((*sweep)->problems().size(), 1u);
+}
+
+TEST_F(CostSweepTest, ErrorMap_ShowsWhereItIsWrong) {
+    scene_.camera.distance = 5.0;
+    CostSweep::Options options;
+    options.size = {32, 32};
+    auto sweep = CostSweep::create({scene_, 0, scene_.camera, meshSource(), catalog}, options);
+    ASSERT_TRUE(sweep);
+    while ((*sweep)->right() == nullptr) {
+        (*sweep)->step(std::chrono::milliseconds(1));
+    }
+    const std::vector<double> map = (*sweep)->errorMap({{"work", "half"}});
+    EXPECT_EQ(map.front(), 0.0);
+    EXPECT_NEAR(map[16 * 32 + 16], 0.01, 1e-6);
+}
+
+} // namespace
+} // namespace patina

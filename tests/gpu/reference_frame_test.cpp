@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frames computed twice: by the device in floats, by the CPU in double precision.
+#include "measure/reference_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gpu_fixture.h"
+#include "measure/frame_error.h"
+
+namespace patina {
+namespace {
+
+class ReferenceFrameTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+    }
+
+    View wholeView(const Scene& scene) const {
+        View view = viewOf(scene, 48);
+        view.samples = 1;
+        view.numbers = HdrNumbers::Full;
+        return view;
+    }
+
+    Result<std::unique_ptr<ReferenceFrame>> reference(const Scene& scene) {
+        auto buffer = renderer->captureSurfaces(scene, wholeView(scene), meshSource());
+        EXPECT_TRUE(buffer) << (buffer ? "" : buffer.error().text());
+        return ReferenceFrame::create(std::move(*buffer),
+                                      std::vector<bool>(scene.objects.size(), true));
+    }
+
+    /// Of the device's frame against the one in double precision.
+    FrameError error(const Scene& scene) {
+        auto right = reference(scene);
+        EXPECT_TRUE(right) << (right ? "" : right.error().text());
+        while (!(*right)->step(std::chrono::milliseconds(10))) {
+        }
+        const auto image = renderer->capture(scene, wholeView(scene), meshSource(), false);
+        EXPECT_TRUE(image);
+        LinearFrame frame;
+        const double factor = DisplayCurve::of(scene).factor();
+        for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
+            frame.colors.push_back(
+                glm::dvec3(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]) / factor);
+        }
+        const FrameError found =
+            ErrorMeter((*right)->frame(), DisplayCurve::of(scene)).errorOf(frame);
+        EXPECT_GT(found.pixels, 300u);
+        return found;
+    }
+};
+
+/// What is left is the rounding of floats.
+constexpr double rounding = 1e-4;
+
+TEST_F(ReferenceFrameTest, EveryModel_DiffersByRoundingOnly) {
+    for (const Block* model : catalog->ofKind("models")) {
+        SCOPED_TRACE(model->id);
+        Scene scene = simpleScene(model->id);
+        scene.lights.push_back(light("point"));
+        scene.ambient = {0.1, 0.2, 0.3};
+        EXPECT_LE(error(scene).p99, rounding);
+    }
+}
+
+TEST_F(ReferenceFrameTest, FresnelOverTheSum_IsBlended) {
+    Scene scene = simpleScene();
+    scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
+    EXPECT_LE(error(scene).p99, rounding);
+}
+
+TEST_F(ReferenceFrameTest, Fog_IsInIt) {
+    Scene scene = simpleScene();
+    scene.fog = block("fog", "exponential");
+    EXPECT_LE(error(scene).p99, rounding);
+}
+
+TEST_F(ReferenceFrameTest, Hemisphere_IsInIt) {
+    Scene scene = simpleScene();
+    scene.hemisphere.sky = {0.2, 0.4, 0.9};
+    scene.hemisphere.ground = {0.3, 0.1, 0.0};
+    scene.hemisphere.up = {0.2, 1.0, 0.1};
+    EXPECT_LE(error(scene).p99, rounding);
+}
+
+TEST_F(ReferenceFrameTest, Exposure_ChangesNoRelativeError) {
+    Scene scene = simpleScene();
+    scene.exposure = 3.0;
+    EXPECT_LE(error(scene).p99, rounding);
+}
+
+/// What of each light arrives is taken from the device's maps.
+TEST_F(ReferenceFrameTest, Shadows_AreInIt) {
+    Scene scene = simpleScene("phong");
+    scene.objects.push_back(object("lambert", "cube"));
+    scene.objects[1].translation = {0.4, 0.3, 1.2};
+    scene.objects[1].scale = glm::dvec3(0.3);
+    for (int i = 0; i < 6; ++i) {
+        scene.lights.push_back(sun({0.2 * i - 0.5, -0.3, -1.0}));
+        scene.lights.back().shadow = block("shadows", i % 2 == 0 ? "hard" : "soft");
+    }
+    EXPECT_LE(error(scene).p99, rounding);
+}
+
+/// A checker of two colours on the diffuse one and a gradient of roughness.
+TEST_F(ReferenceFrameTest, Images_AreTakenAsTheyWereSampled) {
+    const auto picture = [](float first, float second) {
+        FileImage image{{2, 1, 3, {first, first, first, second, second, second}}, 8};
+        return std::make_shared<const TexturePicture>(
+            madeTexture(image, TextureDecoding::Linear));
+    };
+    const auto wide = picture(0.2f, 0.9f);
+    renderer->setTextures(
+        [&wide](const TextureUse&, TextureDecoding) { return TextureLookup{wide, false}; });
+    Scene scene = simpleScene("oren-nayar");
+    scene.objects[0].material.textures["diffuse.color"].file = "/a.png";
+    scene.objects[0].material.textures["roughness"].file = "/b.png";
+    EXPECT_LE(error(scene).p99, rounding);
+}
+
+TEST_F(ReferenceFrameTest, Environment_IsRefused) {
+    Scene scene = simpleScene();
+    scene.environment = block("environment", "studio");
+    EXPECT_FALSE(reference(scene));
+}
+
+TEST_F(ReferenceFrameTest, WhatShinesThrough_IsRefused) {
+    Scene scene = simpleScene();
+    scene.objects[0].material.opacity = 0.5;
+    EXPECT_FALSE(reference(scene));
+}
+
+TEST_F(ReferenceFrameTest, UnwantedObjects_DoNotCount) {
+    const Scene scene = simpleScene();
+    auto buffer = renderer->captureSurfaces(scene, wholeView(scene), meshSource());
+    auto right = ReferenceFrame::create(std::move(*buffer), {false});
+    ASSERT_TRUE(right);
+    while (!(*right)->step(std::chrono::milliseconds(10))) {
+    }
+    const auto& counts = (*right)->frame().counts;
+    EXPECT_EQ(std::count(counts.begin(), counts.end(), 1), 0);
+}
+
+TEST_F(ReferenceFrameTest, DisplayCurve_IsTheDevices) {
+    Scene scene = simpleScene();
+    scene.exposure = 0.7;
+    scene.toneMapping = ToneMapping::KhronosNeutral;
+    const auto linear = renderer->capture(scene, wholeView(scene), meshSource(), false);
+    const auto shown = renderer->capture(scene, wholeView(scene), meshSource(), true);
+    const DisplayCurve curve = DisplayCurve::of(scene);
+    for (const int x : {0, 12, 24, 30}) {
+        const glm::dvec3 light = glm::dvec3(pixel(*linear, x, 24)) / curve.factor();
+        EXPECT_NEAR(curve.shown(light).r, pixel(*shown, x, 24).r, 0.51 / 255.0);
+    }
+}
+
+TEST(FrameError, KnownDifferences_AreCounted) {
+    LinearFrame right;
+    right.size = {4, 1};
+    right.colors.assign(4, glm::dvec3(0.5));
+    right.counts = {1, 1, 1, 0};
+    LinearFrame frame = right;
+    frame.colors[1] = {0.5, 0.55, 0.5};
+    frame.colors[3] = glm::dvec3(9.0);
+    const FrameError error = ErrorMeter(right, {0.0, ToneMapping::None}).errorOf(frame);
+    EXPECT_EQ(error.pixels, 3u);
+    EXPECT_NEAR(error.max, 0.1, 1e-12);
+    EXPECT_NEAR(error.mean, 0.1 / 3.0, 1e-12);
+    EXPECT_NEAR(error.rms, 0.1 / std::sqrt(3.0), 1e-12);
+    EXPECT_NEAR(error.stepShare, 1.0 / 3.0, 1e-12);
+}
+
+TEST(FrameError, WhatIsNoNumber_IsInfinitelyWrong) {
+    LinearFrame right;
+    right.size = {1, 1};
+    right.colors.assign(1, glm::dvec3(0.5));
+    right.counts = {1};
+    LinearFrame frame = right;
+    frame.colors[0].g = std::nan("");
+    EXPECT_TRUE(std::isinf(ErrorMeter(right, {}).errorOf(frame).max));
+}
+
+} // namespace
+} // namespace patina
