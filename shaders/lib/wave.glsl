@@ -73,3 +73,26 @@ float waveSeries(float g, float x, float nodes, float reach, float spare) {
     }
     return sum;
 }
+
+// The same times 2^60 without a search for the terms that count: twelve terms where g is small, and
+// else the logarithm of the sum, the mean of e^(-x / m) / m over a Poisson distribution of m, to
+// second order in 1 / g, which is positive and falls with y = x / g everywhere:
+//   -y + (1 - 2 y + y^2 / 2) / g + (3 / 2 - 7 y + 5 y^2 - 5 y^3 / 6) / g^2 - ln g^2
+// Within 1.4 % of the largest value at that g, and within 0.02 % from g = 30 on. g, x >= 0.
+float waveLimit(float g, float x) {
+    float few = min(g, 8.0);
+    float weight = 1.0;
+    float sum = waveTerm(-1.4426950408889634 * (few + x));
+    for (int i = 2; i <= 12; ++i) {
+        float m = float(i);
+        weight *= few / m;
+        sum += weight * waveTerm(-1.4426950408889634 * (few + x / m)) / m;
+    }
+    float many = max(g, 5.0);
+    float y = min(x / many, 1e4); // nothing is left beyond
+    float first = 1.0 + y * (0.5 * y - 2.0);
+    float second = 1.5 - y * (7.0 - y * (5.0 - 0.83333333333333333 * y));
+    float exponent = (first + second / many) / many - y;
+    float limit = waveTerm(1.4426950408889634 * exponent) / (many * many);
+    return mix(sum, limit, clamp((g - 5.0) / 3.0, 0.0, 1.0));
+}

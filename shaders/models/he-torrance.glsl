@@ -16,6 +16,8 @@ float heTorranceDiffuse(Directions d, HeTorrance p, float sigma2, float waveleng
         series = waveSeries(g, x, 20.0, 8.0, 8.0);
     } else if (p.series == HE_TORRANCE_SERIES_MEDIUM) {
         series = waveSeries(g, x, 10.0, 4.5, 3.0);
+    } else if (p.series == HE_TORRANCE_SERIES_LIMIT) {
+        series = waveLimit(g, x);
     } else {
         series = waveSeries(g, x, 6.0, 3.3, 1.0);
     }

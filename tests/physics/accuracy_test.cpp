@@ -362,6 +362,28 @@ TEST(LafortuneFall, AsAGaussian_ErrsAsOfPhong) {
                 8.6e-3);
 }
 
+/// The largest error of the limit over the largest value of the series, at one roughness.
+double limitError(double g) {
+    const double peak = call("wave_series", {g, 0.0, 20.0, 8.0, 8.0})[0];
+    return largest([g, peak](double u) {
+        const double x = 8.0 * g * u;
+        return (call("wave_limit", {g, x})[0] -
+                call("wave_series", {g, x, 20.0, 8.0, 8.0})[0]) / peak;
+    });
+}
+
+TEST(WaveLimit, AtAnyRoughness_IsWithinAHundredthOfThePeak) {
+    for (const double g : {0.01, 0.5, 2.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 15.0}) {
+        EXPECT_LE(limitError(g), 0.014) << g;
+    }
+}
+
+TEST(WaveLimit, OfRoughSurfaces_IsTheSeries) {
+    for (const double g : {30.0, 100.0, 1000.0, 1e5}) {
+        EXPECT_LE(limitError(g), 2e-4 * (30.0 / g)) << g;
+    }
+}
+
 TEST(CoatedBase, AsLambert_LosesTheEighthOfThePaper) {
     const Values values{{"diffuse.color", white}, {"specular.color", glm::dvec3(1.0)}};
     const Subject coat = schlickFrom(0.05);
