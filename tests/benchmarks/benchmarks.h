@@ -11,6 +11,7 @@ bool modelSwap();
 bool largeMesh();
 bool meshLoading();
 bool modelCost();
+bool accuracyCost();
 bool manyObjects();
 
 } // namespace patina::benchmarks

@@ -27,6 +27,7 @@ int main(int count, char** arguments) {
                                         {"large-mesh", patina::benchmarks::largeMesh},
                                         {"mesh-loading", patina::benchmarks::meshLoading},
                                         {"model-cost", patina::benchmarks::modelCost},
+                                        {"accuracy-cost", patina::benchmarks::accuracyCost},
                                         {"many-objects", patina::benchmarks::manyObjects}};
     const std::vector<std::string_view> wanted(arguments + 1, arguments + count);
     bool kept = true;

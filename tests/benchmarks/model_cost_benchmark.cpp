@@ -10,10 +10,9 @@
 #include <epoxy/gl.h>
 
 #include "benchmarks.h"
-#include "gl/framebuffer.h"
 #include "gl/headless_context.h"
-#include "gl/vertex_array.h"
 #include "model_program.h"
+#include "pixel_target.h"
 #include "statistics.h"
 
 namespace patina::benchmarks {
@@ -52,11 +51,11 @@ ModelProgram linkedOrExit(Checked<ModelProgram> program, const std::string& name
 
 /// The model as it starts, and then each of its compiled choices in turn.
 std::vector<ModelChoice> choicesOf(const Block& model) {
-    std::vector<ModelChoice> choices = {{&model, {}}};
+    std::vector<ModelChoice> choices = {{&model, {}, {}, nullptr}};
     for (const Parameter& parameter : model.parameters) {
         for (const EnumValue& value : parameter.values) {
             if (parameter.compiled != Compiled::No && Value(value.id) != parameter.defaultValue) {
-                choices.push_back({&model, {{parameter.id, value.id}}});
+                choices.push_back({&model, {{parameter.id, value.id}}, {}, nullptr});
             }
         }
     }
@@ -120,23 +119,6 @@ void run(Contest& contest, const ModelProgram& empty, const ModelProgram& matte)
     contest.ratios.push_back((stable - base) / std::max(textbook, 1e-12));
 }
 
-/// A target to draw to, bound as long as it lives.
-class Target {
-  public:
-    Target()
-        : color_(gl::Renderbuffer::create({ModelProgram::targetSize, ModelProgram::targetSize},
-                                          GL_RGBA16F, 0)) {
-        framebuffer_.attachColor(color_);
-        glViewport(0, 0, ModelProgram::targetSize, ModelProgram::targetSize);
-        vertices_.bind();
-    }
-
-  private:
-    gl::Renderbuffer color_;
-    gl::Framebuffer framebuffer_ = gl::Framebuffer::create();
-    gl::VertexArray vertices_ = gl::VertexArray::create();
-};
-
 bool printContest(const Contest& contest) {
     const Spread gross = spreadOf(contest.gross);
     const Spread ratio = spreadOf(contest.ratios);
@@ -184,7 +166,7 @@ bool print(const std::vector<Contest>& all) {
 bool modelCost() {
     const auto context = gl::HeadlessContext::create().value();
     const Catalog catalog = loadCatalog(standardBlockRoots());
-    const Target target;
+    const PixelTarget target(ModelProgram::targetSize);
     const ModelProgram empty = linkedOrExit(ModelProgram::linkEmpty(catalog), "model_cost.frag");
     std::vector<Contest> all = contests(catalog);
     const auto matte =

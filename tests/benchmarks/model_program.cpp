@@ -30,14 +30,16 @@ struct Subject {
 
 Subject subjectOf(const Catalog& catalog, const ModelChoice& choice) {
     const Block& model = *choice.model;
-    Subject subject{{&model, defaultValues(model), {}}, {}};
+    Subject subject{{&model, defaultValues(model), choice.levels}, {}};
     for (const auto& [id, value] : choice.values) {
         subject.model.values[id] = value;
     }
     for (const Slot& slot : model.slots) {
-        const Block* filler = catalog.find(slot.kind, slot.defaultBlock);
+        const bool isReplaced = choice.filler != nullptr && subject.slots.empty();
+        const Block* filler =
+            isReplaced ? choice.filler : catalog.find(slot.kind, slot.defaultBlock);
         subject.slots.push_back(
-            {filler, filler == nullptr ? Values{} : defaultValues(*filler), {}});
+            {filler, filler == nullptr ? Values{} : defaultValues(*filler), choice.levels});
     }
     return subject;
 }

@@ -5,15 +5,19 @@
 #include <vector>
 
 #include "catalog/catalog.h"
+#include "catalog/parameter_layout.h"
 #include "core/error.h"
 #include "gl/program.h"
 
 namespace patina::benchmarks {
 
-/// A model, and values in place of its defaults.
+/// A model, with values in place of its defaults, levels in place of the exact ones, and what fills
+/// its first slot in place of the slot's own.
 struct ModelChoice {
     const Block* model = nullptr;
     Values values;
+    AccuracyLevels levels;
+    const Block* filler = nullptr;
 };
 
 /// A program that shades a target with one model and nothing else. Its
