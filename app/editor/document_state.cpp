@@ -83,6 +83,8 @@ std::string_view partKind(BlockPath::Part part) {
         return "fresnel";
     case BlockPath::Part::Specular:
         return "specular";
+    case BlockPath::Part::Refraction:
+        return "refraction";
     default:
         return {};
     }

@@ -26,6 +26,7 @@ struct BlockPath {
         Model,    ///< the material's lighting model
         Fresnel,  ///< the material's Fresnel block
         Specular, ///< the material's highlight, for models that leave it open
+        Refraction, ///< what bends the light that the material lets through
         Accuracy, ///< the accuracy levels of the model
         Material, ///< what every material has: its opacity
         Light,    ///< the values of a light

@@ -38,6 +38,23 @@ Value inside(const Parameter& parameter) {
     return filled(parameter, between(0.5) != 0.0 ? between(0.5) : between(0.75));
 }
 
+/// A Fresnel term with the same index on both sides bends nothing.
+void addOtherIndices(std::vector<Value>& edges, const Material* material, const BlockPath& path,
+                     const Parameter& parameter, const Catalog& catalog) {
+    constexpr std::string_view indices = "index.";
+    const bool isFresnel = path.part == BlockPath::Part::Fresnel && material != nullptr;
+    const BlockValues* part = isFresnel ? material->part("fresnel") : nullptr;
+    const Block* block = part != nullptr ? catalog.find("fresnel", part->id) : nullptr;
+    if (block == nullptr || !parameter.id.starts_with(indices)) {
+        return;
+    }
+    for (const Parameter& other : block->parameters) {
+        if (other.id.starts_with(indices)) {
+            edges.push_back(givenValue(other, part->parameters));
+        }
+    }
+}
+
 /// Values at which a program may lose an effect: the ends of the slider, 0, and every value that
 /// this one is compared with.
 std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
@@ -52,6 +69,7 @@ std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
             edges.push_back(givenValue(other, material->model.parameters));
         }
     }
+    addOtherIndices(edges, material, path, parameter, catalog);
     return edges;
 }
 

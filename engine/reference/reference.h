@@ -44,6 +44,14 @@ struct FogRay {
     double range = 0.0;                   ///< metres, 0 or more
 };
 
+/// A ray where it meets the surface of a transparent body.
+struct Crossing {
+    glm::dvec3 l{0.0, 0.0, 1.0}; ///< unit, from the surface to where the ray comes from
+    glm::dvec3 n{0.0, 0.0, 1.0}; ///< unit normal on the side of l
+    int channel = 1;             ///< 0, 1, 2: red, green, blue light
+    bool leaves = false;         ///< from the body into what surrounds it
+};
+
 /// One packed field, as it was when the block was compiled.
 struct Field {
     std::string_view name;
@@ -85,6 +93,10 @@ struct Block {
                               Parameters) = nullptr;
     /// How much a surface at the depth 0 .. 1 counts.
     double (*transparency)(double depth, double opacity, Parameters) = nullptr;
+    /// Refraction: the way on, the share mirrored, and what is left after so many metres.
+    glm::dvec3 (*refract)(const Crossing&, Parameters) = nullptr;
+    double (*mirrored)(const Crossing&, Parameters) = nullptr;
+    glm::dvec3 (*left)(double way, Parameters) = nullptr;
 };
 
 /// Every block, sorted by kind and id.

@@ -15,6 +15,12 @@ inline constexpr unsigned layerSum = 0;
 inline constexpr unsigned layerShare = 1;
 inline constexpr unsigned nearerLayer = 2;
 
+/// Of surfaces that bend light, which are no such layers: the farthest surface of the body, and
+/// what was drawn before it.
+inline constexpr unsigned refractionBack = 0;
+inline constexpr unsigned behindColor = 1;
+inline constexpr unsigned behindDepth = 2;
+
 /// Of an environment: where it is bright, its picture, and that in small.
 inline constexpr unsigned environmentTable = 4;
 inline constexpr unsigned environmentImage = 5;

@@ -30,6 +30,9 @@ class DrawSlices {
         return range;
     }
 
+    /// Nothing is drawn yet.
+    bool isAtStart() const { return instance_ == 0 && triangle_ == 0; }
+
     /// All `count` objects are drawn.
     bool isDone(std::size_t count) const { return instance_ == count; }
 

@@ -12,6 +12,7 @@
 #include "gl/driver.h"
 #include "render/binding.h"
 #include "render/data_packer.h"
+#include "render/refraction_packer.h"
 #include "shading/material_print.h"
 #include "shading/texture_choice.h"
 
@@ -59,6 +60,7 @@ void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     display_.forget();
     environment_.forget();
     transparency_.forget();
+    refraction_.reset();
     described_.clear();
     describedLost_ = -1;
 }
@@ -98,6 +100,9 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     choosePipelines();
     orderItems();
     if (auto begun = beginLayers(scene); !begun) {
+        return fail(begun.error());
+    }
+    if (auto begun = beginRefraction(view); !begun) {
         return fail(begun.error());
     }
     bands_.begin(sources_, target_.drawnSize(), triangles_, environment_.rounds());
@@ -299,6 +304,9 @@ void FrameDrawer::feedMaterial(const Scene& scene, const DrawMaterial& material)
     packMaterial(data, pipeline, values, cameras_.cameraToWorld);
     if (isLayered(material)) {
         packLayersOf(scene, material, data);
+    }
+    if (refracts(material)) {
+        packRefraction(data, pipeline, values, scene.background);
     }
     textures_.bind(data, pipeline, values);
     report_.uploadedBuffers += materialData_.upload(material.data) ? 1 : 0;

@@ -24,6 +24,7 @@
 #include "render/light_lists.h"
 #include "render/pipeline_store.h"
 #include "render/placement.h"
+#include "render/refraction_pass.h"
 #include "render/renderer.h"
 #include "render/shadow_maps.h"
 #include "render/transparency_pass.h"
@@ -113,6 +114,7 @@ class FrameDrawer {
         std::int64_t triangles = 0; ///< since the clock was asked
         bool hasGround = false;
         bool hasLayers = false;
+        bool hasBack = false; ///< the farthest surface of the batch, where it bends light
         bool resolved = false;
     };
     struct Cameras {
@@ -155,6 +157,9 @@ class FrameDrawer {
     void packLayersOf(const Scene& scene, const DrawMaterial& material, std::span<glm::vec4> data);
     void drawLayers(const Scene& scene);
     void drawLayer(const Scene& scene, const DrawBatch& batch, TransparencyPass::Stage stage);
+    static bool refracts(const DrawMaterial& material);
+    Result<void> beginRefraction(const View& view);
+    bool drawRefracting(const Scene& scene, const DrawBatch& batch, Deadline deadline);
     void addLost();
     bool uploadMeshes(Deadline deadline);
     bool drawBands(const Scene& scene, Deadline deadline);
@@ -203,6 +208,7 @@ class FrameDrawer {
     std::optional<std::size_t> fedMaterial_;
     TransparencyPass transparency_;
     DepthRange layerDepths_; ///< of what shines through
+    std::optional<RefractionPass> refraction_; ///< while something bends light
     Cameras cameras_;
     DepthRange depths_;
     Cursor cursor_;

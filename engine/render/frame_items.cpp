@@ -114,6 +114,10 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
 /// Of a transparent object only the nearest layer is blended, so that the order of its triangles
 /// does not show: depths first, then colours where the depth is the same.
 bool FrameDrawer::drawBatch(const Scene& scene, const DrawBatch& batch, Deadline deadline) {
+    if (refracts(materials_[batch.material])) {
+        setPass(Pass::opaque);
+        return drawRefracting(scene, batch, deadline);
+    }
     feed(scene, batch);
     const std::span<const Pass> passes = materials_[batch.material].isTransparent
                                              ? std::span<const Pass>(transparentPasses)

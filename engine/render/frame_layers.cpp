@@ -33,7 +33,11 @@ std::span<const DrawBatch> FrameDrawer::transparentBatches() const {
 }
 
 Result<void> FrameDrawer::beginLayers(const Scene& scene) {
-    const bool isNeeded = effects_->transparency && !transparentBatches().empty();
+    const bool isNeeded =
+        effects_->transparency &&
+        std::ranges::any_of(transparentBatches(), [this](const DrawBatch& batch) {
+            return !refracts(materials_[batch.material]);
+        });
     const Block* block =
         isNeeded ? catalog_->find("transparency", effects_->transparency->id) : nullptr;
     if (block == nullptr) {

@@ -106,6 +106,7 @@ void FrameDrawer::leaveState() {
 /// A driver may keep what was drawn with last until something else is: one pixel takes its place.
 void FrameDrawer::releaseTargets() {
     transparency_.leaveOut();
+    refraction_.reset();
     if (!display_.isPrepared() || !target_.fit(glm::ivec2(1), 1, false)) {
         target_ = HdrTarget();
         return;

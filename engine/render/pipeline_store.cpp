@@ -8,6 +8,7 @@
 #include "gl/driver.h"
 #include "render/binding.h"
 #include "render/environment_units.h"
+#include "render/refraction_pass.h"
 #include "shading/program_source.h"
 #include "shading/texture_writer.h"
 
@@ -72,6 +73,7 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
                                    binding::firstTexture + static_cast<unsigned>(i));
     }
     found.program->bindSampler("shadowMaps", binding::shadowMaps);
+    RefractionPass::assignUnits(*found.program);
     if (effects.scene.environment) {
         environment::assignUnits(*found.program);
     }

@@ -42,7 +42,11 @@ ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
     }
     layout.firstTexture = layout.vec4s;
     layout.vec4s = layout.texture(set.textures.size());
-    if (set.scene.transparency && letsThrough(set)) {
+    if (set.refraction) {
+        layout.refraction = placed(*set.refraction, catalog, layout.vec4s);
+        layout.vec4s += layout.refraction ? 1 : 0;
+    }
+    if (set.scene.transparency && letsThrough(set) && !set.refraction) {
         layout.transparency = placed(*set.scene.transparency, catalog, layout.vec4s);
         layout.vec4s += layout.transparency ? 1 : 0;
     }

@@ -49,7 +49,10 @@ struct ObjectLayout {
                                ///< environment's light on it where there is one
     std::optional<BlockPlace> transparency; ///< of a surface that is put together with others: a
                                             ///< block's values, then what layers() says
+    std::optional<BlockPlace> refraction; ///< then the colour behind the objects
     int vec4s = fixed;
+
+    int refractionBackground() const { return refraction->first + refraction->vec4s(); }
 
     /// Whether such surfaces are put in order, one layer after the other.
     bool isPeeled() const;

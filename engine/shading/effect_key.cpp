@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "shading/effect_choice.h"
+#include "shading/refraction_choice.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -134,6 +135,7 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
     hash.add(ofEnvironment(scene, catalog));
     hash.add(hasHemisphere(scene) ? 1 : 0);
     hash.add(hasAmbient(scene) ? 1 : 0);
+    hash.add(showsSceneBent(scene, catalog) ? 1 : 0);
     return hash.value();
 }
 
@@ -152,6 +154,10 @@ std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& cat
         addTextures(hash, material, catalog);
     }
     hash.add(material.opacity < 1.0 ? 1 : 0);
+    if (const RefractionChoice choice = refractionChoice(material, catalog);
+        choice.block != nullptr) {
+        addBlock(hash, *choice.block, *choice.values, material.accuracy);
+    }
     return hash.value();
 }
 

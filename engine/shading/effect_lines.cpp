@@ -171,7 +171,9 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
     if (set.opacity) {
         lines.push_back({"opacity", {}, reasonFor(set.reasons, "opacity")});
     }
-    if (letsThrough(set)) {
+    if (set.refraction) {
+        lines.push_back(lineOf(*set.refraction));
+    } else if (letsThrough(set)) {
         addTransparencyLine(lines, set.scene);
     }
     return lines;
@@ -193,7 +195,11 @@ std::vector<EffectLine> leftOutLines(const EffectSet& set) {
     addAbsent(out, in, {"texture", {}, "No image is bound to the material."});
     addAbsent(out, in, {"fog", {}, "The scene has no fog."});
     addAbsent(out, in, {"opacity", {}, "The material's opacity is 1."});
-    addAbsent(out, in, {"transparency", {}, "Nothing shines through the object."});
+    addAbsent(out, in, {"refraction", {}, "The material bends no light."});
+    addAbsent(out, in,
+              {"transparency", {},
+               set.refraction ? "What is behind the object is seen bent, in its colour."
+                              : "Nothing shines through the object."});
     return out;
 }
 

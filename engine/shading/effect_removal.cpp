@@ -118,7 +118,7 @@ void removeToneMapping(Scene& scene, const Effect&, const Catalog&) {
 }
 
 /// Every effect that has a row: by the part of its name before the slash.
-constexpr std::array<std::pair<std::string_view, Remove>, 16> removals{{
+constexpr std::array<std::pair<std::string_view, Remove>, 17> removals{{
     {"models", removeModel},
     {"fresnel", removePart},
     {"specular", removePart},
@@ -132,6 +132,7 @@ constexpr std::array<std::pair<std::string_view, Remove>, 16> removals{{
     {"texture", removeTexture},
     {"fog", removeFog},
     {"opacity", removeOpacity},
+    {"refraction", removePart},
     {"transparency", removeTransparency},
     {"exposure", removeExposure},
     {"tone mapping", removeToneMapping},

@@ -11,6 +11,8 @@
 #include "shading/effect_choice.h"
 #include "shading/fog_depth.h"
 #include "shading/light_effects.h"
+#include "shading/refraction_choice.h"
+#include "shading/refraction_effects.h"
 #include "shading/texture_choice.h"
 #include "shading/texture_effects.h"
 
@@ -247,6 +249,7 @@ SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const Effe
     addEnvironment(effects, scene, catalog);
     addTransparency(effects, scene, catalog);
     addAmbient(effects, scene);
+    effects.isShownBent = showsSceneBent(scene, catalog);
     return effects;
 }
 
@@ -261,6 +264,7 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     nameEqual(set, material, catalog);
     addOpacity(set, material);
     set.scene = sceneEffects(scene, catalog, view);
+    addRefraction(set, material, scene, catalog);
     return set;
 }
 

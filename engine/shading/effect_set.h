@@ -63,6 +63,7 @@ struct SceneEffects {
     std::optional<BlockUse> transparency; ///< in programs of what lets something through
     bool ambient = false;
     bool hemisphere = false;
+    bool isShownBent = false; ///< by what bends light, see showsSceneBent()
     Reasons reasons;
     std::vector<LeftOut> leftOut;
 
@@ -100,6 +101,7 @@ struct EffectSet {
     std::vector<std::string> emission; ///< the model's colours that are emitted and not black
     std::vector<TextureEffect> textures; ///< sorted by id
     bool opacity = false;
+    std::optional<BlockUse> refraction; ///< what bends the light that passes
     GroundMode ground = GroundMode::Off; ///< the ground is drawn so, in place of a model
     SceneEffects scene;
     Reasons reasons;

@@ -77,6 +77,7 @@ void SurfaceWriter::writeSurface() {
     writeBlend();
     writeFog();
     writeOpacity();
+    writeRefraction();
     writeLayer();
     writeMain();
 }

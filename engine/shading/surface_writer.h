@@ -44,6 +44,8 @@ class SurfaceWriter {
     void writeBlend();
     void writeFog();
     void writeOpacity();
+    void writeDistance();
+    void writeRefraction();
     void writeLayer();
     void writeGround();
     void addToGround(const std::string& light);

@@ -111,8 +111,10 @@ bool isTextured(std::string_view parameterId, const Material& material) {
            found->second.strength != 0.0;
 }
 
+/// A clear body is seen by what it bends and mirrors.
 bool canBeSeen(const Material& material) {
-    return material.opacity > 0.0 || isTextured("opacity", material);
+    return material.opacity > 0.0 || material.part("refraction") != nullptr ||
+           isTextured("opacity", material);
 }
 
 bool isTransparent(const Material& material) {

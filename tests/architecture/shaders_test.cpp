@@ -18,7 +18,8 @@ const std::map<std::string, std::string> kindWords = {{"models", ""},
                                                       {"fog", "Fog"},
                                                        {"shadows", "Shadow"},
                                                        {"environment", "Environment"},
-                                                       {"transparency", "Transparency"}};
+                                                       {"transparency", "Transparency"},
+                                                      {"refraction", "Refraction"}};
 
 std::string pascalCase(const std::string& id) {
     std::string name;
@@ -45,7 +46,8 @@ std::string structNameOf(const SourceFile& file) {
 std::vector<SourceFile> blockShaders() {
     return filesUnder(
         {"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog",
-         "shaders/shadows", "shaders/environment", "shaders/transparency"},
+         "shaders/shadows", "shaders/environment", "shaders/transparency",
+         "shaders/refraction"},
         {".glsl"});
 }
 

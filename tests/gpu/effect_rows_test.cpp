@@ -97,7 +97,7 @@ TEST_F(EffectRowsTest, EveryEffectThatIsIn_CanBeLeftOut) {
 TEST_F(EffectRowsTest, EmptyScene_SaysWhatItLacks) {
     for (const char* effect :
          {"ambient", "fog", "fresnel", "opacity", "emission", "exposure", "tone mapping", "shadows",
-          "ground", "hemisphere", "environment", "texture", "transparency"}) {
+          "ground", "hemisphere", "environment", "texture", "transparency", "refraction"}) {
         EXPECT_FALSE(row(effect).line.reason.empty()) << effect;
         EXPECT_FALSE(isIn(effect)) << effect;
     }

@@ -140,6 +140,9 @@ class RandomScenes {
         if (chance(0.4)) {
             made.parts["specular"] = block("specular");
         }
+        if (chance(0.2)) {
+            made.parts["refraction"] = block("refraction");
+        }
         made.opacity = chance(0.7) ? 1.0 : between(0.0, 1.0);
         chooseAccuracy(made, *catalog_.find("models", made.model.id));
         addTextures(made);

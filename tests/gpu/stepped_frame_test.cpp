@@ -139,6 +139,17 @@ TEST_F(SteppedFrame, OfTransparentObjects_IsThePictureDrawnAtOnce) {
     EXPECT_EQ(stepped, drawnAtOnce(scene));
 }
 
+TEST_F(SteppedFrame, OfWhatBendsLight_IsThePictureDrawnAtOnce) {
+    Scene scene = gridScene(0.2);
+    scene.objects[0].material.parts["refraction"] = block("refraction", "solid-body");
+    scene.objects.push_back(object("lambert"));
+    scene.objects[1].translation.z = -1.0;
+    ASSERT_FALSE(beginFrame(scene));
+    EXPECT_GT(finishFrame(), 2 * 13); // its back, then itself
+    const auto stepped = picture();
+    EXPECT_EQ(stepped, drawnAtOnce(scene));
+}
+
 TEST_F(SteppedFrame, WithShadowsAndAGround_IsThePictureDrawnAtOnce) {
     Scene scene = gridScene();
     scene.lights = {sun({0.5, -1.0, -1.0}), light("point")};

@@ -12,13 +12,30 @@ Material swapped(const Document& document, const MaterialTarget& target, BlockPa
                     document.block({part, target.object, target.side}), block);
 }
 
+QString labelOff(BlockPath::Part part) {
+    switch (part) {
+    case BlockPath::Part::Fresnel:
+        return Document::tr("Fresnel off");
+    case BlockPath::Part::Refraction:
+        return Document::tr("Refraction off");
+    default:
+        return Document::tr("Highlight off");
+    }
+}
+
 QString labelOf(BlockPath::Part part, const Block* block) {
-    const bool isFresnel = part == BlockPath::Part::Fresnel;
     if (!block) {
-        return isFresnel ? Document::tr("Fresnel off") : Document::tr("Highlight off");
+        return labelOff(part);
     }
     const QString name = QString::fromStdString(block->label);
-    return (isFresnel ? Document::tr("Fresnel %1") : Document::tr("Highlight %1")).arg(name);
+    switch (part) {
+    case BlockPath::Part::Fresnel:
+        return Document::tr("Fresnel %1").arg(name);
+    case BlockPath::Part::Refraction:
+        return Document::tr("Refraction %1").arg(name);
+    default:
+        return Document::tr("Highlight %1").arg(name);
+    }
 }
 
 } // namespace

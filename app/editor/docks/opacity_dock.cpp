@@ -7,6 +7,7 @@
 
 #include "docks/block_chooser.h"
 #include "docks/panel.h"
+#include "docks/refraction_panel.h"
 #include "parameters/document_form.h"
 
 namespace patina {
@@ -21,7 +22,8 @@ OpacityDock::OpacityDock(const DockContext& context)
     transparency_->setToolTip(
         tr("<p>How objects below an opacity of 1 are put together, in the whole scene.</p>"
            "<p>Sorted by object: each is drawn over what is behind it, farthest first, and only "
-           "its nearest surface is seen. That is wrong where objects cross.</p>"));
+           "its nearest surface is seen. That is wrong where objects cross. Objects with "
+           "refraction are always sorted.</p>"));
     auto* scene = new QGroupBox(tr("Transparent objects of the scene"), this);
     auto* inScene = new QVBoxLayout(scene);
     inScene->addWidget(labelled(tr("&Order"), transparency_));
@@ -30,6 +32,7 @@ OpacityDock::OpacityDock(const DockContext& context)
     auto* layout = new QVBoxLayout(forms);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(new DocumentForm(document_, BlockPath::Part::Material));
+    layout->addWidget(new RefractionPanel(document_, forms));
     layout->addWidget(scene);
     layout->addStretch(1);
     fillPanel(this, {hint}, forms);

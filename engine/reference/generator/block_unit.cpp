@@ -172,6 +172,19 @@ std::string entryFunctions(const Block& block) {
                            "    return {0}(o, unpack(data));\n}}\n",
                            name);
     }
+    if (block.kind == "refraction") {
+        return fmt::format("Crossing crossingOf(const reference::Crossing& x) {{\n"
+                           "    Crossing c;\n    c.l = x.l;\n    c.n = x.n;\n"
+                           "    c.channel = x.channel;\n    c.leaves = x.leaves;\n"
+                           "    return c;\n}}\n"
+                           "vec3 callRefract(const reference::Crossing& x, Parameters data) {{\n"
+                           "    return {0}(crossingOf(x), unpack(data));\n}}\n"
+                           "double callMirrored(const reference::Crossing& x, Parameters data) {{\n"
+                           "    return {0}Mirrored(crossingOf(x), unpack(data));\n}}\n"
+                           "vec3 callLeft(double way, Parameters data) {{\n"
+                           "    return {0}Left(way, unpack(data));\n}}\n",
+                           name);
+    }
     if (block.kind == "transparency") {
         return fmt::format("double callTransparency(double depth, double opacity,\n"
                            "                        Parameters data) {{\n"
@@ -199,6 +212,10 @@ std::string entryAssignments(const std::string& kind) {
     }
     if (kind == "environment") {
         return "    block.environment = &callEnvironment;\n";
+    }
+    if (kind == "refraction") {
+        return "    block.refract = &callRefract;\n    block.mirrored = &callMirrored;\n"
+               "    block.left = &callLeft;\n";
     }
     if (kind == "transparency") {
         return "    block.transparency = &callTransparency;\n";

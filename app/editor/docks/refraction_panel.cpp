@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/refraction_panel.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "docks/block_chooser.h"
+#include "docks/panel.h"
+#include "document.h"
+#include "parameters/document_form.h"
+#include "shading/refraction_choice.h"
+
+namespace patina {
+
+RefractionPanel::RefractionPanel(Document& document, QWidget* parent)
+    : QGroupBox(tr("Refraction"), parent), document_(document),
+      chooser_(new BlockChooser(document, "refraction", tr("None: straight through"), this)),
+      hint_(hintLabel(this)) {
+    chooser_->setAccessibleName(tr("Kind of refraction"));
+    hint_->setObjectName(QStringLiteral("hint"));
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(labelled(tr("&Bends light as"), chooser_));
+    layout->addWidget(hint_);
+    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Refraction));
+    connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setPart(document_.activeSide(), BlockPath::Part::Refraction, id.toStdString());
+    });
+    connect(&document_, &Document::materialChanged, this, &RefractionPanel::update);
+    connect(&document_, &Document::valueChanged, this, &RefractionPanel::update);
+    connect(&document_, &Document::currentChanged, this, &RefractionPanel::update);
+    connect(&document_, &Document::sceneReplaced, this, &RefractionPanel::update);
+    connect(&document_, &Document::catalogChanged, this, &RefractionPanel::update);
+    update();
+}
+
+/// What is chosen and has no effect says why.
+void RefractionPanel::update() {
+    const Material* material = document_.material(document_.activeSide());
+    const BlockValues* part = material ? material->part("refraction") : nullptr;
+    chooser_->setEnabled(material != nullptr);
+    chooser_->show(part ? QString::fromStdString(part->id) : QString());
+    const char* whyNot = part ? refractionChoice(*material, document_.catalog()).whyNot : "";
+    hint_->setText(QString::fromUtf8(whyNot));
+    hint_->setVisible(*whyNot != '\0');
+}
+
+} // namespace patina

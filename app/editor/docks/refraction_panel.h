@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QGroupBox>
+
+class QLabel;
+
+namespace patina {
+
+class BlockChooser;
+class Document;
+
+/// Turns the bending of what shines through the active material on and off, chooses its kind and
+/// edits its values.
+class RefractionPanel : public QGroupBox {
+    Q_OBJECT
+
+  public:
+    explicit RefractionPanel(Document& document, QWidget* parent = nullptr);
+
+  private:
+    void update();
+
+    Document& document_;
+    BlockChooser* chooser_;
+    QLabel* hint_;
+};
+
+} // namespace patina

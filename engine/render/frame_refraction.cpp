@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of FrameDrawer that draws what bends light: each object by itself, far ones first, with
+// what was drawn before it as what is seen through it.
+#include <epoxy/gl.h>
+
+#include "render/frame_drawer.h"
+#include "shading/refraction_choice.h"
+
+namespace patina {
+
+/// Of the program that it is drawn with, which may be left over from before a change.
+bool FrameDrawer::refracts(const DrawMaterial& material) {
+    return material.pipeline && material.pipeline->object.refraction.has_value();
+}
+
+Result<void> FrameDrawer::beginRefraction(const View& view) {
+    RefractionPass::Needs needs;
+    bool isNeeded = false;
+    for (const DrawBatch& batch : transparentBatches()) {
+        const DrawMaterial& material = materials_[batch.material];
+        if (refracts(material)) {
+            isNeeded = true;
+            needs.back = needs.back || !isSheet(*material.pipeline->object.refraction->block);
+            needs.behind = needs.behind || material.pipeline->effects.scene.isShownBent;
+        }
+    }
+    if (!isNeeded) {
+        refraction_.reset();
+        return {};
+    }
+    if (!refraction_) {
+        refraction_.emplace();
+    }
+    const int before = pipelines_.programs().compiledCount();
+    auto begun = refraction_->begin(view.size, needs, *catalog_, pipelines_.programs());
+    report_.compiled += pipelines_.programs().compiledCount() - before;
+    return begun;
+}
+
+/// In steps as any other object.
+bool FrameDrawer::drawRefracting(const Scene& scene, const DrawBatch& batch, Deadline deadline) {
+    const Pipeline& pipeline = *materials_[batch.material].pipeline;
+    const Ball& ball = items_[list_.items()[batch.first]].placement->ball;
+    feed(scene, batch);
+    if (!isSheet(*pipeline.object.refraction->block) && !cursor_.hasBack) {
+        refraction_->beginBack(ball, cursor_.slices.isAtStart());
+        fedMaterial_.reset(); // its program is no longer in use
+        const bool isDrawn = drawTriangles(batch, deadline);
+        target_.bind();
+        glDepthFunc(GL_LESS);
+        if (!isDrawn) {
+            return false;
+        }
+        feed(scene, batch);
+    }
+    cursor_.hasBack = true;
+    if (pipeline.effects.scene.isShownBent && cursor_.slices.isAtStart()) {
+        refraction_->takeBehind(target_);
+        target_.bind();
+    }
+    refraction_->bind(*pipeline.program, ball, target_);
+    if (!drawTriangles(batch, deadline)) {
+        return false;
+    }
+    cursor_.hasBack = false;
+    ++report_.drawnObjects;
+    return true;
+}
+
+} // namespace patina

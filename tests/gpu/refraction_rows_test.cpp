@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the effects say of materials that bend light, and what is in their programs.
+#include "shading/effect_key.h"
+#include "shading/effect_rows.h"
+#include "shading/refraction_choice.h"
+#include "shading_scene.h"
+
+namespace patina {
+namespace {
+
+class RefractionRows : public ShadingTest {
+  protected:
+    void SetUp() override {
+        scene_.objects.resize(1);
+        glass().model = block("models", "lambert");
+        glass().opacity = 0.1;
+        glass().parts["refraction"] = block("refraction", "solid-body");
+    }
+
+    Material& glass() { return scene_.objects[0].material; }
+    Values& values() { return glass().parts.at("refraction").parameters; }
+
+    EffectRow row(const std::string& effect) const {
+        for (const EffectRow& each : effectRows(scene_, 0, catalog())) {
+            if (each.line.effect.starts_with(effect)) {
+                return each;
+            }
+        }
+        return {};
+    }
+
+    std::string text() const { return fragment(scene_.objects[0].material, scene_); }
+    bool textHas(const std::string& word) const { return text().find(word) != std::string::npos; }
+
+    double index() {
+        return bodyIndex(glass(), refractionChoice(glass(), catalog()), catalog());
+    }
+
+    /// An object that can be seen through the first one.
+    void addAnother() {
+        scene_.objects.emplace_back();
+        scene_.objects[1].material = material("lambert");
+    }
+
+    Scene scene_;
+};
+
+TEST_F(RefractionRows, BentLight_SaysHowMuchAndWhatIsSeen) {
+    EXPECT_EQ(row("refraction").line.reason,
+              "What passes is bent by an index of 1.5 and shows the background's colour.");
+    scene_.environment = block("environment", "studio");
+    addAnother();
+    EXPECT_EQ(row("refraction").line.reason,
+              "What passes is bent by an index of 1.5 and shows the scene and the environment.");
+}
+
+TEST_F(RefractionRows, WithAWayOfLayers_SaysThatItIsSorted) {
+    scene_.transparency = block("transparency", "peeled");
+    EXPECT_TRUE(row("refraction").line.reason.ends_with(
+        "Such objects are sorted, and hide what else lets light through."));
+    EXPECT_FALSE(row("transparency").in);
+    EXPECT_FALSE(textHas("layerWeight"));
+}
+
+TEST_F(RefractionRows, OfASolidObject_IsOut) {
+    glass().opacity = 1.0;
+    EXPECT_FALSE(row("refraction").in);
+    EXPECT_EQ(row("refraction").line.reason, "The material's opacity is 1: nothing passes.");
+    EXPECT_FALSE(textHas("efract"));
+}
+
+TEST_F(RefractionRows, OfIndexOneWithoutColour_IsOut) {
+    values()["index"] = 1.0;
+    EXPECT_EQ(row("refraction").line.reason, "Its index is 1 and it colours nothing.");
+    EXPECT_FALSE(row("refraction").in);
+    values()["tint"] = glm::dvec3(1.0, 1.0, 0.9);
+    EXPECT_TRUE(row("refraction").in);
+}
+
+TEST_F(RefractionRows, SwitchedOff_IsPlainTransparency) {
+    EXPECT_TRUE(row("refraction").removable);
+    EXPECT_EQ(row("refraction").within, "opacity");
+    const std::vector<std::string> off{"refraction/solid-body"};
+    const Scene without = withoutEffects(scene_, off, catalog());
+    EXPECT_EQ(fragment(without.objects[0].material, without).find("efract"), std::string::npos);
+}
+
+TEST_F(RefractionRows, Alone_LooksForNothingBehind) {
+    EXPECT_FALSE(textHas("behindDepth"));
+    addAnother();
+    EXPECT_TRUE(textHas("behindDepth"));
+}
+
+TEST_F(RefractionRows, Pane_HasNoBack) {
+    EXPECT_TRUE(textHas("refractionBack"));
+    glass().parts["refraction"] = block("refraction", "thin-pane");
+    EXPECT_FALSE(textHas("refractionBack"));
+}
+
+TEST_F(RefractionRows, SolidObject_KnowsNothingOfGlassBesideIt) {
+    addAnother();
+    const std::string with = fragment(scene_.objects[1].material, scene_);
+    scene_.objects.erase(scene_.objects.begin());
+    EXPECT_EQ(with, fragment(scene_.objects[0].material, scene_));
+}
+
+TEST_F(RefractionRows, Index_IsTheFresnelTerms) {
+    EXPECT_DOUBLE_EQ(index(), 1.5);
+    glass().parts["fresnel"] = block("fresnel", "dielectric");
+    glass().parts["fresnel"].parameters["index.inside"] = 2.0;
+    glass().parts["fresnel"].parameters["index.outside"] = 1.25;
+    EXPECT_DOUBLE_EQ(index(), 1.6);
+    glass().parts["fresnel"] = block("fresnel", "schlick");
+    glass().parts["fresnel"].parameters["f0"] = glm::dvec3(1.0 / 9.0);
+    EXPECT_DOUBLE_EQ(index(), 2.0);
+    values()["index.from"] = std::string("own");
+    EXPECT_DOUBLE_EQ(index(), 1.5);
+}
+
+TEST_F(RefractionRows, Index_IsTheModelsWhereThereIsNoFresnelTerm) {
+    glass().model = block("models", "strauss");
+    glass().model.parameters["index"] = 1.8;
+    EXPECT_DOUBLE_EQ(index(), 1.8);
+}
+
+TEST_F(RefractionRows, Key_DiffersExactlyWhereTheTextDoes) {
+    std::vector<Material> materials(8, glass());
+    materials[1].opacity = 1.0;
+    materials[2].parts["refraction"].parameters["index"] = 1.0;
+    materials[3].parts["refraction"].parameters["index"] = 1.7;
+    materials[4].parts["refraction"].parameters["dispersion"] = 0.3;
+    materials[5].parts["refraction"] = block("refraction", "thin-pane");
+    materials[6].parts.clear();
+    materials[7].parts["refraction"].parameters["absorption.distance"] = 3.0;
+    for (const Material& a : materials) {
+        for (const Material& b : materials) {
+            EXPECT_EQ(EffectKey::ofMaterial(a, catalog()) == EffectKey::ofMaterial(b, catalog()),
+                      fragment(a, scene_) == fragment(b, scene_));
+        }
+    }
+}
+
+TEST_F(RefractionRows, SceneKey_KnowsWhetherThereIsSomethingBehind) {
+    EffectKey keys;
+    const std::uint64_t alone = keys.ofScene(scene_, catalog());
+    addAnother();
+    EXPECT_NE(keys.ofScene(scene_, catalog()), alone);
+    scene_.objects[1].visible = false;
+    EXPECT_EQ(keys.ofScene(scene_, catalog()), alone);
+}
+
+} // namespace
+} // namespace patina

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of clear bodies against rays that are followed in double precision.
+#include <algorithm>
+#include <array>
+
+#include "refraction_fixture.h"
+
+namespace patina {
+namespace {
+
+/// A ray at a surface, as in a textbook: n on the side it comes from, eta the index beyond.
+struct Split {
+    glm::dvec3 onwards{0.0};
+    glm::dvec3 mirrored{0.0};
+    double share = 1.0; ///< that is mirrored
+};
+
+Split split(const glm::dvec3& d, const glm::dvec3& n, double eta) {
+    Split out;
+    const double in = std::acos(std::clamp(-glm::dot(d, n), 0.0, 1.0));
+    out.mirrored = glm::reflect(d, n);
+    const double sine = std::sin(in) / eta;
+    if (sine < 1.0) {
+        const double beyond = std::asin(sine);
+        const double across = (std::cos(in) - eta * std::cos(beyond)) /
+                              (std::cos(in) + eta * std::cos(beyond));
+        const double along = (eta * std::cos(in) - std::cos(beyond)) /
+                             (eta * std::cos(in) + std::cos(beyond));
+        out.share = 0.5 * (across * across + along * along);
+        out.onwards = (d + (std::cos(in) - eta * std::cos(beyond)) * n) / eta;
+    }
+    return out;
+}
+
+/// What a ray sees of the surroundings through the unit sphere; `miss` where it is not met, or so
+/// near its rim that a pixel is not all on it.
+constexpr double miss = -1.0;
+
+glm::dvec3 throughBall(const glm::dvec3& origin, const glm::dvec3& d, double index,
+                       const glm::dvec3& left) {
+    const double b = glm::dot(origin, d);
+    const double beside = glm::dot(origin, origin) - b * b;
+    if (beside > 0.97 * 0.97) {
+        return glm::dvec3(miss);
+    }
+    const glm::dvec3 n = origin + (-b - std::sqrt(1.0 - beside)) * d;
+    const Split in = split(d, n, index);
+    const double way = -2.0 * glm::dot(n, in.onwards);
+    const Split out = split(in.onwards, -(n + way * in.onwards), 1.0 / index);
+    const auto light = [](const glm::dvec3& towards) { return 0.5 + 0.4 * towards; };
+    const glm::dvec3 inside = out.share * light(out.mirrored) +
+                              (1.0 - out.share) * light(out.onwards);
+    return in.share * light(in.mirrored) +
+           (1.0 - in.share) * inside * glm::pow(left, glm::dvec3(way));
+}
+
+class RefractionOfABall : public RefractionTest {
+  protected:
+    struct Errors {
+        double largest = 0.0;
+        double meanSquare = 0.0;
+        int pixels = 0;
+    };
+
+    /// Pixel by pixel against the exact rays.
+    Errors errors(double index, int size, const glm::dvec3& left = glm::dvec3(1.0)) {
+        scene_.objects = {clear("ball", "solid-body", index)};
+        set(scene_.objects[0], "absorption.color", left);
+        surround(false);
+        const Image image = drawn(size);
+        Errors found;
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const glm::dvec3 exact = throughBall(eye(scene_.camera), rayThrough(x, y, size),
+                                                     index, left);
+                if (exact.x != miss) {
+                    add(found, glm::dvec3(pixel(image, x, y)) - exact);
+                }
+            }
+        }
+        found.meanSquare /= std::max(found.pixels, 1);
+        return found;
+    }
+
+  private:
+    static void add(Errors& errors, const glm::dvec3& error) {
+        ++errors.pixels;
+        errors.largest = std::max({errors.largest, std::abs(error.x), std::abs(error.y),
+                                   std::abs(error.z)});
+        errors.meanSquare += glm::dot(error, error) / 3.0;
+    }
+};
+
+// The figures that the documentation states.
+
+TEST_F(RefractionOfABall, OfGlass_IsWhatRaysSee) {
+    const Errors found = errors(1.5, 129);
+    EXPECT_GT(found.pixels, 5000);
+    EXPECT_LT(std::sqrt(found.meanSquare), 5e-4);
+    EXPECT_LT(found.largest, 1e-3);
+}
+
+TEST_F(RefractionOfABall, OfDiamond_IsWhatRaysSee) {
+    const Errors found = errors(2.417, 129);
+    EXPECT_LT(std::sqrt(found.meanSquare), 5e-4);
+    EXPECT_LT(found.largest, 1e-3);
+}
+
+TEST_F(RefractionOfABall, ThatAbsorbs_DoesSoByTheWayInside) {
+    const Errors found = errors(1.333, 129, {0.9, 0.6, 0.2});
+    EXPECT_LT(std::sqrt(found.meanSquare), 5e-4);
+    EXPECT_LT(found.largest, 1e-3);
+}
+
+TEST_F(RefractionOfABall, Lens_TurnsTheSceneRound) {
+    scene_.objects = {clear("ball", "solid-body", 1.5),
+                      glowing({1.0, 0.0, 0.0}, {-1.0, 0.0, -4.0}),
+                      glowing({0.0, 1.0, 0.0}, {1.0, 0.0, -4.0})};
+    const Image image = drawn(65);
+    EXPECT_GT(pixel(image, 28, 32).g, 0.8f);
+    EXPECT_LT(pixel(image, 28, 32).r, 0.1f);
+    EXPECT_GT(pixel(image, 36, 32).r, 0.8f);
+    EXPECT_LT(pixel(image, 36, 32).g, 0.1f);
+}
+
+TEST_F(RefractionOfABall, WhatIsInside_IsSeen) {
+    scene_.objects = {clear("ball", "solid-body", 1.5), glowing({1.0, 0.0, 0.0}, {0.0, 0.0, 0.0})};
+    scene_.objects[1].scale = glm::dvec3(0.3);
+    EXPECT_GT(middle(drawn(65)).r, 0.8f);
+}
+
+TEST_F(RefractionOfABall, WithDispersion_HasColoursOfItsOwn) {
+    scene_.objects = {clear("ball", "solid-body", 1.5)};
+    surround(false);
+    const Image plain = drawn(65);
+    set(scene_.objects[0], "dispersion", 1.0);
+    const Image fringed = drawn(65);
+    const glm::vec3 before = pixel(plain, 16, 16);
+    const glm::vec3 after = pixel(fringed, 16, 16);
+    EXPECT_GT(std::abs(after.b - before.b), 2.0f * std::abs(after.g - before.g));
+    EXPECT_GT(std::abs(after.b - before.b), 5e-3f);
+}
+
+class RefractionOfAPane : public RefractionTest {};
+
+TEST_F(RefractionOfAPane, Tilted_ShiftsWhatIsBehind) {
+    constexpr int size = 257;
+    constexpr double thickness = 0.8;
+    scene_.objects = {glowing(glm::dvec3(1.0), {1.0, 0.0, -2.0}),
+                      clear("plane", "thin-pane", 1.5)};
+    scene_.objects[1].rotation = {90.0, 40.0, 0.0};
+    const auto edge = [&] {
+        const Image image = drawn(size);
+        int x = 0;
+        while (x < size - 1 && pixel(image, x, size / 2).r < 0.6f) {
+            ++x;
+        }
+        return x;
+    };
+    set(scene_.objects[1], "thickness", 0.0);
+    const int before = edge();
+    set(scene_.objects[1], "thickness", thickness);
+    const int after = edge();
+    // t sin(i) (1 - cos(i) / (n cos(o))), across the view, at the edge's distance of 6 m.
+    const double in = glm::radians(40.0);
+    const double out = std::asin(std::sin(in) / 1.5);
+    const double shift = thickness * std::sin(in) * (1.0 - std::cos(in) / (1.5 * std::cos(out)));
+    const double pixels =
+        shift / (6.0 * std::tan(0.5 * glm::radians(scene_.camera.fieldOfView))) * 0.5 * size;
+    EXPECT_NEAR(std::abs(after - before), pixels, 1.0);
+}
+
+TEST_F(RefractionOfAPane, OfAirUnderWater_MirrorsAllBeyondTheCriticalAngle) {
+    scene_.objects = {clear("plane", "thin-pane", 0.75)};
+    scene_.objects[0].rotation = {90.0, 60.0, 0.0}; // the critical angle is 48.6 degrees
+    surround(false);
+    const glm::dvec3 n(std::sin(glm::radians(60.0)), 0.0, std::cos(glm::radians(60.0)));
+    const glm::dvec3 exact = smooth(glm::reflect(glm::dvec3(0.0, 0.0, -1.0), n));
+    EXPECT_LT(glm::distance(glm::dvec3(middle(drawn(33))), exact), 2e-3);
+}
+
+TEST_F(RefractionOfAPane, OfIndexOne_IsAFilter) {
+    scene_.objects = {clear("plane", "thin-pane", 1.0), glowing({1.0, 0.5, 0.25}, {0, 0, -1})};
+    scene_.objects[0].rotation.x = 90.0;
+    set(scene_.objects[0], "tint", glm::dvec3(0.5, 1.0, 0.5));
+    EXPECT_LT(glm::distance(middle(drawn(33)), glm::vec3(0.5f, 0.5f, 0.125f)), 1e-3f);
+}
+
+TEST_F(RefractionOfAPane, Opacity_MixesTheSurfaceIn) {
+    scene_.objects = {clear("plane", "thin-pane", 1.0)};
+    scene_.objects[0].rotation.x = 90.0;
+    scene_.objects[0].material.opacity = 0.25;
+    scene_.objects[0].material.model.parameters["emissive.color"] = glm::dvec3(1.0, 0.0, 0.0);
+    set(scene_.objects[0], "tint", glm::dvec3(0.5));
+    const glm::vec3 expected(0.25f + 0.75f * 0.125f, 0.75f * 0.25f, 0.75f * 0.0625f);
+    EXPECT_LT(glm::distance(middle(drawn(33)), expected), 1e-3f);
+}
+
+class Refraction : public RefractionTest {};
+
+/// All that arrives is 1: neither more nor less leaves, whatever becomes of the rays.
+TEST_F(Refraction, InWhiteSurroundings_IsWhite) {
+    surround(true);
+    for (const char* shape : {"sphere", "torus", "cube"}) {
+        for (const char* kind : {"solid-body", "thin-pane"}) {
+            for (const double index : {0.6, 1.1, 2.5, 10.0}) {
+                scene_.objects = {clear(shape, kind, index)};
+                scene_.objects[0].rotation = {20.0, 30.0, 0.0};
+                for (const float value : drawn(33).pixels) {
+                    ASSERT_NEAR(value, 1.0f, 2e-3f) << shape << ' ' << kind << ' ' << index;
+                }
+            }
+        }
+    }
+}
+
+TEST_F(Refraction, OfAlmostNone_IsPlainTransparency) {
+    scene_.objects = {clear("sphere", "solid-body", 1.0001),
+                      glowing({1.0, 0.25, 0.0}, {0.5, 0.0, -2.0})};
+    const Image bent = drawn(65);
+    scene_.objects.erase(scene_.objects.begin());
+    const Image plain = drawn(65);
+    int different = 0;
+    for (std::size_t i = 0; i < bent.pixels.size(); ++i) {
+        different += std::abs(bent.pixels[i] - plain.pixels[i]) > 2e-2f ? 1 : 0;
+    }
+    EXPECT_LT(different, 65 * 3); // along the square's edge
+}
+
+TEST_F(Refraction, AWayOfLayers_ChangesNothing) {
+    scene_.objects = {clear("sphere", "solid-body", 1.5), glowing({1.0, 0.0, 0.0}, {0, 0, -2})};
+    const Image sorted = drawn(33);
+    for (const char* way : {"peeled", "weighted"}) {
+        scene_.transparency = block("transparency", way);
+        EXPECT_EQ(drawn(33).pixels, sorted.pixels) << way;
+    }
+}
+
+TEST_F(Refraction, BehindAnother_IsSeenThroughIt) {
+    scene_.objects = {clear("plane", "thin-pane", 1.0), clear("plane", "thin-pane", 1.0)};
+    for (Object& object : scene_.objects) {
+        object.rotation.x = 90.0;
+        set(object, "tint", glm::dvec3(0.5));
+    }
+    scene_.objects[1].translation.z = -1.0;
+    const glm::vec3 expected = 0.25f * glm::vec3(scene_.background);
+    EXPECT_LT(glm::distance(middle(drawn(33)), expected), 1e-3f);
+}
+
+} // namespace
+} // namespace patina
