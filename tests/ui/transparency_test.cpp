@@ -19,7 +19,7 @@ class TransparencyInTheWindow : public WindowFixture {
         dock->show();
         dock->raise();
         newFrames();
-        return dock->findChild<BlockChooser*>();
+        return dock->findChild<BlockChooser*>("order");
     }
 };
 

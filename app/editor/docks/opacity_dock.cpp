@@ -18,6 +18,7 @@ OpacityDock::OpacityDock(const DockContext& context)
           new BlockChooser(document_, "transparency", tr("Sorted by object"), this)) {
     QLabel* hint = hintLabel(this);
     hint->setText(tr("What lies over the whole surface, whatever its model."));
+    transparency_->setObjectName(QStringLiteral("order"));
     transparency_->setAccessibleName(tr("Order of transparent objects"));
     transparency_->setToolTip(
         tr("<p>How objects below an opacity of 1 are put together, in the whole scene.</p>"
