@@ -94,7 +94,8 @@ float eonLossFit(float c) {
 }
 
 // The light that leaves after more than one bounce for the albedo rho (the same paper, equation
-// 17), with the loss exactly or by its fit: rho_ms (1 - E_l)(1 - E_v) / (1 - E_avg), rho_ms = rho^2 E_avg / (1 - rho (1 - E_avg)).
+// 17), with the loss exactly or by its fit: rho_ms (1 - E_l)(1 - E_v) / (1 - E_avg),
+// rho_ms = rho^2 E_avg / (1 - rho (1 - E_avg)).
 vec3 eonBounces(Directions d, float r, vec3 rho, bool fits) {
     float A = 1.0 / (1.0 + FUJII_FALL * r);
     float average = A * (1.0 + EON_AVERAGE_FALL * r);

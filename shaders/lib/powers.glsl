@@ -11,10 +11,10 @@ const int POWER_SQUARING = 1;
 const int POWER_RATIONAL = 2;
 const int POWER_GAUSSIAN = 3;
 
-// Repeated squaring: with e = f 2^n and 1 <= f <= 2 (f = e below 1), x^f = c (2 - f d) / (2 c + f d),
-// which is exact for f = 0, 1 and 2, squared n times. So it is exact for the exponents 1, 2,
-// 4, 8 ...; between them the error is below 0.0282 / e^2. All but the last four squarings are made
-// of 1 - x, which near the middle of the lobe has more digits than x.
+// Repeated squaring: with e = f 2^n and 1 <= f <= 2 (f = e below 1), x^f = c (2 - f d) / (2 c + f
+// d), which is exact for f = 0, 1 and 2, squared n times. So it is exact for the exponents 1, 2, 4,
+// 8 ...; between them the error is below 0.0282 / e^2. All but the last four squarings are made of
+// 1 - x, which near the middle of the lobe has more digits than x.
 float squaredPower(float d, float c, float e) {
     if (!(c > 0.0)) {
         return 0.0;
