@@ -13,11 +13,9 @@
 #include "catalog/descriptor_checks.h"
 #include "catalog/json_schema.h"
 #include "catalog/shader_names.h"
-#include "catalog/suggestion.h"
 #include "catalog/value_json.h"
 #include "material/preset_file.h"
 #include "scene/mesh_path.h"
-#include "scene/primitives.h"
 #include "scene/scene_file.h"
 #include "scene/scene_limits.h"
 
@@ -66,32 +64,21 @@ Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog) {
     return mistakes;
 }
 
-/// What is wrong with the name of a mesh; an empty problem when it can be read from.
-Error meshMistake(const std::string& mesh) {
-    if (const auto name = builtinName(mesh)) {
-        const std::vector<std::string> known = primitiveNames();
-        const bool isKnown = std::find(known.begin(), known.end(), *name) != known.end();
-        return isKnown ? Error{}
-                       : failure(fmt::format("there is no built-in mesh \"{}\"", *name),
-                                 oneOf(*name, known))
-                             .value();
-    }
+/// Whether a mesh can be read from its place; of the names of those made by code the reader tells.
+bool isMissing(const std::string& mesh) {
     std::error_code absent;
-    return fs::is_regular_file(mesh, absent)
-               ? Error{}
-               : failure(fmt::format("there is no file \"{}\"", mesh),
-                         "a path from the scene's folder, or builtin:<name>")
-                     .value();
+    return !builtinName(mesh) && !fs::is_regular_file(mesh, absent);
 }
 
 Errors meshMistakes(const fs::path& file, const Scene& scene) {
     const Result<LocatedJson> document = readJson(file, sceneLimits);
     Errors errors;
     for (std::size_t i = 0; document && i < scene.objects.size(); ++i) {
-        const Error mistake = meshMistake(scene.objects[i].mesh);
-        if (!mistake.problem.empty()) {
-            errors.push_back(document->error(fmt::format("/objects/{}/mesh", i), mistake.problem,
-                                             mistake.expected));
+        const std::string& mesh = scene.objects[i].mesh;
+        if (isMissing(mesh)) {
+            errors.push_back(document->error(fmt::format("/objects/{}/mesh", i),
+                                             fmt::format("there is no file \"{}\"", mesh),
+                                             "a path from the scene's folder, or builtin:<name>"));
         }
     }
     return errors;

@@ -207,7 +207,7 @@ nlohmann::json toJson(const Material& material, const std::filesystem::path& fol
     for (const auto& [kind, values] : material.parts) {
         json[kind] = toJson(values);
     }
-    json["opacity"] = material.opacity;
+    json["opacity"] = static_cast<float>(material.opacity); // as it is read
     json["accuracy"] = material.accuracy;
     json["textures"] = material.unknown.value("textures", Json::object());
     for (const auto& [key, use] : material.textures) {

@@ -173,11 +173,23 @@ class SceneReader {
         auto known = presets_.find(path);
         if (known == presets_.end()) {
             Checked<PresetReading> reading = readPreset(folder_ / path, blocks_.catalog);
+            const std::string place = object.pointer("preset");
             known = presets_
-                        .emplace(path, reading ? taken(*reading) : damaged(reading.error(), path))
+                        .emplace(path, reading ? taken(*reading)
+                                               : damaged(atPlace(reading.error(), place), path))
                         .first;
         }
         return known->second;
+    }
+
+    /// What is wrong with a whole file, such as that it is not there, is told where it is named.
+    Errors atPlace(Errors errors, const std::string& pointer) const {
+        for (Error& error : errors) {
+            const auto problem =
+                fmt::format("the preset \"{}\" is not used: {}", error.file, error.problem);
+            error = error.line > 0 ? error : document_.error(pointer, problem, error.expected);
+        }
+        return errors;
     }
 
     Material taken(PresetReading& reading) {
@@ -272,7 +284,7 @@ class SceneReader {
         readHemisphere();
         limit(reader_, "background", scene().background, 0.0, brightest);
         limit(reader_, "exposure", scene().exposure, -mostStops, mostStops);
-        readToneMapping();
+        readWord(reader_, "toneMapping", toneMappingWords, "tone mapping", scene().toneMapping);
     }
 
     void readHemisphere() {
@@ -285,10 +297,6 @@ class SceneReader {
         limit(reader, "ground", hemisphere.ground, 0.0, brightest);
         limit(reader, "up", hemisphere.up, -farthest, farthest);
         hemisphereUnknown_ = reader.unknown();
-    }
-
-    void readToneMapping() {
-        readWord(reader_, "toneMapping", toneMappingWords, "tone mapping", scene().toneMapping);
     }
 
     template <class Words, class Meaning>

@@ -11,8 +11,13 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// The number that comes back: what is read is a float.
+double narrow(double value) {
+    return static_cast<float>(value);
+}
+
 Json triple(const glm::dvec3& value) {
-    return {value.x, value.y, value.z};
+    return {narrow(value.x), narrow(value.y), narrow(value.z)};
 }
 
 Json toJson(const Object& object, const std::filesystem::path& folder) {
@@ -57,10 +62,10 @@ Json toJson(const Hemisphere& hemisphere) {
 
 Json toJson(const Camera& camera) {
     return {{"pivot", triple(camera.pivot)},
-            {"yaw", camera.yaw},
-            {"pitch", camera.pitch},
-            {"distance", camera.distance},
-            {"fieldOfView", camera.fieldOfView}};
+            {"yaw", narrow(camera.yaw)},
+            {"pitch", narrow(camera.pitch)},
+            {"distance", narrow(camera.distance)},
+            {"fieldOfView", narrow(camera.fieldOfView)}};
 }
 
 template <class Words, class Meaning>
@@ -76,9 +81,9 @@ std::string wordFor(const Words& words, Meaning wanted) {
 Json toJson(const Ground& ground) {
     return {{"mode", wordFor(groundModeWords, ground.mode)},
             {"automatic", ground.automatic},
-            {"height", ground.height},
+            {"height", narrow(ground.height)},
             {"color", triple(ground.color)},
-            {"opacity", ground.opacity}};
+            {"opacity", narrow(ground.opacity)}};
 }
 
 } // namespace
@@ -103,7 +108,7 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     json["background"] = triple(scene.background);
     json["camera"].update(toJson(scene.camera)); // beside the keys that were not known
     json["ground"].update(toJson(scene.ground));
-    json["exposure"] = scene.exposure;
+    json["exposure"] = narrow(scene.exposure);
     json["toneMapping"] = wordFor(toneMappingWords, scene.toneMapping);
     if (scene.environment || !json.contains("environment")) {
         json["environment"] = scene.environment ? toJson(*scene.environment, folder) : Json();

@@ -119,6 +119,11 @@ TEST(ValidateCommand, SceneWithAnUnknownBuiltinMesh_IsNotValid) {
     EXPECT_NE(outcome.err.find("expected 'sphere'"), std::string::npos) << outcome.err;
 }
 
+TEST(ValidateCommand, UnknownBuiltinMesh_IsToldOnce) {
+    const std::string said = validateSceneWith("builtin:spher").err;
+    EXPECT_EQ(said.find("spher\""), said.rfind("spher\"")) << said;
+}
+
 TEST(ValidateCommand, SceneWhoseMeshIsThere_IsValid) {
     for (const char* mesh : {"there.obj", "builtin:sphere"}) {
         const Outcome outcome = validateSceneWith(mesh);

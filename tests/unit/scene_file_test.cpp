@@ -121,6 +121,14 @@ TEST_F(SceneFile, MissingPresetFile_IsANoteThatNamesIt) {
     EXPECT_NE(text(reading->notes).find("none.patina.json"), std::string::npos);
 }
 
+TEST_F(SceneFile, MissingPresetFile_IsToldWhereTheSceneNamesIt) {
+    const auto reading = readObject({{"preset", "none.patina.json"}});
+    ASSERT_TRUE(reading);
+    ASSERT_EQ(reading->notes.size(), 1u);
+    EXPECT_EQ(reading->notes[0].file, file_.string());
+    EXPECT_GT(reading->notes[0].line, 0);
+}
+
 TEST_F(SceneFile, DamagedPreset_IsANoteAtItsPlace) {
     const auto reading = readObject({{"preset", {{"parameters", {{"gloss", "x"}}}}}});
     ASSERT_TRUE(reading);
@@ -338,6 +346,23 @@ TEST_F(SceneFile, Written_ReadsAsTheSameScene) {
     before.objects[0].rotation = {10.0, 20.0, 30.0};
     ASSERT_TRUE(writeScene(file_, before));
     EXPECT_EQ(readScene(file_, catalog())->scene, before);
+}
+
+TEST_F(SceneFile, NumbersThatAreNoFloats_AreWrittenAsTheyComeBack) {
+    Scene scene = read(plainScene())->scene;
+    scene.camera = {{0.1, 1.0 / 3.0, 1e-9}, 28.600000000000005, 0.7, 7.7330473993980835, 35.1};
+    scene.objects[0].translation = {0.1, 0.2, 0.3};
+    scene.objects[0].rotation = {10.1, 20.2, 30.3};
+    scene.objects[0].scale = {0.1, 1.1, 2.1};
+    scene.objects[0].material.opacity = 0.1;
+    scene.hemisphere.sky = glm::dvec3(0.1);
+    scene.ground.height = 0.1;
+    scene.exposure = 0.1;
+    ASSERT_TRUE(writeScene(file_, scene));
+    const std::string first = tests::readFile(file_);
+    EXPECT_NE(first.find("\"yaw\": 28.6\n"), std::string::npos) << first;
+    ASSERT_TRUE(writeScene(file_, readScene(file_, catalog())->scene));
+    EXPECT_EQ(tests::readFile(file_), first);
 }
 
 TEST_F(SceneFile, Written_FollowsTheSchema) {

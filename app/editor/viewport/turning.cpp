@@ -61,7 +61,8 @@ Values turnedLight(const Values& values, const Block& light, const Camera& camer
         const Value& held = found == values.end() ? parameter.defaultValue : found->second;
         const auto* vector = std::get_if<glm::dvec3>(&held);
         if (vector && parameter.space != Space::None) {
-            result[parameter.id] = turned(*vector, parameter.space, camera, yaw, pitch);
+            result[parameter.id] =
+                roundedToFloat(turned(*vector, parameter.space, camera, yaw, pitch));
         }
     }
     return result;
