@@ -59,8 +59,9 @@ DocumentState withoutMaterial(DocumentState state, int object) {
 /// Images that will not be read from the file before its user agrees.
 Errors imagesOutside(const Material& material, const std::filesystem::path& file) {
     Errors outside;
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
     for (const auto& [key, use] : material.textures) {
-        if (!staysInFolder(imageForFile(use.file, std::filesystem::absolute(file).parent_path()))) {
+        if (!staysInFolder(imageForFile(use.file, folder), folder)) {
             outside.push_back({file.string(), 0, 0,
                                "is saved, but the texture \"" + use.file +
                                    "\" lies outside its folder: who opens it has to allow that",

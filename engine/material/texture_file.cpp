@@ -41,7 +41,7 @@ class TextureReader {
 
     void readFile(const std::filesystem::path& folder) {
         reader_.read("file", use_.file);
-        use_.outside = !staysInFolder(use_.file);
+        use_.outside = !staysInFolder(use_.file, folder);
         if (use_.outside) {
             note("file",
                  fmt::format("the texture \"{}\" is not in the preset's folder and is not used",

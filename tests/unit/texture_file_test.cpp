@@ -52,6 +52,26 @@ TEST(TextureFile, EverySetting_IsWrittenAsItWasRead) {
     EXPECT_EQ(toJson(read->material, "/looks")["textures"]["diffuse.color"], fullTexture());
 }
 
+/// The image of a preset in a folder, where it is a link to `target`.
+TextureUse linked(const std::filesystem::path& target) {
+    const tests::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "looks/maps");
+    tests::writeFile(folder / "secret.png", "");
+    tests::writeFile(folder / "looks/maps/wood.png", "");
+    std::filesystem::create_symlink(target, folder / "looks/a.png");
+    const auto read =
+        reading({{"diffuse.color", {{"file", "a.png"}}}}, (folder / "looks/a.json").string());
+    return read->material.textures.at("diffuse.color");
+}
+
+TEST(TextureFile, LinkOutOfTheFolder_IsOutside) {
+    EXPECT_TRUE(linked("../secret.png").outside);
+}
+
+TEST(TextureFile, LinkWithinTheFolder_IsUsed) {
+    EXPECT_FALSE(linked("maps/wood.png").outside);
+}
+
 TEST(TextureFile, UnknownKeysAndChoices_AreWrittenBack) {
     json odd = fullTexture();
     odd["wrap"] = "spiral";
