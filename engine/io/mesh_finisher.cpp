@@ -17,12 +17,11 @@ namespace patina {
 namespace {
 
 /// What a mesh without a single triangle holds instead, for the message.
-Error nothingToDraw(const RawMesh& mesh, std::size_t dropped) {
+Error nothingToDraw(const RawMesh& mesh, const UselessTriangles& dropped) {
     Error error;
-    if (dropped > 0) {
-        error.problem = fmt::format(
-            "none of its {} triangles can be drawn: they have no area or no finite position",
-            dropped);
+    if (dropped.all() > 0) {
+        error.problem = fmt::format("none of its {} triangles can be drawn: they have {}",
+                                    dropped.all(), dropped.reasons());
     } else if (mesh.pointsAndLines > 0) {
         error.problem = "has points or lines but no faces";
     } else {
@@ -32,12 +31,12 @@ Error nothingToDraw(const RawMesh& mesh, std::size_t dropped) {
     return error;
 }
 
-std::string remarksOn(std::size_t dropped, std::size_t triangles) {
-    if (dropped == 0) {
+std::string remarksOn(const UselessTriangles& dropped, std::size_t triangles) {
+    if (dropped.all() == 0) {
         return {};
     }
-    return fmt::format("{} of {} triangles had no area or no finite position and were left out",
-                       dropped, dropped + triangles);
+    return fmt::format("{} of {} triangles had {} and were left out", dropped.all(),
+                       dropped.all() + triangles, dropped.reasons());
 }
 
 /// Uniform scale about the centre, so that normals and tangents stay as they are.
@@ -104,7 +103,7 @@ void write(const RawMesh& mesh, const MeshSpans& target) {
 
 Result<std::string> finishMesh(RawMesh mesh, const MeshOptions& options,
                                const MeshStorage& storage) {
-    const std::size_t dropped = dropUselessTriangles(mesh);
+    const UselessTriangles dropped = dropUselessTriangles(mesh);
     if (mesh.indices.empty()) {
         return tl::unexpected(nothingToDraw(mesh, dropped));
     }

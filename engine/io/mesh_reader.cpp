@@ -49,6 +49,17 @@ Result<RawMesh> readGeneralObj(const std::filesystem::path& file, const ReportPr
     });
 }
 
+/// glTF 1.0, of which Assimp reads the text form and little of the other.
+Result<RawMesh> readFormerGltf(const std::filesystem::path& file, const std::string& format,
+                               const ReportProgress& report) {
+    auto mesh = readWithAssimp(file, report);
+    if (!mesh && format == ".glb") {
+        return failure("is binary glTF 1.0, which is not read here",
+                       "glTF 2.0, or 1.0 with its JSON in a .gltf file");
+    }
+    return mesh;
+}
+
 Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportProgress& report) {
     const std::string format = formatOf(file);
     if (isUtf16Text(file, format)) {
@@ -71,6 +82,7 @@ Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportPro
         if (*mesh) {
             return std::move(**mesh);
         }
+        return readFormerGltf(file, format, report);
     }
     const bool isHeldUp = hasTextThatMarksHoldUp(format) && startsWithMark(file);
     const auto text = isHeldUp ? textOf(file) : std::nullopt;

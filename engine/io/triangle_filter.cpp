@@ -11,8 +11,11 @@ namespace {
 /// Beyond this, squares of lengths come near the end of the float range on the GPU (1e38).
 constexpr float farthest = 1e15f;
 
-/// Also false for NaN.
-bool isUsable(const glm::vec3& p) {
+bool isFinite(const glm::vec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+bool isNear(const glm::vec3& p) {
     return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;
 }
 
@@ -23,25 +26,49 @@ bool hasArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     return normal.x != 0.0 || normal.y != 0.0 || normal.z != 0.0;
 }
 
+/// Counts the triangle where it cannot be drawn.
+bool isUseful(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+              UselessTriangles& useless) {
+    if (!isFinite(a) || !isFinite(b) || !isFinite(c)) {
+        ++useless.notFinite;
+    } else if (!isNear(a) || !isNear(b) || !isNear(c)) {
+        ++useless.tooFar;
+    } else if (!hasArea(a, b, c)) {
+        ++useless.noArea;
+    } else {
+        return true;
+    }
+    return false;
+}
+
 } // namespace
 
-std::size_t dropUselessTriangles(RawMesh& mesh) {
+std::string UselessTriangles::reasons() const {
+    std::string text;
+    const auto add = [&text](std::size_t count, const char* reason) {
+        text += count == 0 ? "" : text.empty() ? reason : std::string(" or ") + reason;
+    };
+    add(noArea, "no area");
+    add(notFinite, "no finite position");
+    add(tooFar, "positions too large to draw (beyond 1e15)");
+    return text;
+}
+
+UselessTriangles dropUselessTriangles(RawMesh& mesh) {
+    UselessTriangles useless;
     std::size_t kept = 0;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const std::uint32_t corners[] = {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]};
-        const glm::vec3& a = mesh.positions[corners[0]];
-        const glm::vec3& b = mesh.positions[corners[1]];
-        const glm::vec3& c = mesh.positions[corners[2]];
-        if (isUsable(a) && isUsable(b) && isUsable(c) && hasArea(a, b, c)) {
+        if (isUseful(mesh.positions[corners[0]], mesh.positions[corners[1]],
+                     mesh.positions[corners[2]], useless)) {
             mesh.indices[kept] = corners[0];
             mesh.indices[kept + 1] = corners[1];
             mesh.indices[kept + 2] = corners[2];
             kept += 3;
         }
     }
-    const std::size_t dropped = (mesh.indices.size() - kept) / 3;
     mesh.indices.resize(kept);
-    return dropped;
+    return useless;
 }
 
 } // namespace patina

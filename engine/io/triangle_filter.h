@@ -2,13 +2,25 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "io/raw_mesh.h"
 
 namespace patina {
 
-/// Removes triangles that cannot be drawn: a corner that is not finite or beyond 1e15, or no
-/// area. Gives their number.
-std::size_t dropUselessTriangles(RawMesh& mesh);
+/// How many triangles were removed, by the first reason that holds.
+struct UselessTriangles {
+    std::size_t notFinite = 0; ///< a corner is at NaN or infinity
+    std::size_t tooFar = 0;    ///< a corner is beyond 1e15
+    std::size_t noArea = 0;
+
+    std::size_t all() const { return notFinite + tooFar + noArea; }
+
+    /// "no area or no finite position": what was wrong with them.
+    std::string reasons() const;
+};
+
+/// Removes triangles that cannot be drawn.
+UselessTriangles dropUselessTriangles(RawMesh& mesh);
 
 } // namespace patina

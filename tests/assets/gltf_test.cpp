@@ -57,6 +57,12 @@ void expectFacing(const LoadedMesh& mesh, const glm::vec3& direction) {
 
 TEST(Gltf, Square_Loads) { expectBox(loadedGlb(squareGlb()), {0, 0, 0}, {1, 1, 0}); }
 
+TEST(Gltf, BinaryOfVersionOne_SaysSo) {
+    std::string bytes = squareGlb().bytes();
+    bytes[4] = 1;
+    EXPECT_EQ(complaintAbout("former.glb", bytes), "is binary glTF 1.0, which is not read here");
+}
+
 TEST(Gltf, NodeWithTranslationRotationScale_AppliesThemInThatOrder) {
     GlbWriter glb = squareGlb();
     const double half = std::sqrt(0.5);

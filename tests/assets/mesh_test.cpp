@@ -149,12 +149,23 @@ TEST(PoorMesh, TriangleAtNan_IsLeftOutAndReported) {
     ASSERT_TRUE(mesh) << mesh.error().text();
     EXPECT_EQ((*mesh)->view().indices.size(), 6u);
     EXPECT_EQ((*mesh)->remarks(),
-              "1 of 3 triangles had no area or no finite position and were left out");
+              "1 of 3 triangles had no finite position and were left out");
 }
 
 TEST(PoorMesh, OnlyNan_SaysSo) {
     EXPECT_EQ(complaintAbout("nan.obj", "v nan 0 0\nv inf 0 0\nv 0 -inf 0\nf 1 2 3\n"),
-              "none of its 1 triangles can be drawn: they have no area or no finite position");
+              "none of its 1 triangles can be drawn: they have no finite position");
+}
+
+TEST(PoorMesh, TooFarAway_SaysSo) {
+    EXPECT_EQ(complaintAbout("far.obj", "v 1e37 0 0\nv 0 1e37 0\nv 0 0 1e37\nf 1 2 3\n"),
+              "none of its 1 triangles can be drawn: they have positions too large to draw "
+              "(beyond 1e15)");
+}
+
+TEST(PoorMesh, SeveralReasons_AreAllNamed) {
+    EXPECT_EQ(complaintAbout("poor.obj", "v nan 0 0\nv 0 0 0\nv 1 0 0\nf 1 2 3\nf 2 3 3\n"),
+              "none of its 2 triangles can be drawn: they have no area or no finite position");
 }
 
 TEST(PoorMesh, TriangleWithoutArea_IsLeftOutAndReported) {
