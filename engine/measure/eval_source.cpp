@@ -73,7 +73,7 @@ void addSlots(SourceBuilder& builder, const EvalCase& request) {
             continue;
         }
         addParameters(builder, filler, "unpack" + slotStructName(slot.kind), {});
-        builder.addFile(filler.block->shaderFile);
+        builder.addBlock(*filler.block);
         builder.add(slotNamesSource(*filler.block));
     }
 }
@@ -90,7 +90,7 @@ void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
         filled.push_back({request.slot.block->kind, vec4Count(*request.slot.block)});
     }
     addParameters(builder, request.block, "unpackEvaluated", filled);
-    builder.addFile(block.shaderFile);
+    builder.addBlock(block);
     builder.add(fmt::format("#define EVALUATED_BLOCK {}\n#define LIGHT_GATE {}\n"
                             "#define VIEW_GATE {}\n",
                             functionName(block), hasGate(block, "light"), hasGate(block, "view")));

@@ -12,7 +12,7 @@ namespace {
 /// Groups: source string, line, column (Mesa only), message.
 const std::array<std::regex, 3>& forms() {
     static const std::array<std::regex, 3> all{
-        std::regex(R"(^(\d+):(\d+)\((\d+)\): error: (.*)$)"),
+        std::regex(R"(^(\d+):(\d+)\((\d+)\): (?:preprocessor )?error: (.*)$)"),
         std::regex(R"(^(\d+)\((\d+)\)()\s*: error [A-Z]\d+: (.*)$)"),
         std::regex(R"(^ERROR: (\d+):(\d+)():\s*(.*)$)"),
     };

@@ -19,7 +19,7 @@ void addEnvironment(SourceBuilder& out, const Block& block, const BlockUse& use)
     }
     out.add("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) environmentData[base + (i)]\n");
     out.add(constantsSource(block) + structSource(block));
-    out.addFile(block.shaderFile);
+    out.addBlock(block);
     out.add(unpackSource(block, {"unpackEnvironment", use.compiled}));
     out.add(fmt::format("#define Environment {}\n#define environmentValue {}\n"
                         "#define ENVIRONMENT_PICTURE(d) {}\n",

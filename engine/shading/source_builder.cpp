@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/source_builder.h"
 
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "shading/block_text.h"
+#include "shading/shader_file.h"
 #include "shading/unused_code.h"
 
 namespace patina {
 namespace {
-
-std::optional<std::string> contentOf(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        return std::nullopt;
-    }
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    return stream.bad() ? std::nullopt : std::optional(std::move(text));
-}
 
 /// The file that `#include "..."` names, when the line is one.
 std::optional<std::string> includeOf(std::string_view line) {
@@ -98,12 +89,18 @@ void SourceBuilder::add(std::string_view generated) {
 }
 
 void SourceBuilder::addFile(const std::filesystem::path& file) {
-    addIncluded(file.string(), {}, 0);
+    addIncluded(file.string(), {});
 }
 
-void SourceBuilder::addIncluded(const std::string& name, const std::string& includer, int line) {
-    if (!includer.empty() && leavesRoot(name)) {
-        errors_.push_back({includer, line, 1, fmt::format("cannot include \"{}\"", name),
+void SourceBuilder::addBlock(const Block& block) {
+    addIncluded(block.shaderFile.string(), {}, &block);
+}
+
+void SourceBuilder::addIncluded(const std::string& name, const Place& includer,
+                                const Block* block) {
+    if (!includer.file.empty() && leavesRoot(name)) {
+        errors_.push_back({includer.file, includer.line, 1,
+                           fmt::format("cannot include \"{}\"", name),
                            "a file of the shader folder, such as \"lib/math.glsl\""});
         return;
     }
@@ -111,15 +108,22 @@ void SourceBuilder::addIncluded(const std::string& name, const std::string& incl
     if (!taken_.insert(path).second) {
         return;
     }
-    if (const std::optional<std::string> text = contentOf(path)) {
-        addText(path.string(), withoutComments(*text));
-    } else {
-        errors_.push_back({includer.empty() ? path.string() : includer,
-                           line,
-                           line > 0 ? 1 : 0,
-                           fmt::format("cannot read \"{}\"", name),
-                           {}});
+    const Result<std::string> text = readShaderFile(path);
+    if (!text) {
+        const bool isMissing = !includer.file.empty() && text.error().line == 0;
+        errors_.push_back(isMissing ? Error{includer.file, includer.line, 1,
+                                            fmt::format("cannot include \"{}\": {}", name,
+                                                        text.error().problem),
+                                            text.error().expected}
+                                    : text.error());
+        return;
     }
+    const std::string code = withoutComments(*text);
+    if (block != nullptr) {
+        const Errors mistakes = blockTextMistakes(*block, code);
+        errors_.insert(errors_.end(), mistakes.begin(), mistakes.end());
+    }
+    addText(path.string(), code);
 }
 
 void SourceBuilder::addText(const std::string& file, std::string_view text) {
@@ -128,7 +132,7 @@ void SourceBuilder::addText(const std::string& file, std::string_view text) {
     while (!rest.empty()) {
         ++number;
         if (const auto include = includeOf(nextLine(rest))) {
-            addIncluded(*include, file, number);
+            addIncluded(*include, {file, number});
         }
     }
     const std::size_t index = source_.files.size();

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "catalog/block.h"
 #include "core/error.h"
 #include "shading/shader_source.h"
 
@@ -24,11 +25,21 @@ class SourceBuilder {
     /// A file, absolute or below the root.
     void addFile(const std::filesystem::path& file);
 
-    /// What was put together, or every file that could not be read (with the place of its include).
+    /// The file of a block, with an error for what would be wrong only in the text around it (see
+    /// blockTextMistakes).
+    void addBlock(const Block& block);
+
+    /// What was put together; or every file that could not be read (with the place of its include),
+    /// and the blocks' mistakes.
     Checked<ShaderSource> finish() const;
 
   private:
-    void addIncluded(const std::string& name, const std::string& includer, int line);
+    /// Where a file is included from; nowhere: it was asked for.
+    struct Place {
+        std::string file;
+        int line = 0;
+    };
+    void addIncluded(const std::string& name, const Place& includer, const Block* block = nullptr);
     void addText(const std::string& file, std::string_view text);
     void append(std::string_view line);
 

@@ -125,7 +125,7 @@ void SurfaceWriter::readFrom(const std::string& array) {
 void SurfaceWriter::writeBlock(const Block& block) {
     if (std::find(written_.begin(), written_.end(), &block) == written_.end()) {
         out_.add(constantsSource(block) + structSource(block));
-        out_.addFile(block.shaderFile);
+        out_.addBlock(block);
         written_.push_back(&block);
     }
 }
