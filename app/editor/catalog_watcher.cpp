@@ -5,48 +5,41 @@
 #include <tuple>
 #include <utility>
 
-#include <QDirIterator>
+#include <QDir>
 
 namespace patina {
 namespace {
 
 /// Long enough for an editor to write, rename and set attributes; far below the second in which
 /// the change has to be seen.
-constexpr int settleMs = 120;
+constexpr qint64 settleMs = 120;
 
+/// What never settles is read all the same, so long after the first change.
+constexpr qint64 patienceMs = 400;
+
+/// Whether the block's descriptor, or a folder that it lies in, is the file of a mistake.
 bool hasMistake(const Catalog& catalog, const Block& block) {
     return std::any_of(catalog.errors.begin(), catalog.errors.end(), [&](const Error& error) {
-        return error.file == block.descriptorFile.string();
+        const std::string file = block.descriptorFile.string();
+        return !error.file.empty() && file.starts_with(error.file) &&
+               (file.size() == error.file.size() || file[error.file.size()] == '/');
     });
 }
 
-QStringList foldersAndFiles(const std::filesystem::path& root) {
-    const QString top = QString::fromStdString(root.string());
-    if (!QDir(top).exists()) {
-        return {};
-    }
-    QStringList paths{top};
-    QDirIterator walk(top, QDir::AllEntries | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
-    while (walk.hasNext()) {
-        paths << walk.next();
-    }
-    return paths;
-}
-
 /// The folder that a missing one would come back into.
-QString nearestFolderAbove(std::filesystem::path folder) {
+QString nearestFolderAbove(const std::filesystem::path& folder) {
+    std::filesystem::path above = std::filesystem::absolute(folder);
     do {
-        folder = folder.parent_path();
-    } while (!QDir(QString::fromStdString(folder.string())).exists());
-    return QString::fromStdString(folder.string());
+        above = above.parent_path();
+    } while (!QDir(QString::fromStdString(above.string())).exists());
+    return QString::fromStdString(above.string());
 }
 
 } // namespace
 
 CatalogWatcher::CatalogWatcher(std::shared_ptr<const Catalog> catalog, QObject* parent)
-    : QObject(parent), catalog_(std::move(catalog)) {
+    : QObject(parent), catalog_(std::move(catalog)), known_(statesNow()) {
     settle_.setSingleShot(true);
-    settle_.setInterval(settleMs);
     connect(&settle_, &QTimer::timeout, this, &CatalogWatcher::read);
 }
 
@@ -57,36 +50,58 @@ void CatalogWatcher::start() {
             std::filesystem::create_directories(root.folder, ignored);
         }
     }
-    watchAll();
+    if (watchAll()) {
+        settle();
+    }
 }
 
-void CatalogWatcher::reload() {
-    settle_.start();
+/// After the last change of several, but not for ever.
+void CatalogWatcher::settle() {
+    if (!settle_.isActive()) {
+        sinceFirst_.start();
+    }
+    const qint64 left = patienceMs - sinceFirst_.elapsed();
+    settle_.start(static_cast<int>(std::clamp<qint64>(left, 0, settleMs)));
+}
+
+PathStates CatalogWatcher::statesNow() const {
+    PathStates states;
+    for (const BlockRoot& root : catalog_->roots) {
+        addPathStates(root.folder, states);
+    }
+    return states;
 }
 
 /// A folder is watched by what it is, not by its name: one that was moved away and made again has
-/// to be found anew.
-void CatalogWatcher::watchAll() {
+/// to be found anew. True when something is not as it was when it was read.
+bool CatalogWatcher::watchAll() {
     watcher_ = std::make_unique<QFileSystemWatcher>();
-    connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, &CatalogWatcher::reload);
-    connect(watcher_.get(), &QFileSystemWatcher::directoryChanged, this, &CatalogWatcher::reload);
+    connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, &CatalogWatcher::settle);
+    connect(watcher_.get(), &QFileSystemWatcher::directoryChanged, this, &CatalogWatcher::settle);
+    watched_ = statesNow();
     QStringList wanted;
+    for (const PathState& state : watched_) {
+        wanted << QString::fromStdString(state.path);
+    }
     for (const BlockRoot& root : catalog_->roots) {
-        wanted << foldersAndFiles(root.folder);
-        if (!root.shipped) {
-            wanted << nearestFolderAbove(root.folder);
-        }
+        wanted << nearestFolderAbove(root.folder);
     }
     wanted.removeDuplicates();
     watcher_->addPaths(wanted);
+    return watched_ != known_ || statesNow() != watched_; // which came while nobody looked
 }
 
+/// What the system tells of may be a file that nobody reads.
 void CatalogWatcher::read() {
-    if (watcher_) {
-        watchAll(); // first, so that a change while it reads is another reading
+    if (!watchAll()) {
+        return;
     }
+    known_ = watched_; // first, so that a change while it reads is another reading
     Catalog read = loadCatalog(catalog_->roots);
     catalog_ = std::make_shared<const Catalog>(withLastGoodBlocks(std::move(read), *catalog_));
+    if (statesNow() != known_) {
+        settle();
+    }
     Q_EMIT changed(catalog_);
 }
 
