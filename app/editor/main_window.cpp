@@ -92,6 +92,7 @@ void MainWindow::startRest() {
     watcher_.start();
     presets_.scan();
     thumbnails_.start();
+    trials_.run(document_.sharedCatalog());
     theme_.followDesktop();
     views_->first().viewport().chooseTimer();
     offerRecovery();
@@ -164,7 +165,10 @@ void MainWindow::connectParts() {
                 presets_.setCatalog(catalog);
                 thumbnails_.setCatalog(catalog);
                 messages_.setGroup("catalog", catalog->errors);
+                trials_.run(catalog);
             });
+    connect(&trials_, &BlockTrials::finished, this,
+            [this](const Errors& mistakes) { messages_.setGroup("shaders", mistakes); });
 }
 
 /// The layout of a first start: the material's look on the left, its values on the right, the

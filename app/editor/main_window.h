@@ -12,6 +12,7 @@
 #include "document.h"
 #include "effect_switches.h"
 #include "file_actions.h"
+#include "library/block_trials.h"
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
 #include "message_log.h"
@@ -92,6 +93,7 @@ class MainWindow : public QMainWindow {
     PresetLibrary presets_;
     ThumbnailMaker thumbnails_;
     ProgramWorker programs_;
+    BlockTrials trials_;
     Autosave autosave_;
     FileActions* files_;
     PictureExport* pictures_;

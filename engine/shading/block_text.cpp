@@ -37,6 +37,9 @@ constexpr auto calls = std::to_array<Call>({
     {"shadows", "", "float", "ShadowPoint", "s"},
     {"transparency", "", "float", "Layer", "l"},
     {"environment", "", "vec3", "Outlook", "o"},
+    {"refraction", "", "vec3", "Crossing", "c"},
+    {"refraction", "Mirrored", "float", "Crossing", "c"},
+    {"refraction", "Left", "vec3", "float", "way"},
 });
 
 /// A function that the text defines.

@@ -45,6 +45,20 @@ TEST(Grid, NewEntries_KeepThePlace) {
     EXPECT_EQ(grid.verticalScrollBar()->value(), 500);
 }
 
+TEST(Grid, NullPicture_TakesTheOneThatIsThereAway) {
+    PictureGrid grid(72);
+    grid.setEntries(entries(1));
+    const QImage empty = grid.item(0)->icon().pixmap(72).toImage();
+    QImage picture(72, 72, QImage::Format_RGB888);
+    picture.fill(Qt::red);
+    grid.setPicture("0", picture);
+    ASSERT_NE(grid.item(0)->icon().pixmap(72).toImage(), empty);
+    grid.setPicture("0", QImage());
+    EXPECT_EQ(grid.item(0)->icon().pixmap(72).toImage(), empty);
+    grid.setEntries(entries(1));
+    EXPECT_EQ(grid.item(0)->icon().pixmap(72).toImage(), empty);
+}
+
 /// A shown grid of 60 items, and the keys of those whose picture it wished for.
 struct WatchedGrid {
     WatchedGrid() {
@@ -72,6 +86,13 @@ TEST(Grid, ItemThatIsScrolledTo_GetsItsPictureOnce) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return watched.wished.contains("59"); }));
     watched.grid.viewport()->repaint();
     EXPECT_EQ(watched.wished.count("59"), 1);
+}
+
+TEST(Grid, PicturesOfSomethingThatChanged_AreWishedAnew) {
+    WatchedGrid watched;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return watched.wished.contains("0"); }));
+    watched.grid.wishAnew();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return watched.wished.count("0") == 2; }));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // The user's folders while the editor runs: what comes, goes and changes there.
 #include <QDockWidget>
 #include <QTest>
+#include <QTimer>
 
 #include "docks/picture_grid.h"
 #include "material/preset_file.h"
@@ -32,6 +33,17 @@ class WatchedFolders : public WindowFixture {
             "parameters": [{"id": "tint", "label": "Tint", "type": "color", "default": [1, 0, 0],
                             "min": 0, "max": 1, "doc": "Its colour."}],
             "claims": ["finite"]})");
+    }
+
+    /// Writes the model's shader so that line 4 of it does not compile.
+    void breakModel() const {
+        writeFile(shaders() / "models/homemade.glsl",
+                  "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                  "vec3 homemade(Directions d, Homemade p) {\n    return p.tint * d.no;\n}\n");
+    }
+
+    bool isTold(const std::string& what) {
+        return QTest::qWaitFor([&] { return messages().find(what) != std::string::npos; }, waitMs);
     }
 
     /// The label of the user's model; empty while there is none.
@@ -89,6 +101,134 @@ TEST_F(WatchedFolders, ShadersWhoseParentWasRemoved_AreSeenWhenTheyAreBack) {
     ASSERT_TRUE(isShown(""));
     writeModel("Second");
     EXPECT_TRUE(isShown("Second"));
+}
+
+TEST_F(WatchedFolders, ChangeWhileAnotherFileNeverRests_IsSeen) {
+    writeModel("First");
+    ASSERT_TRUE(isShown("First"));
+    QTimer restless;
+    int rounds = 0;
+    QObject::connect(&restless, &QTimer::timeout,
+            [&] { writeFile(shaders() / "models/other.json", std::to_string(++rounds)); });
+    restless.start(30);
+    writeModel("Second");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return label() == "Second"; }, 3000)) << rounds;
+}
+
+TEST_F(WatchedFolders, ShaderThatDoesNotCompile_IsToldThoughNobodyChoseIt) {
+    writeModel("First");
+    ASSERT_TRUE(isShown("First"));
+    breakModel();
+    EXPECT_TRUE(isTold("homemade.glsl:4:")) << messages();
+}
+
+TEST_F(WatchedFolders, ShaderThatDidNotCompileAtTheStart_IsToldUntilItIsMended) {
+    writeModel("First");
+    breakModel();
+    close();
+    open();
+    window().startRest();
+    ASSERT_TRUE(isTold("homemade.glsl:4:")) << messages();
+    writeModel("First");
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return messages().find("homemade.glsl") == std::string::npos; }, waitMs))
+        << messages();
+}
+
+TEST_F(WatchedFolders, ShaderThatDoesNotCompile_HasNoPicture) {
+    writeModel("First");
+    ASSERT_TRUE(isShown("First"));
+    ThumbnailMaker maker(document().sharedCatalog(), {home("cache"), home("programs"),
+                                                      FileActions::defaultScene()});
+    QImage picture;
+    int made = 0;
+    QObject::connect(&maker, &ThumbnailMaker::ready, &window(),
+                     [&](const QString&, const QImage& drawn) {
+                         picture = drawn;
+                         ++made;
+                     });
+    const auto isMade = [&](int count) {
+        const Block* model = document().catalog().find("models", "homemade");
+        maker.ask("homemade", defaultMaterial(*model));
+        return QTest::qWaitFor([&] { return made == count; }, waitMs);
+    };
+    maker.start();
+    ASSERT_TRUE(isMade(1));
+    ASSERT_FALSE(picture.isNull());
+    breakModel();
+    maker.setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+    ASSERT_TRUE(isMade(2));
+    EXPECT_TRUE(picture.isNull());
+}
+
+TEST_F(WatchedFolders, FileThatIsNoPartOfABlock_ChangesNothing) {
+    writeModel("First");
+    ASSERT_TRUE(isShown("First"));
+    int changes = 0;
+    QObject::connect(&document(), &Document::catalogChanged, [&] { ++changes; });
+    writeFile(shaders() / "models/notes.txt", "x");
+    QTest::qWait(1000);
+    EXPECT_EQ(changes, 0);
+}
+
+/// The folder that comes with Patina, as a copy.
+class ShippedFolder : public WatchedFolders {
+  protected:
+    void SetUp() override {
+        close();
+        fs::create_directories(home("data"));
+        for (const char* part : {"shaders", "schemas", "presets"}) {
+            fs::copy(fs::path(PATINA_SOURCE_DIR) / part, home("data") / part,
+                     fs::copy_options::recursive);
+        }
+        qputenv("PATINA_DATA_DIR", QByteArray::fromStdString(home("data").string()));
+        open();
+        WatchedFolders::SetUp();
+    }
+    void TearDown() override { qunsetenv("PATINA_DATA_DIR"); }
+
+    fs::path shipped() const { return home("data") / "shaders"; }
+
+    /// The model that the document begins with.
+    const Block* model() {
+        const Material& material = *document().material(Side::A);
+        return document().catalog().find("models", material.model.id);
+    }
+
+    /// Writes another label into its descriptor, and waits until the editor has it.
+    bool isRelabelled(const fs::path& descriptor) {
+        const std::string before = model()->label;
+        std::string text = readFile(descriptor);
+        text.replace(text.find('"' + before + '"'), before.size() + 2, "\"Relabelled\"");
+        writeFile(descriptor, text);
+        return QTest::qWaitFor([&] { return model() && model()->label == "Relabelled"; }, waitMs);
+    }
+};
+
+TEST_F(ShippedFolder, Lost_LeavesTheModelsAndSaysSo) {
+    fs::remove_all(shipped());
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return messages().find("data/shaders") != std::string::npos; }, waitMs));
+    EXPECT_NE(model(), nullptr);
+}
+
+TEST_F(ShippedFolder, LostAndBack_IsWellAgainAndWatched) {
+    const fs::path descriptor = model()->descriptorFile;
+    const auto isTold = [&] { return messages().find("data/shaders") != std::string::npos; };
+    fs::remove_all(shipped());
+    ASSERT_TRUE(QTest::qWaitFor(isTold, waitMs));
+    fs::copy(PATINA_SOURCE_DIR "/shaders", shipped(), fs::copy_options::recursive);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !isTold(); }, waitMs)) << messages();
+    EXPECT_TRUE(isRelabelled(descriptor));
+}
+
+TEST_F(ShippedFolder, MovedAwayAndReplaced_IsWatched) {
+    const fs::path descriptor = model()->descriptorFile;
+    QTest::qWait(1000); // all is at rest
+    fs::rename(shipped(), home("data") / "former");
+    fs::copy(PATINA_SOURCE_DIR "/shaders", shipped(), fs::copy_options::recursive);
+    QTest::qWait(1000);
+    EXPECT_TRUE(isRelabelled(descriptor));
 }
 
 TEST_F(WatchedFolders, PresetWrittenInPlace_IsReadAgain) {

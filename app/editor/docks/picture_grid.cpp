@@ -102,10 +102,20 @@ void PictureGrid::focusInEvent(QFocusEvent* event) {
 }
 
 void PictureGrid::setPicture(const QString& key, const QImage& picture) {
-    pictures_[key] = rounded(picture);
-    if (QListWidgetItem* item = find(key)) {
-        item->setIcon(pictures_[key]);
+    const QIcon icon = picture.isNull() ? QIcon(emptyPicture()) : rounded(picture);
+    if (picture.isNull()) {
+        pictures_.remove(key);
+    } else {
+        pictures_[key] = icon;
     }
+    if (QListWidgetItem* item = find(key)) {
+        item->setIcon(icon);
+    }
+}
+
+void PictureGrid::wishAnew() {
+    wished_.clear();
+    viewport()->update();
 }
 
 QString PictureGrid::keyOf(const QListWidgetItem* item) const {

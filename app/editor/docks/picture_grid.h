@@ -25,14 +25,20 @@ class PictureGrid : public QListWidget {
 
     /// Replaces all items; pictures that are known by key stay, and so does what is in sight.
     void setEntries(const std::vector<Entry>& entries);
+
+    /// A null picture takes the one that is there away.
     void setPicture(const QString& key, const QImage& picture);
+
+    /// What the pictures are of has changed; they stay until there are new ones.
+    void wishAnew();
 
     QString keyOf(const QListWidgetItem* item) const;
     QString fileOf(const QListWidgetItem* item) const;
     QListWidgetItem* find(const QString& key) const;
 
   Q_SIGNALS:
-    /// An item without a picture of its own came into sight; once per item after setEntries().
+    /// An item without a picture of its own came into sight; once per item after
+    /// setEntries() and wishAnew().
     void pictureWished(const QString& key);
 
   protected:

@@ -84,6 +84,7 @@ PresetsDock::PresetsDock(const DockContext& context)
             [this](QListWidgetItem* item) { apply(item, document_.activeSide()); });
     connect(grid_, &QWidget::customContextMenuRequested, this, &PresetsDock::showMenu);
     connect(&presets_, &PresetLibrary::changed, this, &PresetsDock::fill);
+    connect(&document_, &Document::catalogChanged, grid_, &PictureGrid::wishAnew);
     connect(grid_, &PictureGrid::pictureWished, this, &PresetsDock::askForPicture);
     connect(&thumbnails_, &ThumbnailMaker::ready, this,
             [this](const QString& name, const QImage& picture) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include <QCryptographicHash>
@@ -93,7 +92,8 @@ class Studio {
         return studio;
     }
 
-    std::optional<QImage> draw(const Material& material, std::shared_ptr<const Catalog> catalog) {
+    /// Null where its program does not compile: what is drawn instead is not what it looks like.
+    QImage draw(const Material& material, std::shared_ptr<const Catalog> catalog) {
         if (catalog != catalog_) {
             catalog_ = std::move(catalog);
             renderer_->setCatalog(catalog_);
@@ -104,10 +104,15 @@ class Studio {
         view.camera = scene_.camera;
         const auto meshes = [this](const Object& object) { return mesh(object.mesh); };
         const Result<Image> image = renderer_->capture(scene_, view, meshes, true);
-        return image ? std::optional(toQImage(*image)) : std::nullopt;
+        return image && !isBroken() ? toQImage(*image) : QImage();
     }
 
   private:
+    bool isBroken() const {
+        const FrameReport& report = renderer_->report();
+        return report.messages.size() > report.warnings;
+    }
+
     MeshView mesh(const std::string& name) {
         const auto [place, isNew] = meshes_.try_emplace(name);
         if (isNew) {
@@ -198,10 +203,12 @@ void ThumbnailMaker::work() {
             broken = !studio;
         }
         if (picture.isNull() && studio) {
-            picture = studio->draw(job.material, job.catalog).value_or(QImage());
-            keep(picture, file);
+            picture = studio->draw(job.material, job.catalog);
+            if (!picture.isNull()) {
+                keep(picture, file);
+            }
         }
-        if (!picture.isNull()) {
+        if (!picture.isNull() || studio) {
             Q_EMIT ready(job.name, picture);
         }
     }

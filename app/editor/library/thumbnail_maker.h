@@ -37,12 +37,13 @@ class ThumbnailMaker : public QObject {
     void start();
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// ready() follows with the name, unless it cannot be drawn.
+    /// ready() follows with the name, unless nothing can be drawn on this machine.
     void ask(const QString& name, const Material& material);
 
     static constexpr int pixels = 160;
 
   Q_SIGNALS:
+    /// The picture is null when the material's shader does not compile.
     void ready(QString name, QImage picture);
 
   private:

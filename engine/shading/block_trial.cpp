@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/block_trial.h"
+
+#include <algorithm>
+
+#include "material/block_values.h"
+#include "material/material.h"
+#include "shading/block_use.h"
+
+namespace patina {
+namespace {
+
+BlockUse usualUse(const Block& block) {
+    return useOf(block, defaultValues(block), {}, {});
+}
+
+/// The first block that ships and suits; null: there is none.
+template <class Suits>
+const Block* shippedBlock(const Catalog& catalog, std::string_view kind, const Suits& suits) {
+    const auto found =
+        std::find_if(catalog.blocks.begin(), catalog.blocks.end(), [&](const Block& block) {
+            return block.shipped && block.kind == kind && suits(block);
+        });
+    return found == catalog.blocks.end() ? nullptr : &*found;
+}
+
+/// A model with a slot for a highlight; one without a slot for a Fresnel block, which then blends
+/// the sum, where all of it is called.
+bool suitsPart(const Block& model, const std::string& kind) {
+    return (model.slot(kind) != nullptr) == (kind == "specular");
+}
+
+Material materialFor(const Block& block, const Catalog& catalog) {
+    if (block.kind == "models") {
+        return defaultMaterial(block);
+    }
+    const bool isPart =
+        std::find(partKinds.begin(), partKinds.end(), block.kind) != partKinds.end();
+    const Block* model = shippedBlock(catalog, "models", [&](const Block& candidate) {
+        return !isPart || suitsPart(candidate, block.kind);
+    });
+    Material material = model == nullptr ? Material() : defaultMaterial(*model);
+    if (isPart) {
+        material.parts[block.kind] = defaultBlockValues(block);
+    }
+    return material;
+}
+
+LightGroup lightFor(const Block& light, const Block& block) {
+    LightGroup group{usualUse(light), std::nullopt};
+    if (block.kind == "shadows") {
+        group.shadow = usualUse(block);
+        group.projection = light.shadowProjection;
+    }
+    group.count = 1;
+    return group;
+}
+
+/// The light itself; else one that casts shadows, which every program for shadows needs.
+const Block* lightBlock(const Block& block, const Catalog& catalog) {
+    if (block.kind == "lights") {
+        return &block;
+    }
+    return shippedBlock(catalog, "lights", [](const Block& light) {
+        return light.shadowProjection != ShadowProjection::None;
+    });
+}
+
+} // namespace
+
+Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) {
+    EffectSet set = effectSet(materialFor(block, catalog), Scene(), catalog);
+    set.scene.ambient = true;
+    if (const Block* light = lightBlock(block, catalog)) {
+        set.scene.lights = {lightFor(*light, block)};
+    }
+    if (block.kind == "fog") {
+        set.scene.fog = usualUse(block);
+    } else if (block.kind == "environment") {
+        set.scene.environment = usualUse(block);
+    } else if (block.kind == "transparency") {
+        set.scene.transparency = usualUse(block);
+        set.opacity = true;
+    } else if (block.kind == "refraction") {
+        set.refraction = usualUse(block);
+        set.opacity = true;
+    }
+    return surfaceProgram(set, catalog);
+}
+
+} // namespace patina
