@@ -6,9 +6,11 @@
 namespace patina::tests {
 namespace {
 
+/// In surroundings that are not the same everywhere: else nothing is bent that could be seen.
 std::vector<std::string> rendering(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"render", "--model", "lambert", "--size", "32x32",
-                                       "--set",  "opacity=0.1",        "-o",     "-"};
+    std::vector<std::string> arguments{"render", "--model",     "lambert",       "--size",
+                                       "32x32",  "--set",       "opacity=0.1",   "--environment",
+                                       "studio", "-o",          "-"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
