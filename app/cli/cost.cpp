@@ -9,12 +9,14 @@
 
 #include "assets/asset_client.h"
 #include "catalog/json_text.h"
+#include "cli/cost_plot.h"
 #include "cli/cost_table.h"
 #include "cli/environment_setup.h"
 #include "cli/picture.h"
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
+#include "core/display_image.h"
 #include "gl/headless_context.h"
 #include "measure/cost_sweep.h"
 #include "render/texture_loader.h"
@@ -23,6 +25,7 @@ namespace patina {
 namespace {
 
 constexpr glm::ivec2 usualSize{256, 256};
+constexpr glm::ivec2 plotSize{960, 600};
 
 struct Options {
     std::vector<std::string> presets;
@@ -31,8 +34,10 @@ struct Options {
     std::optional<double> budgetError;
     bool ofPicture = false;
     bool singles = false;
+    bool allModels = false;
     bool json = false;
     bool csv = false;
+    std::string plot;
     double seconds = 60.0;
 
     bool hasBudget() const { return budgetMilliseconds || budgetError; }
@@ -48,14 +53,18 @@ Errors oneError(Error error) {
     return {std::move(error)};
 }
 
-Checked<CostChart> swept(CostSweep::Subject subject, const Options& options) {
+CostSweep::Options sweepOptions(const Options& options) {
     CostSweep::Options wanted;
     wanted.size = options.picture.size;
     wanted.scope = options.ofPicture ? Choice::Scope::Picture : Choice::Scope::Material;
     wanted.programCache = programCacheFolder();
     wanted.seconds = options.seconds;
     wanted.combinations = !options.singles;
-    auto sweep = CostSweep::create(std::move(subject), wanted);
+    return wanted;
+}
+
+Checked<CostChart> swept(CostSweep::Subject subject, const Options& options) {
+    auto sweep = CostSweep::create(std::move(subject), sweepOptions(options));
     if (!sweep) {
         return tl::unexpected(oneError(sweep.error()));
     }
@@ -66,8 +75,25 @@ Checked<CostChart> swept(CostSweep::Subject subject, const Options& options) {
                                         : tl::unexpected((*sweep)->problems());
 }
 
-Checked<CostChart> chartOf(const std::string& preset, const Options& options,
-                           const std::shared_ptr<const Catalog>& catalog, AssetClient& files) {
+Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const Options& options) {
+    auto ranking = ModelRanking::create(std::move(subject), sweepOptions(options));
+    if (!ranking) {
+        return tl::unexpected(oneError(ranking.error()));
+    }
+    while (!(*ranking)->finished()) {
+        (*ranking)->step();
+    }
+    return (*ranking)->problems().empty()
+               ? Checked<std::vector<ModelCost>>((*ranking)->costs())
+               : tl::unexpected((*ranking)->problems());
+}
+
+/// Calls `measure` with the scene of a preset.
+template <class Measure>
+auto withSubject(const std::string& preset, const Options& options,
+                 const std::shared_ptr<const Catalog>& catalog, const Measure& measure)
+    -> decltype(measure(CostSweep::Subject(), options)) {
+    AssetClient files;
     const auto setup = sceneFor(preset, options.picture, *catalog);
     if (!setup) {
         return tl::unexpected(setup.error());
@@ -83,12 +109,21 @@ Checked<CostChart> chartOf(const std::string& preset, const Options& options,
     if (!environment) {
         return tl::unexpected(oneError(environment.error()));
     }
-    auto chart = swept({setup->scene, 0, setup->scene.camera,
-                        [&loaded](const Object& object) { return loaded->view(object); }, catalog,
-                        textures.source(), *environment},
-                       options);
+    auto measured = measure({setup->scene, 0, setup->scene.camera,
+                             [&loaded](const Object& object) { return loaded->view(object); },
+                             catalog, textures.source(), *environment},
+                            options);
     report(textures.takeProblems());
-    return chart;
+    return measured;
+}
+
+Result<void> writePlot(const CostChart& chart, const std::string& file) {
+    const std::vector<PlotShape> shapes = costPlot(chart, plotSize);
+    if (file.ends_with(".svg")) {
+        return writeFileAtomically(file, plotSvg(shapes, plotSize));
+    }
+    AssetClient files;
+    return files.saveImage(file, linearFromDisplay(plotImage(shapes, plotSize)));
 }
 
 std::string budgetText(const CostPoint& point, const BudgetAnswer& answer) {
@@ -138,15 +173,46 @@ void print(const std::vector<Measured>& all, const Options& options) {
     }
 }
 
+Checked<bool> rankModels(const Options& options, const std::shared_ptr<const Catalog>& catalog) {
+    const auto costs = withSubject({}, options, catalog, ranked);
+    if (!costs) {
+        return tl::unexpected(costs.error());
+    }
+    std::cout << (options.json ? writeJson(rankingJson(*costs)) : rankingText(*costs));
+    return true;
+}
+
+/// The charts of all presets.
+Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
+                                        const Options& options,
+                                        const std::shared_ptr<const Catalog>& catalog) {
+    std::vector<Measured> all;
+    for (const std::string& preset : presets) {
+        auto chart = withSubject(preset, options, catalog, swept);
+        if (!chart) {
+            return tl::unexpected(chart.error());
+        }
+        all.push_back({preset.empty() ? options.picture.model : preset, std::move(*chart)});
+    }
+    return all;
+}
+
+Errors checkRequest(const Options& options) {
+    if (!options.plot.empty() && options.presets.size() > 1) {
+        return oneError(failure("one plot shows one preset", "a single preset").value());
+    }
+    const bool isGiven = !options.presets.empty() || !options.picture.model.empty() ||
+                         !options.picture.scene.empty() || options.allModels;
+    return isGiven ? Errors()
+                   : oneError(failure("there is nothing to measure",
+                                      "a preset, --model, --scene or --all-models")
+                                  .value());
+}
+
 /// True when every budget could be met.
 Checked<bool> cost(const Options& options) {
-    std::vector<std::string> presets = options.presets;
-    if (presets.empty()) {
-        if (options.picture.model.empty() && options.picture.scene.empty()) {
-            return tl::unexpected(oneError(
-                failure("there is nothing to measure", "a preset, --model or --scene").value()));
-        }
-        presets.emplace_back();
+    if (const Errors wrong = checkRequest(options); !wrong.empty()) {
+        return tl::unexpected(wrong);
     }
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     report(catalog->errors);
@@ -154,18 +220,23 @@ Checked<bool> cost(const Options& options) {
     if (!context) {
         return tl::unexpected(oneError(context.error()));
     }
-    AssetClient files;
-    std::vector<Measured> all;
-    for (const std::string& preset : presets) {
-        auto chart = chartOf(preset, options, catalog, files);
-        if (!chart) {
-            return tl::unexpected(chart.error());
-        }
-        all.push_back({preset.empty() ? options.picture.model : preset, std::move(*chart)});
+    if (options.allModels) {
+        return rankModels(options, catalog);
     }
-    print(all, options);
+    const auto all = chartsOf(options.presets.empty() ? std::vector<std::string>(1)
+                                                      : options.presets,
+                              options, catalog);
+    if (!all) {
+        return tl::unexpected(all.error());
+    }
+    print(*all, options);
+    if (!options.plot.empty()) {
+        if (const auto written = writePlot(all->front().chart, options.plot); !written) {
+            return tl::unexpected(oneError(written.error()));
+        }
+    }
     bool met = true;
-    for (const Measured& each : all) {
+    for (const Measured& each : *all) {
         met = (!options.hasBudget() || printBudget(each.chart, options)) && met;
     }
     return met;
@@ -202,6 +273,9 @@ void addCost(CLI::App& program, int& status) {
                      "No combination is begun after so long; slow frames are drawn less often")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    command->add_flag("--all-models", options->allModels,
+                      "Rank all models with their defaults on one scene instead");
+    command->add_option("--plot", options->plot, "Draw the chart into a file: .svg or .png");
     auto* json = command->add_flag("--json", options->json, "Print an array of charts as JSON");
     command->add_flag("--csv", options->csv, "Print comma-separated values")->excludes(json);
     command->callback([options, &status] {

@@ -20,19 +20,24 @@ std::size_t widest(const CostChart& chart) {
     return columns;
 }
 
+std::string countText(const std::optional<InstructionCount>& count) {
+    return count ? fmt::format("{}", count->total()) : "-";
+}
+
 std::string pointText(const CostPoint& point) {
     const ChoiceCost& cost = point.cost;
     const FrameError& error = point.error;
-    return fmt::format("{:6.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:9.1e} {:8.1e} {:8.1e} {:8.1e} "
-                       "{:6.2f} % {:8.1e}",
+    return fmt::format("{:6.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:>7} {:9.1e} {:8.1e} {:8.1e} "
+                       "{:8.1e} {:6.2f} % {:8.1e}",
                        cost.ratio.median, cost.ratio.lower, cost.ratio.upper,
-                       cost.settled ? ' ' : '?', cost.nanosecondsPerPixel, error.p99, error.max,
-                       error.mean, error.rms, 100.0 * error.stepShare, error.flip);
+                       cost.settled ? ' ' : '?', cost.nanosecondsPerPixel,
+                       countText(point.instructions), error.p99, error.max, error.mean, error.rms,
+                       100.0 * error.stepShare, error.flip);
 }
 
 std::string headText(std::size_t columns) {
-    return fmt::format("  {:<{}}    time (of 95 % of runs) ns/pixel   p99 err      max     mean"
-                       "      RMS    8-bit     FLIP\n",
+    return fmt::format("  {:<{}}    time (of 95 % of runs) ns/pixel  instr.   p99 err      max"
+                       "     mean      RMS    8-bit     FLIP\n",
                        "", columns);
 }
 
@@ -46,6 +51,16 @@ nlohmann::json errorJson(const FrameError& error) {
             {"flip", error.flip}, {"pixels", error.pixels}};
 }
 
+nlohmann::json countJson(const std::optional<InstructionCount>& count) {
+    return count ? nlohmann::json{{"arithmetic", count->arithmetic},
+                                  {"transcendental", count->transcendental},
+                                  {"texture", count->texture},
+                                  {"branch", count->branch},
+                                  {"memory", count->memory},
+                                  {"total", count->total()}}
+                 : nlohmann::json();
+}
+
 nlohmann::json pointJson(const CostPoint& point, bool onFront) {
     nlohmann::json levels = nlohmann::json::object();
     for (const auto& [choice, level] : point.levels) {
@@ -56,6 +71,7 @@ nlohmann::json pointJson(const CostPoint& point, bool onFront) {
             {"ratio", intervalJson(point.cost.ratio)},
             {"milliseconds", intervalJson(point.cost.milliseconds)},
             {"nanosecondsPerPixel", point.cost.nanosecondsPerPixel},
+            {"instructions", countJson(point.instructions)},
             {"runs", point.cost.runs},
             {"settled", point.cost.settled},
             {"front", onFront}};
@@ -91,22 +107,49 @@ std::string costText(const CostChart& chart) {
 
 std::string costCsv(const CostChart& chart, const std::string& name, bool withNames) {
     std::string text =
-        withNames ? "preset,levels,ratio,ratio_lower,ratio_upper,milliseconds,ns_per_pixel,runs,"
-                    "p99,max,mean,rms,step_share,shown,flip,front\n"
+        withNames ? "preset,levels,ratio,ratio_lower,ratio_upper,milliseconds,ns_per_pixel,"
+                    "instructions,runs,p99,max,mean,rms,step_share,shown,flip,front\n"
                   : "";
     const std::vector<std::size_t> front = costFront(chart.points);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
         const ChoiceCost& cost = point.cost;
         const FrameError& error = point.error;
-        text += fmt::format("\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name,
+        text += fmt::format("\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name,
                             levelsText(point.levels), cost.ratio.median, cost.ratio.lower,
                             cost.ratio.upper, cost.milliseconds.median, cost.nanosecondsPerPixel,
-                            cost.runs, error.p99, error.max, error.mean, error.rms,
-                            error.stepShare, error.shown, error.flip,
+                            countText(point.instructions), cost.runs, error.p99, error.max,
+                            error.mean, error.rms, error.stepShare, error.shown, error.flip,
                             isOnFront(front, i) ? 1 : 0);
     }
     return text;
+}
+
+std::string rankingText(const std::vector<ModelCost>& costs) {
+    std::string text = fmt::format("{:<28} {:>6} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7}\n", "model",
+                                   "time", "ns/pixel", "instr.", "sums", "roots", "branch",
+                                   "memory");
+    for (const ModelCost& each : costs) {
+        const InstructionCount count = each.instructions.value_or(InstructionCount());
+        text += fmt::format("{:<28} {:6.2f} {:9.2f} {:>7} {:7} {:7} {:7} {:7}\n", each.label,
+                            each.cost.ratio.median, each.cost.nanosecondsPerPixel,
+                            countText(each.instructions), count.arithmetic, count.transcendental,
+                            count.branch, count.memory);
+    }
+    return text;
+}
+
+nlohmann::json rankingJson(const std::vector<ModelCost>& costs) {
+    nlohmann::json json = nlohmann::json::array();
+    for (const ModelCost& each : costs) {
+        json.push_back({{"model", each.model},
+                        {"label", each.label},
+                        {"ratio", intervalJson(each.cost.ratio)},
+                        {"nanosecondsPerPixel", each.cost.nanosecondsPerPixel},
+                        {"runs", each.cost.runs},
+                        {"instructions", countJson(each.instructions)}});
+    }
+    return json;
 }
 
 nlohmann::json costJson(const CostChart& chart) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "measure/cost_chart.h"
+#include "measure/model_ranking.h"
 
 namespace patina {
 
@@ -16,5 +18,9 @@ std::string costText(const CostChart& chart);
 std::string costCsv(const CostChart& chart, const std::string& name, bool withNames);
 
 nlohmann::json costJson(const CostChart& chart);
+
+/// The models in the order in which they are given; times are those of the catalogue's first model.
+std::string rankingText(const std::vector<ModelCost>& costs);
+nlohmann::json rankingJson(const std::vector<ModelCost>& costs);
 
 } // namespace patina

@@ -10,6 +10,7 @@
 #include "measure/choice_cost.h"
 #include "measure/choices.h"
 #include "measure/frame_error.h"
+#include "measure/instruction_count.h"
 
 namespace patina {
 
@@ -18,6 +19,7 @@ struct CostPoint {
     ChosenLevels levels; ///< those that are not exact
     FrameError error;
     ChoiceCost cost;
+    std::optional<InstructionCount> instructions; ///< of its program, where that can be counted
 
     bool isExact() const { return levels.empty(); }
 

@@ -9,6 +9,7 @@
 
 #include "gl/driver.h"
 #include "measure/reference_frame.h"
+#include "measure/surface_instructions.h"
 #include "measure/sweep_plan.h"
 #include "measure/timed_frames.h"
 
@@ -245,13 +246,38 @@ class CostSweep::Implementation {
             fail(frame.error());
             return;
         }
-        point_ = CostPoint{std::move(*levels), meter_->errorOf(*frame), {}};
+        point_ = CostPoint{std::move(*levels), meter_->errorOf(*frame), {}, {}};
         exactFrame_ = frameOf({});
         pointFrame_ = frameOf(point_.levels);
+        point_.instructions =
+            surfaceInstructions(pointFrame_.scene, subject_.object, subject_.camera,
+                                {subject_.catalog, subject_.meshes});
+        if (point_.isExact()) {
+            exactColors_ = frame->colors;
+        } else if (changesNothing(*frame)) {
+            point_.cost.settled = true;
+            addPoint();
+            return;
+        }
         drawn_->timeOf(exactFrame_.scene, exactFrame_.view); // these only warm up
         drawn_->timeOf(pointFrame_.scene, pointFrame_.view);
         pairs_.emplace(options_.pairs, chart_.emptyMilliseconds);
         pairsBegan_ = Clock::now();
+    }
+
+    /// Some levels have nothing to do in a material: they draw the exact picture, bit for bit, with
+    /// as many instructions, and take as long.
+    bool changesNothing(const LinearFrame& frame) const {
+        const CostPoint* exact = chart_.find({});
+        return options_.scope == Choice::Scope::Material && exact != nullptr &&
+               point_.instructions && point_.instructions == exact->instructions &&
+               frame.colors == exactColors_;
+    }
+
+    void addPoint() {
+        chart_.points.push_back(point_);
+        pairs_.reset();
+        tellTimes();
     }
 
     void timePair() {
@@ -268,9 +294,7 @@ class CostSweep::Implementation {
                             pairs_->cost().runs >= options_.pairs.fewest;
         if (pairs_->finished() || isLate) {
             point_.cost = pairs_->cost();
-            chart_.points.push_back(point_);
-            pairs_.reset();
-            tellTimes();
+            addPoint();
         }
     }
 
@@ -294,6 +318,7 @@ class CostSweep::Implementation {
     std::optional<ErrorMeter> meter_;
     std::vector<double> empties_;
     std::vector<double> exactTimes_;
+    std::vector<glm::dvec3> exactColors_; ///< as the device draws them
     CostPoint point_; ///< that is measured
     ChosenFrame exactFrame_;
     ChosenFrame pointFrame_;

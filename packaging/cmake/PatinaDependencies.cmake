@@ -25,6 +25,8 @@ find_package(meshoptimizer REQUIRED)
 find_package(draco REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(PNG REQUIRED)
+find_package(SPIRV-Tools-opt REQUIRED)
+find_package(glslang REQUIRED)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure/choice_cost.h"
+#include "measure/cost_sweep.h"
+
+namespace patina {
+
+/// What a model costs with its defaults.
+struct ModelCost {
+    std::string model;
+    std::string label;
+    ChoiceCost cost; ///< ratios are to the first model of the catalogue
+    std::optional<InstructionCount> instructions; ///< of its program, where that can be counted
+
+    friend bool operator==(const ModelCost&, const ModelCost&) = default;
+};
+
+/// Ranks all models of the catalogue on one scene: the object that a sweep would measure gets each
+/// of them with its defaults. Works in steps. Made, used and destroyed with one context current.
+class ModelRanking {
+  public:
+    static Result<std::unique_ptr<ModelRanking>> create(CostSweep::Subject subject,
+                                                        const CostSweep::Options& options);
+    ~ModelRanking();
+
+    /// Two frames, one of them of the first model.
+    void step();
+    bool finished() const;
+    double progress() const; ///< 0 .. 1
+
+    /// Those that are measured so far, the fastest first.
+    std::vector<ModelCost> costs() const;
+
+    std::string timer() const;
+    std::size_t pixels() const; ///< that are shaded
+    const Errors& problems() const;
+
+  private:
+    class Implementation;
+    explicit ModelRanking(std::unique_ptr<Implementation> implementation);
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace patina
