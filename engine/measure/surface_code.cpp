@@ -78,6 +78,9 @@ class Collector {
         if (effects_.scene.environment) {
             return failure("the light of the environment is sampled");
         }
+        if (effects_.refraction) {
+            return failure("the object bends what is seen through it");
+        }
         if (letsThrough(effects_)) {
             return failure("what is behind the object shines through");
         }
