@@ -20,6 +20,7 @@
 #include "render/scene_depth.h"
 #include "render/texture_loader.h"
 #include "render/unreached_lights.h"
+#include "shading/outline_source.h"
 #include "shading/program_source.h"
 
 namespace patina {
@@ -93,22 +94,59 @@ Checked<void> printTable(const Scene& scene, const Options& options,
     return {};
 }
 
+/// The object's program, and that of its outline where it has one.
+Checked<std::vector<ProgramSource>> programsOf(const EffectSet& set, const Catalog& catalog) {
+    std::vector<ProgramSource> programs;
+    for (const bool isOutline : {false, true}) {
+        if (isOutline && !set.outline) {
+            continue;
+        }
+        auto made = isOutline ? outlineProgram(set, catalog) : surfaceProgram(set, catalog);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        programs.push_back(std::move(*made));
+    }
+    return programs;
+}
+
+nlohmann::json sourceJson(const ProgramSource& program) {
+    nlohmann::json json{{"vertex", program.vertex.text}, {"fragment", program.fragment.text}};
+    if (program.geometry) {
+        json["geometry"] = program.geometry->text;
+    }
+    return json;
+}
+
+void printStages(const std::string& name, const ProgramSource& program,
+                 const std::vector<EffectLine>& lines) {
+    std::cout << markedSource(name + "vertex stage", program.vertex, lines);
+    if (program.geometry) {
+        std::cout << markedSource(name + "geometry stage", *program.geometry, lines);
+    }
+    std::cout << markedSource(name + "fragment stage", program.fragment, lines);
+}
+
 Checked<void> printSource(const Scene& scene, const Options& options, const Catalog& catalog) {
     const EffectSet set = effectSet(scene.objects.front().material, scene, catalog);
-    const auto program = surfaceProgram(set, catalog);
-    if (!program) {
-        return tl::unexpected(program.error());
+    const auto programs = programsOf(set, catalog);
+    if (!programs) {
+        return tl::unexpected(programs.error());
     }
     if (options.json) {
         nlohmann::json json = tableJson({effectRows(scene, 0, catalog), {}});
-        json["vertex"] = program->vertex.text;
-        json["fragment"] = program->fragment.text;
+        json.update(sourceJson(programs->front()));
+        if (set.outline) {
+            json["outline"] = sourceJson(programs->back());
+        }
         std::cout << writeJson(json);
         return {};
     }
     const std::vector<EffectLine> lines = effectLines(set);
-    std::cout << markedSource("vertex stage", program->vertex, lines)
-              << markedSource("fragment stage", program->fragment, lines);
+    printStages("", programs->front(), lines);
+    if (set.outline) {
+        printStages("outline: ", programs->back(), lines);
+    }
     return {};
 }
 

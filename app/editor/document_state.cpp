@@ -85,6 +85,8 @@ std::string_view partKind(BlockPath::Part part) {
         return "specular";
     case BlockPath::Part::Refraction:
         return "refraction";
+    case BlockPath::Part::Outline:
+        return "outline";
     default:
         return {};
     }

@@ -27,6 +27,7 @@ struct BlockPath {
         Fresnel,  ///< the material's Fresnel block
         Specular, ///< the material's highlight, for models that leave it open
         Refraction, ///< what bends the light that the material lets through
+        Outline,  ///< the lines along the edges of the material's objects
         Accuracy, ///< the accuracy levels of the model
         Material, ///< what every material has: its opacity
         Light,    ///< the values of a light

@@ -42,15 +42,22 @@ void deleteProgram(unsigned name) {
     glDeleteProgram(name);
 }
 
-tl::expected<Program, std::string> Program::link(const Shader& vertex, const Shader& fragment) {
+tl::expected<Program, std::string> Program::link(const Shader& vertex, const Shader& fragment,
+                                                 const Shader* geometry) {
     Program program;
     program.name_ = Name<deleteProgram>(glCreateProgram());
     glProgramParameteri(program.name(), GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     glAttachShader(program.name(), vertex.name());
     glAttachShader(program.name(), fragment.name());
+    if (geometry != nullptr) {
+        glAttachShader(program.name(), geometry->name());
+    }
     glLinkProgram(program.name());
     glDetachShader(program.name(), vertex.name());
     glDetachShader(program.name(), fragment.name());
+    if (geometry != nullptr) {
+        glDetachShader(program.name(), geometry->name());
+    }
     if (!linked(program.name())) {
         return tl::unexpected(log(program.name()));
     }

@@ -25,8 +25,10 @@ struct ProgramBinary {
 /// A linked program.
 class Program {
   public:
-    /// The error is the driver's log as it came.
-    static tl::expected<Program, std::string> link(const Shader& vertex, const Shader& fragment);
+    /// The error is the driver's log as it came. A geometry stage, where there is one, stands
+    /// between the two others.
+    static tl::expected<Program, std::string> link(const Shader& vertex, const Shader& fragment,
+                                                   const Shader* geometry = nullptr);
 
     /// Nothing when the driver does not take the binary (any more).
     static std::optional<Program> load(const ProgramBinary& binary);

@@ -27,8 +27,9 @@ struct BlockValues {
 };
 
 /// The kinds of block that a material chooses beside its model, each under its own key in a preset:
-/// they fill the model's slots, or work behind any model.
-inline constexpr std::array<std::string_view, 3> partKinds{"fresnel", "specular", "refraction"};
+/// they fill the model's slots, or work beside any model (hasPlaceFor()).
+inline constexpr std::array<std::string_view, 4> partKinds{"fresnel", "specular", "refraction",
+                                                           "outline"};
 
 /// A lighting model with parameter values: the thing an artist makes, and what a preset holds.
 struct Material {

@@ -148,7 +148,8 @@ Json lighten(Material& material, const Block& model) {
 } // namespace
 
 bool hasPlaceFor(const Block& model, std::string_view kind) {
-    return model.slot(kind) != nullptr || kind == "fresnel" || kind == "refraction";
+    return model.slot(kind) != nullptr || kind == "fresnel" || kind == "refraction" ||
+           kind == "outline";
 }
 
 Material swappedModel(const Material& material, const Block& newModel, const Catalog& catalog) {

@@ -52,6 +52,13 @@ struct Crossing {
     bool leaves = false;         ///< from the body into what surrounds it
 };
 
+/// An edge of a mesh as it is seen (shaders/lib/edge.glsl).
+struct Edge {
+    bool turns = false;
+    bool ends = false;
+    double bend = 0.0; ///< radians
+};
+
 /// One packed field, as it was when the block was compiled.
 struct Field {
     std::string_view name;
@@ -97,6 +104,9 @@ struct Block {
     glm::dvec3 (*refract)(const Crossing&, Parameters) = nullptr;
     double (*mirrored)(const Crossing&, Parameters) = nullptr;
     glm::dvec3 (*left)(double way, Parameters) = nullptr;
+    /// How wide an edge's lines are, in pixels: outside of the shape, and on it.
+    glm::dvec2 (*outline)(const Edge& edge, Parameters) = nullptr;
+    glm::dvec3 (*lineColor)(Parameters) = nullptr;
 };
 
 /// Every block, sorted by kind and id.

@@ -19,8 +19,12 @@ namespace patina {
 struct DrawMaterial {
     std::size_t object = 0; ///< the first one that has it
     bool isTransparent = false;
+    bool isOutlined = false; ///< its objects' meshes have edges
     std::shared_ptr<const Pipeline> pipeline; ///< null: there is nothing to draw it with
     UniformPool::Place data;
+    UniformPool::Place outlineData;
+
+    bool hasLines() const { return isOutlined && pipeline && pipeline->outline; }
 };
 
 /// One object of a frame.

@@ -13,6 +13,7 @@
 #include "render/binding.h"
 #include "render/data_packer.h"
 #include "render/refraction_packer.h"
+#include "shading/effect_choice.h"
 #include "shading/material_print.h"
 #include "shading/texture_choice.h"
 
@@ -223,7 +224,8 @@ std::size_t FrameDrawer::materialOf(const Scene& scene, std::size_t object) {
     }
     const std::size_t number = materialKeys_.find(print, materials_.size());
     if (number == materials_.size()) {
-        materials_.push_back({object, isTransparent(effects), nullptr, {}});
+        const bool isOutlined = outlineChoice(effects, *catalog_).block != nullptr;
+        materials_.push_back({object, isTransparent(effects), isOutlined, nullptr, {}, {}});
     }
     return number;
 }
@@ -237,13 +239,16 @@ void FrameDrawer::makeRoomForLights() {
 
 void FrameDrawer::count() {
     triangles_ = 0;
+    edges_ = 0;
     for (const DrawItem& item : items_) {
         triangles_ += item.mesh->triangles();
+        // A closed mesh has three edges for two triangles.
+        edges_ += materials_[item.material].isOutlined ? 3 * item.mesh->triangles() / 2 : 0;
     }
 }
 
 bool FrameDrawer::isLarge() const {
-    return triangles_ + shadows_.pendingTriangles() > mostTrianglesAtOnce;
+    return triangles_ + edges_ + shadows_.pendingTriangles() > mostTrianglesAtOnce;
 }
 
 bool FrameDrawer::isDense(const View& view) const {
@@ -259,13 +264,14 @@ bool FrameDrawer::uploadMeshes(Deadline deadline) {
             }
         }
     }
-    return true;
+    return findEdges(deadline);
 }
 
 void FrameDrawer::uploadView(const View& view) {
     const double aspect = double(view.size.x) / double(view.size.y);
     const glm::dmat4 worldToClip =
         projection(view.camera, aspect, depths_) * cameras_.worldToCamera;
+    measurePixel(view, worldToClip);
     packView(viewData_.staging(), worldToClip, eye(view.camera), 1.0 / target_.fineness());
     report_.uploadedBuffers += viewData_.upload(ViewLayout::vec4s) ? 1 : 0;
     viewData_.bind(binding::view);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -115,6 +116,9 @@ class FrameDrawer {
         bool hasGround = false;
         bool hasLayers = false;
         bool hasBack = false; ///< the farthest surface of the batch, where it bends light
+        bool hasSurface = false; ///< the batch's, while its lines remain
+        std::size_t outlined = 0; ///< batches of solid objects whose outlines are drawn
+        bool hasOutlines = false;
         bool resolved = false;
     };
     struct Cameras {
@@ -162,13 +166,22 @@ class FrameDrawer {
     bool drawRefracting(const Scene& scene, const DrawBatch& batch, Deadline deadline);
     void addLost();
     bool uploadMeshes(Deadline deadline);
+    void measurePixel(const View& view, const glm::dmat4& worldToClip);
+    bool findEdges(Deadline deadline);
+    bool drawOutlines(const Scene& scene, Deadline deadline);
+    bool drawOutline(const Scene& scene, const DrawBatch& batch, Deadline deadline);
+    void drawLayerOutlines(const Scene& scene);
+    void feedOutline(const Scene& scene, const DrawBatch& batch);
     bool drawBands(const Scene& scene, Deadline deadline);
     bool hasDrawnItems() const;
     void prepareToDraw();
     void drawOpaque(const Scene& scene);
     bool drawItems(const Scene& scene, Deadline deadline);
     bool drawBatch(const Scene& scene, const DrawBatch& batch, Deadline deadline);
+    bool drawSurface(const Scene& scene, const DrawBatch& batch, Deadline deadline);
     bool drawTriangles(const DrawBatch& batch, Deadline deadline);
+    bool drawSlices(const DrawBatch& batch, int triangles, Deadline deadline,
+                    const std::function<void(const DrawRange&)>& draw);
     bool isDue(Deadline deadline);
     bool resolve(Deadline deadline);
     bool mustStop(Deadline deadline);
@@ -179,6 +192,7 @@ class FrameDrawer {
     void describe();
     void describeEffects();
     void noteSource(const void* source);
+    void noteProgram(const void* program);
     static void leaveState();
 
     std::shared_ptr<const Catalog> catalog_;
@@ -215,6 +229,8 @@ class FrameDrawer {
     FrameBands bands_;
     gl::Fence fence_; ///< behind the last commands of a frame that is drawn in steps
     std::int64_t triangles_ = 0;
+    std::int64_t edges_ = 0; ///< about so many that may have lines
+    glm::vec4 pixelInClip_{0.0f}; ///< see OutlineLayout::line
     bool isSoftware_;
     std::vector<const Pipeline*> fedScenes_; ///< by list of lights: who reads what is in it now
     bool heldEffects_ = false; ///< they are not the scene's own, and a drag must not compile

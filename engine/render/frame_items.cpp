@@ -60,7 +60,7 @@ bool FrameDrawer::drawBands(const Scene& scene, Deadline deadline) {
 
 bool FrameDrawer::hasDrawnItems() const {
     return cursor_.batch == list_.batches().size() && (cursor_.hasGround || !ground_.isSeen) &&
-           (cursor_.hasLayers || !transparency_.isIn());
+           (cursor_.hasLayers || !transparency_.isIn()) && cursor_.hasOutlines;
 }
 
 void FrameDrawer::drawOpaque(const Scene& scene) {
@@ -90,6 +90,9 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
     while (cursor_.batch < list_.batches().size()) {
         if (cursor_.batch >= list_.opaqueBatches()) {
             drawGround(scene); // behind what shines through
+            if (!drawOutlines(scene, deadline)) {
+                break;
+            }
         }
         const DrawBatch& batch = list_.batches()[cursor_.batch];
         if (!isLayered(materials_[batch.material]) && !drawBatch(scene, batch, deadline)) {
@@ -99,10 +102,14 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
             break;
         }
     }
-    const bool isDone = cursor_.batch == list_.batches().size();
+    bool isDone = cursor_.batch == list_.batches().size();
     if (isDone) {
         drawGround(scene);
+        isDone = drawOutlines(scene, deadline);
+    }
+    if (isDone) {
         drawLayers(scene);
+        drawLayerOutlines(scene);
     }
     setPass(Pass::opaque);
     if (deadline != never) {
@@ -111,9 +118,22 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
     return isDone;
 }
 
+/// What lies in front of an object that something shines through is blended over its lines.
+bool FrameDrawer::drawBatch(const Scene& scene, const DrawBatch& batch, Deadline deadline) {
+    if (!cursor_.hasSurface && !drawSurface(scene, batch, deadline)) {
+        return false;
+    }
+    cursor_.hasSurface = true;
+    if (materials_[batch.material].isTransparent && !drawOutline(scene, batch, deadline)) {
+        return false;
+    }
+    cursor_.hasSurface = false;
+    return true;
+}
+
 /// Of a transparent object only the nearest layer is blended, so that the order of its triangles
 /// does not show: depths first, then colours where the depth is the same.
-bool FrameDrawer::drawBatch(const Scene& scene, const DrawBatch& batch, Deadline deadline) {
+bool FrameDrawer::drawSurface(const Scene& scene, const DrawBatch& batch, Deadline deadline) {
     if (refracts(materials_[batch.material])) {
         setPass(Pass::opaque);
         return drawRefracting(scene, batch, deadline);
@@ -134,12 +154,19 @@ bool FrameDrawer::drawBatch(const Scene& scene, const DrawBatch& batch, Deadline
 }
 
 bool FrameDrawer::drawTriangles(const DrawBatch& batch, Deadline deadline) {
+    return drawSlices(batch, batch.mesh->triangles(), deadline, [&](const DrawRange& range) {
+        batch.mesh->draw(instances_, range);
+    });
+}
+
+/// Of `triangles` of each of the batch's objects, or as many edges.
+bool FrameDrawer::drawSlices(const DrawBatch& batch, int triangles, Deadline deadline,
+                             const std::function<void(const DrawRange&)>& draw) {
     const std::int64_t most = deadline == never ? std::numeric_limits<std::int64_t>::max()
                                                 : std::int64_t(drawnAtOnce);
     while (!cursor_.slices.isDone(batch.count)) {
-        const DrawRange range =
-            cursor_.slices.next(batch.mesh->triangles(), batch.first, batch.count, most);
-        batch.mesh->draw(instances_, range);
+        const DrawRange range = cursor_.slices.next(triangles, batch.first, batch.count, most);
+        draw(range);
         ++report_.drawCalls;
         cursor_.triangles += range.total();
         if (!cursor_.slices.isDone(batch.count) && isDue(deadline)) {

@@ -66,6 +66,8 @@ void FrameDrawer::orderItems() {
     for (DrawMaterial& material : materials_) {
         const int vec4s = material.pipeline ? material.pipeline->object.vec4s : 0;
         material.data = materialData_.add(static_cast<std::size_t>(vec4s));
+        const int lineVec4s = material.hasLines() ? material.pipeline->outline->vec4s() : 0;
+        material.outlineData = materialData_.add(static_cast<std::size_t>(lineVec4s));
     }
     materialData_.makeRoom();
 }

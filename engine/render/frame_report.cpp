@@ -25,13 +25,20 @@ void addOnce(Errors& errors, const Error& error) {
 
 } // namespace
 
+void FrameDrawer::noteProgram(const void* program) {
+    if ((programs_.empty() || programs_.back() != program) &&
+        std::find(programs_.begin(), programs_.end(), program) == programs_.end()) {
+        programs_.push_back(program);
+    }
+}
+
 void FrameDrawer::describe() {
     programs_.clear();
     for (const DrawBatch& batch : list_.batches()) {
-        const void* program = materials_[batch.material].pipeline->program.get();
-        if ((programs_.empty() || programs_.back() != program) &&
-            std::find(programs_.begin(), programs_.end(), program) == programs_.end()) {
-            programs_.push_back(program);
+        const DrawMaterial& material = materials_[batch.material];
+        noteProgram(material.pipeline->program.get());
+        if (material.hasLines()) {
+            noteProgram(material.pipeline->outlineProgram.get());
         }
     }
     report_.programs = static_cast<int>(programs_.size());

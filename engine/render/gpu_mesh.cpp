@@ -41,38 +41,18 @@ void GpuMesh::upload(const MeshView& mesh, std::size_t bytes) {
     uploaded_ += slice.size();
 }
 
-GpuMesh::Array& GpuMesh::arrayFor(const InstanceBuffer& instances) const {
-    const auto known = std::ranges::find(arrays_, instances.buffer(), &Array::instances);
-    if (known != arrays_.end()) {
-        return *known;
-    }
-    // Buffers that nobody fills any more.
-    std::erase_if(arrays_, [](const Array& array) { return array.instances.use_count() == 1; });
-    arrays_.push_back({instances.buffer(), 0, makeArray()});
-    Array& made = arrays_.back();
-    made.array.instanced(Instance::firstAttribute, *made.instances, Instance::attributes, 0);
-    return made;
+void GpuMesh::draw(const InstanceBuffer& instances, const DrawRange& range) const {
+    arrays_.draw(GL_TRIANGLES, 3, instances, range, [this] { return makeArray(); });
 }
 
-/// Without base instances it is the attributes that begin at the first instance.
-void GpuMesh::draw(const InstanceBuffer& instances, const DrawRange& range) const {
-    Array& held = arrayFor(instances);
-    held.array.bind();
-    const std::size_t start = instances.hasBase() ? 0 : range.firstInstance * sizeof(Instance);
-    if (start != held.offset) {
-        held.array.instanced(Instance::firstAttribute, *held.instances, Instance::attributes,
-                             start);
-        held.offset = start;
-    }
-    const int count = 3 * range.triangles;
-    const auto* first = reinterpret_cast<const void*>( // NOLINT: GL passes offsets so
-        3 * sizeof(std::uint32_t) * static_cast<std::size_t>(range.firstTriangle));
-    const auto objects = static_cast<GLsizei>(range.instances);
-    if (instances.hasBase()) {
-        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, count, GL_UNSIGNED_INT, first, objects,
-                                            static_cast<GLuint>(range.firstInstance));
-    } else {
-        glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, first, objects);
+GpuEdges& GpuMesh::edges(const MeshView& mesh, std::uint64_t frame) {
+    edgesFrame_ = frame;
+    return edges_ ? *edges_ : edges_.emplace(mesh);
+}
+
+void GpuMesh::forgetEdges(std::uint64_t frame) {
+    if (edgesFrame_ < frame) {
+        edges_.reset();
     }
 }
 

@@ -2,25 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <vector>
+#include <optional>
 
 #include "core/mesh.h"
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
-#include "render/instance_buffer.h"
+#include "render/gpu_edges.h"
+#include "render/instanced_arrays.h"
 
 namespace patina {
-
-/// Some of a mesh's triangles, for some of the objects in an InstanceBuffer.
-struct DrawRange {
-    int firstTriangle = 0;
-    int triangles = 0;
-    std::size_t firstInstance = 0;
-    std::size_t instances = 1;
-
-    std::int64_t total() const { return std::int64_t(triangles) * std::int64_t(instances); }
-};
 
 /// A mesh in the GPU's memory. Attributes: 0 position, 1 normal, 2 tangent,
 /// 3 texture coordinates, 4 on which side the bitangent is; then those of Instance.
@@ -40,24 +30,29 @@ class GpuMesh {
     int triangles() const { return triangles_; }
     std::uint64_t serial() const { return serial_; }
 
-  private:
-    /// How its vertices lie, and the instances of one buffer. Drivers take a vertex array that
-    /// changes for another one, and may compile for it.
-    struct Array {
-        std::shared_ptr<const gl::Buffer> instances;
-        std::size_t offset = 0;
-        gl::VertexArray array;
-    };
+    /// Its edges, which may not be there yet: for the frame of this number, after which they are
+    /// kept for a while.
+    GpuEdges& edges(const MeshView& mesh, std::uint64_t frame);
+    void drawEdges(const InstanceBuffer& instances, const DrawRange& range) const {
+        edges_->draw(vertices_, instances, range);
+    }
+    bool hasEdges() const { return edges_ && edges_->isComplete(); }
+    int edgeCount() const { return edges_->count(); }
 
-    Array& arrayFor(const InstanceBuffer& instances) const;
+    /// Forgets edges that no frame since this one has asked for.
+    void forgetEdges(std::uint64_t frame);
+
+  private:
     gl::VertexArray makeArray() const;
 
-    mutable std::vector<Array> arrays_; ///< by buffer; made when they are first drawn
+    mutable InstancedArrays arrays_;
     gl::Buffer vertices_ = gl::Buffer::create();
     gl::Buffer indices_ = gl::Buffer::create();
     std::size_t uploaded_ = 0; ///< bytes: of the vertices, then of the indices
     int triangles_ = 0;
     std::uint64_t serial_ = 0;
+    std::optional<GpuEdges> edges_;
+    std::uint64_t edgesFrame_ = 0; ///< the last one that asked for them
 };
 
 } // namespace patina

@@ -67,6 +67,11 @@ void GpuMeshStore::endFrame() {
     std::erase_if(meshes_, [this](const auto& entry) {
         return frame_ - entry.second.lastFrame > framesKept;
     });
+    if (frame_ >= framesKept) {
+        for (auto& [key, entry] : meshes_) {
+            entry.mesh.forgetEdges(frame_ - framesKept);
+        }
+    }
     ++frame_;
 }
 

@@ -20,6 +20,11 @@ class GpuMeshStore {
     /// The mesh, with room for its content when it is new; it may be incomplete.
     GpuMesh& prepare(const MeshView& mesh);
 
+    /// The edges of a mesh that prepare() gave; they may be incomplete.
+    GpuEdges& prepareEdges(GpuMesh& mesh, const MeshView& view) {
+        return mesh.edges(view, frame_);
+    }
+
     /// Call once per frame: contents are looked at once between its two ends.
     void beginFrame();
 

@@ -2,16 +2,18 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "catalog/catalog.h"
 #include "gl/program.h"
 #include "shading/data_layout.h"
 #include "shading/effect_set.h"
+#include "shading/outline_source.h"
 
 namespace patina {
 
-/// A program with what is needed to feed it. It keeps the catalogue it was made from, so that it
-/// can be drawn with after the blocks have changed.
+/// A program (two where there are outlines) with what is needed to feed it. It keeps the catalogue
+/// it was made from, so that it can be drawn with after the blocks have changed.
 struct Pipeline {
     std::shared_ptr<const Catalog> catalog;
     EffectSet effects;
@@ -19,6 +21,8 @@ struct Pipeline {
     SceneLayout scene;
     std::uint64_t sceneKey = 0;
     std::shared_ptr<const gl::Program> program;
+    std::optional<OutlineLayout> outline; ///< of the program that draws its lines, where it has any
+    std::shared_ptr<const gl::Program> outlineProgram;
 };
 
 } // namespace patina

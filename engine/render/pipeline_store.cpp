@@ -55,6 +55,23 @@ const PipelineStore::Entry& PipelineStore::find(std::uint64_t materialKey, const
     return known->second;
 }
 
+Checked<void> PipelineStore::addOutline(Pipeline& pipeline, const EffectSet& effects) {
+    const auto source = outlineProgram(effects, *catalog_, sceneCapacity_);
+    if (!source) {
+        return tl::unexpected(source.error());
+    }
+    const ProgramCache::Found found = programs_.get(*source);
+    if (!found.program) {
+        return tl::unexpected(found.errors);
+    }
+    found.program->bindBlock("ViewBlock", binding::view);
+    found.program->bindBlock("SceneBlock", binding::scene);
+    found.program->bindBlock("ObjectBlock", binding::object);
+    pipeline.outline = outlineLayout(effects, *catalog_);
+    pipeline.outlineProgram = found.program;
+    return {};
+}
+
 PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneKey) {
     auto pipeline = std::make_shared<Pipeline>();
     const auto source = surfaceProgram(effects, *catalog_, output_, sceneCapacity_);
@@ -76,6 +93,11 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
     RefractionPass::assignUnits(*found.program);
     if (effects.scene.environment) {
         environment::assignUnits(*found.program);
+    }
+    if (effects.outline && output_ == SurfaceOutput::Picture) {
+        if (auto added = addOutline(*pipeline, effects); !added) {
+            return {nullptr, added.error()};
+        }
     }
     pipeline->catalog = catalog_;
     pipeline->object = objectLayout(effects, *catalog_);

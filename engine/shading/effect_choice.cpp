@@ -188,6 +188,27 @@ SlotChoice slotChoice(const Slot& slot, const Material& material, const Catalog&
             false};
 }
 
+OutlineChoice outlineChoice(const Material& material, const Catalog& catalog) {
+    const BlockValues* part = material.part("outline");
+    if (part == nullptr) {
+        return {};
+    }
+    const Block* block = catalog.find("outline", part->id);
+    if (block == nullptr) {
+        return {nullptr, "No outline of this kind is known."};
+    }
+    bool hasWidths = false;
+    for (const Parameter& parameter : block->parameters) {
+        const bool isWidth = parameter.id == "width" || parameter.id.ends_with(".width");
+        if (isWidth && !notPositive(givenValue(parameter, part->parameters))) {
+            return {block, ""};
+        }
+        hasWidths = hasWidths || isWidth;
+    }
+    return hasWidths ? OutlineChoice{nullptr, "Its lines are 0 pixels wide."}
+                     : OutlineChoice{block, ""};
+}
+
 bool isEmitted(const Parameter& parameter, const Values& values) {
     return parameter.emission && !notPositive(givenValue(parameter, values));
 }

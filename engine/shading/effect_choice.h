@@ -83,6 +83,14 @@ struct SlotChoice {
 };
 SlotChoice slotChoice(const Slot& slot, const Material& material, const Catalog& catalog);
 
+/// The block that draws a material's outline, when it draws any line; else a null block and a
+/// sentence why not.
+struct OutlineChoice {
+    const Block* block = nullptr;
+    const char* whyNot = ""; ///< empty where the material has none at all
+};
+OutlineChoice outlineChoice(const Material& material, const Catalog& catalog);
+
 /// Whether the block's parameter is a colour that is emitted and not black.
 bool isEmitted(const Parameter& parameter, const Values& values);
 

@@ -158,6 +158,9 @@ std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& cat
         choice.block != nullptr) {
         addBlock(hash, *choice.block, *choice.values, material.accuracy);
     }
+    if (const Block* outline = outlineChoice(material, catalog).block) {
+        addBlock(hash, *outline, material.part("outline")->parameters, material.accuracy);
+    }
     return hash.value();
 }
 

@@ -176,6 +176,9 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
     } else if (letsThrough(set)) {
         addTransparencyLine(lines, set.scene);
     }
+    if (set.outline) {
+        lines.push_back(lineOf(*set.outline));
+    }
     return lines;
 }
 
@@ -200,6 +203,7 @@ std::vector<EffectLine> leftOutLines(const EffectSet& set) {
               {"transparency", {},
                set.refraction ? "What is behind the object is seen bent, in its colour."
                               : "Nothing shines through the object."});
+    addAbsent(out, in, {"outline", {}, "The material has no outline."});
     return out;
 }
 

@@ -118,7 +118,7 @@ void removeToneMapping(Scene& scene, const Effect&, const Catalog&) {
 }
 
 /// Every effect that has a row: by the part of its name before the slash.
-constexpr std::array<std::pair<std::string_view, Remove>, 17> removals{{
+constexpr std::array<std::pair<std::string_view, Remove>, 18> removals{{
     {"models", removeModel},
     {"fresnel", removePart},
     {"specular", removePart},
@@ -134,6 +134,7 @@ constexpr std::array<std::pair<std::string_view, Remove>, 17> removals{{
     {"opacity", removeOpacity},
     {"refraction", removePart},
     {"transparency", removeTransparency},
+    {"outline", removePart},
     {"exposure", removeExposure},
     {"tone mapping", removeToneMapping},
 }};

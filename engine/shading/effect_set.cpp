@@ -200,6 +200,17 @@ void addOpacity(EffectSet& set, const Material& material) {
     }
 }
 
+void addOutline(EffectSet& set, const Material& material, const Catalog& catalog) {
+    const OutlineChoice choice = outlineChoice(material, catalog);
+    const BlockValues* part = material.part("outline");
+    if (choice.block != nullptr) {
+        set.outline = useOf(*choice.block, part->parameters, material.accuracy,
+                            "The material has lines along the edges of its shape.");
+    } else if (part != nullptr) {
+        set.leftOut.push_back({"outline/" + part->id, choice.whyNot});
+    }
+}
+
 void addModel(EffectSet& set, const Material& material, const Catalog& catalog) {
     const Block* model = catalog.find("models", material.model.id);
     if (model == nullptr) {
@@ -263,6 +274,7 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     nameBlackEmission(set, catalog);
     nameEqual(set, material, catalog);
     addOpacity(set, material);
+    addOutline(set, material, catalog);
     set.scene = sceneEffects(scene, catalog, view);
     addRefraction(set, material, scene, catalog);
     return set;

@@ -102,6 +102,7 @@ struct EffectSet {
     std::vector<TextureEffect> textures; ///< sorted by id
     bool opacity = false;
     std::optional<BlockUse> refraction; ///< what bends the light that passes
+    std::optional<BlockUse> outline; ///< drawn by a program of its own (see outline_source.h)
     GroundMode ground = GroundMode::Off; ///< the ground is drawn so, in place of a model
     SceneEffects scene;
     Reasons reasons;

@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/program_cache.h"
 
+#include <optional>
+
 #include <epoxy/gl.h>
 
 #include "shading/compile_log.h"
 #include "shading/program_file.h"
 
 namespace patina {
+
+namespace {
+
+/// Nothing where the program has no such stage.
+Checked<std::optional<gl::Shader>> geometryOf(const ProgramSource& source) {
+    if (!source.geometry) {
+        return std::nullopt;
+    }
+    auto compiled = gl::Shader::compile(GL_GEOMETRY_SHADER, source.geometry->text);
+    if (!compiled) {
+        return tl::unexpected(compileErrors(compiled.error(), *source.geometry));
+    }
+    return std::move(*compiled);
+}
+
+} // namespace
 
 Checked<gl::Program> compileProgram(const ProgramSource& source) {
     const auto vertex = gl::Shader::compile(GL_VERTEX_SHADER, source.vertex.text);
@@ -17,7 +35,11 @@ Checked<gl::Program> compileProgram(const ProgramSource& source) {
     if (!fragment) {
         return tl::unexpected(compileErrors(fragment.error(), source.fragment));
     }
-    auto program = gl::Program::link(*vertex, *fragment);
+    const auto geometry = geometryOf(source);
+    if (!geometry) {
+        return tl::unexpected(geometry.error());
+    }
+    auto program = gl::Program::link(*vertex, *fragment, *geometry ? &**geometry : nullptr);
     if (!program) {
         return tl::unexpected(compileErrors(program.error(), source.fragment));
     }

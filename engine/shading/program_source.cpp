@@ -35,7 +35,8 @@ Checked<ProgramSource> joined(const SourceBuilder& vertex, const SourceBuilder& 
 
 std::string ProgramSource::hash() const {
     const boost::uuids::name_generator_sha1 generate(boost::uuids::ns::oid());
-    return boost::uuids::to_string(generate(vertex.text + '\0' + fragment.text));
+    const std::string between = geometry ? '\0' + geometry->text : std::string();
+    return boost::uuids::to_string(generate(vertex.text + '\0' + fragment.text + between));
 }
 
 void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout) {
@@ -71,14 +72,27 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
 }
 
 Checked<ProgramSource> program(const Catalog& catalog, const StageWriter& writeVertex,
-                               const StageWriter& writeFragment) {
+                               const StageWriter& writeFragment,
+                               const StageWriter& writeGeometry) {
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
     writeVertex(vertex);
     SourceBuilder fragment(shaderRoot(catalog));
     fragment.add(prelude);
     writeFragment(fragment);
-    return joined(vertex, fragment);
+    Checked<ProgramSource> both = joined(vertex, fragment);
+    if (!both || !writeGeometry) {
+        return both;
+    }
+    SourceBuilder geometry(shaderRoot(catalog));
+    geometry.add(prelude);
+    writeGeometry(geometry);
+    Checked<ShaderSource> text = geometry.finish();
+    if (!text) {
+        return tl::unexpected(text.error());
+    }
+    both->geometry = std::move(*text);
+    return both;
 }
 
 Checked<ProgramSource> screenProgram(const Catalog& catalog, const StageWriter& write) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -17,8 +18,9 @@ namespace patina {
 struct ProgramSource {
     ShaderSource vertex;
     ShaderSource fragment;
+    std::optional<ShaderSource> geometry{}; ///< what makes lines from the edges of a mesh has one
 
-    /// A name-based UUID (128 bits of SHA-1, by Boost.Uuid) of both texts.
+    /// A name-based UUID (128 bits of SHA-1, by Boost.Uuid) of all texts.
     std::string hash() const;
 };
 
@@ -35,7 +37,8 @@ class SourceBuilder;
 using StageWriter = std::function<void(SourceBuilder&)>;
 
 Checked<ProgramSource> program(const Catalog& catalog, const StageWriter& writeVertex,
-                               const StageWriter& writeFragment);
+                               const StageWriter& writeFragment,
+                               const StageWriter& writeGeometry = {});
 
 /// A program that covers the target; `write` adds its fragment stage.
 Checked<ProgramSource> screenProgram(const Catalog& catalog, const StageWriter& write);

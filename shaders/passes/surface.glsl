@@ -3,6 +3,7 @@
 #include "passes/blocks.glsl"
 #include "lib/directions.glsl"
 #include "lib/math.glsl"
+#include "passes/storable.glsl"
 
 layout(std140) uniform SceneBlock {
     vec4 sceneData[SCENE_VEC4S];
@@ -65,11 +66,6 @@ Directions directionsAt(Surface s, vec3 l, vec3 v) {
     Directions d = directions(s.n, s.t, s.b, l, v);
     d.pixel = s.pixel;
     return d;
-}
-
-// A half float ends at 65504; what is not a number is not light.
-float storable(float x) {
-    return x > 0.0 ? min(x, 65504.0) : 0.0;
 }
 
 void store(vec3 color, float alpha) {

@@ -19,7 +19,8 @@ const std::map<std::string, std::string> kindWords = {{"models", ""},
                                                        {"shadows", "Shadow"},
                                                        {"environment", "Environment"},
                                                        {"transparency", "Transparency"},
-                                                      {"refraction", "Refraction"}};
+                                                      {"refraction", "Refraction"},
+                                                      {"outline", "Outline"}};
 
 std::string pascalCase(const std::string& id) {
     std::string name;
@@ -47,7 +48,7 @@ std::vector<SourceFile> blockShaders() {
     return filesUnder(
         {"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog",
          "shaders/shadows", "shaders/environment", "shaders/transparency",
-         "shaders/refraction"},
+         "shaders/refraction", "shaders/outline"},
         {".glsl"});
 }
 

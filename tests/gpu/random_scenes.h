@@ -144,6 +144,9 @@ class RandomScenes {
             made.parts["refraction"] = block("refraction");
         }
         made.opacity = chance(0.7) ? 1.0 : between(0.0, 1.0);
+        if (chance(0.3)) {
+            made.parts["outline"] = block("outline");
+        }
         chooseAccuracy(made, *catalog_.find("models", made.model.id));
         addTextures(made);
         return made;

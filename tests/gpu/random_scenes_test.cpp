@@ -11,6 +11,7 @@
 #include "gpu_fixture.h"
 #include "random_scenes.h"
 #include "render/scene_depth.h"
+#include "shading/outline_source.h"
 #include "shading/program_source.h"
 
 namespace patina {
@@ -81,12 +82,21 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
         return view;
     }
 
-    /// Which blocks the program of a material has, as its text says.
+    static void addFiles(std::vector<std::string>& files, const Checked<ProgramSource>& source) {
+        EXPECT_TRUE(source) << (source ? "" : text(source.error()));
+        if (source) {
+            files.insert(files.end(), source->fragment.files.begin(), source->fragment.files.end());
+        }
+    }
+
+    /// Which blocks the programs of a material have, as their text says.
     std::set<std::string> blocksIn(const EffectSet& set) const {
         std::set<std::string> blocks;
-        const auto source = surfaceProgram(set, *catalog);
-        EXPECT_TRUE(source) << (source ? "" : text(source.error()));
-        const auto files = source ? source->fragment.files : std::vector<std::string>();
+        std::vector<std::string> files;
+        addFiles(files, surfaceProgram(set, *catalog));
+        if (set.outline) {
+            addFiles(files, outlineProgram(set, *catalog));
+        }
         for (const std::string& file : files) {
             const std::filesystem::path path(file);
             const std::string kind = path.parent_path().filename();
@@ -152,6 +162,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
         }
         for (Object& each : scene.objects) {
             each.material.opacity = each.material.opacity > 0.0 ? 1.0 : 0.0;
+            each.material.parts.erase("outline");
         }
         renderer->setCatalog(examining_);
         const Image image = captured(scene, number, false);

@@ -18,6 +18,8 @@ QString labelOff(BlockPath::Part part) {
         return Document::tr("Fresnel off");
     case BlockPath::Part::Refraction:
         return Document::tr("Refraction off");
+    case BlockPath::Part::Outline:
+        return Document::tr("Outline off");
     default:
         return Document::tr("Highlight off");
     }
@@ -33,6 +35,8 @@ QString labelOf(BlockPath::Part part, const Block* block) {
         return Document::tr("Fresnel %1").arg(name);
     case BlockPath::Part::Refraction:
         return Document::tr("Refraction %1").arg(name);
+    case BlockPath::Part::Outline:
+        return Document::tr("Outline %1").arg(name);
     default:
         return Document::tr("Highlight %1").arg(name);
     }

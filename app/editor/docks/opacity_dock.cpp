@@ -8,6 +8,7 @@
 #include "docks/block_chooser.h"
 #include "docks/panel.h"
 #include "docks/refraction_panel.h"
+#include "docks/slot_panel.h"
 #include "parameters/document_form.h"
 
 namespace patina {
@@ -34,6 +35,7 @@ OpacityDock::OpacityDock(const DockContext& context)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(new DocumentForm(document_, BlockPath::Part::Material));
     layout->addWidget(new RefractionPanel(document_, forms));
+    layout->addWidget(new SlotPanel(document_, BlockPath::Part::Outline, tr("Outline")));
     layout->addWidget(scene);
     layout->addStretch(1);
     fillPanel(this, {hint}, forms);

@@ -6,6 +6,7 @@
 #include "docks/block_chooser.h"
 #include "docks/panel.h"
 #include "document.h"
+#include "material/model_swap.h"
 #include "parameters/document_form.h"
 
 namespace patina {
@@ -35,7 +36,7 @@ void SlotPanel::update() {
         material ? document_.catalog().find("models", material->model.id) : nullptr;
     const BlockValues* part = material ? material->part(partKind(part_)) : nullptr;
     chooser_->show(part ? QString::fromStdString(part->id) : QString());
-    setVisible(model && model->slot(partKind(part_)));
+    setVisible(model && hasPlaceFor(*model, partKind(part_)));
 }
 
 } // namespace patina

@@ -192,6 +192,14 @@ std::string entryFunctions(const Block& block) {
                            "    return {0}(l, unpack(data));\n}}\n",
                            name);
     }
+    if (block.kind == "outline") {
+        return fmt::format("glm::dvec2 callOutline(const reference::Edge& x, Parameters data) {{\n"
+                           "    Edge e;\n    e.turns = x.turns;\n    e.ends = x.ends;\n"
+                           "    e.bend = x.bend;\n    return {0}(e, unpack(data));\n}}\n"
+                           "vec3 callLineColor(Parameters data) {{\n"
+                           "    return {0}Color(unpack(data));\n}}\n",
+                           name);
+    }
     return fmt::format(
         "double callFog(const reference::FogRay& x, Parameters data) {{\n    FogRay ray;\n"
         "    ray.eye = x.eye;\n    ray.direction = x.direction;\n    ray.range = x.range;\n"
@@ -219,6 +227,9 @@ std::string entryAssignments(const std::string& kind) {
     }
     if (kind == "transparency") {
         return "    block.transparency = &callTransparency;\n";
+    }
+    if (kind == "outline") {
+        return "    block.outline = &callOutline;\n    block.lineColor = &callLineColor;\n";
     }
     return "    block.fog = &callFog;\n    block.fogColor = &callFogColor;\n";
 }
