@@ -40,6 +40,8 @@ constexpr auto calls = std::to_array<Call>({
     {"refraction", "", "vec3", "Crossing", "c"},
     {"refraction", "Mirrored", "float", "Crossing", "c"},
     {"refraction", "Left", "vec3", "float", "way"},
+    {"outline", "", "vec2", "Edge", "e"},
+    {"outline", "Color", "vec3", "", ""},
 });
 
 /// A function that the text defines.

@@ -6,6 +6,7 @@
 #include "material/block_values.h"
 #include "material/material.h"
 #include "shading/block_use.h"
+#include "shading/outline_source.h"
 
 namespace patina {
 namespace {
@@ -84,6 +85,10 @@ Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) 
     } else if (block.kind == "refraction") {
         set.refraction = usualUse(block);
         set.opacity = true;
+    }
+    if (block.kind == "outline") {
+        set.outline = usualUse(block);
+        return outlineProgram(set, catalog);
     }
     return surfaceProgram(set, catalog);
 }

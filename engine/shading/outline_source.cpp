@@ -26,7 +26,7 @@ void addBlock(SourceBuilder& out, const OutlineLayout& layout, const BlockUse& u
     out.addFile("passes/blocks.glsl");
     readFrom(out, "objectData");
     out.add(constantsSource(block) + structSource(block));
-    out.addFile(block.shaderFile);
+    out.addBlock(block);
     out.add(unpackSource(block, {"unpackOutline", use.compiled}));
     out.add(fmt::format("#define Outline {}\n#define lineWidths {}\n#define lineColor {}Color\n",
                         structName(block), functionName(block), functionName(block)));
@@ -53,7 +53,7 @@ void addFog(SourceBuilder& out, const BlockUse& use, const BlockPlace& fog, int 
                         sceneVec4s));
     readFrom(out, "sceneData");
     out.add(constantsSource(block) + structSource(block));
-    out.addFile(block.shaderFile);
+    out.addBlock(block);
     out.add(unpackSource(block, {"unpackFog", use.compiled}));
     out.add(fmt::format("#define Fog {0}\n#define fogShare {1}\n#define fogColor {1}Color\n",
                         structName(block), functionName(block)));
