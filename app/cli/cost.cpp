@@ -10,7 +10,6 @@
 #include "assets/asset_client.h"
 #include "catalog/json_text.h"
 #include "cli/cost_plot.h"
-#include "cli/cost_table.h"
 #include "cli/environment_setup.h"
 #include "cli/picture.h"
 #include "cli/picture_options.h"
@@ -19,6 +18,7 @@
 #include "core/display_image.h"
 #include "gl/headless_context.h"
 #include "measure/cost_sweep.h"
+#include "measure/cost_table.h"
 #include "render/texture_loader.h"
 
 namespace patina {

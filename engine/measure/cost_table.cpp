@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/cost_table.h"
+#include "measure/cost_table.h"
 
 #include <algorithm>
 
