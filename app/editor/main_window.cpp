@@ -21,7 +21,7 @@ namespace patina {
 namespace {
 
 /// Goes up when docks come, go or move, so that an older layout is not forced upon them.
-constexpr int layoutVersion = 4;
+constexpr int layoutVersion = 5;
 
 constexpr QSize preferredSize{1600, 1000};
 constexpr int narrowWindow = 1400;
@@ -195,6 +195,7 @@ void MainWindow::hideBottom() {
     dock("messages")->hide();
     dock("stability")->hide();
     dock("effects")->hide();
+    dock("accuracy")->hide();
 }
 
 void MainWindow::restoreWindow() {

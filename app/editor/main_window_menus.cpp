@@ -97,6 +97,10 @@ void MainWindow::makeViewMenu() {
     connect(inspect, &QAction::toggled, views_, &CompareArea::setInspecting);
     add(menu, tr("Check &Stability"), QKeySequence("Ctrl+K"), [this] { checkStability(); });
     add(menu, tr("&Effects and Their Costs"), QKeySequence("E"), [this] { showEffects(); });
+    add(menu, tr("Acc&uracy and Its Cost"), QKeySequence("A"), [this] {
+        dock("accuracy")->show();
+        dock("accuracy")->raise(); // it may lie behind other tabs
+    });
     menu->addSeparator();
     add(menu, tr("&Frame Object"), QKeySequence("F"),
         [this] { views_->active().frameCurrentObject(); });

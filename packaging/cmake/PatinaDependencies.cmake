@@ -8,8 +8,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED COMPONENTS filesystem)
 find_package(CLI11 REQUIRED)
-find_package(Qt6 REQUIRED COMPONENTS Core DBus Gui Widgets OpenGL OpenGLWidgets)
-find_package(QCustomPlotQt6 QUIET)
+find_package(Qt6 REQUIRED COMPONENTS Core DBus Gui Widgets OpenGL OpenGLWidgets PrintSupport Svg)
 find_package(assimp REQUIRED)
 find_package(OpenImageIO REQUIRED)
 # Debian's OpenImageIO names OpenCV's headers, which its package does not bring and nobody needs.
@@ -29,6 +28,19 @@ find_package(SPIRV-Tools-opt REQUIRED)
 find_package(glslang REQUIRED)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
+
+# QCustomPlot brings CMake files on Debian only; its library has another name on each system.
+find_package(QCustomPlotQt6 QUIET)
+if(NOT TARGET QCustomPlotQt6::QCustomPlotQt6)
+    find_path(PATINA_QCUSTOMPLOT_INCLUDE qcustomplot.h REQUIRED)
+    find_library(PATINA_QCUSTOMPLOT_LIBRARY
+        NAMES QCustomPlotQt6 qcustomplot-qt6 qcustomplot REQUIRED)
+    add_library(QCustomPlotQt6::QCustomPlotQt6 UNKNOWN IMPORTED)
+    set_target_properties(QCustomPlotQt6::QCustomPlotQt6 PROPERTIES
+        IMPORTED_LOCATION ${PATINA_QCUSTOMPLOT_LIBRARY}
+        INTERFACE_INCLUDE_DIRECTORIES ${PATINA_QCUSTOMPLOT_INCLUDE}
+        INTERFACE_LINK_LIBRARIES "Qt6::Widgets;Qt6::PrintSupport")
+endif()
 
 find_path(PATINA_EXPECTED_INCLUDE tl/expected.hpp REQUIRED)
 find_path(PATINA_VALIJSON_INCLUDE valijson/validator.hpp REQUIRED)

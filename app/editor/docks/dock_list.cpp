@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "docks/accuracy_dock.h"
 #include "docks/effects_dock.h"
 #include "docks/environment_dock.h"
 #include "docks/fog_dock.h"
@@ -44,6 +45,7 @@ std::vector<DockEntry> dockList() {
         {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},
         {"stability", tr("Stability"), DockPlace::Bottom, make<StabilityDock>},
         {"effects", tr("Effects"), DockPlace::Bottom, make<EffectsDock>},
+        {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>},
     };
 }
 

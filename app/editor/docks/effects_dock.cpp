@@ -2,8 +2,6 @@
 #include "docks/effects_dock.h"
 
 #include <cmath>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include <QHeaderView>
@@ -26,6 +24,7 @@
 #include "shading/texture_choice.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
+#include "viewport/mesh_snapshot.h"
 #include "viewport/texture_library.h"
 
 namespace patina {
@@ -85,12 +84,6 @@ QString numberText(double number, int decimals) {
 QString intervalText(const MedianInterval& interval) {
     return EffectsDock::tr("With a probability of 95 % between %1 and %2 ms")
         .arg(numberText(interval.lower, 3), numberText(interval.upper, 3));
-}
-
-using MeshKey = std::tuple<std::string, bool, bool>;
-
-MeshKey keyOf(const Object& object) {
-    return {object.mesh, object.fitUnitBox, object.flipNormals};
 }
 
 } // namespace
@@ -291,18 +284,6 @@ void EffectsDock::toggle(QTreeWidgetItem* item) {
         this, [this, effect, off] { switches_.setOff(effect, off); }, Qt::QueuedConnection);
 }
 
-/// The meshes lie still in the library until it goes, and it goes after the docks.
-MeshSource EffectsDock::meshes() const {
-    std::map<MeshKey, MeshView> views;
-    for (const Object& object : measured_->scene.objects) {
-        views.try_emplace(keyOf(object), library_.view(object));
-    }
-    return [views = std::move(views)](const Object& object) {
-        const auto found = views.find(keyOf(object));
-        return found == views.end() ? MeshView() : found->second;
-    };
-}
-
 void EffectsDock::measure() {
     if (measurement_.isRunning() || document_.currentObject() < 0) {
         return;
@@ -312,7 +293,8 @@ void EffectsDock::measure() {
     measured_ = Measured{scene, document_.currentObject(), document_.sharedCatalog(), {}};
     progress_->setValue(0);
     const TextureLibrary* textures = document_.textureLibrary();
-    measurement_.start({scene, scene.camera, meshes(), rows_, measured_->catalog,
+    measurement_.start({scene, scene.camera, meshSnapshot(scene, library_), rows_,
+                        measured_->catalog,
                         textures != nullptr ? textures->snapshot() : TextureSource(),
                         environments_.image(document_.environmentPicture())});
     fill();

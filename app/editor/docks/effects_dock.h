@@ -54,7 +54,6 @@ class EffectsDock : public QWidget {
     void showState();
     QString totalText() const;
     bool isStale() const;
-    MeshSource meshes() const;
     void showOutcome(const EffectMeasurement::Outcome& outcome);
     void toggle(QTreeWidgetItem* item);
 

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/budget_row.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include "accuracy/cost_text.h"
+#include "docks/panel.h"
+
+namespace patina {
+namespace {
+
+constexpr double usualMilliseconds = 2.0;
+constexpr int usualShare = 255; ///< one of so many steps that 8 bits tell apart
+
+/// Sizes of pictures that budgets are given for.
+struct PictureSize {
+    const char* name;
+    int width;
+    int height;
+};
+constexpr PictureSize sizes[] = {
+    {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"1440p", 2560, 1440}, {"2160p", 3840, 2160}};
+constexpr int usualSize = 1;
+
+QString millisecondsText(double milliseconds) {
+    return BudgetRow::tr("%1 ms").arg(digitsText(milliseconds));
+}
+
+} // namespace
+
+BudgetRow::BudgetRow(QWidget* parent)
+    : QWidget(parent), timed_(new QCheckBox(tr("At most"), this)),
+      milliseconds_(new QDoubleSpinBox(this)), size_(new QComboBox(this)),
+      bounded_(new QCheckBox(tr("Error below"), this)), share_(new QSpinBox(this)),
+      use_(textButton(tr("Use it"), tr("Give the material what the budget buys"), this)),
+      text_(new QLabel(this)) {
+    timed_->setToolTip(tr("The most accurate way that is fast enough"));
+    milliseconds_->setRange(0.01, 10000.0);
+    milliseconds_->setDecimals(2);
+    milliseconds_->setSingleStep(0.1);
+    milliseconds_->setValue(usualMilliseconds);
+    milliseconds_->setSuffix(tr(" ms"));
+    milliseconds_->setAccessibleName(tr("Milliseconds for a picture"));
+    size_->setAccessibleName(tr("Size of the picture"));
+    for (const PictureSize& size : sizes) {
+        size_->addItem(QString::fromLatin1(size.name), size.width * size.height);
+        size_->setItemData(size_->count() - 1,
+                           tr("%1 × %2 pixels").arg(size.width).arg(size.height),
+                           Qt::ToolTipRole);
+    }
+    size_->setCurrentIndex(usualSize);
+    size_->setToolTip(tr("The picture's size, filled as the measured one is"));
+    bounded_->setToolTip(tr("The fastest way of which 99 of 100 pixels are off by no more"));
+    share_->setPrefix(QStringLiteral("1/"));
+    share_->setRange(2, 1000000);
+    share_->setValue(usualShare);
+    share_->setAccessibleName(tr("Greatest relative error, as one part of so many"));
+    text_->setObjectName("budget");
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layOut();
+    connectParts();
+    refresh();
+}
+
+void BudgetRow::layOut() {
+    auto* fields = new QHBoxLayout;
+    fields->setSpacing(4);
+    for (QWidget* field : std::initializer_list<QWidget*>{timed_, milliseconds_}) {
+        fields->addWidget(field);
+    }
+    fields->addWidget(new QLabel(tr("at"), this));
+    fields->addWidget(size_);
+    fields->addSpacing(10);
+    fields->addWidget(bounded_);
+    fields->addWidget(share_);
+    fields->addSpacing(10);
+    fields->addWidget(use_);
+    fields->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(fields);
+    layout->addWidget(text_);
+}
+
+void BudgetRow::connectParts() {
+    const auto changed = [this] {
+        refresh();
+        if (answer_) {
+            Q_EMIT answered(static_cast<int>(answer_->point));
+        }
+    };
+    connect(timed_, &QCheckBox::toggled, this, changed);
+    connect(bounded_, &QCheckBox::toggled, this, changed);
+    connect(milliseconds_, &QDoubleSpinBox::valueChanged, this, changed);
+    connect(share_, &QSpinBox::valueChanged, this, changed);
+    connect(size_, &QComboBox::currentIndexChanged, this, changed);
+    connect(use_, &QToolButton::clicked, this, [this] {
+        if (answer_) {
+            Q_EMIT wished(static_cast<int>(answer_->point));
+        }
+    });
+}
+
+void BudgetRow::setChart(const CostChart& chart, bool stale) {
+    chart_ = chart;
+    stale_ = stale;
+    refresh();
+}
+
+/// How many of the measured pictures are as large as the wanted one.
+double BudgetRow::pictures() const {
+    const double measured = double(chart_.size.x) * double(chart_.size.y);
+    return measured > 0.0 ? size_->currentData().toDouble() / measured : 1.0;
+}
+
+/// In milliseconds of the measured picture.
+CostBudget BudgetRow::budget() const {
+    CostBudget budget;
+    if (timed_->isChecked()) {
+        budget.milliseconds = milliseconds_->value() / pictures();
+    }
+    if (bounded_->isChecked()) {
+        budget.error = 1.0 / double(share_->value());
+    }
+    return budget;
+}
+
+void BudgetRow::refresh() {
+    milliseconds_->setEnabled(timed_->isChecked());
+    size_->setEnabled(timed_->isChecked());
+    share_->setEnabled(bounded_->isChecked());
+    const bool asked = timed_->isChecked() || bounded_->isChecked();
+    answer_ = asked ? bestFor(budget(), chart_.points) : std::nullopt;
+    use_->setEnabled(answer_.has_value() && !stale_);
+    text_->setVisible(asked);
+    text_->setText(answer_ ? answerText(chart_.points[answer_->point], answer_->fits)
+                           : tr("Measure first: then the budget picks a way."));
+}
+
+/// What is bought, and what is given up for it.
+QString BudgetRow::answerText(const CostPoint& point, bool fits) const {
+    const CostPoint& exact = chart_.points.front();
+    const QString time = millisecondsText(point.cost.milliseconds.median * pictures());
+    const QString exactTime = millisecondsText(exact.cost.milliseconds.median * pictures());
+    const QString name = fits ? wayName(point, chart_)
+                              : tr("Nothing fits. Nearest: %1").arg(wayName(point, chart_));
+    if (point.isExact()) {
+        return tr("%1, %2 a picture. It gives up nothing.").arg(name, time);
+    }
+    return tr("%1, %2 a picture instead of %3. It gives up: 99 of 100 pixels are off by up to %4, "
+              "and %5 of all differ on the screen.")
+        .arg(name, time, exactTime, shareText(point.error.p99), shareText(point.error.stepShare));
+}
+
+} // namespace patina

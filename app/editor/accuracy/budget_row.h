@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QWidget>
+
+#include "measure/cost_chart.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSpinBox;
+class QToolButton;
+
+namespace patina {
+
+/// What may be spent, and which point of a chart that buys: "at most 2 ms at 1080p", "error below
+/// 1/255".
+class BudgetRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit BudgetRow(QWidget* parent = nullptr);
+
+    /// Answers by these points; those that are `stale` cannot be used.
+    void setChart(const CostChart& chart, bool stale);
+
+    /// The point that fits best; nothing without a budget or a chart.
+    const std::optional<BudgetAnswer>& answer() const { return answer_; }
+
+  Q_SIGNALS:
+    void answered(int point); ///< the artist changed the budget
+    void wished(int point);   ///< the artist wants that point
+
+  private:
+    void layOut();
+    void connectParts();
+    CostBudget budget() const;
+    double pictures() const;
+    void refresh();
+    QString answerText(const CostPoint& point, bool fits) const;
+
+    CostChart chart_;
+    bool stale_ = false;
+    std::optional<BudgetAnswer> answer_;
+    QCheckBox* timed_;
+    QDoubleSpinBox* milliseconds_;
+    QComboBox* size_;
+    QCheckBox* bounded_;
+    QSpinBox* share_;
+    QToolButton* use_;
+    QLabel* text_;
+};
+
+} // namespace patina

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QWidget>
+
+#include "measure/cost_chart.h"
+
+class QCustomPlot;
+
+namespace patina {
+
+class PlotMarks;
+
+/// The points of a chart: time per pixel against error, both on log axes, with the front as a line
+/// and the material's own point in a ring. A click or Enter asks for a point, left and right go
+/// from one to the next.
+class CostPlot : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit CostPlot(QWidget* parent = nullptr);
+    ~CostPlot() override;
+
+    /// See CostList::setChart().
+    void setChart(const CostChart& chart, const ChosenLevels& current, bool stale);
+
+    int selected() const { return selected_; }
+    void select(int point);
+
+    /// Where a point is drawn, in this widget.
+    QPoint placeOf(int point) const;
+
+    /// The chart as files.
+    QByteArray png() const;
+    QByteArray svg() const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+  Q_SIGNALS:
+    void picked(int point);
+    void selectionMoved(int point); ///< by the artist, not by select()
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    void draw();
+    void hover(QPoint place, QPoint global);
+    void moveSelection(int steps);
+    int pointAt(QPoint place) const;
+
+    CostChart chart_;
+    ChosenLevels current_;
+    bool stale_ = false;
+    int selected_ = -1;
+    QCustomPlot* plot_;
+    std::unique_ptr<PlotMarks> marks_;
+};
+
+} // namespace patina

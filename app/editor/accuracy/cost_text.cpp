@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/cost_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace patina {
+namespace {
+
+constexpr int digits = 3;
+
+/// What is less than this share of the light is said to be so, not how much.
+constexpr double leastShare = 1e-7;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("CostText", text);
+}
+
+QString asText(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+/// A level that a point takes, with its choice; null where the chart does not know it.
+struct TakenLevel {
+    const Choice* choice = nullptr;
+    const ChoiceLevel* level = nullptr;
+};
+
+std::vector<TakenLevel> takenLevels(const CostPoint& point, const CostChart& chart) {
+    std::vector<TakenLevel> taken;
+    for (const Choice& choice : chart.choices) {
+        const auto found = point.levels.find(choice.id);
+        const ChoiceLevel* level =
+            found == point.levels.end() ? nullptr : choice.level(found->second);
+        if (level != nullptr) {
+            taken.push_back({&choice, level});
+        }
+    }
+    return taken;
+}
+
+} // namespace
+
+QString digitsText(double number) {
+    if (number == 0.0 || !std::isfinite(number)) {
+        return QLocale().toString(number, 'f', 0);
+    }
+    const int before = static_cast<int>(std::floor(std::log10(std::abs(number)))) + 1;
+    return QLocale().toString(number, 'f', std::clamp(digits - before, 0, 9));
+}
+
+QString shareText(double share) {
+    return share > 0.0 && share < leastShare
+               ? tr("under %1 %").arg(QLocale().toString(100.0 * leastShare, 'g', 1))
+               : tr("%1 %").arg(QLocale().toString(100.0 * share, 'g', 2));
+}
+
+QString wayName(const CostPoint& point, const CostChart& chart) {
+    QStringList names;
+    for (const TakenLevel& taken : takenLevels(point, chart)) {
+        names << asText(taken.level->label);
+    }
+    return names.isEmpty() ? tr("Exact") : names.join(QStringLiteral(" + "));
+}
+
+QString wayDescription(const CostPoint& point, const CostChart& chart) {
+    QStringList lines;
+    for (const TakenLevel& taken : takenLevels(point, chart)) {
+        lines << QStringLiteral("%1: %2. %3")
+                     .arg(asText(taken.choice->label), asText(taken.level->label),
+                          asText(taken.level->doc));
+    }
+    return lines.isEmpty() ? tr("Every choice is exact.") : lines.join('\n');
+}
+
+QString pointText(const CostPoint& point, const CostChart& chart) {
+    QStringList lines{wayName(point, chart)};
+    lines << tr("%1 ns per pixel, %2 of the exact time (%3 to %4)")
+                 .arg(digitsText(point.cost.nanosecondsPerPixel),
+                      digitsText(point.cost.ratio.median), digitsText(point.cost.ratio.lower),
+                      digitsText(point.cost.ratio.upper));
+    lines << tr("99 of 100 pixels are off by %1 or less, the worst by %2")
+                 .arg(shareText(point.error.p99), shareText(point.error.max));
+    lines << tr("%1 of the pixels differ on the screen").arg(shareText(point.error.stepShare));
+    return lines.join('\n');
+}
+
+QString methodText(const CostChart& chart) {
+    return tr("%1 × %2 pixels, %3 of them shaded; %4; errors against %5.")
+        .arg(chart.size.x)
+        .arg(chart.size.y)
+        .arg(QLocale().toString(static_cast<qulonglong>(chart.pixels)))
+        .arg(asText(chart.timer), asText(chart.right));
+}
+
+} // namespace patina

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/kept_charts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace patina {
+namespace {
+
+/// A chart is small, but the scene that it is of may be large.
+constexpr std::size_t most = 8;
+
+} // namespace
+
+Scene withoutAccuracy(Scene scene, int object) {
+    const auto index = static_cast<std::size_t>(object);
+    if (object >= 0 && index < scene.objects.size()) {
+        scene.objects[index].material.accuracy.clear();
+    }
+    return scene;
+}
+
+KeptChart& KeptCharts::keep(KeptChart chart) {
+    std::erase_if(charts_,
+                  [&chart](const KeptChart& each) { return each.subject == chart.subject; });
+    if (charts_.size() >= most) {
+        charts_.pop_front();
+    }
+    return charts_.emplace_back(std::move(chart));
+}
+
+const KeptChart* KeptCharts::find(const ChartSubject& subject) const {
+    const auto same = std::find_if(
+        charts_.rbegin(), charts_.rend(),
+        [&subject](const KeptChart& each) { return each.subject == subject; });
+    if (same != charts_.rend()) {
+        return &*same;
+    }
+    const auto near = std::find_if(
+        charts_.rbegin(), charts_.rend(), [&subject](const KeptChart& each) {
+            return each.subject.file == subject.file && each.subject.object == subject.object;
+        });
+    return near != charts_.rend() ? &*near : nullptr;
+}
+
+} // namespace patina

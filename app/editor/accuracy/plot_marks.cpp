@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/plot_marks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+
+#include "accuracy/cost_text.h"
+#include "accuracy/plot_library.h"
+
+namespace patina {
+namespace {
+
+/// Times below this have no place on a log axis; no pixel is shaded so fast.
+constexpr double leastTime = 1e-3;
+
+/// Errors below this are the rounding of floats.
+constexpr double leastError = 1e-6;
+
+constexpr double timeMargin = 1.12;
+constexpr double errorMargin = 2.5;
+constexpr double leastErrorRange = 1e3; ///< of the axis, also where nothing errs
+constexpr double decadesFrom = 8.0;     ///< a range so wide is marked at 1, 2, 5, 10, ...
+constexpr double pointSize = 7.0;
+constexpr double ringSize = 13.0;
+
+QCPGraph* makeGraph(QCustomPlot& plot, QCPGraph::LineStyle line) {
+    QCPGraph* graph = plot.addGraph();
+    graph->setLineStyle(line);
+    graph->setAdaptiveSampling(false);
+    graph->setSelectable(QCP::stNone);
+    return graph;
+}
+
+double shownTime(const CostPoint& point) {
+    return std::max(point.cost.nanosecondsPerPixel, leastTime);
+}
+
+/// Nanoseconds per pixel, as sure as the ratio to the exact time is.
+MedianInterval timeInterval(const CostPoint& point) {
+    const MedianInterval& ratio = point.cost.ratio;
+    const double time = shownTime(point);
+    const double perRatio = ratio.median > 0.0 ? time / ratio.median : 0.0;
+    return {time, std::clamp(ratio.lower * perRatio, 0.5 * leastTime, time),
+            std::max(ratio.upper * perRatio, time)};
+}
+
+/// The exact frame's own error is the rounding of floats: what errs no more is as exact.
+double floorOf(const CostChart& chart) {
+    const double exact = chart.points.empty() ? 0.0 : errorOf(chart.points.front());
+    return std::max(leastError, exact);
+}
+
+double shownError(const CostPoint& point, const CostChart& chart) {
+    return std::max(errorOf(point), floorOf(chart));
+}
+
+QPointF shownAt(const CostPoint& point, const CostChart& chart) {
+    return {shownTime(point), shownError(point, chart)};
+}
+
+QSharedPointer<QCPAxisTicker> timeTicks(double from, double to) {
+    if (to < decadesFrom * from) {
+        return QSharedPointer<QCPAxisTicker>(new QCPAxisTicker);
+    }
+    QSharedPointer<QCPAxisTickerText> ticks(new QCPAxisTickerText);
+    for (double decade = std::pow(10.0, std::floor(std::log10(from))); decade < to;
+         decade *= 10.0) {
+        for (const double step : {1.0, 2.0, 5.0}) {
+            ticks->addTick(step * decade, digitsText(step * decade));
+        }
+    }
+    return ticks;
+}
+
+/// The floor by its name, and decades above it.
+QSharedPointer<QCPAxisTicker> errorTicks(double floor, double to) {
+    QSharedPointer<QCPAxisTickerText> ticks(new QCPAxisTickerText);
+    ticks->addTick(floor, QCoreApplication::translate("PlotMarks", "exact"));
+    for (int power = static_cast<int>(std::ceil(std::log10(2.5 * floor)));
+         std::pow(10.0, power) < to; ++power) {
+        ticks->addTick(std::pow(10.0, power), shareText(std::pow(10.0, power)));
+    }
+    return ticks;
+}
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+    const auto part = [share](int x, int y) {
+        return static_cast<int>(std::lround((1.0 - share) * x + share * y));
+    };
+    return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
+}
+
+} // namespace
+
+PlotMarks::PlotMarks(QCustomPlot& plot)
+    : plot_(plot), all_(makeGraph(plot, QCPGraph::lsNone)),
+      intervals_(new QCPErrorBars(plot.xAxis, plot.yAxis)),
+      line_(makeGraph(plot, QCPGraph::lsLine)), others_(makeGraph(plot, QCPGraph::lsNone)),
+      front_(makeGraph(plot, QCPGraph::lsNone)), current_(makeGraph(plot, QCPGraph::lsNone)),
+      selected_(makeGraph(plot, QCPGraph::lsNone)) {
+    intervals_->setErrorType(QCPErrorBars::etKeyError);
+    intervals_->setDataPlottable(all_);
+    intervals_->setWhiskerWidth(5.0);
+    intervals_->setSymbolGap(pointSize);
+    intervals_->setSelectable(QCP::stNone);
+    for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
+        axis->setScaleType(QCPAxis::stLogarithmic);
+        axis->setNumberFormat(QStringLiteral("g"));
+        axis->setNumberPrecision(4);
+        axis->setSubTicks(false);
+    }
+    plot.xAxis->setLabel(QCoreApplication::translate("PlotMarks", "ns per pixel"));
+    plot.yAxis->setLabel(QCoreApplication::translate("PlotMarks", "error"));
+}
+
+void PlotMarks::draw(const Content& content, const QPalette& palette) {
+    drawPoints(content);
+    scaleAxes(content.chart);
+    colour(palette, content.stale);
+    plot_.replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotMarks::drawPoints(const Content& content) {
+    for (QCPGraph* graph : {all_, line_, others_, front_, current_, selected_}) {
+        graph->data()->clear();
+    }
+    const std::vector<CostPoint>& points = content.chart.points;
+    const std::vector<std::size_t> front = costFront(points);
+    drawLine(content.chart, front);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const QPointF place = shownAt(points[i], content.chart);
+        const bool isOnFront = std::ranges::find(front, i) != front.end();
+        (isOnFront ? front_ : others_)->addData(place.x(), place.y());
+        if (static_cast<int>(i) == content.current) {
+            current_->addData(place.x(), place.y());
+        }
+        if (static_cast<int>(i) == content.selected) {
+            selected_->addData(place.x(), place.y());
+        }
+    }
+    drawIntervals(content.chart);
+}
+
+/// Points that tie in error are on the front as well: the line goes past them.
+void PlotMarks::drawLine(const CostChart& chart, const std::vector<std::size_t>& front) {
+    double bestYet = HUGE_VAL;
+    for (const std::size_t i : front) {
+        const QPointF place = shownAt(chart.points[i], chart);
+        if (place.y() < bestYet) {
+            bestYet = place.y();
+            line_->addData(place.x(), place.y());
+        }
+    }
+}
+
+/// They belong to points in the order in which the graph keeps those.
+void PlotMarks::drawIntervals(const CostChart& chart) {
+    std::vector<CostPoint> points = chart.points;
+    std::ranges::stable_sort(
+        points, {}, [](const CostPoint& point) { return shownTime(point); });
+    QVector<double> below;
+    QVector<double> above;
+    for (const CostPoint& point : points) {
+        const QPointF place = shownAt(point, chart);
+        const MedianInterval interval = timeInterval(point);
+        all_->addData(place.x(), place.y());
+        below << place.x() - interval.lower;
+        above << interval.upper - place.x();
+    }
+    intervals_->setData(below, above);
+}
+
+void PlotMarks::scaleAxes(const CostChart& chart) {
+    const double floor = floorOf(chart);
+    double from = HUGE_VAL;
+    double to = 0.0;
+    double worst = leastErrorRange * floor;
+    for (const CostPoint& point : chart.points) {
+        const MedianInterval interval = timeInterval(point);
+        from = std::min(from, interval.lower);
+        to = std::max(to, interval.upper);
+        worst = std::max(worst, shownError(point, chart));
+    }
+    from = to > 0.0 ? from / timeMargin : 1.0;
+    to = to > 0.0 ? to * timeMargin : 100.0;
+    plot_.xAxis->setRange(from, to);
+    plot_.xAxis->setTicker(timeTicks(from, to));
+    plot_.yAxis->setRange(floor / errorMargin, worst * errorMargin);
+    plot_.yAxis->setTicker(errorTicks(floor, worst * errorMargin));
+}
+
+void PlotMarks::colour(const QPalette& palette, bool stale) {
+    const QColor base = palette.color(QPalette::Base);
+    const QColor text = palette.color(QPalette::Text);
+    const QColor faint = palette.color(QPalette::PlaceholderText);
+    const QColor accent = stale ? faint : palette.color(QPalette::Highlight).lighter(115);
+    const QColor grid = mixed(base, text, 0.12);
+    plot_.setBackground(base);
+    for (QCPAxis* axis : {plot_.xAxis, plot_.yAxis}) {
+        axis->setBasePen(mixed(base, text, 0.4));
+        axis->setTickPen(mixed(base, text, 0.4));
+        axis->setTickLabelColor(stale ? faint : mixed(base, text, 0.8));
+        axis->setLabelColor(faint);
+        axis->setTickLabelFont(plot_.font());
+        axis->setLabelFont(plot_.font());
+        axis->grid()->setPen(grid);
+        axis->grid()->setZeroLinePen(Qt::NoPen);
+    }
+    intervals_->setPen(QPen(mixed(base, text, 0.45), 1.0));
+    line_->setPen(QPen(mixed(base, accent, 0.7), 1.5));
+    others_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(faint, 1.3), QBrush(base),
+                              pointSize});
+    front_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(accent, 1.3), QBrush(accent),
+                             pointSize});
+    current_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(text, 1.5), QBrush(Qt::NoBrush),
+                               ringSize});
+    selected_->setScatterStyle({QCPScatterStyle::ssSquare, QPen(accent, 1.5),
+                                QBrush(Qt::NoBrush), ringSize + 4.0});
+}
+
+QPointF PlotMarks::placeOf(const CostPoint& point, const CostChart& chart) const {
+    const QPointF place = shownAt(point, chart);
+    return {plot_.xAxis->coordToPixel(place.x()), plot_.yAxis->coordToPixel(place.y())};
+}
+
+} // namespace patina

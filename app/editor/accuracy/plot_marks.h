@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QPalette>
+#include <QPointF>
+
+#include "measure/cost_chart.h"
+
+class QCPErrorBars;
+class QCPGraph;
+class QCustomPlot;
+
+namespace patina {
+
+/// What is drawn of a chart of costs in a plot: points, their intervals, the front, rings, axes.
+class PlotMarks {
+  public:
+    /// The plot owns what is made in it.
+    explicit PlotMarks(QCustomPlot& plot);
+
+    /// What is to be drawn, and in which colours.
+    struct Content {
+        const CostChart& chart;
+        int current = -1;  ///< in a ring of the text's colour
+        int selected = -1; ///< in a ring of the highlight
+        bool stale = false;
+    };
+    void draw(const Content& content, const QPalette& palette);
+
+    /// Where a point is drawn, in the plot.
+    QPointF placeOf(const CostPoint& point, const CostChart& chart) const;
+
+  private:
+    void drawPoints(const Content& content);
+    void drawLine(const CostChart& chart, const std::vector<std::size_t>& front);
+    void drawIntervals(const CostChart& chart);
+    void scaleAxes(const CostChart& chart);
+    void colour(const QPalette& palette, bool stale);
+
+    QCustomPlot& plot_;
+    QCPGraph* all_;      ///< carries the intervals, draws nothing itself
+    QCPErrorBars* intervals_;
+    QCPGraph* line_;     ///< of the front
+    QCPGraph* others_;
+    QCPGraph* front_;
+    QCPGraph* current_;
+    QCPGraph* selected_;
+};
+
+} // namespace patina
