@@ -147,7 +147,8 @@ std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& cat
     }
     const BlockValues* part = material.part("fresnel");
     const Block* fresnel = part == nullptr ? nullptr : catalog.find("fresnel", part->id);
-    if (fresnel != nullptr && model != nullptr && !hasFresnelSlot(*model)) {
+    const bool isUnknown = model == nullptr && !material.model.id.empty();
+    if (fresnel != nullptr && !isUnknown && (model == nullptr || !hasFresnelSlot(*model))) {
         addBlock(hash, *fresnel, part->parameters, material.accuracy);
     }
     if (model != nullptr) {

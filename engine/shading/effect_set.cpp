@@ -234,11 +234,13 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
     set.fresnelMode = hasFresnelSlot(*model) ? FresnelMode::Slot : FresnelMode::None;
 }
 
-/// A stand-in for an unknown model keeps its stripes: blending it would hide them.
+/// A stand-in for an unknown model keeps its stripes: blending it would hide them. Where the model
+/// was left out, as to see what it does, the blend stays.
 void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) {
     const BlockValues* part = material.part("fresnel");
-    const bool isKnown = catalog.find("models", material.model.id) != nullptr;
-    if (part == nullptr || !isKnown || set.fresnelMode == FresnelMode::Slot) {
+    const std::string& model = material.model.id;
+    const bool isUnknown = !model.empty() && catalog.find("models", model) == nullptr;
+    if (part == nullptr || isUnknown || set.fresnelMode == FresnelMode::Slot) {
         return;
     }
     if (const Block* block = catalog.find("fresnel", part->id)) {

@@ -43,7 +43,9 @@ TEST_F(BlockTrial, ShippedBlocks_AreInTheirProgramsAndCompile) {
         const auto source = trialProgram(block, *catalog);
         ASSERT_TRUE(source) << text(source.error());
         const std::string call = functionName(block) + "(";
-        EXPECT_NE(source->fragment.text.find(call), std::string::npos) << block.id;
+        const std::string all = source->vertex.text + source->fragment.text +
+                                (source->geometry ? source->geometry->text : std::string());
+        EXPECT_NE(all.find(call), std::string::npos) << block.id;
         EXPECT_EQ(text(mistakesIn(block, *catalog)), "") << block.id;
     }
 }

@@ -122,7 +122,7 @@ TEST_F(ProgramSourceTest, EmptySlot_NoLobeInTheSource) {
     Material matte = material("lambert");
     EXPECT_EQ(lower(fragment(matte, scene)).find("lobe"), std::string::npos);
     matte.parts["specular"] = block("specular", "phong");
-    EXPECT_NE(lower(fragment(matte, scene)).find("phonglobe"), std::string::npos);
+    EXPECT_NE(lower(fragment(matte, scene)).find("powerlobe"), std::string::npos);
 }
 
 TEST_F(ProgramSourceTest, Emission_IsAddedOnceForAllLights) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QPainter>
 #include <QScrollBar>
@@ -59,7 +60,12 @@ QIcon markOf(bool onFront, bool isCurrent, const QPalette& palette) {
     return QIcon(pixmap);
 }
 
+/// A busy machine may leave an interval that says nothing.
 QString ratioText(const MedianInterval& ratio) {
+    if (ratio.upper - ratio.lower > 2.0 * ratio.median) {
+        return QCoreApplication::translate("CostList", "%1, not settled")
+            .arg(digitsText(ratio.median));
+    }
     return QStringLiteral("%1 ± %2").arg(digitsText(ratio.median),
                                          digitsText(0.5 * (ratio.upper - ratio.lower)));
 }

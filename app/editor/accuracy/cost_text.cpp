@@ -54,9 +54,12 @@ QString digitsText(double number) {
 }
 
 QString shareText(double share) {
-    return share > 0.0 && share < leastShare
-               ? tr("under %1 %").arg(QLocale().toString(100.0 * leastShare, 'g', 1))
-               : tr("%1 %").arg(QLocale().toString(100.0 * share, 'g', 2));
+    if (share > 0.0 && share < leastShare) {
+        return tr("under %1 %").arg(QLocale().toString(100.0 * leastShare, 'g', 1));
+    }
+    const bool isWhole = share >= 0.0995; // two digits would be written with an exponent
+    return tr("%1 %").arg(isWhole ? QLocale().toString(100.0 * share, 'f', 0)
+                                  : QLocale().toString(100.0 * share, 'g', 2));
 }
 
 QString wayName(const CostPoint& point, const CostChart& chart) {

@@ -22,6 +22,8 @@ constexpr double timeMargin = 1.12;
 constexpr double errorMargin = 2.5;
 constexpr double leastErrorRange = 1e3; ///< of the axis, also where nothing errs
 constexpr double decadesFrom = 8.0;     ///< a range so wide is marked at 1, 2, 5, 10, ...
+constexpr double plainFrom = 200.0;     ///< and one so wide at 1, 10, 100, ...
+constexpr double longestBar = 2.0;      ///< times a point's time; what is longer runs off the chart
 constexpr double pointSize = 7.0;
 constexpr double ringSize = 13.0;
 
@@ -68,7 +70,9 @@ QSharedPointer<QCPAxisTicker> timeTicks(double from, double to) {
     for (double decade = std::pow(10.0, std::floor(std::log10(from))); decade < to;
          decade *= 10.0) {
         for (const double step : {1.0, 2.0, 5.0}) {
-            ticks->addTick(step * decade, digitsText(step * decade));
+            if (step == 1.0 || to < plainFrom * from) {
+                ticks->addTick(step * decade, digitsText(step * decade));
+            }
         }
     }
     return ticks;
@@ -179,8 +183,9 @@ void PlotMarks::scaleAxes(const CostChart& chart) {
     double worst = leastErrorRange * floor;
     for (const CostPoint& point : chart.points) {
         const MedianInterval interval = timeInterval(point);
-        from = std::min(from, interval.lower);
-        to = std::max(to, interval.upper);
+        const double time = shownTime(point);
+        from = std::min(from, std::max(interval.lower, time / longestBar));
+        to = std::max(to, std::min(interval.upper, time * longestBar));
         worst = std::max(worst, shownError(point, chart));
     }
     from = to > 0.0 ? from / timeMargin : 1.0;
