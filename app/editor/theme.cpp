@@ -130,9 +130,9 @@ void Theme::setDesktopScheme(unsigned scheme) {
     if (scheme == schemeUnset) {
         return;
     }
-    const bool dark = scheme == schemeDark;
-    if (dark != systemIsDark_) {
-        systemIsDark_ = dark;
+    const bool wantsDark = scheme == schemeDark;
+    if (wantsDark != systemIsDark_) {
+        systemIsDark_ = wantsDark;
         apply();
     }
 }

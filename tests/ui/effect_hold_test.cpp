@@ -185,7 +185,7 @@ TEST_F(Foresight, RowOfTheExposure_Asks) {
 
 /// A model is made ready before it is clicked, so that the swap itself compiles nothing.
 TEST_F(Foresight, PointerThatRestsOnAModel_HasItsProgramsMade) {
-    auto* grid = window().dock("model")->findChild<PictureGrid*>();
+    auto* grid = window().dock("models")->findChild<PictureGrid*>();
     const std::string current = document().material(Side::A)->model.id;
     const bool isFirst = grid->keyOf(grid->item(0)).toStdString() == current;
     QListWidgetItem* other = grid->item(isFirst ? 1 : 0);
