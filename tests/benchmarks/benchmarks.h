@@ -13,5 +13,8 @@ bool meshLoading();
 bool modelCost();
 bool accuracyCost();
 bool manyObjects();
+bool assembly();
+bool switches();
+bool offEffects();
 
 } // namespace patina::benchmarks

@@ -28,7 +28,10 @@ int main(int count, char** arguments) {
                                         {"mesh-loading", patina::benchmarks::meshLoading},
                                         {"model-cost", patina::benchmarks::modelCost},
                                         {"accuracy-cost", patina::benchmarks::accuracyCost},
-                                        {"many-objects", patina::benchmarks::manyObjects}};
+                                        {"many-objects", patina::benchmarks::manyObjects},
+                                        {"assembly", patina::benchmarks::assembly},
+                                        {"switches", patina::benchmarks::switches},
+                                        {"off-effects", patina::benchmarks::offEffects}};
     const std::vector<std::string_view> wanted(arguments + 1, arguments + count);
     bool kept = true;
     for (const Entry& entry : entries) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model_program.h"
 
-#include <ctime>
 #include <string>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include "gl/driver.h"
+#include "cpu_clock.h"
 #include "gl/vertex_array.h"
 #include "measure/eval_case.h"
 #include "measure/eval_source.h"
@@ -126,14 +125,6 @@ Checked<gl::Program> linked(const Catalog& catalog, const SourceBuilder& fragmen
     return std::move(*program);
 }
 
-/// On a device that is the CPU, the time that all our threads worked: what else runs on the machine
-/// hardly changes it. A clock on the wall otherwise.
-double secondsNow(bool isSoftware) {
-    timespec now{};
-    clock_gettime(isSoftware ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
-    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
 } // namespace
 
 Checked<ModelProgram> ModelProgram::link(const Catalog& catalog, const ModelChoice& choice,
@@ -168,15 +159,14 @@ Checked<ModelProgram> ModelProgram::linkEmpty(const Catalog& catalog) {
 }
 
 double ModelProgram::secondsPerPixel(int frames) const {
-    static const bool isSoftware = gl::isSoftware();
     program_.use();
     glFinish();
-    const double began = secondsNow(isSoftware);
+    const double began = workSeconds();
     for (int i = 0; i < frames; ++i) {
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
     glFinish();
-    return (secondsNow(isSoftware) - began) / (double(frames) * targetSize * targetSize);
+    return (workSeconds() - began) / (double(frames) * targetSize * targetSize);
 }
 
 } // namespace patina::benchmarks

@@ -73,6 +73,19 @@ class Stage {
         return wallSeconds() - began;
     }
 
+    /// A renderer in the same context.
+    static std::unique_ptr<Renderer> rendererOf(std::shared_ptr<const Catalog> catalog) {
+        std::unique_ptr<Renderer> made = Renderer::create({}).value();
+        made->setCatalog(std::move(catalog));
+        return made;
+    }
+
+    const FrameReport& drawWith(Renderer& renderer) {
+        return renderer.draw(
+            scene, view, [this](const Object& object) { return meshes.at(object.mesh).view(); },
+            target_.name());
+    }
+
     Scene scene;
     View view;
     std::map<std::string, Mesh> meshes; ///< by what an object calls them

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "ball_stage.h"
+#include "catalog/catalog.h"
+#include "render/pipeline_store.h"
+#include "render/uniform_buffer.h"
+
+namespace patina::benchmarks {
+
+/// The program that the engine puts together for the first object of a scene, with its data.
+class AssembledProgram {
+  public:
+    AssembledProgram(const std::shared_ptr<const Catalog>& catalog, const Scene& scene,
+                     const BallStage& stage);
+
+    void use();
+
+    const Pipeline& pipeline() const { return *pipeline_; }
+
+  private:
+    std::shared_ptr<const Pipeline> pipeline_;
+    UniformBuffer view_;
+    UniformBuffer scene_;
+    UniformBuffer object_;
+};
+
+} // namespace patina::benchmarks

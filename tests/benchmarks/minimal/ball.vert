@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#version 410 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+
+uniform mat4 worldToClip;
+
+out vec3 worldPosition;
+out vec3 worldNormal;
+
+void main() {
+    worldPosition = position;
+    worldNormal = normal;
+    gl_Position = worldToClip * vec4(position, 1.0);
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One directional light and the glow of the surface itself.
+uniform vec3 light0Direction;
+uniform vec3 light0Color;
+uniform float light0Intensity;
+uniform vec3 emissiveColor;
+
+void main() {
+    vec3 v = normalize(eye - worldPosition);
+    vec3 n = seenNormal(v);
+    color = vec4(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
+        + emissiveColor, 1.0);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One directional light in fog.
+uniform vec3 light0Direction;
+uniform vec3 light0Color;
+uniform float light0Intensity;
+uniform vec3 fogColor;
+uniform float fogDensity;
+
+void main() {
+    vec3 way = eye - worldPosition;
+    float range = length(way);
+    vec3 v = way / range;
+    vec3 n = seenNormal(v);
+    vec3 shaded = light0Color * light0Intensity * lit(n, v, -normalize(light0Direction));
+    color = vec4(mix(fogColor, shaded, exp(-fogDensity * range)), 1.0);
+}

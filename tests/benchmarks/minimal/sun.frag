@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One directional light.
+uniform vec3 light0Direction;
+uniform vec3 light0Color;
+uniform float light0Intensity;
+
+void main() {
+    vec3 v = normalize(eye - worldPosition);
+    vec3 n = seenNormal(v);
+    color = vec4(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction)), 1.0);
+}

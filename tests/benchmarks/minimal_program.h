@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ball_stage.h"
+#include "catalog/catalog.h"
+#include "gl/program.h"
+
+namespace patina::benchmarks {
+
+/// A program of the files in minimal/, written by hand for one model and one surrounding: a main()
+/// with its lights one after the other, and a uniform for each value by its name. Of the engine it
+/// has only functions of shaders/lib.
+class MinimalProgram {
+  public:
+    /// "phong" and "studio" of minimal/phong.glsl and minimal/studio.frag.
+    MinimalProgram(const Catalog& catalog, const std::string& model,
+                   const std::string& surrounding, const Scene& scene, const BallStage& stage);
+
+    void use() const { program_->use(); }
+
+  private:
+    void setUniforms(const Catalog& catalog, const Scene& scene, const BallStage& stage);
+
+    std::optional<gl::Program> program_;
+    std::string name_;
+};
+
+} // namespace patina::benchmarks

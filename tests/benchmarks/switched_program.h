@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ball_stage.h"
+#include "catalog/catalog.h"
+#include "gl/program.h"
+#include "render/uniform_buffer.h"
+#include "shading/source_builder.h"
+
+namespace patina::benchmarks {
+
+/// A program that can draw everything and is told by uniforms what to draw: made from the same
+/// blocks as the engine's, with a number for the kind in place of what is left out there. It has
+/// the given models, every light, Fresnel term, highlight and fog, ambient light and opacity; it
+/// has no images, no shadows and no environment.
+class SwitchedProgram {
+  public:
+    /// For the first object of the scene, whose model is among these.
+    SwitchedProgram(const Catalog& catalog, const std::vector<const Block*>& models,
+                    const Scene& scene, const BallStage& stage);
+
+    void use();
+
+  private:
+    std::optional<gl::Program> program_;
+    UniformBuffer view_;
+    UniformBuffer scene_;
+    UniformBuffer object_;
+};
+
+} // namespace patina::benchmarks
