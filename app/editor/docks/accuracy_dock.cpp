@@ -20,6 +20,7 @@
 #include "accuracy/cost_text.h"
 #include "catalog/json_text.h"
 #include "docks/panel.h"
+#include "docks/settling.h"
 #include "document.h"
 #include "measure/cost_table.h"
 #include "message_log.h"
@@ -129,17 +130,8 @@ void AccuracyDock::connectParts() {
     });
     connect(&measurement_, &CostMeasurement::finished, this, &AccuracyDock::take);
     connect(&settle_, &QTimer::timeout, this, &AccuracyDock::follow);
-    const auto later = [this] {
-        if (!settle_.isActive()) {
-            settle_.start();
-        }
-    };
-    connect(&document_, &Document::changed, this, later);
-    connect(&document_, &Document::currentChanged, this, later);
-    connect(&document_, &Document::cameraChanged, this, later);
-    connect(&document_, &Document::catalogChanged, this, later);
-    connect(&document_, &Document::fileChanged, this, later);
-    connect(&library_, &MeshLibrary::loaded, this, later);
+    startWhenChanged(settle_, document_, library_);
+    connect(&document_, &Document::fileChanged, &settle_, qOverload<>(&QTimer::start));
 }
 
 void AccuracyDock::showEvent(QShowEvent* event) {

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "docks/panel.h"
+#include "docks/settling.h"
 #include "document.h"
 #include "effect_switches.h"
 #include "render/scene_depth.h"
@@ -146,16 +147,7 @@ void EffectsDock::connectParts() {
     });
     connect(&measurement_, &EffectMeasurement::finished, this, &EffectsDock::showOutcome);
     connect(&settle_, &QTimer::timeout, this, &EffectsDock::updateRows);
-    const auto later = [this] {
-        if (!settle_.isActive()) {
-            settle_.start();
-        }
-    };
-    connect(&document_, &Document::changed, this, later);
-    connect(&document_, &Document::currentChanged, this, later);
-    connect(&document_, &Document::cameraChanged, this, later);
-    connect(&document_, &Document::catalogChanged, this, later);
-    connect(&library_, &MeshLibrary::loaded, this, later);
+    startWhenChanged(settle_, document_, library_);
     connect(&switches_, &EffectSwitches::changed, this, &EffectsDock::updateRows);
 }
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/settling.h"
+
+#include <QTimer>
+
+#include "document.h"
+#include "viewport/mesh_library.h"
+
+namespace patina {
+
+void startWhenChanged(QTimer& settle, const Document& document, const MeshLibrary& meshes) {
+    const auto later = [&settle] {
+        if (!settle.isActive()) {
+            settle.start();
+        }
+    };
+    QObject::connect(&document, &Document::changed, &settle, later);
+    QObject::connect(&document, &Document::currentChanged, &settle, later);
+    QObject::connect(&document, &Document::cameraChanged, &settle, later);
+    QObject::connect(&document, &Document::catalogChanged, &settle, later);
+    QObject::connect(&meshes, &MeshLibrary::loaded, &settle, later);
+}
+
+} // namespace patina
