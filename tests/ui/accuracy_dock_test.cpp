@@ -40,10 +40,10 @@ constexpr const char* shader = R"(// SPDX-License-Identifier: MIT-0
 #include "lib/directions.glsl"
 
 vec3 burning(Directions d, Burning p) {
-    int count = 1200;
+    int count = 160;
     float value = 0.5;
     if (p.work == BURNING_WORK_NEAR) {
-        count = 30;
+        count = 16;
         value = 0.5005;
     }
     if (p.work == BURNING_WORK_FAR) {
