@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
+
+#include "io/polygon_cutter.h"
 
 namespace patina {
 namespace {
@@ -19,6 +22,8 @@ namespace {
 constexpr int maxNodeDepth = 512;
 /// Instancing can make gigabytes of a few bytes; 2^27 vertices are 1.5 GB of positions.
 constexpr std::size_t maxVertices = std::size_t(1) << 27;
+/// Polygons come as they are in the file: what Assimp makes of concave ones covers their notches.
+constexpr unsigned int noSteps = 0;
 
 class Reporter final : public Assimp::ProgressHandler {
   public:
@@ -69,16 +74,20 @@ void appendTangents(RawMesh& mesh, std::size_t first, const aiMesh& part) {
 
 void appendFaces(RawMesh& mesh, std::size_t first, const aiMesh& part) {
     mesh.indices.reserve(mesh.indices.size() + 3 * std::size_t(part.mNumFaces));
+    PolygonCutter cutter(mesh);
+    std::vector<std::uint32_t> corners;
     for (unsigned int i = 0; i < part.mNumFaces; ++i) {
-        const aiFace& face = part.mFaces[i];
+        const std::span face(part.mFaces[i].mIndices, part.mFaces[i].mNumIndices);
         const auto inside = [&](unsigned int index) { return index < part.mNumVertices; };
-        if (face.mNumIndices != 3 || !std::all_of(face.mIndices, face.mIndices + 3, inside)) {
+        if (face.size() < 3 || !std::ranges::all_of(face, inside)) {
             ++mesh.pointsAndLines;
             continue;
         }
-        for (int corner = 0; corner < 3; ++corner) {
-            mesh.indices.push_back(static_cast<std::uint32_t>(first + face.mIndices[corner]));
+        corners.clear();
+        for (const unsigned int index : face) {
+            corners.push_back(static_cast<std::uint32_t>(first + index));
         }
+        cutter.cut(corners);
     }
 }
 
@@ -168,7 +177,7 @@ Result<RawMesh> meshFrom(const std::filesystem::path& file, const ReportProgress
 
 Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportProgress& report) {
     return meshFrom(file, report, [&](Assimp::Importer& importer) {
-        return importer.ReadFile(file.string(), aiProcess_Triangulate);
+        return importer.ReadFile(file.string(), noSteps);
     });
 }
 
@@ -176,8 +185,7 @@ Result<RawMesh> readWithAssimp(const std::filesystem::path& file, std::string_vi
                                const ReportProgress& report) {
     return meshFrom(file, report, [&](Assimp::Importer& importer) {
         const std::string format = file.extension().string().substr(1);
-        return importer.ReadFileFromMemory(text.data(), text.size(), aiProcess_Triangulate,
-                                           format.c_str());
+        return importer.ReadFileFromMemory(text.data(), text.size(), noSteps, format.c_str());
     });
 }
 

@@ -28,6 +28,7 @@ find_package(SPIRV-Tools-opt REQUIRED)
 find_package(glslang REQUIRED)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
+pkg_check_modules(glu REQUIRED IMPORTED_TARGET glu)
 
 # QCustomPlot brings CMake files on Debian only; its library has another name on each system.
 find_package(QCustomPlotQt6 QUIET)
