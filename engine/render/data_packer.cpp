@@ -55,29 +55,48 @@ void packHemisphere(std::span<glm::vec4> out, const Hemisphere& hemisphere) {
     out[2] = glm::vec4(isDirection ? hemisphere.up / length : glm::dvec3(0.0, 1.0, 0.0), 0.0);
 }
 
+/// The lights of a group, and its header: how many there are, and where. A group that stands in the
+/// text line by line has all its lights; one that does not arrive is dark.
+void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
+               std::size_t index, const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
+    const bool shadows = hasShadows(packing.effects, *pipeline.catalog);
+    const LightPlace& group = pipeline.scene.groups[index];
+    const LightGroup& effect = pipeline.effects.scene.lights[index];
+    const auto size = static_cast<std::size_t>(group.vec4s());
+    const std::size_t start = packed.vec4s;
+    int count = 0;
+    for (std::size_t i = 0; i < packing.scene.lights.size(); ++i) {
+        if ((effect.lines == 0 && !packing.has(i)) ||
+            EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog, shadows) !=
+                effect.key) {
+            continue;
+        }
+        if (packed.vec4s + size > out.size()) {
+            ++packed.lostLights;
+            continue;
+        }
+        const std::span<glm::vec4> place = out.subspan(packed.vec4s, size);
+        if (packing.has(i)) {
+            packLight(place, group, packing, i, cameraToWorld);
+        } else {
+            std::ranges::fill(place, glm::vec4(0.0f));
+        }
+        packed.vec4s += size;
+        ++count;
+    }
+    out[static_cast<std::size_t>(group.light.first)] = glm::vec4(count, start, 0.0f, 0.0f);
+}
+
+/// Lines come first: the program reads them without asking how many there are.
 void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
                 const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
-    const bool shadows = hasShadows(packing.effects, *pipeline.catalog);
-    for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
-        const LightPlace& group = pipeline.scene.groups[g];
-        const auto size = static_cast<std::size_t>(group.vec4s());
-        const std::size_t start = packed.vec4s;
-        int count = 0;
-        for (std::size_t i = 0; i < packing.scene.lights.size(); ++i) {
-            if (!packing.has(i) ||
-                EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog, shadows) !=
-                    pipeline.effects.scene.lights[g].key) {
-                continue;
+    const std::vector<LightGroup>& groups = pipeline.effects.scene.lights;
+    for (const bool inLines : {true, false}) {
+        for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
+            if ((groups[g].lines > 0) == inLines) {
+                packGroup(packed, out, pipeline, g, packing, cameraToWorld);
             }
-            if (packed.vec4s + size > out.size()) {
-                ++packed.lostLights;
-                continue;
-            }
-            packLight(out.subspan(packed.vec4s, size), group, packing, i, cameraToWorld);
-            packed.vec4s += size;
-            ++count;
         }
-        out[static_cast<std::size_t>(group.light.first)] = glm::vec4(count, start, 0.0f, 0.0f);
     }
 }
 

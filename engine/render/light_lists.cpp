@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
-#include "shading/effect_choice.h"
 
 namespace patina {
 namespace {
@@ -16,15 +14,6 @@ constexpr std::size_t wordBits = 64;
 
 /// Directions and distances are rounded in the shader: a light that just misses counts as a hit.
 constexpr double margin = 1e-4;
-
-/// A value that a descriptor's reach names; `none` where it names nothing.
-template <class T>
-T valueOf(const Block& block, const Values& values, const std::string& id, T none) {
-    const Parameter* parameter = id.empty() ? nullptr : block.parameter(id);
-    const T* held =
-        parameter == nullptr ? nullptr : std::get_if<T>(&givenValue(*parameter, values));
-    return held != nullptr && isFinite(Value(*held)) ? *held : none;
-}
 
 } // namespace
 
@@ -50,7 +39,7 @@ void LightLists::begin(const Scene& scene, const Catalog& catalog) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
         const Block* block = catalog.find("lights", light.block.id);
-        if (block != nullptr && block->reach) {
+        if (block != nullptr) {
             add(i, light, *block);
         }
     }
@@ -59,25 +48,15 @@ void LightLists::begin(const Scene& scene, const Catalog& catalog) {
 }
 
 void LightLists::add(std::size_t index, const Light& light, const Block& block) {
-    const Reach& reach = *block.reach;
-    const Values& values = light.block.parameters;
-    Bounded bounded;
-    bounded.light = index;
-    bounded.from = valueOf(block, values, reach.from, glm::dvec3(0.0));
-    bounded.range = std::max(valueOf(block, values, reach.range, 0.0), 0.0);
-    const glm::dvec3 axis = valueOf(block, values, reach.axis, glm::dvec3(0.0));
-    if (glm::length(axis) > 0.0) {
-        bounded.axis = glm::normalize(axis);
-        bounded.angle = glm::radians(std::max(valueOf(block, values, reach.angle, 0.0), 0.0));
-    }
-    if (bounded.range > 0.0 || bounded.angle > 0.0) {
-        bounded_.push_back(bounded);
+    const LightReach reach = reachOf(light, block);
+    if (!reach.isEverywhere()) {
+        bounded_.push_back({index, reach});
         places_[index] = bounded_.size();
     }
 }
 
 /// In the cone is what is seen from its tip under no more than its angle and half the ball's own.
-bool LightLists::reaches(const Bounded& light, const Ball& ball) {
+bool LightLists::reaches(const LightReach& light, const Ball& ball) {
     const glm::dvec3 way = ball.center - light.from;
     const double distance = glm::length(way);
     if (!(distance > ball.radius)) {
@@ -100,7 +79,7 @@ std::size_t LightLists::listFor(const Ball& ball) {
     const std::size_t made = bits_.size();
     bits_.resize(made + words_, ~std::uint64_t(0));
     for (std::size_t i = 0; i < bounded_.size(); ++i) {
-        if (!reaches(bounded_[i], ball)) {
+        if (!reaches(bounded_[i].reach, ball)) {
             bits_[made + i / wordBits] &= ~(std::uint64_t(1) << (i % wordBits));
         }
     }

@@ -10,6 +10,7 @@
 #include "core/mesh.h"
 #include "render/ground_place.h"
 #include "scene/scene.h"
+#include "shading/light_reach.h"
 
 namespace patina {
 
@@ -45,14 +46,11 @@ class LightLists {
     /// A light that does not reach everything.
     struct Bounded {
         std::size_t light = 0;
-        glm::dvec3 from{0.0};
-        double range = 0.0; ///< 0: without end
-        glm::dvec3 axis{0.0};
-        double angle = 0.0; ///< radians between the axis and the side; 0: no cone
+        LightReach reach;
     };
 
     void add(std::size_t index, const Light& light, const Block& block);
-    static bool reaches(const Bounded& light, const Ball& ball);
+    static bool reaches(const LightReach& light, const Ball& ball);
 
     std::vector<Bounded> bounded_;
     std::vector<std::size_t> places_; ///< by light: its place in bounded_ + 1, or 0

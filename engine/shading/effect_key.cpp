@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "shading/effect_choice.h"
+#include "shading/light_reach.h"
 #include "shading/refraction_choice.h"
 #include "shading/texture_choice.h"
 
@@ -112,16 +113,17 @@ std::uint64_t EffectKey::ofEnvironment(const Scene& scene, const Catalog& catalo
 
 std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
                                  const EffectView& view) {
-    groups_.clear();
+    lines_.clear();
     const bool shadows = hasShadows(scene, catalog);
     for (const Light& light : scene.lights) {
-        groups_.push_back(ofLight(light, catalog, shadows));
+        const Block* block = catalog.find("lights", light.block.id);
+        lines_.add(ofLight(light, catalog, shadows),
+                   block != nullptr && reachOf(light, *block).isEverywhere());
     }
-    std::sort(groups_.begin(), groups_.end());
-    groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
     Hash hash;
-    for (const std::uint64_t group : groups_) {
-        hash.add(group == 0 ? 1 : group);
+    for (const LightLines::Group& group : lines_.groups()) {
+        hash.add(group.key);
+        hash.add(static_cast<std::uint64_t>(lines_.of(group)));
     }
     const Block* fog = scene.fog ? catalog.find("fog", scene.fog->id) : nullptr;
     if (fog != nullptr && canHide(scene, *fog, view)) {

@@ -8,6 +8,7 @@
 #include "material/material.h"
 #include "scene/scene.h"
 #include "shading/effect_view.h"
+#include "shading/light_lines.h"
 
 namespace patina {
 
@@ -15,7 +16,7 @@ namespace patina {
 /// frame whether the programs of the last one still fit.
 class EffectKey {
   public:
-    /// Of sceneEffects(scene, catalog, view), without the counts of lights.
+    /// Of sceneEffects(scene, catalog, view), without the counts of lights that loops go through.
     std::uint64_t ofScene(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
     /// Of what effectSet() adds for the material.
@@ -32,7 +33,7 @@ class EffectKey {
     static std::uint64_t ofLight(const Light& light, const Catalog& catalog, bool hasShadows);
 
   private:
-    std::vector<std::uint64_t> groups_; ///< kept for its memory
+    LightLines lines_; ///< kept for its memory
 };
 
 } // namespace patina

@@ -32,12 +32,14 @@ struct BlockUse {
     friend bool operator==(const BlockUse&, const BlockUse&) = default;
 };
 
-/// All lights of one kind with the same compiled values: one loop in the program.
+/// All lights of one kind with the same compiled values: one loop in the program, or a line for
+/// each.
 struct LightGroup {
     BlockUse block;
     std::optional<BlockUse> shadow; ///< how their shadows are drawn; nothing: there are none
     ShadowProjection projection = ShadowProjection::None; ///< of the shadows
-    int count = 0; ///< lights in it now; data, not text: another light compiles nothing
+    int count = 0; ///< lights in it now
+    int lines = 0; ///< lights that stand in the program's text; 0: a loop, whose length is data
     std::uint64_t key = 0; ///< EffectKey::ofLight of each of its lights
     std::vector<std::string> names{}; ///< of its lights, in the scene's order
 

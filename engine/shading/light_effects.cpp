@@ -9,6 +9,8 @@
 #include "shading/block_use.h"
 #include "shading/effect_choice.h"
 #include "shading/effect_key.h"
+#include "shading/light_lines.h"
+#include "shading/light_reach.h"
 
 namespace patina {
 namespace {
@@ -131,6 +133,7 @@ std::string lightName(const Scene& scene, std::size_t index) {
 
 void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     const std::string whyNone = whyNoShadows(scene, catalog);
+    LightLines lines;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
         const Block* block = catalog.find("lights", light.block.id);
@@ -140,6 +143,7 @@ void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog
         }
         LightGroup group = groupOf(*block, light, catalog, whyNone.empty());
         group.names.push_back(lightName(scene, i));
+        lines.add(group.key, reachOf(light, *block).isEverywhere());
         addGroup(effects, std::move(group));
         if (std::string why = whyNoShadow(light, *block, catalog, whyNone); !why.empty()) {
             effects.leftOut.push_back({"shadows of " + lightName(scene, i), std::move(why)});
@@ -147,6 +151,7 @@ void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog
     }
     std::sort(effects.lights.begin(), effects.lights.end(), groupBefore);
     for (LightGroup& group : effects.lights) {
+        group.lines = lines.of(group.key);
         if (group.shadow) {
             group.shadow->reason = casterText(scene);
         }

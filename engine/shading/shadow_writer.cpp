@@ -77,7 +77,8 @@ void SurfaceWriter::writeShadow(std::size_t index) {
 /// A surface without a model: how much light arrives, and how much was sent.
 void SurfaceWriter::writeGround() {
     const bool isPlane = set_.ground == GroundMode::Plane;
-    out_.add(fmt::format("#define GROUND {}\n#define IS_DARK(d) ((d).nl <= 0.0)\n",
+    out_.add(fmt::format("#define GROUND {}\n#define IS_DARK(d) ((d).nl <= 0.0)\n"
+                         "#define CUT_AT_ZERO(color) (color)\n",
                          *object_.ground));
     out_.addFile("passes/ground.glsl");
     out_.addFile(isPlane ? "passes/ground_plane.glsl" : "passes/ground_shadows.glsl");

@@ -11,15 +11,16 @@
 namespace patina {
 namespace {
 
-/// The body of the loop over lights: {0} is a light's Illumination, {1} what shadows leave of it.
-constexpr const char* litSource = "        sum += lit(s, {0}, p);\n";
-constexpr const char* shadowedLitSource = "        Illumination light = {0};\n"
+/// What a light adds: {0} is its Illumination, {1} what shadows leave of it, {2} the function that
+/// asks the model.
+constexpr const char* litSource = "    sum += {2}(s, {0}, p);\n";
+constexpr const char* shadowedLitSource = "    Illumination light = {0};\n"
                                           "{1}"
-                                          "        sum += lit(s, light, p);\n";
-constexpr const char* inspectedLitSource = "        Illumination light = inspectedLight({0});\n"
+                                          "    sum += {2}(s, light, p);\n";
+constexpr const char* inspectedLitSource = "    Illumination light = inspectedLight({0});\n"
                                            "{1}"
-                                           "        sum += lit(s, light, p);\n"
-                                           "        noteLight(s, light);\n";
+                                           "    sum += {2}(s, light, p);\n"
+                                           "    noteLight(s, light);\n";
 
 bool hasGate(const Block& model, std::string_view gate) {
     return std::find(model.gates.begin(), model.gates.end(), gate) != model.gates.end();
@@ -35,6 +36,13 @@ std::string gateSource(const Block& model) {
         condition += condition.empty() ? "(d).nv <= 0.0" : " || (d).nv <= 0.0";
     }
     return condition.empty() ? "false" : condition;
+}
+
+/// What keeps a model's value from being negative: nothing, where it says that it never is. (What
+/// is stored is cut anyway.)
+const char* cutSource(const Block& model) {
+    const bool isKept = std::ranges::find(model.claims, "non_negative") != model.claims.end();
+    return isKept ? "(color)" : "max(color, vec3(0.0))";
 }
 
 } // namespace
@@ -156,9 +164,10 @@ void SurfaceWriter::writeModel() {
     const Block& model = *object_.model->block;
     writeBlock(model);
     out_.add(unpackSource(model, {"unpackModel", set_.model->compiled, filled_}));
-    out_.add(fmt::format("#define Model {}\n#define {} {}\n#define IS_DARK(d) ({})\n",
+    out_.add(fmt::format("#define Model {}\n#define {} {}\n#define IS_DARK(d) ({})\n"
+                         "#define CUT_AT_ZERO(color) {}\n",
                          structName(model), isInspected() ? "modelValue" : "shadeModel",
-                         functionName(model), gateSource(model)));
+                         functionName(model), gateSource(model), cutSource(model)));
     if (isInspected()) {
         out_.addFile("passes/inspected_model.glsl");
         out_.add("#define shadeModel inspectedModel\n");
@@ -177,6 +186,7 @@ void SurfaceWriter::writeLights() {
         return;
     }
     out_.addFile("passes/lit.glsl");
+    nextLine_ = scene_.firstLight;
     readFrom("sceneData");
     if (hasShadows()) {
         writeShadowCode();
@@ -195,30 +205,43 @@ void SurfaceWriter::writeLightGroup(std::size_t index) {
                 fmt::format("unpack{}{}", type, index));
     std::string shadowed;
     const char* body = isInspected() ? inspectedLitSource : litSource;
+    const bool hasEnd = block.reach && set_.scene.lights[index].lines == 0;
+    const char* lit = group.shadow || hasEnd ? "litWhereItArrives" : "lit";
     if (group.shadow) {
         writeShadow(index);
         body = isInspected() ? body : shadowedLitSource;
-        shadowed = fmt::format("        light.radiance *= arriving{}(s, light, first + i * {});\n",
-                               index, group.vec4s());
+        shadowed = fmt::format("    light.radiance *= arriving{}(s, light, base);\n", index);
     }
     if (set_.ground == GroundMode::Shadows) {
         body = shadowedLitSource;
-        shadowed = "        sent += lit(s, light, p);\n" + shadowed;
+        shadowed = fmt::format("    sent += {}(s, light, p);\n", lit) + shadowed;
     }
     const std::string arrives = fmt::format("{}(s.x, source)", functionName(block));
-    out_.add(fmt::format("vec3 from{0}{1}(Surface s, Model p) {{\n"
+    out_.add(fmt::format("vec3 from{0}{1}(Surface s, Model p, int base) {{\n"
                          "    vec3 sum = vec3(0.0);\n"
-                         "    int count = int(sceneData[{2}].x);\n"
-                         "    int first = int(sceneData[{2}].y);\n"
-                         "    for (int i = 0; i < count; ++i) {{\n"
-                         "        {0} source = unpack{0}{1}(first + i * {3});\n"
-                         "{4}"
-                         "    }}\n"
+                         "    {0} source = unpack{0}{1}(base);\n"
+                         "{2}"
                          "    return sum;\n"
                          "}}\n",
-                         type, index, group.light.first, group.vec4s(),
-                         fmt::format(fmt::runtime(body), arrives, shadowed)));
-    main_ += fmt::format("    shaded += from{}{}(s, model);\n", type, index);
+                         type, index,
+                         fmt::format(fmt::runtime(body), arrives, shadowed, lit)));
+    addLightGroup(index, fmt::format("from{}{}", type, index));
+}
+
+/// A line for each light, or the loop over them. Lines come first in `sceneData`.
+void SurfaceWriter::addLightGroup(std::size_t index, const std::string& function) {
+    const LightPlace& group = scene_.groups[index];
+    const int lines = set_.scene.lights[index].lines;
+    for (int i = 0; i < lines; ++i) {
+        main_ += fmt::format("    shaded += {}(s, model, {});\n", function, nextLine_);
+        nextLine_ += group.vec4s();
+    }
+    if (lines == 0) {
+        main_ += fmt::format("    for (int i = 0; i < int(sceneData[{0}].x); ++i) {{\n"
+                             "        shaded += {1}(s, model, int(sceneData[{0}].y) + i * {2});\n"
+                             "    }}\n",
+                             group.light.first, function, group.vec4s());
+    }
 }
 
 void SurfaceWriter::writeAmbient() {

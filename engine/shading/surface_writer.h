@@ -32,6 +32,7 @@ class SurfaceWriter {
     void writeModel();
     void writeLights();
     void writeLightGroup(std::size_t index);
+    void addLightGroup(std::size_t index, const std::string& function);
     void writeShadowCode();
     void writeShadow(std::size_t index);
     bool hasShadows() const;
@@ -68,6 +69,7 @@ class SurfaceWriter {
     std::vector<const Block*> written_;
     std::vector<SlotFill> filled_;
     std::string main_;
+    int nextLine_ = 0; ///< in `sceneData`: the values of the next light that has a line
     std::string last_; ///< behind everything else in main
     std::string alpha_ = "1.0";
     std::string stored_ = "shaded";

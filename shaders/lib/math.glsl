@@ -31,6 +31,14 @@ vec3 safeNormalize(vec3 v, vec3 fallback) {
     return u / sqrt(dot(u, u));
 }
 
+// The same for lengths between 1e-15 and 1e18, as places and directions in a scene have: one square
+// root and one division.
+vec3 unitVector(vec3 v, vec3 fallback) {
+    float length2 = dot(v, v);
+    vec3 unit = v * inversesqrt(max(length2, 1e-30));
+    return length2 > 1e-30 ? unit : fallback;
+}
+
 // The width of a microfacet distribution from the slider's roughness, which is the RMS slope m of
 // Cook and Torrance 1982: alpha = m. At 0 the lobe is a Dirac delta that has no finite value under
 // a point light, so widths below 1e-4 are drawn as 1e-4: 1 / (pi 1e-8) still fits a float.

@@ -4,7 +4,7 @@
 // The offset arrives in world space. At the lamp itself it counts as straight above.
 Illumination headLight(vec3 x, HeadLight p) {
     Illumination i;
-    i.l = safeNormalize(p.offset - x, vec3(0.0, 1.0, 0.0));
+    i.l = unitVector(p.offset - x, vec3(0.0, 1.0, 0.0));
     i.radiance = p.color * p.intensity;
     return i;
 }

@@ -14,7 +14,7 @@ Illumination pointLight(vec3 x, PointLight p) {
         attenuation *= rangeWindow(range, p.range);
     }
     Illumination i;
-    i.l = safeNormalize(toLight, vec3(0.0, 1.0, 0.0));
+    i.l = range > 1e-15 ? toLight / range : vec3(0.0, 1.0, 0.0);
     i.radiance = p.color * (p.intensity * attenuation);
     return i;
 }

@@ -35,7 +35,7 @@ float spotCone(vec3 l, vec3 axis, SpotLight p) {
 // At the light itself, where no direction leads to it, the point counts as straight in its beam.
 Illumination spotLight(vec3 x, SpotLight p) {
     vec3 toLight = p.position - x;
-    vec3 axis = safeNormalize(p.direction, vec3(0.0, -1.0, 0.0));
+    vec3 axis = unitVector(p.direction, vec3(0.0, -1.0, 0.0));
     float range = length(toLight);
     float attenuation = polynomialAttenuation(range, p.attenuationConstant, p.attenuationLinear,
         p.attenuationQuadratic);
@@ -46,7 +46,7 @@ Illumination spotLight(vec3 x, SpotLight p) {
         attenuation *= rangeWindow(range, p.range);
     }
     Illumination i;
-    i.l = safeNormalize(toLight, -axis);
+    i.l = range > 1e-15 ? toLight / range : -axis;
     i.radiance = p.color * (p.intensity * attenuation * spotCone(i.l, axis, p));
     return i;
 }

@@ -4,5 +4,5 @@
 // the mirror direction contributes.
 vec3 ambientShare(Surface s, Model p) {
     vec3 v = 0.5 * s.n + sqrt(0.75) * s.t;
-    return max(shadeModel(directionsAt(s, s.n, v), p), vec3(0.0));
+    return CUT_AT_ZERO(shadeModel(directionsAt(s, s.n, v), p));
 }

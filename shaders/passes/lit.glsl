@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/illumination.glsl"
 
-// What the model sends to the viewer from one light. Where nothing arrives the model is not asked.
+// What the model sends to the viewer from one light.
 vec3 lit(Surface s, Illumination light, Model p) {
-    if (!(max(max(light.radiance.r, light.radiance.g), light.radiance.b) > 0.0)) {
-        return vec3(0.0);
-    }
     Directions d = directionsAt(s, light.l, s.v);
     if (IS_DARK(d)) {
         return vec3(0.0);
     }
-    return light.radiance * max(shadeModel(d, p), vec3(0.0));
+    return light.radiance * CUT_AT_ZERO(shadeModel(d, p));
+}
+
+// From a light with an end or with shadows. Where nothing arrives the model is not asked.
+vec3 litWhereItArrives(Surface s, Illumination light, Model p) {
+    if (!(max(max(light.radiance.r, light.radiance.g), light.radiance.b) > 0.0)) {
+        return vec3(0.0);
+    }
+    return lit(s, light, p);
 }

@@ -44,16 +44,17 @@ vec3 towardsViewer(vec3 n, vec3 v) {
 // The interpolated normal, turned to the side that is seen whatever the winding of the triangle,
 // so that a back side is shaded like a front.
 vec3 shadingNormal(vec3 v) {
-    vec3 face = faceNormal(v);
-    vec3 n = safeNormalize(worldNormal, face);
-    return towardsViewer(dot(n, face) < 0.0 ? -n : n, v);
+    vec3 face = cross(dFdx(worldPosition), dFdy(worldPosition));
+    vec3 n = unitVector(worldNormal, v);
+    bool isBehind = (dot(n, face) < 0.0) != (dot(face, v) < 0.0);
+    return towardsViewer(isBehind ? -n : n, v);
 }
 
 Surface surface() {
     vec3 toEye = viewData[4].xyz - worldPosition;
     Surface s;
     s.x = worldPosition;
-    s.v = safeNormalize(toEye, vec3(0.0, 0.0, 1.0));
+    s.v = unitVector(toEye, vec3(0.0, 0.0, 1.0));
     s.range = length(toEye);
     s.n = shadingNormal(s.v);
     s.t = tangentAlong(s.n, worldTangent);

@@ -266,14 +266,5 @@ TEST_F(EffectSetTest, EqualRoughness_IsKnownInTheProgram) {
     EXPECT_NE(EffectKey::ofMaterial(metal, catalog()), before);
 }
 
-TEST_F(EffectSetTest, Key_StaysWhenAnotherLightOfTheKindComes) {
-    Scene scene;
-    scene.lights = {light("point")};
-    EffectKey keys;
-    const std::uint64_t before = keys.ofScene(scene, catalog());
-    scene.lights.push_back(light("point"));
-    EXPECT_EQ(keys.ofScene(scene, catalog()), before);
-}
-
 } // namespace
 } // namespace patina

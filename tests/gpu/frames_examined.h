@@ -60,13 +60,14 @@ bool negative(vec3 x) {
 void store(vec3 color, float alpha) {
     storedColor = vec4(float(!finite(color)), float(negative(color)), float(unsound), 1.0);
     return;)");
-        replace("passes/lit.glsl", "vec3 lit(Surface s, Illumination light, Model p) {", R"(
-vec3 lit(Surface s, Illumination light, Model p) {
+        for (const std::string name : {"lit", "litWhereItArrives"}) {
+            const std::string head = "vec3 " + name + "(Surface s, Illumination light, Model p) {";
+            replace("passes/lit.glsl", head, head + R"(
     unsound = unsound || !finite(light.l) || !finite(light.radiance)
         || negative(light.radiance);)");
-        replace("passes/lit.glsl", "max(shadeModel(d, p), vec3(0.0))", "shadeModel(d, p)");
-        replace("passes/ambient.glsl", "return max(shadeModel(", "return (shadeModel(");
-        replace("passes/ambient.glsl", ", p), vec3(0.0))", ", p))");
+        }
+        replace("passes/lit.glsl", "CUT_AT_ZERO(shadeModel(d, p))", "shadeModel(d, p)");
+        replace("passes/ambient.glsl", "CUT_AT_ZERO(shadeModel(", "(shadeModel(");
     }
 
     void replace(const std::string& file, const std::string& from, const std::string& to) {

@@ -137,12 +137,19 @@ TEST_F(ProgramSourceTest, Emission_IsAddedOnceForAllLights) {
     EXPECT_EQ(source.find("model.emissiveColor", first + 30), std::string::npos);
 }
 
-TEST_F(ProgramSourceTest, AnotherLightOfTheKind_SameText) {
-    Scene one;
-    one.lights = {light("point")};
-    Scene two = one;
-    two.lights.push_back(light("point"));
-    EXPECT_EQ(fragment(material("phong"), one), fragment(material("phong"), two));
+TEST_F(ProgramSourceTest, AnotherLightInALoop_SameText) {
+    Scene many;
+    many.lights.assign(9, light("point"));
+    Scene more = many;
+    more.lights.push_back(light("point"));
+    EXPECT_TRUE(fragment(material("phong"), many) == fragment(material("phong"), more));
+}
+
+TEST_F(ProgramSourceTest, FewLights_NoLoop) {
+    Scene two;
+    two.lights.assign(2, light("point"));
+    EXPECT_EQ(fragment(material("phong"), two).find("for (int i = 0; i < int(sceneData"),
+              std::string::npos);
 }
 
 TEST_F(ProgramSourceTest, OrderOfLights_DoesNotChangeTheText) {

@@ -19,6 +19,8 @@ vec3 lit(vec3 n, vec3 v, vec3 l) {
     float alpha2 = roughness * roughness;
     float D = exp2(-1.4426950408889634 * tan2 / alpha2) * (1.0 + tan2) * (1.0 + tan2) / alpha2;
     float V = min(0.25 / nv, nH / HH * min(nl / nv, 1.0));
-    vec3 F = fresnelF0 + (vec3(1.0) - fresnelF0) * pow5(1.0 - 0.5 * sqrt(HH));
+    vec3 chord = l - v;
+    float versine = 0.25 * dot(chord, chord) / (1.0 + 0.5 * sqrt(HH));
+    vec3 F = fresnelF0 + (vec3(1.0) - fresnelF0) * pow5(versine);
     return diffuseColor * nl + specularColor * F * (gloss * D * V);
 }

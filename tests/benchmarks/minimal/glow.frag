@@ -8,6 +8,6 @@ uniform vec3 emissiveColor;
 void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = seenNormal(v);
-    color = vec4(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
-        + emissiveColor, 1.0);
+    color = stored(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
+        + emissiveColor);
 }

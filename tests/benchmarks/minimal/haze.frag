@@ -12,5 +12,5 @@ void main() {
     vec3 v = way / range;
     vec3 n = seenNormal(v);
     vec3 shaded = light0Color * light0Intensity * lit(n, v, -normalize(light0Direction));
-    color = vec4(mix(fogColor, shaded, exp(-fogDensity * range)), 1.0);
+    color = stored(mix(fogColor, shaded, exp(-fogDensity * range)));
 }

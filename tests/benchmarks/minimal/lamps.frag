@@ -17,6 +17,6 @@ void main() {
     float range = length(way);
     float fall = light1AttenuationConstant
         + range * (light1AttenuationLinear + range * light1AttenuationQuadratic);
-    color = vec4(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
-        + light1Color * (light1Intensity / fall) * lit(n, v, way / range), 1.0);
+    color = stored(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
+        + light1Color * (light1Intensity / fall) * lit(n, v, way / range));
 }

@@ -11,5 +11,5 @@ void main() {
     vec3 n = seenNormal(v);
     vec3 shaded = light0Color * light0Intensity * lit(n, v, -normalize(light0Direction));
     vec3 share = fresnelF0 + (vec3(1.0) - fresnelF0) * pow5(1.0 - dot(n, v));
-    color = vec4(mix(shaded, fresnelColor, share), 1.0);
+    color = stored(mix(shaded, fresnelColor, share));
 }

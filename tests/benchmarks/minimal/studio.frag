@@ -13,7 +13,7 @@ uniform float light2Intensity;
 void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = seenNormal(v);
-    color = vec4(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
+    color = stored(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
         + light1Color * light1Intensity * lit(n, v, -normalize(light1Direction))
-        + light2Color * light2Intensity * lit(n, v, -normalize(light2Direction)), 1.0);
+        + light2Color * light2Intensity * lit(n, v, -normalize(light2Direction)));
 }

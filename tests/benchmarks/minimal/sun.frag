@@ -7,5 +7,5 @@ uniform float light0Intensity;
 void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = seenNormal(v);
-    color = vec4(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction)), 1.0);
+    color = stored(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction)));
 }

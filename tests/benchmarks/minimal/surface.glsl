@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface that is seen from either side; near the outline its normal is bent as everywhere.
+// A surface that is seen from either side, whatever the winding of its triangles; near the outline
+// its normal is bent as everywhere.
 #include "lib/math.glsl"
 
 in vec3 worldPosition;
@@ -8,7 +9,14 @@ layout(location = 0) out vec4 color;
 uniform vec3 eye;
 
 vec3 seenNormal(vec3 v) {
-    vec3 n = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
+    vec3 face = cross(dFdx(worldPosition), dFdy(worldPosition));
+    vec3 n = normalize(worldNormal);
+    n = (dot(n, face) < 0.0) != (dot(face, v) < 0.0) ? -n : n;
     float lack = 0.01 - dot(n, v);
     return lack > 0.0 ? normalize(n + lack * v) : n;
+}
+
+// A half float ends there.
+vec4 stored(vec3 light) {
+    return vec4(min(light, vec3(65504.0)), 1.0);
 }

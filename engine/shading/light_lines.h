@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace patina {
+
+/// Which groups of lights stand in a program line by line, not as a loop: those of few lights that
+/// reach everything, for loops are slow where a device keeps their values in memory. A light with
+/// an end stays in a loop, since an object that it does not reach has a shorter one.
+class LightLines {
+  public:
+    struct Group {
+        std::uint64_t key = 0; ///< EffectKey::ofLight of its lights
+        int count = 0;
+        bool isEverywhere = true;
+    };
+
+    void clear();
+
+    /// A light. One that is left out, with the key 0, is in no group.
+    void add(std::uint64_t key, bool isEverywhere);
+
+    /// Sorted by key.
+    const std::vector<Group>& groups() const { return groups_; }
+
+    /// Lines for the lights of a group; 0: a loop.
+    int of(const Group& group) const;
+    int of(std::uint64_t key) const;
+
+  private:
+    std::vector<Group> groups_;
+    int lights_ = 0;
+};
+
+} // namespace patina
