@@ -123,10 +123,13 @@ void SourceBuilder::addIncluded(const std::string& name, const Place& includer,
         const Errors mistakes = blockTextMistakes(*block, code);
         errors_.insert(errors_.end(), mistakes.begin(), mistakes.end());
     }
-    addText(path.string(), code);
+    const std::size_t first = addText(path.string(), code);
+    if (block != nullptr && !block->shipped) {
+        parts_.push_back({first, source_.text.size(), structName(*block), functionName(*block)});
+    }
 }
 
-void SourceBuilder::addText(const std::string& file, std::string_view text) {
+std::size_t SourceBuilder::addText(const std::string& file, std::string_view text) {
     int number = 0;
     std::string_view rest = text;
     while (!rest.empty()) {
@@ -135,6 +138,7 @@ void SourceBuilder::addText(const std::string& file, std::string_view text) {
             addIncluded(*include, {file, number});
         }
     }
+    const std::size_t first = source_.text.size();
     const std::size_t index = source_.files.size();
     source_.files.push_back(file);
     number = 0;
@@ -154,13 +158,14 @@ void SourceBuilder::addText(const std::string& file, std::string_view text) {
         append(line.substr(0, line.find_last_not_of(" \t") + 1));
     }
     append(fmt::format("#line {} 0", lines_ + 2));
+    return first;
 }
 
 Checked<ShaderSource> SourceBuilder::finish() const {
     if (!errors_.empty()) {
         return tl::unexpected(errors_);
     }
-    return withoutUnused(source_);
+    return withoutUnused(withPrivateNames(source_, parts_));
 }
 
 } // namespace patina

@@ -5,9 +5,11 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "catalog/block.h"
 #include "core/error.h"
+#include "shading/private_names.h"
 #include "shading/shader_source.h"
 
 namespace patina {
@@ -26,7 +28,8 @@ class SourceBuilder {
     void addFile(const std::filesystem::path& file);
 
     /// The file of a block, with an error for what would be wrong only in the text around it (see
-    /// blockTextMistakes).
+    /// blockTextMistakes). What a user's defines for itself may have any name (see
+    /// withPrivateNames).
     void addBlock(const Block& block);
 
     /// What was put together; or every file that could not be read (with the place of its include),
@@ -40,12 +43,14 @@ class SourceBuilder {
         int line = 0;
     };
     void addIncluded(const std::string& name, const Place& includer, const Block* block = nullptr);
-    void addText(const std::string& file, std::string_view text);
+    /// The byte where the file itself begins, behind what it includes.
+    std::size_t addText(const std::string& file, std::string_view text);
     void append(std::string_view line);
 
     std::filesystem::path root_;
     ShaderSource source_;
     std::set<std::filesystem::path> taken_;
+    std::vector<BlockPart> parts_; ///< the users' blocks
     Errors errors_;
     int lines_ = 0;
 };
