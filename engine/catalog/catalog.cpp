@@ -37,6 +37,12 @@ void append(Errors& errors, const Errors& more) {
     errors.insert(errors.end(), more.begin(), more.end());
 }
 
+/// What editors leave beside a file: hidden ones, locks and copies.
+bool isNobodysFile(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.starts_with('.') || name.starts_with('#') || name.ends_with('~');
+}
+
 /// The shipped folder must be there; the user's may be missing.
 bool isMistake(const BlockRoot& root, std::error_code status) {
     return status && (root.shipped || status != std::errc::no_such_file_or_directory);
@@ -120,6 +126,9 @@ class Loader {
     void readKind(const fs::path& folder, bool shipped) {
         std::error_code status;
         for (const fs::path& file : entriesOf(folder, status)) {
+            if (isNobodysFile(file)) {
+                continue;
+            }
             if (file.extension() == ".json") {
                 readBlock(file, shipped);
             } else if (file.extension() == ".glsl") {

@@ -49,6 +49,17 @@ TEST(Catalog, ShaderWithoutADescriptor_IsAMistake) {
     EXPECT_NE(text(folder.load().errors).find("the shader has no descriptor"), std::string::npos);
 }
 
+/// Emacs leaves a lock that leads nowhere, and many editors a copy.
+TEST(Catalog, FilesThatEditorsLeave_AreNoBlocks) {
+    BlockFolder folder;
+    folder.add("models", plainDescriptor("good"));
+    std::filesystem::create_symlink("me@here.1:2", folder.root() / "models/.#good.json");
+    for (const char* name : {".good.json", "#good.json#", "good.json~", "#x.glsl", ".x.glsl"}) {
+        tests::writeFile(folder.root() / "models" / name, "{");
+    }
+    EXPECT_EQ(text(folder.load().errors), "");
+}
+
 TEST(Catalog, SharedAndPassesFolders_HoldNoBlocks) {
     BlockFolder folder;
     tests::writeFile(folder.root() / "lib/math.glsl", "");
