@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 namespace patina {
 namespace {
+
+/// What some editors put before text in UTF-8; to a driver it is no GLSL.
+constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
 
 tl::unexpected<Error> wrong(const std::filesystem::path& file, int line, std::string problem,
                             std::string expected) {
@@ -38,6 +42,9 @@ Result<std::string> readShaderFile(const std::filesystem::path& file) {
     if (nul != text.end()) {
         const auto line = 1 + static_cast<int>(std::count(text.begin(), nul, '\n'));
         return wrong(file, line, "the shader has a NUL byte in it", "a text in GLSL");
+    }
+    if (text.starts_with(byteOrderMark)) {
+        text.erase(0, byteOrderMark.size());
     }
     return text;
 }

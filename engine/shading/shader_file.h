@@ -13,7 +13,7 @@ namespace patina {
 constexpr std::size_t mostShaderBytes = std::size_t(1) << 20;
 
 /// The text of a shader's file: a file, no larger than that, without a NUL byte (at which a driver
-/// takes the text to end).
+/// takes the text to end). A byte order mark before it is left out.
 Result<std::string> readShaderFile(const std::filesystem::path& file);
 
 } // namespace patina

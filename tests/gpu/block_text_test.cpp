@@ -156,6 +156,12 @@ TEST(ShaderFile, LargerThanAnyShader_IsRefused) {
               "a.glsl: the shader is larger than 1 MiB; expected a text in GLSL");
 }
 
+TEST(ShaderFile, ByteOrderMark_IsLeftOut) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.glsl", "\xef\xbb\xbf#define A\n");
+    EXPECT_EQ(readShaderFile(folder / "a.glsl").value_or("it was refused"), "#define A\n");
+}
+
 TEST(ShaderFile, Folder_IsRefused) {
     EXPECT_FALSE(readShaderFile(PATINA_SOURCE_DIR));
 }
