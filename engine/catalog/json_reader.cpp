@@ -22,6 +22,16 @@ bool isNumber(const Json& json) {
     return json.is_number();
 }
 
+/// "an array of 3", and what stands in it where numbers do.
+std::string describedArray(const nlohmann::json& json) {
+    std::string text = fmt::format("an array of {}", json.size());
+    const auto odd = std::find_if_not(json.begin(), json.end(), isNumber);
+    if (odd != json.end() && std::any_of(json.begin(), json.end(), isNumber)) {
+        text += fmt::format(" with {} at place {}", described(*odd), odd - json.begin() + 1);
+    }
+    return text;
+}
+
 } // namespace
 
 std::string escapedToken(std::string_view key) {
@@ -44,7 +54,7 @@ std::string described(const nlohmann::json& json) {
         return fmt::format("the text \"{}\"", json.get_ref<const std::string&>().substr(0, 40));
     }
     if (json.is_array()) {
-        return fmt::format("an array of {}", json.size());
+        return describedArray(json);
     }
     return json.is_object() ? "an object" : json.dump();
 }

@@ -74,6 +74,13 @@ TEST(ValueFromJson, NumberForAColour_IsAnError) {
               "the number -1 stands here; expected a colour: an array of 3 numbers, linear red, "
               "green and blue");
 }
+TEST(ValueFromJson, TextInAColour_IsNamedWithItsPlace) {
+    EXPECT_EQ(valueFromJson(colour, {1, 1, "x"}).error().problem,
+              "an array of 3 with the text \"x\" at place 3 stands here");
+}
+TEST(ValueFromJson, ArrayThatIsTooShort_IsNamedByItsLength) {
+    EXPECT_EQ(valueFromJson(colour, {1, 1}).error().problem, "an array of 2 stands here");
+}
 TEST(ValueFromJson, FractionForAWholeNumber_IsAnError) {
     EXPECT_FALSE(valueFromJson(whole, 1.5));
 }
