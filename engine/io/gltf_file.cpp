@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -113,6 +114,44 @@ bool dropCompressedIndices(json& document) {
     return changed;
 }
 
+/// "%2e%2e" is "..": what a library makes of the characters of a URI.
+std::string withoutEscapes(std::string_view uri) {
+    std::string plain;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        unsigned int code = 0;
+        const char* const digits = uri.data() + i + 1;
+        const bool isEscape = uri[i] == '%' && i + 2 < uri.size() &&
+                              std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
+        plain += isEscape ? static_cast<char>(code) : uri[i];
+        i += isEscape ? 2 : 0;
+    }
+    return plain;
+}
+
+/// Relative, not upwards, and with nothing that a shell or another system reads otherwise.
+bool staysInFolder(const std::string& uri) {
+    const fs::path path = fs::path(withoutEscapes(uri)).lexically_normal();
+    return !path.empty() && path.is_relative() && *path.begin() != ".." &&
+           path.string().find_first_of("\\$`") == std::string::npos;
+}
+
+/// Whoever sent a mesh does not decide which of the user's files are read.
+Result<void> checkBuffers(const json& document) {
+    const auto buffers = document.find("buffers");
+    for (std::size_t i = 0; buffers != document.end() && i < buffers->size(); ++i) {
+        const json& buffer = (*buffers)[i];
+        const std::string uri = buffer.is_object() && buffer.contains("uri") &&
+                                        buffer["uri"].is_string()
+                                    ? buffer["uri"].get<std::string>()
+                                    : std::string();
+        if (!uri.empty() && !uri.starts_with("data:") && !staysInFolder(uri)) {
+            return failure("its buffer \"" + uri + "\" lies outside its folder and is not read",
+                           "a file beside the mesh, or in a folder there");
+        }
+    }
+    return {};
+}
+
 /// Changes what is valid but tinygltf does not take. True when something was changed.
 bool adaptForLibrary(json& document, bool binary) {
     const bool buffers = fillFallbackBuffers(document, binary);
@@ -215,6 +254,9 @@ Result<std::optional<tinygltf::Model>> loadGltf(const fs::path& file) {
     }
     if (isVersionOne(document)) {
         return std::optional<tinygltf::Model>();
+    }
+    if (auto checked = checkBuffers(document); !checked) {
+        return tl::unexpected(checked.error());
     }
     if (adaptForLibrary(document, parts->binary)) {
         const std::string text = document.dump();

@@ -63,6 +63,28 @@ TEST(Gltf, BinaryOfVersionOne_SaysSo) {
     EXPECT_EQ(complaintAbout("former.glb", bytes), "is binary glTF 1.0, which is not read here");
 }
 
+TEST(Gltf, BufferOutsideItsFolder_IsNotRead) {
+    for (const char* uri : {"../../secret", "/etc/hostname", "a/../../secret", "%2E%2e/secret"}) {
+        GlbWriter glb = squareGlb();
+        glb.document["buffers"] = {nlohmann::json::object(), {{"uri", uri}, {"byteLength", 4}}};
+        EXPECT_EQ(complaint(glb), "its buffer \"" + std::string(uri) +
+                                      "\" lies outside its folder and is not read");
+    }
+}
+
+TEST(Gltf, BufferInAFolderBelow_IsRead) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "below it");
+    writeFile(folder / "below it/more.bin", "1234");
+    GlbWriter glb = squareGlb();
+    glb.document["buffers"] = {nlohmann::json::object(),
+                               {{"uri", "below%20it/more.bin"}, {"byteLength", 4}}};
+    writeFile(folder / "made.glb", glb.bytes());
+    AssetClient client;
+    const auto mesh = client.loadMesh({folder / "made.glb"});
+    EXPECT_TRUE(mesh) << mesh.error().text();
+}
+
 TEST(Gltf, NodeWithTranslationRotationScale_AppliesThemInThatOrder) {
     GlbWriter glb = squareGlb();
     const double half = std::sqrt(0.5);
