@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "catalog/fills.h"
+#include "cli/picture_accuracy.h"
 #include "cli/value_text.h"
 
 namespace patina {
@@ -44,7 +45,8 @@ Result<void> assignAll(const SceneBlock& block, const std::vector<std::string>& 
 }
 
 bool isForScene(const std::string& assignment) {
-    return assignment.starts_with("environment.") || assignment.starts_with("transparency.");
+    return assignment.starts_with("environment.") || assignment.starts_with("transparency.") ||
+           isOfPicture(assignment);
 }
 
 } // namespace patina

@@ -8,6 +8,7 @@
 #include "catalog/fills.h"
 #include "cli/accuracy_text.h"
 #include "cli/environment_setup.h"
+#include "cli/picture_accuracy.h"
 #include "cli/scene_block.h"
 #include "cli/texture_text.h"
 #include "cli/transparency_setup.h"
@@ -283,6 +284,9 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
         return tl::unexpected(oneError(chosen.error()));
     }
     if (auto chosen = chooseTransparency(setup->scene, options, catalog); !chosen) {
+        return tl::unexpected(oneError(chosen.error()));
+    }
+    if (auto chosen = choosePictureAccuracy(setup->scene, options.sets); !chosen) {
         return tl::unexpected(oneError(chosen.error()));
     }
     if (options.exposure) {

@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 
+#include "picture_accuracy_form.h"
+
 namespace patina {
 
 namespace {
@@ -213,6 +215,9 @@ Block sceneBlock() {
     for (Parameter& parameter : groundParameters()) {
         block.parameters.push_back(std::move(parameter));
     }
+    for (Parameter& parameter : pictureAccuracyParameters()) {
+        block.parameters.push_back(std::move(parameter));
+    }
     return block;
 }
 
@@ -290,7 +295,8 @@ Block accuracyBlock(std::span<const Block* const> blocks) {
 }
 
 std::optional<Value> sceneValue(const Scene& scene, std::string_view parameterId) {
-    return read(sceneTable(), scene, parameterId);
+    const std::optional<Value> level = pictureLevel(scene, parameterId);
+    return level ? level : read(sceneTable(), scene, parameterId);
 }
 
 std::optional<Value> objectValue(const Object& object, std::string_view parameterId) {
@@ -303,6 +309,7 @@ std::optional<Value> materialValue(const Material& material, std::string_view pa
 
 void storeSceneValue(Scene& scene, std::string_view parameterId, const Value& value) {
     write(sceneTable(), scene, parameterId, value);
+    storePictureLevel(scene, parameterId, value);
 }
 
 void storeObjectValue(Object& object, std::string_view parameterId, const Value& value) {

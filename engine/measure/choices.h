@@ -51,7 +51,7 @@ using ChosenLevels = std::map<std::string, std::string, std::less<>>;
 std::vector<Choice> materialChoices(const Scene& scene, std::size_t object, const Catalog& catalog);
 
 /// What the picture of the scene could do more cheaply, whatever is in it.
-std::vector<Choice> pictureChoices(const Scene& scene, const Catalog& catalog);
+std::vector<Choice> choicesOfPicture(const Scene& scene, const Catalog& catalog);
 
 /// The levels that the material has now, without those that are exact.
 ChosenLevels levelsOf(const Material& material, const std::vector<Choice>& choices);

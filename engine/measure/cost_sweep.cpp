@@ -61,9 +61,10 @@ class CostSweep::Implementation {
           curve_(DisplayCurve::of(subject_.scene)), plan_({}, false) {
         subject_.scene.ground.mode = GroundMode::Off;
         const Catalog& catalog = *subject_.catalog;
+        subject_.scene.accuracy = PictureAccuracy(); // which has a chart of its own
         chart_.choices = options.scope == Choice::Scope::Material
                              ? materialChoices(subject_.scene, subject_.object, catalog)
-                             : pictureChoices(subject_.scene, catalog);
+                             : choicesOfPicture(subject_.scene, catalog);
         chart_.size = drawn_->size();
         chart_.timer = drawn_->method();
         plan_ = SweepPlan(chart_.choices, options.combinations);
@@ -125,7 +126,7 @@ class CostSweep::Implementation {
         frame.view.size = chart_.size;
         frame.view.camera = subject_.camera;
         frame.view.environmentImage = subject_.environment;
-        frame.view.samples = 1;
+        frame.view.samples = options_.scope == Choice::Scope::Material ? 1 : 0;
         choose(frame, subject_.object, chart_.choices, levels, *subject_.catalog);
         return frame;
     }

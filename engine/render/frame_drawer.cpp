@@ -90,8 +90,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     planGround(scene, view);
     makeRoomForLights();
     planShadows(scene);
-    if (auto fitting = target_.fit(view.size, view.samples, isDense(view), view.numbers);
-        !fitting) {
+    if (auto fitting = fitTarget(scene.accuracy, view); !fitting) {
         return fail(fitting.error());
     }
     if (auto begun = beginEnvironment(scene, view, purpose); !begun) {
@@ -103,7 +102,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     if (auto begun = beginLayers(scene); !begun) {
         return fail(begun.error());
     }
-    if (auto begun = beginRefraction(view); !begun) {
+    if (auto begun = beginRefraction(); !begun) {
         return fail(begun.error());
     }
     bands_.begin(sources_, target_.drawnSize(), triangles_, environment_.rounds());
@@ -251,8 +250,14 @@ bool FrameDrawer::isLarge() const {
     return triangles_ + edges_ + shadows_.pendingTriangles() > mostTrianglesAtOnce;
 }
 
-bool FrameDrawer::isDense(const View& view) const {
-    return triangles_ > std::int64_t(view.size.x) * view.size.y;
+/// More triangles than pixels are dense.
+Result<void> FrameDrawer::fitTarget(const PictureAccuracy& accuracy, const View& view) {
+    const double scale = accuracy.scale();
+    const double pixels = scale * view.size.x * (scale * view.size.y);
+    const HdrNumbers numbers = accuracy.hasWholeNumbers() ? HdrNumbers::Full : view.numbers;
+    const int samples = view.samples > 0 ? view.samples : accuracy.samples();
+    return target_.fit(view.size, samples, static_cast<double>(triangles_) > pixels, numbers,
+                       scale);
 }
 
 bool FrameDrawer::uploadMeshes(Deadline deadline) {
@@ -272,7 +277,7 @@ void FrameDrawer::uploadView(const View& view) {
     const glm::dmat4 worldToClip =
         projection(view.camera, aspect, depths_) * cameras_.worldToCamera;
     measurePixel(view, worldToClip);
-    packView(viewData_.staging(), worldToClip, eye(view.camera), 1.0 / target_.fineness());
+    packView(viewData_.staging(), worldToClip, eye(view.camera), target_.pixelWidth());
     report_.uploadedBuffers += viewData_.upload(ViewLayout::vec4s) ? 1 : 0;
     viewData_.bind(binding::view);
 }
@@ -283,6 +288,7 @@ bool FrameDrawer::resolve(Deadline deadline) {
     }
     if (!cursor_.resolved) {
         target_.resolve();
+        target_.stretch();
         if (environment_.isIn()) {
             environment_.add(target_.resolved());
         }

@@ -141,7 +141,7 @@ class FrameDrawer {
     std::size_t materialOf(const Scene& scene, std::size_t object);
     void makeRoomForLights();
     void count();
-    bool isDense(const View& view) const; ///< more triangles than pixels
+    Result<void> fitTarget(const PictureAccuracy& accuracy, const View& view);
     void uploadView(const View& view);
     void clear(const Scene& scene, const View& view);
     void choosePipelines();
@@ -162,7 +162,7 @@ class FrameDrawer {
     void drawLayers(const Scene& scene);
     void drawLayer(const Scene& scene, const DrawBatch& batch, TransparencyPass::Stage stage);
     static bool refracts(const DrawMaterial& material);
-    Result<void> beginRefraction(const View& view);
+    Result<void> beginRefraction();
     bool drawRefracting(const Scene& scene, const DrawBatch& batch, Deadline deadline);
     void addLost();
     bool uploadMeshes(Deadline deadline);

@@ -13,7 +13,7 @@ bool FrameDrawer::refracts(const DrawMaterial& material) {
     return material.pipeline && material.pipeline->object.refraction.has_value();
 }
 
-Result<void> FrameDrawer::beginRefraction(const View& view) {
+Result<void> FrameDrawer::beginRefraction() {
     RefractionPass::Needs needs;
     bool isNeeded = false;
     for (const DrawBatch& batch : transparentBatches()) {
@@ -32,7 +32,8 @@ Result<void> FrameDrawer::beginRefraction(const View& view) {
         refraction_.emplace();
     }
     const int before = pipelines_.programs().compiledCount();
-    auto begun = refraction_->begin(view.size, needs, *catalog_, pipelines_.programs());
+    auto begun = refraction_->begin(target_.averagedSize(), needs, *catalog_,
+                                    pipelines_.programs());
     report_.compiled += pipelines_.programs().compiledCount() - before;
     return begun;
 }

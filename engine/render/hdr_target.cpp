@@ -6,6 +6,7 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 namespace patina {
 namespace {
@@ -44,10 +45,22 @@ int finenessFor(glm::ivec2 size, int samples) {
     return samples >= 4 && 2 * std::max(size.x, size.y) <= most ? 2 : 1;
 }
 
+glm::ivec2 scaledSize(glm::ivec2 size, double scale) {
+    return glm::clamp(glm::ivec2(glm::round(scale * glm::dvec2(size))), glm::ivec2(1), size);
+}
+
+gl::Texture linearImage(glm::ivec2 size, HdrNumbers numbers) {
+    const bool isFull = numbers == HdrNumbers::Full;
+    return gl::Texture::create(size, isFull ? GL_RGBA32F : GL_RGBA16F, GL_RGBA,
+                               isFull ? GL_FLOAT : GL_HALF_FLOAT);
+}
+
 } // namespace
 
-Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers numbers) {
-    const Shape wanted{size, samples, dense ? 2 : 1, numbers};
+Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers numbers,
+                            double scale) {
+    const glm::ivec2 scaled = scaledSize(size, scale);
+    const Shape wanted{size, scaled, samples, dense ? 2 : 1, numbers};
     if (wanted == wanted_) {
         return {};
     }
@@ -55,11 +68,11 @@ Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers
         return checked;
     }
     *this = HdrTarget();
-    const int fineness = dense ? finenessFor(size, samples) : 1;
+    const int fineness = dense ? finenessFor(scaled, samples) : 1;
     const int offered = std::clamp(samples, 1, std::max(1, driverLimit(GL_MAX_SAMPLES)));
-    Result<void> built = build({size, fineness > 1 ? 1 : offered, fineness, numbers});
+    Result<void> built = build({size, scaled, fineness > 1 ? 1 : offered, fineness, numbers});
     if (!built && (offered > 1 || fineness > 1)) {
-        built = build({size, 1, 1, numbers});
+        built = build({size, scaled, 1, 1, numbers});
     }
     if (built) {
         wanted_ = wanted;
@@ -70,13 +83,11 @@ Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers
 Result<void> HdrTarget::build(const Shape& shape) {
     forgetErrors();
     built_ = shape;
-    const glm::ivec2 drawn = shape.fineness * shape.size;
-    const bool isFull = shape.numbers == HdrNumbers::Full;
-    const GLenum format = isFull ? GL_RGBA32F : GL_RGBA16F;
+    const glm::ivec2 drawn = drawnSize();
+    const GLenum format = shape.numbers == HdrNumbers::Full ? GL_RGBA32F : GL_RGBA16F;
     color_ = gl::Renderbuffer::create(drawn, format, shape.samples);
     depth_ = gl::Renderbuffer::create(drawn, GL_DEPTH_COMPONENT32F, shape.samples);
-    resolvedImage_ =
-        gl::Texture::create(shape.size, format, GL_RGBA, isFull ? GL_FLOAT : GL_HALF_FLOAT);
+    resolvedImage_ = linearImage(shape.scaled, shape.numbers);
     if (glGetError() == GL_OUT_OF_MEMORY) {
         return failure(fmt::format("there is not enough graphics memory for {}x{} pixels",
                                    shape.size.x, shape.size.y));
@@ -87,21 +98,46 @@ Result<void> HdrTarget::build(const Shape& shape) {
     resolvedFramebuffer_ = gl::Framebuffer::create();
     resolvedFramebuffer_.attachColor(resolvedImage_);
     const Result<void> drawable = framebuffer_.check();
-    return drawable ? resolvedFramebuffer_.check() : drawable;
+    if (!drawable || shape.isStretched()) {
+        return drawable ? buildStretched() : drawable;
+    }
+    return resolvedFramebuffer_.check();
+}
+
+Result<void> HdrTarget::buildStretched() {
+    stretchedImage_ = linearImage(built_.size, built_.numbers);
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        return failure(fmt::format("there is not enough graphics memory for {}x{} pixels",
+                                   built_.size.x, built_.size.y));
+    }
+    stretchedFramebuffer_ = gl::Framebuffer::create();
+    stretchedFramebuffer_.attachColor(stretchedImage_);
+    const Result<void> drawable = resolvedFramebuffer_.check();
+    return drawable ? stretchedFramebuffer_.check() : drawable;
 }
 
 void HdrTarget::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    glViewport(0, 0, built_.fineness * built_.size.x, built_.fineness * built_.size.y);
+    glViewport(0, 0, drawnSize().x, drawnSize().y);
 }
 
 void HdrTarget::resolve() const {
-    const glm::ivec2 drawn = built_.fineness * built_.size;
+    const glm::ivec2 drawn = drawnSize();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolvedFramebuffer_.name());
     // Two to one, a linear filter reads at the corner where four pixels meet: their mean.
-    glBlitFramebuffer(0, 0, drawn.x, drawn.y, 0, 0, built_.size.x, built_.size.y,
+    glBlitFramebuffer(0, 0, drawn.x, drawn.y, 0, 0, built_.scaled.x, built_.scaled.y,
                       GL_COLOR_BUFFER_BIT, built_.fineness > 1 ? GL_LINEAR : GL_NEAREST);
+}
+
+void HdrTarget::stretch() const {
+    if (!built_.isStretched()) {
+        return;
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolvedFramebuffer_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, stretchedFramebuffer_.name());
+    glBlitFramebuffer(0, 0, built_.scaled.x, built_.scaled.y, 0, 0, built_.size.x, built_.size.y,
+                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
 } // namespace patina

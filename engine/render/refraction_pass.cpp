@@ -104,7 +104,7 @@ void RefractionPass::bind(const gl::Program& program, const Ball& ball,
     }
     if (built_.behind) {
         glActiveTexture(GL_TEXTURE0 + binding::behindColor);
-        glBindTexture(GL_TEXTURE_2D, target.resolved().name());
+        glBindTexture(GL_TEXTURE_2D, target.averaged().name());
         behindDepth_.bind(binding::behindDepth);
     }
     glActiveTexture(GL_TEXTURE0);

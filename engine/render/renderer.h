@@ -26,7 +26,7 @@ namespace patina {
 struct View {
     glm::ivec2 size{512, 512};      ///< pixels, each at least 1
     Camera camera;
-    int samples = 4;                ///< MSAA; lowered to what the driver offers
+    int samples = 0;                ///< MSAA, lowered to what the driver offers; 0: the scene's own
     HdrNumbers numbers = HdrNumbers::Half; ///< of the linear picture
     /// Whose effects the programs have; nothing: the scene's own. The same objects and lights with
     /// other values, so that a value may pass what makes an effect needless without a new program.

@@ -10,6 +10,7 @@
 
 #include "material/material.h"
 #include "scene/ground.h"
+#include "scene/picture_accuracy.h"
 
 namespace patina {
 
@@ -80,6 +81,7 @@ struct Scene {
     Camera camera;
     double exposure = 0.0;           ///< EV, powers of two
     ToneMapping toneMapping = ToneMapping::KhronosNeutral;
+    PictureAccuracy accuracy;        ///< of the picture, whatever the materials
     nlohmann::json extras = nlohmann::json::object();
     nlohmann::json unknown = nlohmann::json::object();
 

@@ -14,6 +14,7 @@
 #include "material/texture_path.h"
 #include "scene/environment.h"
 #include "scene/mesh_path.h"
+#include "scene/picture_accuracy_file.h"
 #include "scene/primitives.h"
 #include "scene/scene_limits.h"
 #include "scene/scene_words.h"
@@ -56,6 +57,7 @@ class SceneReader {
         readEnvironment();
         reader_.readObject("extras", scene().extras);
         keepUnknown();
+        readPictureAccuracy(reader_, scene(), reading_.notes);
         return settled(std::move(reading_), std::move(errors_));
     }
 
@@ -85,8 +87,7 @@ class SceneReader {
         }
     }
 
-    void noteRange(const JsonReader& reader, std::string_view key, double lowest,
-                   double highest) {
+    void noteRange(const JsonReader& reader, std::string_view key, double lowest, double highest) {
         note(reader.pointer(key),
              fmt::format("\"{}\" is outside its range and was brought into it", key),
              fmt::format("{} to {}", static_cast<float>(lowest), static_cast<float>(highest)));

@@ -4,6 +4,7 @@
 #include "catalog/value_json.h"
 #include "material/block_values.h"
 #include "scene/mesh_path.h"
+#include "scene/picture_accuracy_file.h"
 #include "scene/scene_words.h"
 
 namespace patina {
@@ -110,6 +111,7 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     json["ground"].update(toJson(scene.ground));
     json["exposure"] = narrow(scene.exposure);
     json["toneMapping"] = wordFor(toneMappingWords, scene.toneMapping);
+    writePictureAccuracy(json, scene.accuracy);
     if (scene.environment || !json.contains("environment")) {
         json["environment"] = scene.environment ? toJson(*scene.environment, folder) : Json();
     }

@@ -6,6 +6,7 @@
 
 #include "shading/effect_choice.h"
 #include "shading/light_reach.h"
+#include "shading/picture_effects.h"
 #include "shading/refraction_choice.h"
 #include "shading/texture_choice.h"
 
@@ -126,7 +127,8 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
         hash.add(static_cast<std::uint64_t>(lines_.of(group)));
     }
     const Block* fog = scene.fog ? catalog.find("fog", scene.fog->id) : nullptr;
-    if (fog != nullptr && canHide(scene, *fog, view)) {
+    const bool hasFog = fog != nullptr && canHide(scene, *fog, view);
+    if (hasFog) {
         static const AccuracyLevels exact;
         addBlock(hash, *fog, scene.fog->parameters, exact);
     }
@@ -138,6 +140,7 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
     hash.add(hasHemisphere(scene) ? 1 : 0);
     hash.add(hasAmbient(scene) ? 1 : 0);
     hash.add(showsSceneBent(scene, catalog) ? 1 : 0);
+    hash.add(pictureEffectsKey(scene, hasFog));
     return hash.value();
 }
 

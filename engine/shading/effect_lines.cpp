@@ -27,6 +27,21 @@ EffectLine lineOf(const BlockUse& use) {
     return {use.kind + '/' + use.id, detailOf(use), use.reason};
 }
 
+/// With more to say where `counts`.
+EffectLine detailed(EffectLine line, bool counts, std::string_view detail) {
+    if (counts) {
+        line.detail += line.detail.empty() ? "" : ", ";
+        line.detail += detail;
+    }
+    return line;
+}
+
+EffectLine modelLine(const EffectSet& set) {
+    EffectLine line = detailed(lineOf(*set.model), set.lightsAtVertices, "lit per vertex");
+    line = detailed(std::move(line), set.leavesNormals, "normals as blended");
+    return detailed(std::move(line), set.widensHighlights, "highlights widened");
+}
+
 const std::string& reasonFor(const Reasons& reasons, std::string_view effect) {
     static const std::string none;
     const auto found = reasons.find(effect);
@@ -113,7 +128,7 @@ void addLightLines(std::vector<EffectLine>& lines, const EffectSet& set) {
 
 /// What the program asks the model for; without one a stand-in is drawn that knows no light.
 void addLitLines(std::vector<EffectLine>& lines, const EffectSet& set) {
-    lines.push_back(lineOf(*set.model));
+    lines.push_back(modelLine(set));
     for (const BlockUse& slot : set.slots) {
         lines.push_back(lineOf(slot));
     }
@@ -166,7 +181,8 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
         lines.push_back(lineOf(*set.blend));
     }
     if (set.scene.fog) {
-        lines.push_back(lineOf(*set.scene.fog));
+        const bool atVertices = set.scene.fogsAtVertices && set.ground == GroundMode::Off;
+        lines.push_back(detailed(lineOf(*set.scene.fog), atVertices, "per vertex"));
     }
     if (set.opacity) {
         lines.push_back({"opacity", {}, reasonFor(set.reasons, "opacity")});

@@ -54,6 +54,7 @@ Scene aloneIn(const Scene& scene, std::size_t object) {
     alone.ground = scene.ground;
     alone.exposure = scene.exposure;
     alone.toneMapping = scene.toneMapping;
+    alone.accuracy = scene.accuracy;
     alone.objects = {scene.objects[object]};
     const auto caster = std::find_if(scene.objects.begin(), scene.objects.end(), isCaster);
     if (caster != scene.objects.end() && !isCaster(scene.objects[object])) {

@@ -11,6 +11,7 @@
 #include "shading/effect_choice.h"
 #include "shading/fog_depth.h"
 #include "shading/light_effects.h"
+#include "shading/picture_effects.h"
 #include "shading/refraction_choice.h"
 #include "shading/refraction_effects.h"
 #include "shading/texture_choice.h"
@@ -263,6 +264,7 @@ SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const Effe
     addTransparency(effects, scene, catalog);
     addAmbient(effects, scene);
     effects.isShownBent = showsSceneBent(scene, catalog);
+    addPictureEffects(effects, scene);
     return effects;
 }
 
@@ -279,6 +281,7 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     addOutline(set, material, catalog);
     set.scene = sceneEffects(scene, catalog, view);
     addRefraction(set, material, scene, catalog);
+    addPictureWork(set, catalog);
     return set;
 }
 

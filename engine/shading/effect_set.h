@@ -66,6 +66,10 @@ struct SceneEffects {
     bool ambient = false;
     bool hemisphere = false;
     bool isShownBent = false; ///< by what bends light, see showsSceneBent()
+    bool wantsVertexLight = false;    ///< see EffectSet::lightsAtVertices
+    bool wantsBlendedNormals = false; ///< see EffectSet::leavesNormals
+    bool wantsWideHighlights = false; ///< see EffectSet::widensHighlights
+    bool fogsAtVertices = false;      ///< but on the ground
     Reasons reasons;
     std::vector<LeftOut> leftOut;
 
@@ -105,6 +109,9 @@ struct EffectSet {
     bool opacity = false;
     std::optional<BlockUse> refraction; ///< what bends the light that passes
     std::optional<BlockUse> outline; ///< drawn by a program of its own (see outline_source.h)
+    bool lightsAtVertices = false; ///< the model is asked there and its light blended
+    bool leavesNormals = false;    ///< as short as blending those of the vertices makes them
+    bool widensHighlights = false; ///< by what the surface turns within a pixel
     GroundMode ground = GroundMode::Off; ///< the ground is drawn so, in place of a model
     SceneEffects scene;
     Reasons reasons;

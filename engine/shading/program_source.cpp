@@ -39,27 +39,34 @@ std::string ProgramSource::hash() const {
     return boost::uuids::to_string(generate(vertex.text + '\0' + fragment.text + between));
 }
 
-void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout) {
+void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout,
+                      const VertexWork& work) {
     vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
     const bool hasTextures = TextureWriter(set, layout).writeVertex(vertex);
     if (layout.isPeeled()) {
         vertex.add("invariant gl_Position;\n");
     }
     vertex.addFile("passes/surface.vert");
-    vertex.add(hasTextures ? "void main() {\n    placeSurface();\n    placeImages();\n}\n"
-                           : "void main() {\n    placeSurface();\n}\n");
+    const std::string more = work ? work(vertex) : std::string();
+    vertex.add(fmt::format("void main() {{\n    placeSurface();\n{}{}}}\n",
+                           hasTextures ? "    placeImages();\n" : "", more));
 }
 
 Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
                                       SurfaceOutput output, int sceneVec4s) {
     const ObjectLayout layout = objectLayout(set, catalog);
+    const SceneLayout scene = sceneLayout(set.scene, catalog);
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
     if (output == SurfaceOutput::AlbedoTable) {
         vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
         vertex.addFile("passes/screen.vert");
     } else {
-        addSurfaceVertex(vertex, set, layout);
+        const bool isPicture = output == SurfaceOutput::Picture;
+        addSurfaceVertex(vertex, set, layout, [&](SourceBuilder& stage) {
+            return isPicture ? SurfaceWriter(stage, set, layout, scene).writeVertices(sceneVec4s)
+                             : std::string();
+        });
     }
 
     SourceBuilder fragment(shaderRoot(catalog));
@@ -67,7 +74,7 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
     if (output != SurfaceOutput::AlbedoTable) {
         fragment.add(fmt::format("#define SCENE_VEC4S {}\n", sceneVec4s));
     }
-    SurfaceWriter(fragment, set, layout, sceneLayout(set.scene, catalog)).write(output);
+    SurfaceWriter(fragment, set, layout, scene).write(output);
     return joined(vertex, fragment);
 }
 

@@ -43,8 +43,10 @@ Checked<ProgramSource> program(const Catalog& catalog, const StageWriter& writeV
 /// A program that covers the target; `write` adds its fragment stage.
 Checked<ProgramSource> screenProgram(const Catalog& catalog, const StageWriter& write);
 
-/// The vertex stage of surfaceProgram().
-void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout);
+/// The vertex stage of surfaceProgram(); `work`, of its main, stands behind what places a vertex.
+using VertexWork = std::function<std::string(SourceBuilder&)>;
+void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout,
+                      const VertexWork& work = {});
 
 /// A program made of files of the shader folder alone.
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,

@@ -7,6 +7,7 @@
 
 #include "shading/block_source.h"
 #include "shading/environment_source.h"
+#include "shading/highlight_width.h"
 
 namespace patina {
 namespace {
@@ -38,11 +39,11 @@ std::string gateSource(const Block& model) {
     return condition.empty() ? "false" : condition;
 }
 
-/// What keeps a model's value from being negative: nothing, where it says that it never is. (What
-/// is stored is cut anyway.)
-const char* cutSource(const Block& model) {
+/// What keeps a model's value from being negative: nothing, where it says that it never is, which
+/// it says of unit normals. (What is stored is cut anyway.)
+const char* cutSource(const Block& model, bool hasUnitNormals) {
     const bool isKept = std::ranges::find(model.claims, "non_negative") != model.claims.end();
-    return isKept ? "(color)" : "max(color, vec3(0.0))";
+    return isKept && hasUnitNormals ? "(color)" : "max(color, vec3(0.0))";
 }
 
 } // namespace
@@ -70,6 +71,8 @@ void SurfaceWriter::writeSurface() {
     writeFrame();
     if (object_.ground) {
         writeGround();
+    } else if (object_.model && lightsAtVertices()) {
+        writeBlendedLight();
     } else if (object_.model) {
         writeSlots();
         writeModel();
@@ -93,6 +96,9 @@ void SurfaceWriter::writeSurface() {
 void SurfaceWriter::writeFrame() {
     out_.add(fmt::format("#define OBJECT_VEC4S {}\n", object_.vec4s));
     out_.addFile("passes/surface.glsl");
+    if (leavesNormals()) {
+        out_.addFile("passes/interpolated_normal.glsl");
+    }
     if (isInspected()) {
         out_.addFile("passes/inspection.glsl");
     }
@@ -167,7 +173,8 @@ void SurfaceWriter::writeModel() {
     out_.add(fmt::format("#define Model {}\n#define {} {}\n#define IS_DARK(d) ({})\n"
                          "#define CUT_AT_ZERO(color) {}\n",
                          structName(model), isInspected() ? "modelValue" : "shadeModel",
-                         functionName(model), gateSource(model), cutSource(model)));
+                         functionName(model), gateSource(model),
+                         cutSource(model, !leavesNormals())));
     if (isInspected()) {
         out_.addFile("passes/inspected_model.glsl");
         out_.add("#define shadeModel inspectedModel\n");
@@ -178,6 +185,20 @@ void SurfaceWriter::writeModel() {
         for (const SlotFill& slot : filled_) {
             main_ += textures_.values(slot.kind, fmt::format("model.{}", slot.kind));
         }
+    }
+    if (isPicture() && set_.widensHighlights) {
+        writeWideHighlights();
+    }
+}
+
+/// Behind what images say of them.
+void SurfaceWriter::writeWideHighlights() {
+    out_.addFile("lib/math.glsl");
+    out_.addFile("passes/widened_highlight.glsl");
+    main_ += "    float spread = highlightSpread(s.n);\n" +
+             widenedSource(*object_.model->block, "model");
+    for (const BlockPlace& slot : object_.slots) {
+        main_ += widenedSource(*slot.block, "model." + slot.block->kind);
     }
 }
 
@@ -312,10 +333,8 @@ void SurfaceWriter::writeBlend() {
     noteTerm("BLENDED", "shaded", "share");
 }
 
-void SurfaceWriter::writeFog() {
-    if (!scene_.fog) {
-        return;
-    }
+/// The fog's block, and what the passes call it.
+void SurfaceWriter::writeFogBlock() {
     const Block& block = *scene_.fog->block;
     readFrom("sceneData");
     writeBlock(block);
@@ -324,7 +343,14 @@ void SurfaceWriter::writeFog() {
     const char* share = isInspected() ? "fogShare(x, p) lookedShare({}(x, p))" : "fogShare {}";
     out_.add(fmt::format("#define Fog {}\n#define {}\n#define fogColor {}Color\n",
                          structName(block), fmt::format(fmt::runtime(share), function), function));
-    out_.addFile("passes/fog.glsl");
+}
+
+void SurfaceWriter::writeFog() {
+    if (!scene_.fog) {
+        return;
+    }
+    writeFogBlock();
+    out_.addFile(fogsAtVertices() ? "passes/blended_fog.glsl" : "passes/fog.glsl");
     if (set_.ground == GroundMode::Shadows) {
         return; // they thin out with what they fall on
     }
@@ -347,9 +373,10 @@ void SurfaceWriter::writeMain() {
         isInspected() ? fmt::format("storeInspected(s, {}, {}, {})", stored_, albedo, alpha_)
                       : fmt::format(fmt::runtime(store_), stored_, alpha_);
     out_.add(
-        fmt::format("void main() {{\n{}    Surface s = surface();\n    vec3 shaded = vec3(0.0);\n"
+        fmt::format("void main() {{\n{}    Surface s = {}();\n    vec3 shaded = vec3(0.0);\n"
                     "{}{}    {};\n}}\n",
-                    isInspected() ? "    clearTerms();\n" : "", main_, last_, store));
+                    isInspected() ? "    clearTerms();\n" : "",
+                    leavesNormals() ? "blendedSurface" : "surface", main_, last_, store));
 }
 
 } // namespace patina

@@ -24,6 +24,10 @@ class SurfaceWriter {
 
     void write(SurfaceOutput output = SurfaceOutput::Picture);
 
+    /// Writes instead what the vertex stage works out for a picture behind
+    /// passes/surface.vert, and returns the statements of its main.
+    std::string writeVertices(int sceneVec4s);
+
   private:
     void writeSurface();
     void writeAlbedoTable();
@@ -48,6 +52,15 @@ class SurfaceWriter {
     void writeDistance();
     void writeRefraction();
     void writeLayer();
+    void writeFogBlock();
+    void writeWideHighlights();
+    void writeBlendedLight();
+    std::string writeVertexFog();
+    std::string writeVertexLight();
+    bool isPicture() const;
+    bool lightsAtVertices() const { return isPicture() && set_.lightsAtVertices; }
+    bool leavesNormals() const { return isPicture() && set_.leavesNormals; }
+    bool fogsAtVertices() const { return isPicture() && set_.scene.fogsAtVertices; }
     void writeGround();
     void addToGround(const std::string& light);
     void writeMain();

@@ -43,6 +43,18 @@ TEST(SetOption, AccuracyLevelThatIsNone_NamesThoseThereAre) {
     EXPECT_NE(outcome.err.find("squaring"), std::string::npos) << outcome.err;
 }
 
+TEST(SetOption, AccuracyOfThePicture_ChangesIt) {
+    const std::vector<std::string> exact{"--model", "phong"};
+    EXPECT_NE(picture({"--model", "phong", "--set", "picture.scale=half"}), picture(exact));
+    EXPECT_EQ(picture({"--model", "phong", "--set", "picture.scale=full"}), picture(exact));
+}
+
+TEST(SetOption, AccuracyLevelOfThePictureThatIsNone_NamesThoseThereAre) {
+    const Outcome outcome = rendered({"--model", "phong", "--set", "picture.lighting=wax"});
+    EXPECT_NE(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("vertex"), std::string::npos) << outcome.err;
+}
+
 TEST(SetOption, AccuracyOfABlockThatIsNotUsed_IsAMistake) {
     EXPECT_NE(rendered({"--model", "lambert", "--set", "power=rational"}).exitCode, 0);
 }

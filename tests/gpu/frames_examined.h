@@ -51,8 +51,8 @@ bool negative(vec3 x) {
 )";
 
     void examineSurfaces() {
-        replace("passes/surface.glsl", "Surface surface() {",
-                std::string(checks) + "bool unsound = false;\nSurface surface() {");
+        replace("passes/surface_point.glsl", "struct Surface {",
+                std::string(checks) + "bool unsound = false;\nstruct Surface {");
         replace("passes/surface.glsl", "    return s;\n",
                 "    unsound = !(finite(s.x) && finite(s.v) && finite(s.range) && finite(s.n)\n"
                 "        && finite(s.t) && finite(s.b));\n    return s;\n");

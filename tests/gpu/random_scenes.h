@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catalog/catalog.h"
+#include "scene/picture_choice_text.h"
 #include "scene/scene.h"
 
 namespace patina {
@@ -34,6 +35,11 @@ class RandomScenes {
         scene.toneMapping = chance(0.5) ? ToneMapping::None : ToneMapping::KhronosNeutral;
         if (chance(0.5)) {
             scene.transparency = block("transparency");
+        }
+        for (const PictureChoiceText& text : pictureChoiceTexts()) {
+            if (chance(0.25)) {
+                scene.accuracy.choose(text.choice, below(text.levels.size()));
+            }
         }
         return scene;
     }

@@ -85,7 +85,9 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
     static void addFiles(std::vector<std::string>& files, const Checked<ProgramSource>& source) {
         EXPECT_TRUE(source) << (source ? "" : text(source.error()));
         if (source) {
-            files.insert(files.end(), source->fragment.files.begin(), source->fragment.files.end());
+            for (const ShaderSource* stage : {&source->vertex, &source->fragment}) {
+                files.insert(files.end(), stage->files.begin(), stage->files.end());
+            }
         }
     }
 
@@ -156,6 +158,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
     /// Without anything behind the objects, which is no surface and not looked at.
     void examine(Scene scene, std::uint64_t number) {
         scene.background = glm::dvec3(0.0);
+        scene.accuracy.choose(PictureChoice::Normals, 0); // models say nothing of shorter ones
         scene.transparency.reset(); // each surface stores what was wrong with it by itself
         if (scene.environment) {
             scene.environment->parameters["background"] = std::string("hidden");

@@ -35,6 +35,12 @@ TEST(FixtureBlocks, Loaded_HaveNoMistakes) {
     EXPECT_EQ(text(FixtureBlocks().catalog()->errors), "");
 }
 
+TEST_F(DocumentEdit, AccuracyOfThePicture_UndoesAndRedoes) {
+    document.setValue({Part::Scene}, "picture.lighting", std::string("vertex"));
+    EXPECT_TRUE(document.scene().accuracy.lightsAtVertices());
+    EXPECT_TRUE(survivesUndoAndRedo(document, before));
+}
+
 TEST_F(DocumentEdit, Parameter_UndoesAndRedoes) {
     document.setValue(fixture.model(), "roughness", 0.75);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// Whether an assignment of `--set` is about the picture's accuracy: "picture.<choice>=<level>".
+bool isOfPicture(const std::string& assignment);
+
+/// Makes those of the assignments.
+Result<void> choosePictureAccuracy(Scene& scene, const std::vector<std::string>& assignments);
+
+} // namespace patina

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "catalog/parameter.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// The choices of the picture's accuracy as parameters of the scene's form: "picture.<choice>".
+std::vector<Parameter> pictureAccuracyParameters();
+
+/// Nothing where the id names no such choice.
+std::optional<Value> pictureLevel(const Scene& scene, std::string_view parameterId);
+
+/// Does nothing where the id or the level is not known.
+void storePictureLevel(Scene& scene, std::string_view parameterId, const Value& value);
+
+} // namespace patina

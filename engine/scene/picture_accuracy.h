@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace patina {
+
+/// What a picture may compute less exactly, whatever its materials (see picture_choice_text.h).
+enum class PictureChoice : std::uint8_t {
+    Samples,
+    Lighting,
+    Normals,
+    Highlights,
+    Fog,
+    Scale,
+    Numbers
+};
+
+inline constexpr std::size_t pictureChoices = 7;
+
+/// The level of each choice, 0 the exact one. A new one draws as Patina always does.
+class PictureAccuracy {
+  public:
+    std::size_t level(PictureChoice choice) const {
+        return levels_[static_cast<std::size_t>(choice)];
+    }
+
+    /// A level that there is not becomes the last one.
+    void choose(PictureChoice choice, std::size_t level);
+
+    /// Places of a pixel that are looked at for edges: 8, 4, 2 or 1.
+    int samples() const { return 8 >> level(PictureChoice::Samples); }
+
+    bool lightsAtVertices() const { return level(PictureChoice::Lighting) > 0; }
+    bool leavesNormals() const { return level(PictureChoice::Normals) > 0; }
+    bool widensHighlights() const { return level(PictureChoice::Highlights) > 0; }
+    bool fogsAtVertices() const { return level(PictureChoice::Fog) > 0; }
+
+    /// Pixels that are drawn for a pixel of the picture, along each side: 1, 0.75 or 0.5.
+    double scale() const { return 1.0 - 0.25 * static_cast<double>(level(PictureChoice::Scale)); }
+
+    /// Whether light is summed in 32 bits a channel instead of 16.
+    bool hasWholeNumbers() const { return level(PictureChoice::Numbers) == 0; }
+
+    friend bool operator==(const PictureAccuracy&, const PictureAccuracy&) = default;
+
+  private:
+    std::array<std::uint8_t, pictureChoices> levels_{1, 0, 0, 0, 0, 0, 1};
+};
+
+} // namespace patina

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/highlight_width.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+/// The function that widens what a parameter says; null where that is no highlight's width.
+const char* wideningOf(const Parameter& parameter) {
+    if (parameter.type != ParameterType::Float && parameter.type != ParameterType::Angle) {
+        return nullptr;
+    }
+    const std::string first = parameter.id.substr(0, parameter.id.find('.'));
+    const bool isMatte = !parameter.unit.empty(); // an angle between slopes
+    if (first == "roughness") {
+        return isMatte ? nullptr : "widenedSlope";
+    }
+    if (first == "shininess") {
+        return "widenedExponent";
+    }
+    return parameter.id == "width" ? "widenedAngle" : nullptr;
+}
+
+} // namespace
+
+bool hasHighlightWidth(const Block& block) {
+    return std::ranges::any_of(block.parameters, [](const Parameter& parameter) {
+        return wideningOf(parameter) != nullptr;
+    });
+}
+
+std::string widenedSource(const Block& block, const std::string& variable) {
+    std::string source;
+    for (const Parameter& parameter : block.parameters) {
+        if (const char* widening = wideningOf(parameter)) {
+            const std::string field = variable + '.' + fieldName(parameter.id);
+            source += fmt::format("    {0} = {1}({0}, spread);\n", field, widening);
+        }
+    }
+    return source;
+}
+
+} // namespace patina

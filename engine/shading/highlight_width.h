@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "catalog/block.h"
+
+namespace patina {
+
+/// Whether the block has a parameter that says how wide its highlight is. By what shared parameter
+/// ids mean: `shininess` is an exponent, `roughness` without a unit the slope of tiny mirrors,
+/// `width` an angle.
+bool hasHighlightWidth(const Block& block);
+
+/// Statements that widen each of them in the struct `variable` by the float `spread` (see
+/// passes/widened_highlight.glsl).
+std::string widenedSource(const Block& block, const std::string& variable);
+
+} // namespace patina

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT-0
+// A point of a surface as the lights find it, in whatever stage it is shaded.
+#include "passes/blocks.glsl"
+#include "lib/directions.glsl"
+#include "lib/math.glsl"
+
+layout(std140) uniform SceneBlock {
+    vec4 sceneData[SCENE_VEC4S];
+};
+
+// The smallest n.v that is shaded. Interpolated normals of a coarse mesh point away from the
+// viewer near its outline, where every model is 0 and black pixels would line it; they are bent
+// towards the viewer to 0.6 degrees above the horizon.
+const float LEAST_NV = 0.01;
+
+struct Surface {
+    vec3 x;         // in world space
+    vec3 v;         // unit, to the eye
+    float range;    // metres from the eye
+    vec3 n;         // unit normal on the viewer's side
+    vec3 t;         // unit tangents, orthogonal to n and to each other
+    vec3 b;
+    vec2 pixel;     // of the picture, whatever the target's fineness
+};
+
+vec3 towardsViewer(vec3 n, vec3 v) {
+    float lack = LEAST_NV - dot(n, v);
+    return lack > 0.0 ? normalize(n + lack * v) : n;
+}
+
+Directions directionsAt(Surface s, vec3 l, vec3 v) {
+    Directions d = directions(s.n, s.t, s.b, l, v);
+    d.pixel = s.pixel;
+    return d;
+}

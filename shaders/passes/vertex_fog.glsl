@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT-0
+// What fog leaves of the surface's colour at a vertex.
+#include "lib/fog_ray.glsl"
+#include "lib/math.glsl"
+
+out float vertexFogShare;
+
+void placeFog(Fog p) {
+    vec3 way = worldPosition - viewData[4].xyz;
+    FogRay ray;
+    ray.eye = viewData[4].xyz;
+    ray.direction = safeNormalize(way, vec3(0.0, 0.0, -1.0));
+    ray.range = length(way);
+    vertexFogShare = fogShare(ray, p);
+}
