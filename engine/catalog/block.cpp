@@ -45,6 +45,10 @@ const AccuracyChoice* Block::accuracyChoice(std::string_view choiceId) const {
     return withId(accuracy, choiceId);
 }
 
+const BlockTable* Block::table(std::string_view tableId) const {
+    return withId(tables, tableId);
+}
+
 const Slot* Block::slot(std::string_view slotKind) const {
     const auto found = std::find_if(slots.begin(), slots.end(),
                                     [slotKind](const Slot& s) { return s.kind == slotKind; });

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "catalog/block_table.h"
 #include "catalog/parameter.h"
 #include "catalog/shadow_projection.h"
 
@@ -69,6 +70,7 @@ struct Block {
     std::string doc;
     std::vector<Parameter> parameters;
     std::vector<AccuracyChoice> accuracy;
+    std::vector<BlockTable> tables; ///< models, fresnel and specular only
     std::vector<Slot> slots;
     std::vector<std::string> claims;
     std::map<std::string, std::string> exemptions; ///< claim -> why it is not made
@@ -82,6 +84,7 @@ struct Block {
 
     const Parameter* parameter(std::string_view parameterId) const;
     const AccuracyChoice* accuracyChoice(std::string_view choiceId) const;
+    const BlockTable* table(std::string_view tableId) const;
     const Slot* slot(std::string_view slotKind) const;
 
     friend bool operator==(const Block&, const Block&) = default;

@@ -87,6 +87,7 @@ EnumValue enumValueFrom(const Fields& fields) {
     fields.read("label", value.label);
     fields.read("doc", value.doc);
     fields.read("exact", value.exact);
+    fields.read("table", value.table);
     return value;
 }
 
@@ -95,6 +96,20 @@ Slot slotFrom(const Fields& fields) {
     fields.read("kind", slot.kind);
     fields.read("default", slot.defaultBlock);
     return slot;
+}
+
+/// One or two numbers; what else stands there the schema reports.
+BlockTable tableFrom(const Fields& fields) {
+    BlockTable table;
+    fields.read("id", table.id);
+    fields.read("of", table.of);
+    const Json* size = fields.find("size");
+    for (std::size_t i = 0; size != nullptr && size->is_array() && i < size->size() && i < 2; ++i) {
+        const Json& entries = (*size)[i];
+        const bool isSize = entries.is_number_integer() && entries >= 2 && entries <= 1024;
+        table.size[static_cast<int>(i)] = isSize ? entries.get<int>() : 2;
+    }
+    return table;
 }
 
 Migration migrationFrom(const Fields& fields) {
@@ -283,6 +298,7 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
     fields.read("doc", block.doc);
     fields.readEach("parameters", block.parameters, parameterFrom);
     fields.readEach("accuracy", block.accuracy, accuracyFrom);
+    fields.readEach("tables", block.tables, tableFrom);
     fields.readEach("slots", block.slots, slotFrom);
     fields.read("claims", block.claims);
     block.exemptions = exemptionsFrom(fields);

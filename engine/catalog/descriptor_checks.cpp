@@ -15,6 +15,7 @@
 #include "catalog/reserved_words.h"
 #include "catalog/shadow_checks.h"
 #include "catalog/suggestion.h"
+#include "catalog/table_checks.h"
 #include "catalog/value_json.h"
 #include "core/number_text.h"
 
@@ -373,7 +374,8 @@ class Checker {
 Errors descriptorMistakes(const Descriptor& descriptor) {
     Errors errors = Checker(descriptor).run();
     for (const Errors& more :
-         {fillMistakes(descriptor), shadowMistakes(descriptor), boundMistakes(descriptor)}) {
+         {fillMistakes(descriptor), shadowMistakes(descriptor), boundMistakes(descriptor),
+          tableMistakes(descriptor)}) {
         errors.insert(errors.end(), more.begin(), more.end());
     }
     return errors;

@@ -31,6 +31,9 @@ Json choiceJson(const EnumValue& value) {
 Json levelJson(const EnumValue& value) {
     Json json = choiceJson(value);
     json["exact"] = value.exact;
+    if (!value.table.empty()) {
+        json["table"] = value.table;
+    }
     return json;
 }
 
@@ -39,6 +42,14 @@ Json accuracyJson(const AccuracyChoice& choice) {
             {"label", choice.label},
             {"doc", choice.doc},
             {"values", arrayOf(choice.values, levelJson)}};
+}
+
+Json tableJson(const BlockTable& table) {
+    Json size = Json::array({table.size.x});
+    if (table.size.y > 1) {
+        size.push_back(table.size.y);
+    }
+    return {{"id", table.id}, {"size", size}, {"of", table.of}};
 }
 
 Json slotJson(const Slot& slot) {
@@ -141,6 +152,7 @@ nlohmann::json toJson(const Block& block) {
                  {"doc", block.doc},
                  {"parameters", arrayOf(block.parameters, parameterJson)},
                  {"accuracy", arrayOf(block.accuracy, accuracyJson)},
+                 {"tables", arrayOf(block.tables, tableJson)},
                  {"slots", arrayOf(block.slots, slotJson)},
                  {"claims", block.claims},
                  {"exemptions", block.exemptions},

@@ -34,6 +34,7 @@ struct EnumValue {
     std::string doc;
     bool exact = false; ///< accuracy choices only: the level the others are measured against
     Values fills{};     ///< parameters of the same block that choosing this sets; see fills.h
+    std::string table{}; ///< accuracy choices only: id of the block's table that the level reads
 
     friend bool operator==(const EnumValue&, const EnumValue&) = default;
 };

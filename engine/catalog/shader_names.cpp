@@ -6,8 +6,11 @@
 #include <cctype>
 #include <fstream>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "catalog/table_source.h"
 
 namespace patina {
 namespace {
@@ -96,7 +99,12 @@ ShaderNames shaderNames(const fs::path& shaders) {
 
 Errors nameMistakes(const Descriptor& descriptor, const ShaderNames& taken) {
     Errors errors;
-    for (const std::string& name : {structName(descriptor.block), functionName(descriptor.block)}) {
+    std::vector<std::string> names{structName(descriptor.block), functionName(descriptor.block)};
+    for (const BlockTable& table : descriptor.block.tables) {
+        names.push_back(tableFunction(descriptor.block, table));
+        names.push_back(entryFunction(descriptor.block, table));
+    }
+    for (const std::string& name : names) {
         if (errors.empty() && (isFunctionOfGlsl(name) || taken.contains(name))) {
             errors.push_back(descriptor.document.error(
                 "/id",

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/table_source.h"
 #include "measure/eval_reference.h"
 #include "shading/block_source.h"
 #include "shading/source_builder.h"
@@ -73,7 +74,9 @@ void addSlots(SourceBuilder& builder, const EvalCase& request) {
             continue;
         }
         addParameters(builder, filler, "unpack" + slotStructName(slot.kind), {});
+        builder.add(tableDeclarations(*filler.block));
         builder.addBlock(*filler.block);
+        builder.add(computedTables(*filler.block));
         builder.add(slotNamesSource(*filler.block));
     }
 }
@@ -90,7 +93,9 @@ void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
         filled.push_back({request.slot.block->kind, vec4Count(*request.slot.block)});
     }
     addParameters(builder, request.block, "unpackEvaluated", filled);
+    builder.add(tableDeclarations(block));
     builder.addBlock(block);
+    builder.add(computedTables(block));
     builder.add(fmt::format("#define EVALUATED_BLOCK {}\n#define LIGHT_GATE {}\n"
                             "#define VIEW_GATE {}\n",
                             functionName(block), hasGate(block, "light"), hasGate(block, "view")));

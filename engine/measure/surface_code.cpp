@@ -41,6 +41,21 @@ const ParameterField* fieldOf(const BlockPlace& place, std::string_view name) {
     return found == place.layout.fields.end() ? nullptr : &*found;
 }
 
+/// The levels that the program has, which may be others than the material's.
+void takeLevels(std::vector<double>& values, const BlockPlace& place, const BlockUse& use) {
+    for (const ParameterField& field : place.layout.fields) {
+        const auto compiled =
+            field.choice == nullptr
+                ? use.compiled.end()
+                : std::ranges::find(use.compiled, field.choice->id, &CompiledValue::id);
+        if (compiled != use.compiled.end() && field.offset < values.size()) {
+            const std::vector<EnumValue>& levels = field.choice->values;
+            const auto level = std::ranges::find(levels, compiled->value, &EnumValue::id);
+            values[field.offset] = static_cast<double>(level - levels.begin());
+        }
+    }
+}
+
 /// Collects an object's code, block by block.
 class Collector {
   public:
@@ -56,12 +71,12 @@ class Collector {
         code_.firstShare = object_.firstShare;
         code_.slots = layout_.slots.size();
         code_.blends = layout_.blend.has_value();
-        addBlock(*layout_.model);
-        for (const BlockPlace& slot : layout_.slots) {
-            addBlock(slot);
+        addBlock(*layout_.model, *effects_.model);
+        for (std::size_t i = 0; i < layout_.slots.size(); ++i) {
+            addBlock(layout_.slots[i], effects_.slots[i]);
         }
         if (layout_.blend) {
-            addBlock(*layout_.blend);
+            addBlock(*layout_.blend, *effects_.blend);
         }
         addImages();
         addEmission();
@@ -96,9 +111,10 @@ class Collector {
         return code ? std::move(*code) : SurfaceCode::BlockCode();
     }
 
-    void addBlock(const BlockPlace& place) {
+    void addBlock(const BlockPlace& place, const BlockUse& use) {
         code_.blocks.push_back(
             codeOf(place, object_.data, static_cast<std::size_t>(place.first)));
+        takeLevels(code_.blocks.back().values, place, use);
         places_.push_back(&place);
     }
 

@@ -21,6 +21,9 @@ inline constexpr unsigned refractionBack = 0;
 inline constexpr unsigned behindColor = 1;
 inline constexpr unsigned behindDepth = 2;
 
+/// Of the tables that a material's blocks read in place of computing.
+inline constexpr unsigned blockTables = 3;
+
 /// Of an environment: where it is bright, its picture, and that in small.
 inline constexpr unsigned environmentTable = 4;
 inline constexpr unsigned environmentImage = 5;

@@ -75,6 +75,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     report_.drawCalls = 0;
     report_.isWaiting = false;
     report_.shadowMaps = 0;
+    report_.filledTables = 0;
     lostLights_ = 0;
     cursor_ = Cursor();
     fence_ = gl::Fence();
@@ -99,6 +100,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     uploadView(view);
     choosePipelines();
     orderItems();
+    fillTables(scene);
     if (auto begun = beginLayers(scene); !begun) {
         return fail(begun.error());
     }
@@ -313,6 +315,9 @@ void FrameDrawer::feedMaterial(const Scene& scene, const DrawMaterial& material)
     const Pipeline& pipeline = *material.pipeline;
     const std::span<glm::vec4> data = materialData_.staging(material.data);
     const Material& values = scene.objects[material.object].material;
+    if (pipeline.tableProgram) {
+        tables_.bind(static_cast<std::size_t>(&material - materials_.data()));
+    }
     packMaterial(data, pipeline, values, cameras_.cameraToWorld);
     if (isLayered(material)) {
         packLayersOf(scene, material, data);

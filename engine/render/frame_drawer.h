@@ -28,6 +28,7 @@
 #include "render/refraction_pass.h"
 #include "render/renderer.h"
 #include "render/shadow_maps.h"
+#include "render/table_store.h"
 #include "render/transparency_pass.h"
 #include "render/uniform_buffer.h"
 #include "render/uniform_pool.h"
@@ -147,6 +148,7 @@ class FrameDrawer {
     void choosePipelines();
     void choosePipeline(DrawMaterial& material, const PipelineStore::Surroundings& around);
     void orderItems();
+    void fillTables(const Scene& scene);
     PipelineStore::Surroundings surroundings();
     void planShadows(const Scene& scene);
     bool drawShadows(Deadline deadline);
@@ -219,6 +221,7 @@ class FrameDrawer {
     DrawList list_;
     InstanceBuffer instances_; ///< in the list's order
     UniformPool materialData_;
+    TableStore tables_; ///< by material
     std::optional<std::size_t> fedMaterial_;
     TransparencyPass transparency_;
     DepthRange layerDepths_; ///< of what shines through

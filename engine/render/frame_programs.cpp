@@ -72,6 +72,22 @@ void FrameDrawer::orderItems() {
     materialData_.makeRoom();
 }
 
+/// What the blocks of the frame's materials read in place of computing, where it is not what it
+/// was in the last frame.
+void FrameDrawer::fillTables(const Scene& scene) {
+    tables_.makeRoom(materials_.size());
+    for (std::size_t i = 0; i < materials_.size(); ++i) {
+        const Pipeline* pipeline = materials_[i].pipeline.get();
+        if (pipeline != nullptr && pipeline->tableProgram) {
+            const Material& values = scene.objects[materials_[i].object].material;
+            report_.filledTables +=
+                tables_.fit(i, *pipeline, values, cameras_.cameraToWorld) ? 1 : 0;
+        } else {
+            tables_.drop(i);
+        }
+    }
+}
+
 void FrameDrawer::noteSource(const void* source) {
     if (std::find(sources_.begin(), sources_.end(), source) == sources_.end()) {
         sources_.push_back(source);

@@ -21,6 +21,7 @@ struct Pipeline {
     SceneLayout scene;
     std::uint64_t sceneKey = 0;
     std::shared_ptr<const gl::Program> program;
+    std::shared_ptr<const gl::Program> tableProgram; ///< fills the tables that it reads, if any
     std::optional<OutlineLayout> outline; ///< of the program that draws its lines, where it has any
     std::shared_ptr<const gl::Program> outlineProgram;
 };

@@ -72,6 +72,21 @@ Checked<void> PipelineStore::addOutline(Pipeline& pipeline, const EffectSet& eff
     return {};
 }
 
+/// Made with the program that reads them, so that filling them later compiles nothing.
+Checked<void> PipelineStore::addTables(Pipeline& pipeline, const EffectSet& effects) {
+    const auto source = surfaceProgram(effects, *catalog_, SurfaceOutput::Tables);
+    if (!source) {
+        return tl::unexpected(source.error());
+    }
+    const ProgramCache::Found found = programs_.get(*source);
+    if (!found.program) {
+        return tl::unexpected(found.errors);
+    }
+    found.program->bindBlock("ObjectBlock", binding::object);
+    pipeline.tableProgram = found.program;
+    return {};
+}
+
 PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneKey) {
     auto pipeline = std::make_shared<Pipeline>();
     const auto source = surfaceProgram(effects, *catalog_, output_, sceneCapacity_);
@@ -94,13 +109,19 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
     if (effects.scene.environment) {
         environment::assignUnits(*found.program);
     }
+    found.program->bindSampler("blockTables", binding::blockTables);
+    pipeline->object = objectLayout(effects, *catalog_);
+    if (!pipeline->object.tables.empty() && output_ == SurfaceOutput::Picture) {
+        if (auto added = addTables(*pipeline, effects); !added) {
+            return {nullptr, added.error()};
+        }
+    }
     if (effects.outline && output_ == SurfaceOutput::Picture) {
         if (auto added = addOutline(*pipeline, effects); !added) {
             return {nullptr, added.error()};
         }
     }
     pipeline->catalog = catalog_;
-    pipeline->object = objectLayout(effects, *catalog_);
     pipeline->scene = sceneLayout(effects.scene, *catalog_);
     pipeline->effects = std::move(effects);
     pipeline->sceneKey = sceneKey;

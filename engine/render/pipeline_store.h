@@ -64,6 +64,7 @@ class PipelineStore {
     const Entry& find(std::uint64_t materialKey, const Material& material,
                       const Surroundings& surroundings);
     Entry make(EffectSet effects, std::uint64_t sceneKey);
+    Checked<void> addTables(Pipeline& pipeline, const EffectSet& effects);
     Checked<void> addOutline(Pipeline& pipeline, const EffectSet& effects);
 
     std::shared_ptr<const Catalog> catalog_;

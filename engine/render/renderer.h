@@ -55,6 +55,7 @@ struct FrameReport {
     int drawCalls = 0;        ///< for the objects; those of one mesh and material share one
     bool isWaiting = false;   ///< images are not whole yet: another frame shows more of them
     int shadowMaps = 0;       ///< depth maps drawn (six for a light that shines everywhere)
+    int filledTables = 0;     ///< materials whose blocks' tables were filled (see block_table.h)
     std::vector<std::string> effects; ///< the blocks in the shaders, canonical order
     Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
     std::size_t warnings = 0; ///< so many of the messages, the last ones, say what was left out of

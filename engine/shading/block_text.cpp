@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "catalog/suggestion.h"
+#include "catalog/table_source.h"
+#include "shading/entry_text.h"
 #include "shading/glsl_tokens.h"
 
 namespace patina {
@@ -246,6 +248,15 @@ class Wanted {
     std::vector<std::string> arguments_; ///< their types
 };
 
+/// By which the functions of the entries of tables are named.
+std::vector<std::string> entrySuffixes(const Block& block) {
+    std::vector<std::string> suffixes;
+    for (const BlockTable& table : block.tables) {
+        suffixes.push_back(entryFunction(block, table).substr(functionName(block).size()));
+    }
+    return suffixes;
+}
+
 Errors functionMistakes(const Block& block, const Tokens& tokens) {
     std::vector<Function> others = functionsIn(tokens);
     std::vector<Wanted> missing;
@@ -257,6 +268,14 @@ Errors functionMistakes(const Block& block, const Tokens& tokens) {
         }
     }
     Errors errors;
+    const auto suffixes = entrySuffixes(block);
+    for (const std::string& suffix : suffixes) {
+        const Wanted wanted(block, {block.kind, suffix, "vec3", "vec2", "x"});
+        const auto isIt = [&wanted](const Function& function) { return wanted.is(function); };
+        if (std::erase_if(others, isIt) == 0) {
+            missing.push_back(wanted);
+        }
+    }
     for (const Wanted& wanted : missing) {
         const Function* meant = wanted.meant(others);
         errors.push_back(errorAt(block, meant == nullptr ? GlslToken() : meant->name,
@@ -277,6 +296,9 @@ Errors blockTextMistakes(const Block& block, std::string_view glsl) {
     }
     if (errors.empty()) {
         errors = functionMistakes(block, tokens);
+    }
+    if (errors.empty()) {
+        errors = entryMistakes(block, tokens);
     }
     sortByPlace(errors);
     return errors;

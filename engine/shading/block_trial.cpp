@@ -31,6 +31,17 @@ bool suitsPart(const Block& model, const std::string& kind) {
     return (model.slot(kind) != nullptr) == (kind == "specular");
 }
 
+/// Where levels read tables, one of them is tried instead of the exact one.
+void chooseTables(Material& material, const Block& block) {
+    for (const AccuracyChoice& choice : block.accuracy) {
+        const auto level = std::find_if(choice.values.begin(), choice.values.end(),
+                                        [](const EnumValue& v) { return !v.table.empty(); });
+        if (level != choice.values.end()) {
+            material.accuracy[choice.id] = level->id;
+        }
+    }
+}
+
 Material materialFor(const Block& block, const Catalog& catalog) {
     if (block.kind == "models") {
         return defaultMaterial(block);
@@ -70,7 +81,9 @@ const Block* lightBlock(const Block& block, const Catalog& catalog) {
 } // namespace
 
 Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) {
-    EffectSet set = effectSet(materialFor(block, catalog), Scene(), catalog);
+    Material material = materialFor(block, catalog);
+    chooseTables(material, block);
+    EffectSet set = effectSet(material, Scene(), catalog);
     set.scene.ambient = true;
     if (const Block* light = lightBlock(block, catalog)) {
         set.scene.lights = {lightFor(*light, block)};
@@ -90,7 +103,10 @@ Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) 
         set.outline = usualUse(block);
         return outlineProgram(set, catalog);
     }
-    return surfaceProgram(set, catalog);
+    // A picture looks entries up; the inspection computes them, so that their text is tried too.
+    return surfaceProgram(set, catalog,
+                          block.tables.empty() ? SurfaceOutput::Picture
+                                               : SurfaceOutput::Inspection);
 }
 
 } // namespace patina

@@ -17,6 +17,19 @@ std::optional<BlockPlace> placed(const BlockUse& use, const Catalog& catalog, in
     return place;
 }
 
+/// The tables of everything whose values are placed.
+void addTables(ObjectLayout& layout, const EffectSet& set) {
+    if (layout.model) {
+        layout.tables.add(*layout.model, *set.model, TableReader::Model);
+    }
+    for (std::size_t i = 0; i < layout.slots.size(); ++i) {
+        layout.tables.add(layout.slots[i], set.slots[i], TableReader::Slot);
+    }
+    if (layout.blend) {
+        layout.tables.add(*layout.blend, *set.blend, TableReader::Blend);
+    }
+}
+
 } // namespace
 
 int LightPlace::vec4s() const {
@@ -40,6 +53,7 @@ ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
     if (set.blend) {
         layout.blend = placed(*set.blend, catalog, layout.vec4s);
     }
+    addTables(layout, set);
     layout.firstTexture = layout.vec4s;
     layout.vec4s = layout.texture(set.textures.size());
     if (set.refraction) {

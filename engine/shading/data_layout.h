@@ -6,18 +6,11 @@
 
 #include "catalog/catalog.h"
 #include "catalog/parameter_layout.h"
+#include "shading/block_place.h"
 #include "shading/effect_set.h"
+#include "shading/table_layout.h"
 
 namespace patina {
-
-/// Where the values of one block lie in an array of vec4s.
-struct BlockPlace {
-    const Block* block = nullptr;
-    ParameterLayout layout;
-    int first = 0; ///< index of its first vec4
-
-    int vec4s() const { return static_cast<int>(layout.floats / 4); }
-};
 
 /// Where one light's values lie in those of its group: the light's, its shadows' and its map's.
 struct LightPlace {
@@ -50,6 +43,7 @@ struct ObjectLayout {
     std::optional<BlockPlace> transparency; ///< of a surface that is put together with others: a
                                             ///< block's values, then what layers() says
     std::optional<BlockPlace> refraction; ///< then the colour behind the objects
+    TableLayout tables; ///< that the model and its parts read
     int vec4s = fixed;
 
     int refractionBackground() const { return refraction->first + refraction->vec4s(); }

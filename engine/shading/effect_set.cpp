@@ -14,6 +14,7 @@
 #include "shading/picture_effects.h"
 #include "shading/refraction_choice.h"
 #include "shading/refraction_effects.h"
+#include "shading/table_layout.h"
 #include "shading/texture_choice.h"
 #include "shading/texture_effects.h"
 
@@ -275,6 +276,7 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     addBlend(set, material, catalog);
     addTextures(set, material, catalog);
     forgetEqualOfTextured(set, catalog);
+    forgetTablesOfTextured(set, catalog);
     nameBlackEmission(set, catalog);
     nameEqual(set, material, catalog);
     addOpacity(set, material);

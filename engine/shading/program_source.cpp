@@ -58,7 +58,7 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
     const SceneLayout scene = sceneLayout(set.scene, catalog);
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
-    if (output == SurfaceOutput::AlbedoTable) {
+    if (isTable(output)) {
         vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
         vertex.addFile("passes/screen.vert");
     } else {
@@ -71,7 +71,7 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
 
     SourceBuilder fragment(shaderRoot(catalog));
     fragment.add(prelude);
-    if (output != SurfaceOutput::AlbedoTable) {
+    if (!isTable(output)) {
         fragment.add(fmt::format("#define SCENE_VEC4S {}\n", sceneVec4s));
     }
     SurfaceWriter(fragment, set, layout, scene).write(output);

@@ -12,8 +12,14 @@ enum class SurfaceOutput {
     Picture,     ///< the light that the surface sends to the viewer
     Inspection,  ///< its luminance, what is wrong with its numbers, and the numbers themselves
     Buffer,      ///< what it is shaded from: place, directions, what images and shadows give it
+    Tables,      ///< what blocks read in place of computing: an atlas of their tables
     AlbedoTable, ///< the model's albedo by the viewer's direction, without mesh, lights or fog
 };
+
+/// Whether such programs draw no mesh but cover a target of their own.
+inline bool isTable(SurfaceOutput output) {
+    return output == SurfaceOutput::AlbedoTable || output == SurfaceOutput::Tables;
+}
 
 /// How finely a table of albedos is made.
 struct AlbedoTableShape {

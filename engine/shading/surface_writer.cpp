@@ -8,6 +8,7 @@
 #include "shading/block_source.h"
 #include "shading/environment_source.h"
 #include "shading/highlight_width.h"
+#include "shading/table_writer.h"
 
 namespace patina {
 namespace {
@@ -60,6 +61,8 @@ void SurfaceWriter::write(SurfaceOutput output) {
     output_ = output;
     if (output == SurfaceOutput::AlbedoTable) {
         writeAlbedoTable();
+    } else if (output == SurfaceOutput::Tables) {
+        writeTables();
     } else if (output == SurfaceOutput::Buffer) {
         writeBuffer();
     } else {
@@ -139,7 +142,12 @@ void SurfaceWriter::readFrom(const std::string& array) {
 void SurfaceWriter::writeBlock(const Block& block) {
     if (std::find(written_.begin(), written_.end(), &block) == written_.end()) {
         out_.add(constantsSource(block) + structSource(block));
+        if (looksUp(block, object_.tables, output_)) {
+            out_.addFile("passes/block_tables.glsl");
+        }
+        out_.add(textBeforeBlock(block, object_.tables, output_));
         out_.addBlock(block);
+        out_.add(textBehindBlock(block, object_.tables, output_));
         written_.push_back(&block);
     }
 }
@@ -180,7 +188,7 @@ void SurfaceWriter::writeModel() {
         out_.add("#define shadeModel inspectedModel\n");
     }
     main_ += fmt::format("    Model model = unpackModel({});\n", object_.model->first);
-    if (output_ != SurfaceOutput::AlbedoTable) {
+    if (!isTable(output_)) {
         main_ += textures_.values("models", "model");
         for (const SlotFill& slot : filled_) {
             main_ += textures_.values(slot.kind, fmt::format("model.{}", slot.kind));

@@ -31,6 +31,7 @@ class SurfaceWriter {
   private:
     void writeSurface();
     void writeAlbedoTable();
+    void writeTables();
     void writeFrame();
     void writeSlots();
     void writeModel();

@@ -4,6 +4,23 @@
 #include "lib/gloss.glsl"
 #include "lib/wave.glsl"
 
+// The series S(g, x) over S(g, 0) as 2^(e y), y = x / (1 + g), and S(g, 0) (1 + g)^2: e and that
+// change little wherever S counts. Along the axes go g / (g + 3), up to g = 1e4, beyond which
+// neither changes, and y / (y + 3), up to 60, where nothing is left. No parameter has a part in it.
+vec3 heTorranceSeriesEntry(vec2 u, HeTorrance p) {
+    float g = 3e4 * u.x / (1e4 * (1.0 - u.x) + 3.0);
+    float y = max(180.0 * u.y / (60.0 * (1.0 - u.y) + 3.0), 0.01); // the quotient at 0 is its limit
+    float front = waveSeries(g, 0.0, 20.0, 8.0, 8.0);
+    float fall = log2(waveSeries(g, y * (1.0 + g), 20.0, 8.0, 8.0) / front) / y;
+    return vec3(fall, front * 8.6736173798840355e-19 * sqr(1.0 + g), 0.0);
+}
+
+float heTorranceTabled(HeTorrance p, float g, float x) {
+    float y = x / (1.0 + g);
+    vec3 entry = heTorranceSeries(vec2(1.0003 * g / (g + 3.0), 1.05 * y / (y + 3.0)), p);
+    return waveTerm(entry.x * y) * entry.y / sqr(1.0 + g);
+}
+
 // The directional diffuse part of one wavelength without |F|^2, times pi (n.l):
 //   G S D / (n.v), D = pi^2 tau^2 / (4 lambda^2) sum_m g^m e^-g / (m! m) e^(-x / m)
 // with x = (pi tau / lambda)^2 |H - (n.H) n|^2 and g = (2 pi sigma / lambda (n.H))^2. For ordinary
@@ -16,6 +33,8 @@ float heTorranceDiffuse(Directions d, HeTorrance p, float sigma2, float waveleng
         series = waveSeries(g, x, 20.0, 8.0, 8.0);
     } else if (p.series == HE_TORRANCE_SERIES_MEDIUM) {
         series = waveSeries(g, x, 10.0, 4.5, 3.0);
+    } else if (p.series == HE_TORRANCE_SERIES_TABLE) {
+        series = heTorranceTabled(p, g, x);
     } else if (p.series == HE_TORRANCE_SERIES_LIMIT) {
         series = waveLimit(g, x);
     } else {

@@ -85,7 +85,7 @@ void addContests(std::vector<Contest>& all, const Catalog& catalog, const Settin
         for (const EnumValue& level : choice.values) {
             ModelChoice made = exact;
             made.levels[choice.id] = level.id;
-            if (!level.exact) {
+            if (!level.exact && level.table.empty()) { // `patina cost` has those of tables
                 all.push_back({nameOf(setting, choice, level), linked(catalog, exact),
                                linked(catalog, made)});
             }

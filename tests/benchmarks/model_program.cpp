@@ -8,6 +8,7 @@
 
 #include "cpu_clock.h"
 #include "gl/vertex_array.h"
+#include "catalog/table_source.h"
 #include "measure/eval_case.h"
 #include "measure/eval_source.h"
 #include "shading/block_source.h"
@@ -63,7 +64,9 @@ std::vector<SlotFill> addSlots(SourceBuilder& builder, const Subject& subject) {
             continue;
         }
         addParameters(builder, filler, "unpack" + slotStructName(kind), {});
+        builder.add(tableDeclarations(*filler.block));
         builder.addFile(filler.block->shaderFile);
+        builder.add(computedTables(*filler.block));
         builder.add(slotNamesSource(*filler.block));
         filled.push_back({filler.block->kind, vec4Count(*filler.block)});
     }
@@ -135,7 +138,9 @@ Checked<ModelProgram> ModelProgram::link(const Catalog& catalog, const ModelChoi
     SourceBuilder builder = begunSource(catalog, values.size());
     const std::vector<SlotFill> filled = addSlots(builder, subject);
     addParameters(builder, subject.model, "unpackModel", filled);
+    builder.add(tableDeclarations(model));
     builder.addFile(textbook.empty() ? model.shaderFile : textbook);
+    builder.add(computedTables(model));
     builder.add(fmt::format("vec3 shaded(Directions d) {{ return {}(d, unpackModel(0)); }}\n",
                             functionName(model)));
     Checked<gl::Program> program = linked(catalog, builder);

@@ -11,6 +11,7 @@
 #include "gl/shader.h"
 #include "render/binding.h"
 #include "render/data_packer.h"
+#include "catalog/table_source.h"
 #include "shading/block_source.h"
 #include "shading/data_layout.h"
 #include "shading/parameter_packer.h"
@@ -38,7 +39,9 @@ std::string unpackName(const Block& block) {
 
 void addBlock(SourceBuilder& out, const Block& block, const std::vector<SlotFill>& slots = {}) {
     out.add(constantsSource(block) + structSource(block));
+    out.add(tableDeclarations(block));
     out.addFile(block.shaderFile);
+    out.add(computedTables(block));
     out.add(unpackSource(block, {unpackName(block), {}, slots}));
 }
 

@@ -96,6 +96,16 @@ TEST_F(SteadyStateTest, ChangedParameter_AllocatesNothing) {
     EXPECT_EQ(ofTheNextFrame(), 0);
 }
 
+TEST_F(SteadyStateTest, ValueOfATable_AllocatesAndCompilesNothing) {
+    scene_.objects[1].material.accuracy["terms"] = "table";
+    draw();
+    draw();
+    std::get<double>(scene_.objects[1].material.model.parameters["kf"]) = 1.3;
+    EXPECT_EQ(ofTheNextFrame(), 0);
+    EXPECT_EQ(renderer->report().filledTables, 1);
+    EXPECT_EQ(renderer->report().compiled, 0);
+}
+
 TEST_F(SteadyStateTest, MovedCamera_AllocatesNothing) {
     draw();
     draw();

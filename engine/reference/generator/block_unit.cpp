@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "catalog/parameter_layout.h"
+#include "catalog/table_source.h"
 
 namespace patina {
 namespace {
@@ -280,10 +281,11 @@ std::string blockSource(const Block& block, const GlslLines& lines) {
     }
     return fmt::format("#include \"reference/elementary.h\"\n#include \"reference/glsl.h\"\n\n"
                        "namespace patina::reference::{0} {{\n\n{1}\n#line 1 \"generated\"\n"
-                       "{2}{3}\n{4}\n#line 1 \"generated\"\n{5}\n{6}\n"
+                       "{2}{3}\n{7}{4}\n#line 1 \"generated\"\n{8}{5}\n{6}\n"
                        "}} // namespace patina::reference::{0}\n",
                        unitScope(block), asCpp(library), slotCode(block), structCode(block, layout),
-                       asCpp(code), entryFunctions(block), entry(block, layout));
+                       asCpp(code), entryFunctions(block), entry(block, layout),
+                       tableDeclarations(block), asCpp(computedTables(block)));
 }
 
 std::string registrySource(const std::vector<Block>& blocks) {

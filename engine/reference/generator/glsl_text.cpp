@@ -102,6 +102,15 @@ std::string asCpp(const GlslLines& lines) {
     return result;
 }
 
+std::string asCpp(const std::string& text) {
+    std::istringstream stream(text);
+    std::string result;
+    for (std::string line; std::getline(stream, line);) {
+        result += cppLine(line) + '\n';
+    }
+    return result;
+}
+
 std::string plainText(const GlslLines& lines) {
     std::string result;
     for (const GlslLine& line : lines) {

@@ -44,6 +44,9 @@ class GlslReader {
 /// The lines as C++: `float` becomes `double`, and #line names the shader's own file and line.
 std::string asCpp(const GlslLines& lines);
 
+/// The same of a text that stands in no file.
+std::string asCpp(const std::string& text);
+
 /// The lines as one text, without their places.
 std::string plainText(const GlslLines& lines);
 

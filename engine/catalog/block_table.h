@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace patina {
+
+/// A table that a block reads in place of computing: some levels of its accuracy choices name it.
+/// The block's text says what an entry is, at a place of 0 .. 1 along each axis, and the engine
+/// makes the function that reads between the entries; see table_source.h.
+struct BlockTable {
+    std::string id;
+    glm::ivec2 size{2, 1};       ///< entries along each axis, at least 2; 1 for no second axis
+    std::vector<std::string> of; ///< ids of the parameters that entries depend on
+
+    friend bool operator==(const BlockTable&, const BlockTable&) = default;
+};
+
+} // namespace patina

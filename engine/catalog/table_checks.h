@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/descriptor.h"
+
+namespace patina {
+
+/// Every mistake in the tables of a descriptor and in which levels read them, each at its place.
+Errors tableMistakes(const Descriptor& descriptor);
+
+} // namespace patina

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far the levels that read a table are from the exact ones: in double precision, so that the
+// error is that of the means between entries alone.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "physics_cases.h"
+
+namespace patina::physics {
+namespace {
+
+constexpr int steps = 4000;
+
+double largest(const std::function<double(double)>& difference) {
+    double worst = 0.0;
+    for (int i = 0; i <= steps; ++i) {
+        worst = std::max(worst, std::abs(difference(static_cast<double>(i) / steps)));
+    }
+    return worst;
+}
+
+double fresnelError(const std::string& id, const Values& values, const AccuracyLevels& levels) {
+    const Subject exact("fresnel", id, values);
+    const Subject cheap("fresnel", id, values, levels);
+    return largest([&](double c) { return cheap.reflectance(c) - exact.reflectance(c); });
+}
+
+/// The largest error of the product of the grazing terms. The viewer stands at 45 degrees, so that
+/// the highlight does not fade where the light grazes: without smoothness it is k times the product
+/// times (r.v)^3.
+double grazingError(const char* level) {
+    const Values values{{"diffuse.color", black}, {"specular.color", white},
+                        {"smoothness", 0.0},      {"metalness", 0.0},
+                        {"transparency", 0.0},    {"k", 0.1}};
+    const Subject exact("models", "strauss", values);
+    const Subject cheap("models", "strauss", values, {{"terms", level}});
+    const glm::dvec3 v = direction(45.0, 180.0);
+    return largest([&](double u) {
+        const double c = std::max(u * u, 1e-6); // more of them where the light grazes
+        const glm::dvec3 l{std::sqrt((1.0 - c) * (1.0 + c)), 0.0, c};
+        const double lobe = std::pow(glm::dot(glm::dvec3(-l.x, 0.0, l.z), v), 3.0);
+        const auto at = geometry(l, v);
+        return (cheap.shade(at).x - exact.shade(at).x) / (0.1 * lobe);
+    });
+}
+
+TEST(StraussTable, WithItsWarpedAxis_IsClose) {
+    EXPECT_NEAR(grazingError("table"), 1.3e-4, 0.05 * 1.3e-4);
+}
+
+TEST(StraussTable, WithAnEvenAxis_ErrsByASixteenth) {
+    EXPECT_NEAR(grazingError("even-table"), 0.06, 0.05 * 0.06);
+}
+
+TEST(StraussTable, OfOtherConstants_StaysBelowAThirtieth) {
+    for (const double kf : {1.001, 1.12, 2.0, 10.0}) {
+        for (const double ks : {1.001, 1.01, 2.0, 10.0}) {
+            const Values values{{"diffuse.color", black}, {"specular.color", white},
+                                {"smoothness", 0.0},      {"metalness", 0.0},
+                                {"k", 1.0},               {"kf", kf},
+                                {"ks", ks}};
+            const Subject exact("models", "strauss", values);
+            const Subject cheap("models", "strauss", values, {{"terms", "table"}});
+            const double error = largest([&](double u) {
+                const double c = std::max(u * u * u, 1e-9);
+                const glm::dvec3 l{std::sqrt((1.0 - c) * (1.0 + c)), 0.0, c};
+                const auto at = geometry(l, {-l.x, 0.0, l.z});
+                return cheap.shade(at).x - exact.shade(at).x;
+            });
+            EXPECT_LT(error, 0.034) << kf << ' ' << ks;
+        }
+    }
+}
+
+TEST(ClearTable, OfUsualIndices_IsClose) {
+    const AccuracyLevels tabled{{"reflectance.clear", "table"}};
+    for (const double index : {1.33, 1.5, 2.4}) {
+        EXPECT_LE(fresnelError("dielectric", {{"index.inside", index}}, tabled), 2e-4) << index;
+        EXPECT_LE(fresnelError("dielectric",
+                               {{"index.outside", index}, {"index.inside", 1.0}}, tabled),
+                  2e-4)
+            << index;
+    }
+    EXPECT_LE(fresnelError("dielectric", {{"index.inside", 1.001}}, tabled), 0.014);
+}
+
+TEST(ClearTable, FromInside_ReflectsAllBeyondTheCriticalAngle) {
+    const Subject inside("fresnel", "dielectric",
+                         {{"index.outside", 1.5}, {"index.inside", 1.0}},
+                         {{"reflectance.clear", "table"}});
+    EXPECT_NEAR(inside.reflectance(direction(42.0, 0.0).z), 1.0, 1e-12);
+}
+
+TEST(WaveTable, AtAnyRoughness_IsCloseToTheSeries) {
+    const Subject mirror("fresnel", "constant", {{"f0", white}});
+    for (const double sigma : {0.001, 0.05, 0.1, 0.2, 0.5, 2.0, 10.0}) {
+        for (const double tau : {0.5, 2.0, 20.0}) {
+            const Values values{{"diffuse.color", black}, {"sigma0", sigma},
+                                {"tau", tau},             {"light.radius", 0.0}};
+            const Subject exact("models", "he-torrance", values);
+            const Subject cheap("models", "he-torrance", values, {{"series", "table"}});
+            double peak = 0.0;
+            double error = 0.0;
+            for (double angle = 0.0; angle < 85.0; angle += 1.0) {
+                const auto at = geometry(direction(30.0, 0.0), direction(angle, 180.0));
+                const double right = exact.shade(at, mirror.filler()).y;
+                peak = std::max(peak, right);
+                error = std::max(error, std::abs(cheap.shade(at, mirror.filler()).y - right));
+            }
+            EXPECT_LE(error, 3.5e-4 * peak) << sigma << ' ' << tau;
+        }
+    }
+}
+
+} // namespace
+} // namespace patina::physics
