@@ -56,7 +56,7 @@ TEST(StraussTable, WithAnEvenAxis_ErrsByASixteenth) {
     EXPECT_NEAR(grazingError("even-table"), 0.06, 0.05 * 0.06);
 }
 
-TEST(StraussTable, OfOtherConstants_StaysBelowAThirtieth) {
+TEST(StraussTable, OfOtherConstants_StaysBelowFourHundredths) {
     for (const double kf : {1.001, 1.12, 2.0, 10.0}) {
         for (const double ks : {1.001, 1.01, 2.0, 10.0}) {
             const Values values{{"diffuse.color", black}, {"specular.color", white},
@@ -71,7 +71,7 @@ TEST(StraussTable, OfOtherConstants_StaysBelowAThirtieth) {
                 const auto at = geometry(l, {-l.x, 0.0, l.z});
                 return cheap.shade(at).x - exact.shade(at).x;
             });
-            EXPECT_LT(error, 0.034) << kf << ' ' << ks;
+            EXPECT_LT(error, 0.04) << kf << ' ' << ks;
         }
     }
 }
