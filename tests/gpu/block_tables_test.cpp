@@ -84,7 +84,7 @@ TEST_F(BlockTablesTest, ExactLevel_HasNoTableInItsText) {
 TEST_F(BlockTablesTest, TabledLevel_ReadsItsTableAlone) {
     const std::string source = fragment(tabled("strauss", "terms"));
     EXPECT_NE(source.find("readTableLine(x.x, 164, 0)"), std::string::npos);
-    EXPECT_EQ(source.find("TermsEntry("), std::string::npos) << "an entry is computed for each pixel";
+    EXPECT_EQ(source.find("TermsEntry("), std::string::npos) << "entries are computed per pixel";
     EXPECT_NE(source.find("#define straussEvenTerms"), std::string::npos);
 }
 
