@@ -19,6 +19,9 @@
 #include "gl/headless_context.h"
 #include "measure/cost_sweep.h"
 #include "measure/cost_table.h"
+#include "measure/error_colors.h"
+#include "measure/ranking_table.h"
+#include "measure/scaling_sweep.h"
 #include "render/texture_loader.h"
 
 namespace patina {
@@ -35,18 +38,27 @@ struct Options {
     bool ofPicture = false;
     bool singles = false;
     bool allModels = false;
+    bool scaling = false;
     bool json = false;
     bool csv = false;
     std::string plot;
+    std::string errorMap;
     double seconds = 60.0;
 
     bool hasBudget() const { return budgetMilliseconds || budgetError; }
+};
+
+/// A chart, and where the point that the budget buys, or else the fastest one, goes wrong.
+struct Sweep {
+    CostChart chart;
+    std::vector<double> errors; ///< as CostSweep::errorMap(); empty where it is not asked for
 };
 
 /// A preset's chart.
 struct Measured {
     std::string name;
     CostChart chart;
+    std::vector<double> errors;
 };
 
 Errors oneError(Error error) {
@@ -63,7 +75,14 @@ CostSweep::Options sweepOptions(const Options& options) {
     return wanted;
 }
 
-Checked<CostChart> swept(CostSweep::Subject subject, const Options& options) {
+const CostPoint& mappedPoint(const CostChart& chart, const Options& options) {
+    const auto answer =
+        bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
+    const bool isAsked = options.hasBudget() && answer;
+    return chart.points[isAsked ? answer->point : costFront(chart.points).front()];
+}
+
+Checked<Sweep> swept(CostSweep::Subject subject, const Options& options) {
     auto sweep = CostSweep::create(std::move(subject), sweepOptions(options));
     if (!sweep) {
         return tl::unexpected(oneError(sweep.error()));
@@ -71,8 +90,30 @@ Checked<CostChart> swept(CostSweep::Subject subject, const Options& options) {
     while (!(*sweep)->finished()) {
         (*sweep)->step(std::chrono::seconds(1));
     }
-    return (*sweep)->problems().empty() ? Checked<CostChart>((*sweep)->chart())
-                                        : tl::unexpected((*sweep)->problems());
+    if (!(*sweep)->problems().empty()) {
+        return tl::unexpected((*sweep)->problems());
+    }
+    Sweep made{(*sweep)->chart(), {}};
+    if (!options.errorMap.empty()) {
+        made.errors = (*sweep)->errorMap(mappedPoint(made.chart, options).levels);
+    }
+    return made;
+}
+
+Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const Options& options) {
+    ScalingSweep::Options wanted;
+    wanted.edge = options.picture.size.x;
+    wanted.programCache = programCacheFolder();
+    auto sweep = ScalingSweep::create(std::move(subject), wanted);
+    if (!sweep) {
+        return tl::unexpected(oneError(sweep.error()));
+    }
+    while (!(*sweep)->finished()) {
+        (*sweep)->step();
+    }
+    return (*sweep)->problems().empty()
+               ? Checked<std::vector<ScalingCurve>>((*sweep)->curves())
+               : tl::unexpected((*sweep)->problems());
 }
 
 Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const Options& options) {
@@ -117,13 +158,29 @@ auto withSubject(const std::string& preset, const Options& options,
     return measured;
 }
 
+Result<void> writeShown(const Image& image, const std::string& file) {
+    AssetClient files;
+    return files.saveImage(file, linearFromDisplay(image));
+}
+
 Result<void> writePlot(const CostChart& chart, const std::string& file) {
     const std::vector<PlotShape> shapes = costPlot(chart, plotSize);
-    if (file.ends_with(".svg")) {
-        return writeFileAtomically(file, plotSvg(shapes, plotSize));
+    return file.ends_with(".svg") ? writeFileAtomically(file, plotSvg(shapes, plotSize))
+                                  : writeShown(plotImage(shapes, plotSize), file);
+}
+
+/// The chart and the map, where they are asked for.
+Result<void> writePictures(const Measured& measured, const Options& options) {
+    if (!options.errorMap.empty()) {
+        const Image map = errorPicture(measured.errors, measured.chart.size);
+        if (auto written = writeShown(map, options.errorMap); !written) {
+            return written;
+        }
+        std::cerr << options.errorMap << " shows where "
+                  << levelsText(mappedPoint(measured.chart, options).levels)
+                  << " is wrong: black 1e-6 of the light or less, each colour ten times more\n";
     }
-    AssetClient files;
-    return files.saveImage(file, linearFromDisplay(plotImage(shapes, plotSize)));
+    return options.plot.empty() ? Result<void>() : writePlot(measured.chart, options.plot);
 }
 
 std::string budgetText(const CostPoint& point, const BudgetAnswer& answer) {
@@ -178,7 +235,21 @@ Checked<bool> rankModels(const Options& options, const std::shared_ptr<const Cat
     if (!costs) {
         return tl::unexpected(costs.error());
     }
-    std::cout << (options.json ? writeJson(rankingJson(*costs)) : rankingText(*costs));
+    std::cout << (options.json  ? writeJson(rankingJson(*costs))
+                  : options.csv ? rankingCsv(*costs)
+                                : rankingText(*costs));
+    return true;
+}
+
+Checked<bool> scale(const Options& options, const std::shared_ptr<const Catalog>& catalog) {
+    const std::string preset = options.presets.empty() ? std::string() : options.presets.front();
+    const auto curves = withSubject(preset, options, catalog, scaled);
+    if (!curves) {
+        return tl::unexpected(curves.error());
+    }
+    std::cout << (options.json  ? writeJson(scalingJson(*curves))
+                  : options.csv ? scalingCsv(*curves)
+                                : scalingText(*curves));
     return true;
 }
 
@@ -188,18 +259,20 @@ Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
                                         const std::shared_ptr<const Catalog>& catalog) {
     std::vector<Measured> all;
     for (const std::string& preset : presets) {
-        auto chart = withSubject(preset, options, catalog, swept);
-        if (!chart) {
-            return tl::unexpected(chart.error());
+        auto sweep = withSubject(preset, options, catalog, swept);
+        if (!sweep) {
+            return tl::unexpected(sweep.error());
         }
-        all.push_back({preset.empty() ? options.picture.model : preset, std::move(*chart)});
+        all.push_back({preset.empty() ? options.picture.model : preset, std::move(sweep->chart),
+                       std::move(sweep->errors)});
     }
     return all;
 }
 
 Errors checkRequest(const Options& options) {
-    if (!options.plot.empty() && options.presets.size() > 1) {
-        return oneError(failure("one plot shows one preset", "a single preset").value());
+    const bool isOfOne = !options.plot.empty() || !options.errorMap.empty() || options.scaling;
+    if (isOfOne && options.presets.size() > 1) {
+        return oneError(failure("this is of one preset", "a single preset").value());
     }
     const bool isGiven = !options.presets.empty() || !options.picture.model.empty() ||
                          !options.picture.scene.empty() || options.allModels;
@@ -223,6 +296,9 @@ Checked<bool> cost(const Options& options) {
     if (options.allModels) {
         return rankModels(options, catalog);
     }
+    if (options.scaling) {
+        return scale(options, catalog);
+    }
     const auto all = chartsOf(options.presets.empty() ? std::vector<std::string>(1)
                                                       : options.presets,
                               options, catalog);
@@ -230,10 +306,8 @@ Checked<bool> cost(const Options& options) {
         return tl::unexpected(all.error());
     }
     print(*all, options);
-    if (!options.plot.empty()) {
-        if (const auto written = writePlot(all->front().chart, options.plot); !written) {
-            return tl::unexpected(oneError(written.error()));
-        }
+    if (const auto written = writePictures(all->front(), options); !written) {
+        return tl::unexpected(oneError(written.error()));
     }
     bool met = true;
     for (const Measured& each : *all) {
@@ -273,9 +347,16 @@ void addCost(CLI::App& program, int& status) {
                      "No combination is begun after so long; slow frames are drawn less often")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    command->add_flag("--all-models", options->allModels,
-                      "Rank all models with their defaults on one scene instead");
+    auto* all = command->add_flag("--all-models", options->allModels,
+                                  "Rank all models with their defaults on one scene instead");
+    command
+        ->add_flag("--scaling", options->scaling,
+                   "How the time grows with pixels, lights and objects instead")
+        ->excludes(all);
     command->add_option("--plot", options->plot, "Draw the chart into a file: .svg or .png");
+    command->add_option("--error-map", options->errorMap,
+                        "Draw where the way that the budget buys, or else the fastest one, is "
+                        "wrong: .png");
     auto* json = command->add_flag("--json", options->json, "Print an array of charts as JSON");
     command->add_flag("--csv", options->csv, "Print comma-separated values")->excludes(json);
     command->callback([options, &status] {

@@ -103,8 +103,8 @@ void MainWindow::makeDocks() {
     setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    const DockContext context{document_,   *files_, messages_,     presets_,
-                              thumbnails_, meshes_, environments_, switches_};
+    const DockContext context{document_, *files_,       messages_, presets_, thumbnails_,
+                              meshes_,   environments_, switches_, *views_};
     for (const DockEntry& entry : dockList()) {
         auto* dock = new LazyDock(entry, context, this);
         docks_[entry.name] = dock;

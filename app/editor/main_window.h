@@ -106,6 +106,7 @@ class MainWindow : public QMainWindow {
     QAction* link_ = nullptr;
     QAction* realign_ = nullptr;
     QAction* swap_ = nullptr;
+    QAction* difference_ = nullptr;
     bool arranged_ = false;
 };
 

@@ -87,6 +87,10 @@ void MainWindow::makeViewMenu() {
     realign_->setToolTip(tr("B looks from where A does (Ctrl+R)"));
     swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"), [this] { document_.swapSides(); });
     swap_->setToolTip(tr("Exchange the two materials (X)"));
+    difference_ = add(menu, tr("&Difference in C"), QKeySequence("Ctrl+D"),
+                      [this] { views_->setDifferenceWanted(difference_->isChecked()); });
+    difference_->setCheckable(true);
+    difference_->setToolTip(tr("Show how far A and B are apart beside them (Ctrl+D)"));
     menu->addSeparator();
     QAction* inspect = menu->addAction(tr("&Numerical Check"));
     inspect->setObjectName("inspect");
@@ -138,12 +142,13 @@ void MainWindow::makeViewMenu() {
     const auto follow = [this] {
         const bool comparing = document_.isComparing();
         compare_->setChecked(comparing);
-        for (QAction* action : {link_, realign_, swap_}) {
+        for (QAction* action : {link_, realign_, swap_, difference_}) {
             action->setEnabled(comparing);
         }
     };
     connect(&document_, &Document::comparingChanged, this, follow);
     connect(views_, &CompareArea::linkChanged, link_, &QAction::setChecked);
+    connect(views_, &CompareArea::differenceWantedChanged, difference_, &QAction::setChecked);
     follow();
 }
 
@@ -174,7 +179,7 @@ void MainWindow::makeToolBar() {
     bar->setObjectName("tools");
     bar->setMovable(false);
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    bar->addActions({compare_, link_, realign_, swap_});
+    bar->addActions({compare_, link_, realign_, swap_, difference_});
 }
 
 void MainWindow::showKeys() {

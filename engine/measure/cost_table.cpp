@@ -20,10 +20,6 @@ std::size_t widest(const CostChart& chart) {
     return columns;
 }
 
-std::string countText(const std::optional<InstructionCount>& count) {
-    return count ? fmt::format("{}", count->total()) : "-";
-}
-
 std::string pointText(const CostPoint& point) {
     const ChoiceCost& cost = point.cost;
     const FrameError& error = point.error;
@@ -31,8 +27,8 @@ std::string pointText(const CostPoint& point) {
                        "{:8.1e} {:6.2f} % {:8.1e}",
                        cost.ratio.median, cost.ratio.lower, cost.ratio.upper,
                        cost.settled ? ' ' : '?', cost.nanosecondsPerPixel,
-                       countText(point.instructions), error.p99, error.max, error.mean, error.rms,
-                       100.0 * error.stepShare, error.flip);
+                       instructionsText(point.instructions), error.p99, error.max, error.mean,
+                       error.rms, 100.0 * error.stepShare, error.flip);
 }
 
 std::string headText(std::size_t columns) {
@@ -41,24 +37,10 @@ std::string headText(std::size_t columns) {
                        "", columns);
 }
 
-nlohmann::json intervalJson(const MedianInterval& interval) {
-    return {{"median", interval.median}, {"lower", interval.lower}, {"upper", interval.upper}};
-}
-
 nlohmann::json errorJson(const FrameError& error) {
     return {{"max", error.max},   {"mean", error.mean},           {"rms", error.rms},
             {"p99", error.p99},   {"stepShare", error.stepShare}, {"shown", error.shown},
             {"flip", error.flip}, {"pixels", error.pixels}};
-}
-
-nlohmann::json countJson(const std::optional<InstructionCount>& count) {
-    return count ? nlohmann::json{{"arithmetic", count->arithmetic},
-                                  {"transcendental", count->transcendental},
-                                  {"texture", count->texture},
-                                  {"branch", count->branch},
-                                  {"memory", count->memory},
-                                  {"total", count->total()}}
-                 : nlohmann::json();
 }
 
 nlohmann::json pointJson(const CostPoint& point, bool onFront) {
@@ -118,38 +100,11 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
         text += fmt::format("\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name,
                             levelsText(point.levels), cost.ratio.median, cost.ratio.lower,
                             cost.ratio.upper, cost.milliseconds.median, cost.nanosecondsPerPixel,
-                            countText(point.instructions), cost.runs, error.p99, error.max,
+                            instructionsText(point.instructions), cost.runs, error.p99, error.max,
                             error.mean, error.rms, error.stepShare, error.shown, error.flip,
                             isOnFront(front, i) ? 1 : 0);
     }
     return text;
-}
-
-std::string rankingText(const std::vector<ModelCost>& costs) {
-    std::string text = fmt::format("{:<28} {:>6} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7}\n", "model",
-                                   "time", "ns/pixel", "instr.", "sums", "roots", "branch",
-                                   "memory");
-    for (const ModelCost& each : costs) {
-        const InstructionCount count = each.instructions.value_or(InstructionCount());
-        text += fmt::format("{:<28} {:6.2f} {:9.2f} {:>7} {:7} {:7} {:7} {:7}\n", each.label,
-                            each.cost.ratio.median, each.cost.nanosecondsPerPixel,
-                            countText(each.instructions), count.arithmetic, count.transcendental,
-                            count.branch, count.memory);
-    }
-    return text;
-}
-
-nlohmann::json rankingJson(const std::vector<ModelCost>& costs) {
-    nlohmann::json json = nlohmann::json::array();
-    for (const ModelCost& each : costs) {
-        json.push_back({{"model", each.model},
-                        {"label", each.label},
-                        {"ratio", intervalJson(each.cost.ratio)},
-                        {"nanosecondsPerPixel", each.cost.nanosecondsPerPixel},
-                        {"runs", each.cost.runs},
-                        {"instructions", countJson(each.instructions)}});
-    }
-    return json;
 }
 
 nlohmann::json costJson(const CostChart& chart) {
@@ -170,6 +125,24 @@ nlohmann::json costJson(const CostChart& chart) {
             {"emptyMilliseconds", chart.emptyMilliseconds},
             {"timer", chart.timer},
             {"right", chart.right}};
+}
+
+std::string instructionsText(const std::optional<InstructionCount>& count) {
+    return count ? fmt::format("{}", count->total()) : "-";
+}
+
+nlohmann::json intervalJson(const MedianInterval& interval) {
+    return {{"median", interval.median}, {"lower", interval.lower}, {"upper", interval.upper}};
+}
+
+nlohmann::json countJson(const std::optional<InstructionCount>& count) {
+    return count ? nlohmann::json{{"arithmetic", count->arithmetic},
+                                  {"transcendental", count->transcendental},
+                                  {"texture", count->texture},
+                                  {"branch", count->branch},
+                                  {"memory", count->memory},
+                                  {"total", count->total()}}
+                 : nlohmann::json();
 }
 
 } // namespace patina

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/cost_chart.h"
-#include "measure/model_ranking.h"
 
 namespace patina {
 
@@ -19,8 +18,9 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
 
 nlohmann::json costJson(const CostChart& chart);
 
-/// The models in the order in which they are given; times are those of the catalogue's first model.
-std::string rankingText(const std::vector<ModelCost>& costs);
-nlohmann::json rankingJson(const std::vector<ModelCost>& costs);
+/// What tables of measurements have in common: an interval, and a count, null where there is none.
+nlohmann::json intervalJson(const MedianInterval& interval);
+nlohmann::json countJson(const std::optional<InstructionCount>& count);
+std::string instructionsText(const std::optional<InstructionCount>& count); ///< or "-"
 
 } // namespace patina

@@ -4,30 +4,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include <glm/common.hpp>
 
 #include "measure/parallel.h"
+#include "measure/relative_error.h"
 
 namespace patina {
 namespace {
-
-/// Half of an 8-bit step where the sRGB curve is a straight line.
-constexpr double leastShown = 0.5 / 255.0 / 12.92;
-
-double greatest(const glm::dvec3& v) {
-    return std::max({v.x, v.y, v.z});
-}
-
-/// What is not a number is infinitely wrong.
-double relative(const glm::dvec3& right, const glm::dvec3& got, double floor) {
-    const glm::dvec3 off = glm::abs(got - right);
-    if (std::isnan(off.x + off.y + off.z)) {
-        return std::numeric_limits<double>::infinity();
-    }
-    return greatest(off) / std::max(greatest(right), floor);
-}
 
 double quantile(std::vector<double>& values, double share) {
     const auto rank = static_cast<std::size_t>(std::ceil(share * double(values.size())));
@@ -97,15 +81,16 @@ std::vector<double> ofCounted(const std::vector<double>& all,
 
 ErrorMeter::ErrorMeter(LinearFrame right, const DisplayCurve& curve)
     : right_(std::move(right)), curve_(curve), shown_(shownOf(right_, curve)),
-      floor_(leastShown / curve.factor()), flip_(right_.size, shown_) {}
+      floor_(leastShownLight / curve.factor()), flip_(right_.size, shown_) {}
 
 std::vector<double> ErrorMeter::mapOf(const LinearFrame& frame) const {
     assert(frame.colors.size() == right_.colors.size());
     std::vector<double> map(right_.colors.size());
     inParallel(map.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            map[i] = right_.counts[i] != 0 ? relative(right_.colors[i], frame.colors[i], floor_)
-                                           : 0.0;
+            map[i] = right_.counts[i] != 0
+                         ? relativeError(right_.colors[i], frame.colors[i], floor_)
+                         : 0.0;
         }
     });
     return map;
@@ -120,7 +105,7 @@ FrameError ErrorMeter::errorOf(const LinearFrame& frame) const {
         for (std::size_t i = begin; i < end; ++i) {
             if (right_.counts[i] != 0) {
                 shown[i] = curve_.shown(frame.colors[i]);
-                differences[i] = greatest(glm::abs(shown[i] - shown_[i]));
+                differences[i] = greatestOf(glm::abs(shown[i] - shown_[i]));
             }
         }
     });

@@ -7,12 +7,29 @@
 
 #include "measure/surface_instructions.h"
 #include "measure/timed_frames.h"
+#include "measure/white_albedo.h"
 #include "render/surface_buffer.h"
 
 namespace patina {
 namespace {
 
 constexpr glm::ivec2 usualSize{256, 256};
+
+/// The first one is the quickest.
+void countFromQuickest(std::vector<ModelCost>& costs) {
+    const double quickest = costs.empty() ? 0.0 : costs.front().cost.ratio.median;
+    for (ModelCost& each : costs) {
+        MedianInterval& ratio = each.cost.ratio;
+        if (quickest > 0.0) {
+            ratio = {ratio.median / quickest, ratio.lower / quickest, ratio.upper / quickest};
+        }
+    }
+}
+
+std::optional<double> lossOf(const Catalog& catalog, const Block& model) {
+    const std::optional<double> albedo = whiteAlbedo(catalog, model);
+    return albedo ? std::optional(1.0 - *albedo) : std::nullopt;
+}
 
 } // namespace
 
@@ -52,6 +69,7 @@ class ModelRanking::Implementation {
         std::ranges::stable_sort(costs, [](const ModelCost& a, const ModelCost& b) {
             return a.cost.ratio.median < b.cost.ratio.median;
         });
+        countFromQuickest(costs);
         return costs;
     }
 
@@ -110,7 +128,8 @@ class ModelRanking::Implementation {
         const Block& model = *models_[costs_.size()];
         costs_.push_back({model.id, model.label, pairs_->cost(),
                           surfaceInstructions(other_, subject_.object, view_.camera,
-                                              {subject_.catalog, subject_.meshes})});
+                                              {subject_.catalog, subject_.meshes}),
+                          lossOf(*subject_.catalog, model)});
         pairs_.reset();
     }
 

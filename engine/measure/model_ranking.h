@@ -15,8 +15,11 @@ namespace patina {
 struct ModelCost {
     std::string model;
     std::string label;
-    ChoiceCost cost; ///< ratios are to the first model of the catalogue
+    ChoiceCost cost; ///< ratios are to the quickest model
     std::optional<InstructionCount> instructions; ///< of its program, where that can be counted
+    /// The share of an even white sky's light that it keeps in its whitest colours; below 0: it
+    /// sends out more than arrives. Nothing without code in double precision. See whiteAlbedo().
+    std::optional<double> albedoLoss;
 
     friend bool operator==(const ModelCost&, const ModelCost&) = default;
 };

@@ -28,6 +28,11 @@ TimedFrames::TimedFrames(Supplies supplies, glm::ivec2 size, std::unique_ptr<Ren
     target_.attachColor(color_);
 }
 
+void TimedFrames::resize(glm::ivec2 size) {
+    color_ = gl::Texture::create(size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+    target_.attachColor(color_);
+}
+
 double TimedFrames::timeOf(const Scene& scene, const View& view) {
     if (draw(scene, view).shadowMaps > 0) {
         draw(scene, view);

@@ -29,6 +29,7 @@ class TimedFrames {
     double timeOf(const Scene& scene, const View& view);
 
     glm::ivec2 size() const { return color_.size(); }
+    void resize(glm::ivec2 size);
     std::string method() const { return std::string(timer_.methodText()); }
     Renderer& renderer() { return *renderer_; }
     const MeshSource& meshes() const { return supplies_.meshes; }

@@ -70,6 +70,28 @@ TEST(Cost, Plot_IsDrawn) {
     EXPECT_NE(text.str().find("exact"), std::string::npos);
 }
 
+TEST(Cost, ErrorMap_IsAPicture) {
+    const TemporaryFolder folder;
+    const auto file = folder / "errors.png";
+    const Outcome outcome = cost({"--error-map", file.string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    std::stringstream bytes;
+    bytes << std::ifstream(file, std::ios::binary).rdbuf();
+    EXPECT_TRUE(bytes.str().starts_with("\x89PNG"));
+    EXPECT_NE(outcome.err.find("shows where"), std::string::npos) << outcome.err;
+}
+
+TEST(Cost, Scaling_HasALawForEachAxis) {
+    const Outcome outcome = patina({"cost", "--model", "lambert", "--size", "32x32", "--scaling",
+                                    "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(json.size(), 3u);
+    for (const auto& curve : json) {
+        EXPECT_FALSE(curve.at("law").is_null()) << curve.dump();
+    }
+}
+
 TEST(Cost, NothingToMeasure_IsAMistake) {
     EXPECT_EQ(patina({"cost"}).exitCode, 1);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gpu_fixture.h"
+#include "measure/ranking_table.h"
 
 namespace patina {
 namespace {
@@ -34,10 +35,21 @@ TEST_F(ModelRankingTest, EveryModel_IsRankedByItsTime) {
     EXPECT_TRUE(std::ranges::is_sorted(costs, {}, [](const ModelCost& each) {
         return each.cost.ratio.median;
     }));
+    EXPECT_EQ(costs.front().cost.ratio.median, 1.0); // beside the quickest
     for (const ModelCost& each : costs) {
         EXPECT_GT(each.cost.nanosecondsPerPixel, 0.0) << each.model;
         EXPECT_TRUE(each.instructions) << each.model;
+        EXPECT_TRUE(each.albedoLoss) << each.model;
     }
+}
+
+TEST(RankingTable, Lines_HaveTheLossOfLight) {
+    ModelCost matte{"matte", "Matte", {}, std::nullopt, 0.25};
+    ModelCost own{"own", "Own", {}, std::nullopt, std::nullopt};
+    const std::string text = rankingText({matte, own});
+    EXPECT_NE(text.find("25.0 %"), std::string::npos) << text;
+    EXPECT_NE(rankingCsv({matte, own}).find(",0.25\nown,"), std::string::npos);
+    EXPECT_TRUE(rankingJson({matte, own}).at(1).at("albedoLoss").is_null());
 }
 
 TEST_F(ModelRankingTest, SceneWithoutObjects_IsAnError) {

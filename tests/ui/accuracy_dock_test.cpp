@@ -1,153 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The chart of what accuracy costs, on a user's model whose errors are known.
-#include <algorithm>
 #include <ctime>
 
 #include <QCheckBox>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QFile>
-#include <QLabel>
 #include <QSpinBox>
-#include <QTest>
 #include <QTimer>
-#include <QToolButton>
 
-#include "accuracy/budget_row.h"
-#include "accuracy/cost_list.h"
-#include "accuracy/cost_plot.h"
-#include "docks/accuracy_dock.h"
-#include "ui/window_fixture.h"
+#include "ui/accuracy_fixture.h"
 
 namespace patina::tests {
 namespace {
-
-constexpr int waitMs = 120000;
-constexpr double nearError = 0.001;
-constexpr double farError = 0.1;
-
-constexpr const char* descriptor = R"({
-  "id": "burning", "version": 1, "label": "Burning", "summary": "For tests.",
-  "applications": "Tests.", "source": "None", "doc": "For tests.", "parameters": [],
-  "accuracy": [{"id": "work", "label": "Work", "doc": "How much.", "values": [
-    {"id": "all", "label": "All of it", "doc": "Right.", "exact": true},
-    {"id": "near", "label": "Near", "doc": "A little off."},
-    {"id": "far", "label": "Far", "doc": "Far off."}]}],
-  "claims": ["finite"]
-})";
-
-constexpr const char* shader = R"(// SPDX-License-Identifier: MIT-0
-#include "lib/directions.glsl"
-
-vec3 burning(Directions d, Burning p) {
-    int count = 160;
-    float value = 0.5;
-    if (p.work == BURNING_WORK_NEAR) {
-        count = 16;
-        value = 0.5005;
-    }
-    if (p.work == BURNING_WORK_FAR) {
-        count = 1;
-        value = 0.55;
-    }
-    float sum = 0.0;
-    for (int i = 0; i < count; ++i) {
-        sum += sin(d.nl + float(i) * sum);
-    }
-    return vec3(d.nl * (value + 1e-12 * sum));
-}
-)";
-
-class AccuracyPanel : public WindowFixture {
-  protected:
-    AccuracyPanel() {
-        const std::filesystem::path folder = home("XDG_DATA_HOME") / "patina/shaders/models";
-        std::filesystem::create_directories(folder);
-        writeFile(folder / "burning.json", descriptor);
-        writeFile(folder / "burning.glsl", shader);
-        document().setCatalog(
-            std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
-        document().setModel(Side::A, "burning");
-        document().setPart(Side::A, BlockPath::Part::Fresnel, "");
-        document().setEnvironment("");
-        document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient",
-                            glm::dvec3(0.0));
-        window().dock("accuracy")->show();
-        settle();
-    }
-
-    AccuracyDock& dock() { return *window().dock("accuracy")->findChild<AccuracyDock*>(); }
-    CostList& list() { return *dock().findChild<CostList*>(); }
-    CostPlot& plot() { return *dock().findChild<CostPlot*>(); }
-    BudgetRow& budget() { return *dock().findChild<BudgetRow*>(); }
-    QString state() { return dock().findChild<QLabel*>("state")->text(); }
-    void settle() { QTest::qWait(200); }
-
-    /// Few small frames: what is tested here is not the instrument.
-    void start() {
-        CostSweep::Options options;
-        options.size = {48, 48};
-        options.pairs.fewest = 3;
-        options.pairs.most = 4;
-        options.combinations = false;
-        dock().measure(options);
-    }
-
-    bool waitForEnd() {
-        return QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs);
-    }
-
-    bool measure() {
-        start();
-        return waitForEnd() && dock().shown() != nullptr && dock().shown()->complete;
-    }
-
-    /// The point with a level; -1: none.
-    int pointOf(const std::string& level) {
-        const std::vector<CostPoint>& points = dock().shown()->chart.points;
-        const auto found = std::find_if(points.begin(), points.end(), [&](const CostPoint& point) {
-            return point.levels == ChosenLevels{{"work", level}};
-        });
-        return found == points.end() ? -1 : static_cast<int>(found - points.begin());
-    }
-
-    int fastest() {
-        const std::vector<CostPoint>& points = dock().shown()->chart.points;
-        const auto found = std::min_element(
-            points.begin(), points.end(), [](const CostPoint& a, const CostPoint& b) {
-                return a.cost.nanosecondsPerPixel < b.cost.nanosecondsPerPixel;
-            });
-        return static_cast<int>(found - points.begin());
-    }
-
-    double errorOfLevel(const std::string& level) {
-        return errorOf(dock().shown()->chart.points.at(std::size_t(pointOf(level))));
-    }
-
-    /// What the material has; empty: exact.
-    std::string level(Side side = Side::A) {
-        const AccuracyLevels& levels = document().material(side)->accuracy;
-        const auto found = levels.find("work");
-        return found == levels.end() || found->second == "all" ? std::string() : found->second;
-    }
-
-    int steps() { return document().undoStack().count(); }
-
-    void press(const QString& text) {
-        for (QToolButton* button : dock().findChildren<QToolButton*>()) {
-            if (button->text() == text) {
-                button->click();
-            }
-        }
-    }
-
-    QByteArray exported(const QString& ending) {
-        const QString file = QString::fromStdString(home("chart").string()) + '.' + ending;
-        dock().exportTo(file);
-        QFile written(file);
-        return written.open(QIODevice::ReadOnly) ? written.readAll() : QByteArray();
-    }
-};
 
 TEST_F(AccuracyPanel, Measured_HasARowForEveryLevel) {
     ASSERT_TRUE(measure()) << state().toStdString();
@@ -217,6 +80,24 @@ TEST_F(AccuracyPanel, ChangedScene_PutsTheChartOutOfDate) {
     settle();
     EXPECT_TRUE(dock().isStale());
     EXPECT_TRUE(state().startsWith("Out of date")) << state().toStdString();
+}
+
+TEST_F(AccuracyPanel, MovedCamera_LeavesTheChartFreshAndSaysSo) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    Camera moved = document().scene().camera;
+    moved.yaw += 40.0;
+    document().setCamera(moved);
+    settle();
+    EXPECT_FALSE(dock().isStale());
+    EXPECT_TRUE(state().startsWith("Measured from another view")) << state().toStdString();
+}
+
+TEST_F(AccuracyPanel, Table_HasTheInstructionsOfEveryWay) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    const int column = list().columnCount() - 1;
+    for (int i = 0; i < list().topLevelItemCount(); ++i) {
+        EXPECT_GT(list().topLevelItem(i)->text(column).toInt(), 0) << i;
+    }
 }
 
 TEST_F(AccuracyPanel, SceneThatIsBack_HasItsChartAgain) {

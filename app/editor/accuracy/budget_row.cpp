@@ -39,7 +39,8 @@ BudgetRow::BudgetRow(QWidget* parent)
     : QWidget(parent), timed_(new QCheckBox(tr("At most"), this)),
       milliseconds_(new QDoubleSpinBox(this)), size_(new QComboBox(this)),
       bounded_(new QCheckBox(tr("Error below"), this)), share_(new QSpinBox(this)),
-      use_(textButton(tr("Use it"), tr("Give the material what the budget buys"), this)),
+      use_(textButton(tr("Use it"),
+                      tr("Give the material of the selected object what the budget buys"), this)),
       text_(new QLabel(this)) {
     timed_->setToolTip(tr("The most accurate way that is fast enough"));
     milliseconds_->setRange(0.01, 10000.0);

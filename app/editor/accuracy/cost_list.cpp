@@ -4,40 +4,22 @@
 #include <algorithm>
 #include <array>
 
-#include <QCoreApplication>
 #include <QHeaderView>
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
 
 #include "accuracy/cost_text.h"
+#include "accuracy/number_row.h"
 
 namespace patina {
 namespace {
 
 constexpr int pointRole = Qt::UserRole;
-constexpr int sortRole = Qt::UserRole + 1;
 constexpr int markSize = 12;
 
-enum Column { Way, Time, Ratio, P99, Mean, Rms, Worst, Steps, Perceived, Columns };
-constexpr std::array<int, Columns> widths{170, 66, 104, 66, 66, 66, 66, 66, 66};
-
-/// Sorts by numbers, not by how they are written.
-class CostRow : public QTreeWidgetItem {
-  public:
-    bool operator<(const QTreeWidgetItem& other) const override {
-        const int column = treeWidget() != nullptr ? treeWidget()->sortColumn() : 0;
-        return column == Way ? text(Way).localeAwareCompare(other.text(Way)) < 0
-                             : data(column, sortRole).toDouble() <
-                                   other.data(column, sortRole).toDouble();
-    }
-};
-
-void set(QTreeWidgetItem& row, Column column, const QString& text, double number) {
-    row.setText(column, text);
-    row.setData(column, sortRole, number);
-    row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-}
+enum Column { Way, Time, Ratio, P99, Mean, Rms, Worst, Steps, Perceived, Count, Columns };
+constexpr std::array<int, Columns> widths{170, 66, 104, 66, 66, 66, 66, 66, 66, 84};
 
 /// As in the chart: a disc on the front, a circle elsewhere, and one round the current point.
 QIcon markOf(bool onFront, bool isCurrent, const QPalette& palette) {
@@ -60,45 +42,48 @@ QIcon markOf(bool onFront, bool isCurrent, const QPalette& palette) {
     return QIcon(pixmap);
 }
 
-/// A busy machine may leave an interval that says nothing.
-QString ratioText(const MedianInterval& ratio) {
-    if (ratio.upper - ratio.lower > 2.0 * ratio.median) {
-        return QCoreApplication::translate("CostList", "%1, not settled")
-            .arg(digitsText(ratio.median));
-    }
-    return QStringLiteral("%1 ± %2").arg(digitsText(ratio.median),
-                                         digitsText(0.5 * (ratio.upper - ratio.lower)));
+/// What nobody can tell from the exact time is said to be about as long.
+QString timeText(const CostPoint& point, const CostChart& chart) {
+    const QString text = ratioText(point.cost.ratio);
+    const bool ties = !point.isExact() && tiesInTime(point, chart.points.front());
+    return ties ? QStringLiteral("≈ %1").arg(text) : text;
 }
 
-void fillRow(QTreeWidgetItem& row, const CostPoint& point, const CostChart& chart) {
+void fillRow(NumberRow& row, const CostPoint& point, const CostChart& chart) {
     const FrameError& error = point.error;
     row.setText(Way, wayName(point, chart));
-    row.setToolTip(Way, wayDescription(point, chart));
-    set(row, Time, digitsText(point.cost.nanosecondsPerPixel), point.cost.nanosecondsPerPixel);
-    set(row, Ratio, ratioText(point.cost.ratio), point.cost.ratio.median);
+    const QString ties = tieText(point, chart);
+    row.setToolTip(Way, ties.isEmpty() ? wayDescription(point, chart)
+                                       : wayDescription(point, chart) + '\n' + ties);
+    row.setNumber(Time, digitsText(point.cost.nanosecondsPerPixel), point.cost.nanosecondsPerPixel);
+    row.setNumber(Ratio, timeText(point, chart), point.cost.ratio.median);
     row.setToolTip(Ratio, CostList::tr("Between %1 and %2 with a probability of 95 %, by %3 pairs "
                                        "of frames")
                               .arg(digitsText(point.cost.ratio.lower),
                                    digitsText(point.cost.ratio.upper))
                               .arg(point.cost.runs));
-    set(row, P99, shareText(error.p99), error.p99);
-    set(row, Mean, shareText(error.mean), error.mean);
-    set(row, Rms, shareText(error.rms), error.rms);
-    set(row, Worst, shareText(error.max), error.max);
-    set(row, Steps, shareText(error.stepShare), error.stepShare);
-    set(row, Perceived, digitsText(error.flip), error.flip);
+    row.setNumber(P99, shareText(error.p99), error.p99);
+    row.setNumber(Mean, shareText(error.mean), error.mean);
+    row.setNumber(Rms, shareText(error.rms), error.rms);
+    row.setNumber(Worst, shareText(error.max), error.max);
+    row.setNumber(Steps, shareText(error.stepShare), error.stepShare);
+    row.setNumber(Perceived, digitsText(error.flip), error.flip);
+    row.setNumber(Count, countText(point.instructions), countOf(point.instructions));
+    row.setToolTip(Count, kindsText(point.instructions));
 }
 
 void nameColumns(QTreeWidget& list) {
     list.setHeaderLabels({CostList::tr("Way to compute it"), CostList::tr("ns/pixel"),
                           CostList::tr("Of exact time"), CostList::tr("Error"),
                           CostList::tr("Mean"), CostList::tr("RMS"), CostList::tr("Worst"),
-                          CostList::tr("8 bit"), CostList::tr("FLIP")});
+                          CostList::tr("8 bit"), CostList::tr("FLIP"),
+                          CostList::tr("Instructions")});
     QTreeWidgetItem& head = *list.headerItem();
     head.setToolTip(Way, CostList::tr("A disc: nothing is both faster and more accurate. A ring: "
                                       "what the material has now"));
     head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that shows the material"));
-    head.setToolTip(Ratio, CostList::tr("Time beside that of the exact way"));
+    head.setToolTip(Ratio, CostList::tr("Time beside that of the exact way; ≈: nobody can tell it "
+                                        "from that"));
     head.setToolTip(P99, CostList::tr("Relative error that 99 of 100 pixels keep"));
     head.setToolTip(Mean, CostList::tr("Mean relative error of the pixels"));
     head.setToolTip(Rms, CostList::tr("Root mean square of the relative errors"));
@@ -106,6 +91,7 @@ void nameColumns(QTreeWidget& list) {
     head.setToolTip(Steps, CostList::tr("Share of the pixels that are at least one step of 8 bits "
                                         "too bright or too dark on the screen"));
     head.setToolTip(Perceived, CostList::tr("How different the pictures look, 0 to 1 (FLIP)"));
+    head.setToolTip(Count, CostList::tr("Instructions of the program, the same on every machine"));
 }
 
 } // namespace
@@ -138,7 +124,7 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
     clear();
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
-        auto* row = new CostRow;
+        auto* row = new NumberRow;
         row->setData(Way, pointRole, static_cast<int>(i));
         fillRow(*row, point, chart);
         row->setIcon(Way, markOf(std::ranges::find(front, i) != front.end(),

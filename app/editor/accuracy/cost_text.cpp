@@ -80,6 +80,54 @@ QString wayDescription(const CostPoint& point, const CostChart& chart) {
     return lines.isEmpty() ? tr("Every choice is exact.") : lines.join('\n');
 }
 
+QString ratioText(const MedianInterval& ratio) {
+    if (ratio.upper - ratio.lower > 2.0 * ratio.median) {
+        return tr("%1, not settled").arg(digitsText(ratio.median));
+    }
+    return QStringLiteral("%1 ± %2").arg(digitsText(ratio.median),
+                                         digitsText(0.5 * (ratio.upper - ratio.lower)));
+}
+
+QString countText(const std::optional<InstructionCount>& count) {
+    return count ? QLocale().toString(count->total()) : QStringLiteral("–");
+}
+
+QString kindsText(const std::optional<InstructionCount>& count) {
+    if (!count) {
+        return tr("Its program cannot be counted");
+    }
+    return QStringList{tr("%1 sums, products, choices").arg(count->arithmetic),
+                       tr("%1 divisions, roots, powers, angles").arg(count->transcendental),
+                       tr("%1 looks into images").arg(count->texture),
+                       tr("%1 branches").arg(count->branch),
+                       tr("%1 loads and stores").arg(count->memory)}
+        .join('\n');
+}
+
+double countOf(const std::optional<InstructionCount>& count) {
+    return count ? double(count->total()) : -1.0;
+}
+
+QString tieText(const CostPoint& point, const CostChart& chart) {
+    constexpr int most = 4;
+    QStringList names;
+    int more = 0;
+    for (const CostPoint& other : chart.points) {
+        const bool ties = !(other.levels == point.levels) && tiesInTime(point, other) &&
+                          tiesInError(point, other);
+        if (ties && names.size() < most) {
+            names << wayName(other, chart);
+        } else if (ties) {
+            ++more;
+        }
+    }
+    if (names.isEmpty()) {
+        return {};
+    }
+    const QString text = tr("Cannot be told from: %1").arg(names.join(QStringLiteral("; ")));
+    return more > 0 ? tr("%1 and %2 more").arg(text).arg(more) : text;
+}
+
 QString pointText(const CostPoint& point, const CostChart& chart) {
     QStringList lines{wayName(point, chart)};
     lines << tr("%1 ns per pixel, %2 of the exact time (%3 to %4)")
@@ -89,6 +137,9 @@ QString pointText(const CostPoint& point, const CostChart& chart) {
     lines << tr("99 of 100 pixels are off by %1 or less, the worst by %2")
                  .arg(shareText(point.error.p99), shareText(point.error.max));
     lines << tr("%1 of the pixels differ on the screen").arg(shareText(point.error.stepShare));
+    if (const QString ties = tieText(point, chart); !ties.isEmpty()) {
+        lines << ties;
+    }
     return lines.join('\n');
 }
 

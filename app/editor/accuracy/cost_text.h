@@ -20,6 +20,17 @@ QString shareText(double share);
 /// Three digits: "23.4", "0.0317".
 QString digitsText(double number);
 
+/// "1.23 ± 0.02" of a ratio; a busy machine may leave an interval that says nothing.
+QString ratioText(const MedianInterval& ratio);
+
+/// The number of instructions ("–": not known), their kinds line by line, and a number to sort by.
+QString countText(const std::optional<InstructionCount>& count);
+QString kindsText(const std::optional<InstructionCount>& count);
+double countOf(const std::optional<InstructionCount>& count);
+
+/// Which other points cannot be told from this one, neither in time nor in error; empty: all can.
+QString tieText(const CostPoint& point, const CostChart& chart);
+
 /// The name and the numbers of a point, line by line.
 QString pointText(const CostPoint& point, const CostChart& chart);
 

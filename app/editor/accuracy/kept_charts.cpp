@@ -12,12 +12,14 @@ constexpr std::size_t most = 8;
 
 } // namespace
 
-Scene withoutAccuracy(Scene scene, int object) {
+ChartSubject chartSubject(Scene scene, int object, std::string file,
+                          std::shared_ptr<const Catalog> catalog) {
     const auto index = static_cast<std::size_t>(object);
     if (object >= 0 && index < scene.objects.size()) {
         scene.objects[index].material.accuracy.clear();
     }
-    return scene;
+    scene.camera = {};
+    return {std::move(scene), object, std::move(file), std::move(catalog)};
 }
 
 KeptChart& KeptCharts::keep(KeptChart chart) {

@@ -11,9 +11,9 @@
 
 namespace patina {
 
-/// What a chart was measured of.
+/// What a chart was measured of, wherever it was seen from.
 struct ChartSubject {
-    Scene scene; ///< as withoutAccuracy()
+    Scene scene; ///< with every choice of the object's material exact, and no camera of its own
     int object = -1;
     std::string file; ///< of the document; empty: it has none yet
     std::shared_ptr<const Catalog> catalog;
@@ -24,14 +24,16 @@ struct ChartSubject {
 /// A chart, perhaps of a measurement that has not ended.
 struct KeptChart {
     ChartSubject subject;
+    Camera camera; ///< where it was measured from
     CostChart chart;
     bool complete = false;
     std::string problem; ///< why it ended before its time; else empty
 };
 
-/// The scene with every choice of the object's material exact: a chart is of all of them, so which
-/// of them is taken makes no difference to it.
-Scene withoutAccuracy(Scene scene, int object);
+/// A chart is of all choices of the object's material, so which of them is taken makes no
+/// difference to it, and who looks at a point from elsewhere still wants the others.
+ChartSubject chartSubject(Scene scene, int object, std::string file,
+                          std::shared_ptr<const Catalog> catalog);
 
 /// The charts of this session, so that who comes back to a preset finds what was measured.
 class KeptCharts {

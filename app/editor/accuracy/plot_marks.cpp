@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include "accuracy/cost_text.h"
+#include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
 
 namespace patina {
@@ -87,13 +88,6 @@ QSharedPointer<QCPAxisTicker> errorTicks(double floor, double to) {
         ticks->addTick(std::pow(10.0, power), shareText(std::pow(10.0, power)));
     }
     return ticks;
-}
-
-QColor mixed(const QColor& a, const QColor& b, double share) {
-    const auto part = [share](int x, int y) {
-        return static_cast<int>(std::lround((1.0 - share) * x + share * y));
-    };
-    return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
 }
 
 } // namespace
@@ -201,18 +195,7 @@ void PlotMarks::colour(const QPalette& palette, bool stale) {
     const QColor text = palette.color(QPalette::Text);
     const QColor faint = palette.color(QPalette::PlaceholderText);
     const QColor accent = stale ? faint : palette.color(QPalette::Highlight).lighter(115);
-    const QColor grid = mixed(base, text, 0.12);
-    plot_.setBackground(base);
-    for (QCPAxis* axis : {plot_.xAxis, plot_.yAxis}) {
-        axis->setBasePen(mixed(base, text, 0.4));
-        axis->setTickPen(mixed(base, text, 0.4));
-        axis->setTickLabelColor(stale ? faint : mixed(base, text, 0.8));
-        axis->setLabelColor(faint);
-        axis->setTickLabelFont(plot_.font());
-        axis->setLabelFont(plot_.font());
-        axis->grid()->setPen(grid);
-        axis->grid()->setZeroLinePen(Qt::NoPen);
-    }
+    colourPlot(plot_, palette, stale);
     intervals_->setPen(QPen(mixed(base, text, 0.45), 1.0));
     line_->setPen(QPen(mixed(base, accent, 0.7), 1.5));
     others_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(faint, 1.3), QBrush(base),

@@ -3,6 +3,7 @@
 
 namespace patina {
 
+class CompareArea;
 class Document;
 class EffectSwitches;
 class EnvironmentLibrary;
@@ -22,6 +23,7 @@ struct DockContext {
     MeshLibrary& meshes;
     EnvironmentLibrary& environments;
     EffectSwitches& switches;
+    CompareArea& views;
 };
 
 } // namespace patina

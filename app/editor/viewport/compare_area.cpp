@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viewport/camera_moves.h"
+#include "viewport/difference_view.h"
 
 namespace patina {
 
@@ -20,7 +21,7 @@ CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path progr
             [this] { moveCamera(Side::A, document_.scene().camera); });
     connect(&document_, &Document::sceneReplaced, this, [this] {
         home_ = document_.scene().camera;
-        comparing_ = document_.isComparing();
+        views_ = wantedViews();
         stepBack_ = 1.0;
         moveCamera(Side::A, home_);
         realignCameras();
@@ -72,6 +73,17 @@ SideView* CompareArea::addView(Side side) {
     return view;
 }
 
+int CompareArea::wantedViews() const {
+    return !document_.isComparing() ? 1 : wantsDifference_ ? 3 : 2;
+}
+
+void CompareArea::setDifferenceWanted(bool wanted) {
+    if (wanted != std::exchange(wantsDifference_, wanted)) {
+        showSides();
+        Q_EMIT differenceWantedChanged(wanted);
+    }
+}
+
 void CompareArea::showSides() {
     const bool comparing = document_.isComparing();
     if (comparing && !second_) {
@@ -85,19 +97,34 @@ void CompareArea::showSides() {
     if (second_) {
         second_->setVisible(comparing);
     }
-    fitNarrowViews(comparing);
+    showDifference(comparing && wantsDifference_);
+    fitNarrowViews(wantedViews());
 }
 
-/// Half of the area may be too narrow for what filled all of it: the camera steps back while the
-/// document compares, so that nothing is cut off.
-void CompareArea::fitNarrowViews(bool comparing) {
-    if (comparing == std::exchange(comparing_, comparing)) {
+void CompareArea::showDifference(bool shown) {
+    const bool was = difference_ && !difference_->isHidden();
+    if (shown == was) {
         return;
     }
-    const double aspect = 0.5 * width() / std::max(height(), 1);
-    stepBack_ = comparing ? std::max(1.0, 1.0 / aspect) : 1.0 / stepBack_;
-    if (stepBack_ != 1.0) {
-        moveCamera(Side::A, dollied(first_->viewport().camera(), stepBack_));
+    if (!difference_) {
+        difference_ = new DifferenceView(sources_, programCache_, this);
+        addWidget(difference_);
+    }
+    difference_->setVisible(shown);
+    setSizes({1, 1, shown ? 1 : 0});
+}
+
+/// A part of the area may be too narrow for what filled all of it: the camera steps back while the
+/// document compares, so that nothing is cut off.
+void CompareArea::fitNarrowViews(int views) {
+    if (views == std::exchange(views_, views)) {
+        return;
+    }
+    const double aspect = double(width()) / (views * std::max(height(), 1));
+    const double wanted = views == 1 ? 1.0 : std::max(1.0, 1.0 / aspect);
+    const double more = wanted / std::exchange(stepBack_, wanted);
+    if (more != 1.0) {
+        moveCamera(Side::A, dollied(first_->viewport().camera(), more));
     }
 }
 

@@ -9,8 +9,11 @@
 
 namespace patina {
 
-/// The middle of the window: one view, or two side by side while the document compares. Side A's
-/// camera is the document's; side B's is the same one until they are unlinked.
+class DifferenceView;
+
+/// The middle of the window: one view, or two side by side while the document compares, and beside
+/// them their difference where that is wanted. Side A's camera is the document's; side B's is the
+/// same one until they are unlinked.
 class CompareArea : public QSplitter {
     Q_OBJECT
 
@@ -21,6 +24,11 @@ class CompareArea : public QSplitter {
     SideView& first() { return *first_; }
     SideView* second() { return second_; } ///< null until it was needed once
     SideView& active();
+    DifferenceView* difference() { return difference_; } ///< null until it was needed once
+
+    /// C is shown beside A and B, while the document compares.
+    bool isDifferenceWanted() const { return wantsDifference_; }
+    void setDifferenceWanted(bool wanted);
 
     bool areCamerasLinked() const { return linked_; }
     void setCamerasLinked(bool linked);
@@ -36,13 +44,16 @@ class CompareArea : public QSplitter {
 
   Q_SIGNALS:
     void linkChanged(bool linked);
+    void differenceWantedChanged(bool wanted);
     void filesDropped(QStringList files, patina::Side side);
     void viewAdded(patina::SideView* view);
 
   private:
     SideView* addView(Side side);
     void showSides();
-    void fitNarrowViews(bool comparing);
+    int wantedViews() const;
+    void showDifference(bool shown);
+    void fitNarrowViews(int views);
     void moveCamera(Side side, const Camera& camera);
 
     ViewSources sources_;
@@ -50,11 +61,13 @@ class CompareArea : public QSplitter {
     std::filesystem::path programCache_;
     Camera home_;
     bool linked_ = true;
-    bool comparing_ = false;
+    bool wantsDifference_ = false;
+    int views_ = 1; ///< side by side
     bool inspecting_ = false;
-    double stepBack_ = 1.0; ///< by how much comparing moved the camera away
+    double stepBack_ = 1.0; ///< by how much that moved the camera away
     SideView* first_;
     SideView* second_ = nullptr;
+    DifferenceView* difference_ = nullptr;
 };
 
 } // namespace patina

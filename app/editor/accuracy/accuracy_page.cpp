@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/accuracy_page.h"
+
+#include <cmath>
+#include <utility>
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "accuracy/budget_row.h"
+#include "accuracy/chart_export.h"
+#include "accuracy/cost_list.h"
+#include "accuracy/cost_plot.h"
+#include "accuracy/cost_subject.h"
+#include "accuracy/cost_text.h"
+#include "catalog/json_text.h"
+#include "docks/panel.h"
+#include "docks/settling.h"
+#include "document.h"
+#include "measure/cost_table.h"
+#include "message_log.h"
+#include "session.h"
+#include "viewport/compare_area.h"
+#include "viewport/mesh_library.h"
+
+namespace patina {
+namespace {
+
+constexpr int progressSteps = 1000;
+constexpr int settleMs = 100;
+constexpr QSize usualSize{720, 320};
+
+/// The exact level is written only over another: a material that names none is exact.
+void setLevel(Material& material, const Choice& choice, const std::string& level) {
+    if (level != choice.levels.front().id || material.accuracy.contains(choice.key)) {
+        material.accuracy[choice.key] = level;
+    }
+}
+
+} // namespace
+
+AccuracyPage::AccuracyPage(const DockContext& context)
+    : document_(context.document), library_(context.meshes), environments_(context.environments),
+      messages_(context.messages), views_(context.views),
+      start_(textButton(tr("Measure"),
+                        tr("Measure the time and the error of every way to compute this material"),
+                        this)),
+      cancel_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
+      compare_(textButton(tr("Compare with exact"),
+                          tr("Show the exact way in A, the selected one in B and how far they are "
+                             "apart in C"),
+                          this)),
+      export_(textButton(tr("Export"), tr("Write what was measured to a file"), this)),
+      progress_(new QProgressBar(this)), state_(new QLabel(this)), plot_(new CostPlot(this)),
+      list_(new CostList(this)), budget_(new BudgetRow(this)) {
+    settle_.setSingleShot(true);
+    settle_.setInterval(settleMs);
+    makeExportMenu();
+    layOut();
+    connectParts();
+    showState();
+}
+
+void AccuracyPage::layOut() {
+    progress_->setRange(0, progressSteps);
+    progress_->setMaximumWidth(200);
+    progress_->setAccessibleName(tr("Progress of the measurement"));
+    state_->setObjectName("state");
+    state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // never widens the dock
+    auto* row = new QHBoxLayout;
+    for (QWidget* widget : std::initializer_list<QWidget*>{start_, cancel_, progress_}) {
+        row->addWidget(widget);
+    }
+    row->addWidget(state_, 1);
+    row->addWidget(compare_);
+    row->addWidget(export_);
+    auto* parts = new QSplitter(this);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(plot_);
+    parts->addWidget(list_);
+    parts->setStretchFactor(0, 2);
+    parts->setStretchFactor(1, 3);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 0);
+    layout->setSpacing(4);
+    layout->addLayout(row);
+    layout->addWidget(budget_);
+    layout->addWidget(parts, 1);
+}
+
+void AccuracyPage::makeExportMenu() {
+    auto* menu = new QMenu(export_);
+    for (const char* ending : {"csv", "json", "png", "svg"}) {
+        const QString name = QString::fromLatin1(ending);
+        menu->addAction(tr("As %1…").arg(name.toUpper()), this, [this, name] {
+            const QString file = askForChartFile(this, name);
+            if (!file.isEmpty()) {
+                exportTo(file);
+            }
+        });
+    }
+    export_->setMenu(menu);
+    export_->setPopupMode(QToolButton::InstantPopup);
+}
+
+void AccuracyPage::connectParts() {
+    connect(start_, &QToolButton::clicked, this, [this] { measure(); });
+    connect(cancel_, &QToolButton::clicked, &measurement_, &CostMeasurement::cancel);
+    connect(compare_, &QToolButton::clicked, this, [this] { compare(list_->selected()); });
+    connect(plot_, &CostPlot::picked, this, &AccuracyPage::apply);
+    connect(list_, &CostList::picked, this, &AccuracyPage::apply);
+    connect(budget_, &BudgetRow::wished, this, &AccuracyPage::apply);
+    connect(plot_, &CostPlot::selectionMoved, this, &AccuracyPage::select);
+    connect(list_, &CostList::selectionMoved, this, &AccuracyPage::select);
+    connect(budget_, &BudgetRow::answered, this, &AccuracyPage::select);
+    connect(&measurement_, &CostMeasurement::progressed, this, [this](double share) {
+        progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
+    });
+    connect(&measurement_, &CostMeasurement::charted, this, [this](const CostChart& chart) {
+        if (running_) {
+            running_->chart = chart;
+            showChart(&*running_);
+        }
+    });
+    connect(&measurement_, &CostMeasurement::finished, this, &AccuracyPage::take);
+    connect(&settle_, &QTimer::timeout, this, &AccuracyPage::follow);
+    startWhenChanged(settle_, document_, library_);
+    connect(&document_, &Document::fileChanged, &settle_, qOverload<>(&QTimer::start));
+}
+
+void AccuracyPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    follow();
+}
+
+void AccuracyPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && isVisible()) {
+        showChart(shown_); // its marks have the palette's colours
+    }
+}
+
+QSize AccuracyPage::sizeHint() const {
+    return usualSize;
+}
+
+ChartSubject AccuracyPage::subject() const {
+    const int object = document_.currentObject();
+    return chartSubject(document_.scene(document_.activeSide()), object,
+                        document_.file().path.string(), document_.sharedCatalog());
+}
+
+/// Finds the chart of what is on the screen now. Nobody sees it in a dock that is not open.
+void AccuracyPage::follow() {
+    if (!isVisible()) {
+        return;
+    }
+    updateChoices();
+    showChart(running_ ? &*running_ : charts_.find(subject()));
+}
+
+void AccuracyPage::updateChoices() {
+    const int object = document_.currentObject();
+    choices_ = object < 0 ? std::vector<Choice>()
+                          : materialChoices(document_.scene(document_.activeSide()),
+                                            static_cast<std::size_t>(object),
+                                            document_.catalog());
+}
+
+void AccuracyPage::showChart(const KeptChart* chart) {
+    static const CostChart none;
+    shown_ = chart;
+    stale_ = shown_ != nullptr && !(shown_->subject == subject());
+    const Material* material = document_.material(document_.activeSide());
+    const ChosenLevels current =
+        material != nullptr ? levelsOf(*material, choices_) : ChosenLevels();
+    const CostChart& points = shown_ != nullptr ? shown_->chart : none;
+    plot_->setChart(points, current, stale_);
+    list_->setChart(points, current, stale_);
+    budget_->setChart(points, stale_ || running_.has_value());
+    showState();
+}
+
+void AccuracyPage::select(int point) {
+    plot_->select(point);
+    list_->select(point);
+    showState();
+}
+
+void AccuracyPage::measure() {
+    measure({});
+}
+
+void AccuracyPage::measure(CostSweep::Options options) {
+    const int object = document_.currentObject();
+    if (measurement_.isRunning() || object < 0) {
+        return;
+    }
+    running_ = KeptChart{subject(), document_.scene().camera, {}, false, {}};
+    options.programCache = cacheFolder() / "programs";
+    progress_->setValue(0);
+    measurement_.start(costSubject(document_, library_, environments_), std::move(options));
+    select(-1);
+    showChart(&*running_);
+}
+
+void AccuracyPage::take(const CostMeasurement::Outcome& outcome) {
+    if (!running_) {
+        return;
+    }
+    running_->chart = outcome.chart;
+    running_->complete = outcome.complete;
+    running_->problem = outcome.problem.toStdString();
+    const KeptChart& kept = charts_.keep(std::move(*running_));
+    running_.reset();
+    showChart(&kept);
+    follow();
+}
+
+std::optional<Material> AccuracyPage::materialOf(int point) const {
+    const Material* held = document_.material(document_.activeSide());
+    if (held == nullptr || shown_ == nullptr || point < 0 ||
+        point >= static_cast<int>(shown_->chart.points.size()) ||
+        shown_->chart.choices != choices_) {
+        return std::nullopt;
+    }
+    Material material = *held;
+    const ChosenLevels& levels =
+        shown_->chart.points[static_cast<std::size_t>(point)].levels;
+    for (const Choice& choice : choices_) {
+        const auto level = levels.find(choice.id);
+        setLevel(material, choice,
+                 level == levels.end() ? choice.levels.front().id : level->second);
+    }
+    return material;
+}
+
+void AccuracyPage::apply(int point) {
+    updateChoices();
+    if (const std::optional<Material> material = materialOf(point)) {
+        const QString name =
+            wayName(shown_->chart.points[static_cast<std::size_t>(point)], shown_->chart);
+        document_.replaceMaterial(document_.activeSide(), *material, tr("Accuracy: %1").arg(name));
+    }
+}
+
+void AccuracyPage::compare(int point) {
+    updateChoices();
+    const std::optional<Material> chosen = materialOf(point);
+    if (!chosen) {
+        return;
+    }
+    Material exact = *chosen;
+    for (const Choice& choice : choices_) {
+        setLevel(exact, choice, choice.levels.front().id);
+    }
+    views_.setDifferenceWanted(true);
+    const bool isSo = document_.isComparing() && *document_.material(Side::A) == exact &&
+                      *document_.material(Side::B) == *chosen;
+    if (isSo) {
+        return;
+    }
+    const QString label = tr("Compare with exact");
+    document_.editAsOneStep(label, [&] {
+        document_.replaceMaterial(Side::A, exact, label);
+        document_.setSecondMaterial(*chosen);
+    });
+}
+
+QByteArray AccuracyPage::bytesFor(const QString& ending) const {
+    const CostChart& chart = shown_->chart;
+    if (ending == "png") {
+        return plot_->png();
+    }
+    if (ending == "svg") {
+        return plot_->svg();
+    }
+    const Material* material = document_.material(document_.activeSide());
+    const std::string name = material != nullptr ? material->name : std::string();
+    if (ending == "csv") {
+        return QByteArray::fromStdString(costCsv(chart, name, true));
+    }
+    nlohmann::json json = costJson(chart);
+    json["preset"] = name;
+    return QByteArray::fromStdString(writeJson(json));
+}
+
+void AccuracyPage::exportTo(const QString& file) {
+    if (shown_ == nullptr) {
+        return;
+    }
+    const auto written = writeWhole(file, bytesFor(QFileInfo(file).suffix().toLower()));
+    if (!written) {
+        messages_.add(written.error());
+    }
+}
+
+QString AccuracyPage::stateText() const {
+    if (document_.currentObject() < 0) {
+        return tr("There is no object.");
+    }
+    if (measurement_.isRunning()) {
+        return running_ && !running_->chart.points.empty()
+                   ? tr("Measuring … so far: %1").arg(running_->chart.points.size())
+                   : tr("Measuring … the right picture first");
+    }
+    if (choices_.empty()) {
+        return tr("Nothing of this material can be computed more cheaply.");
+    }
+    if (shown_ == nullptr) {
+        return tr("Nothing is measured yet.");
+    }
+    if (!shown_->problem.empty()) {
+        return tr("Could not be measured: %1").arg(QString::fromStdString(shown_->problem));
+    }
+    if (stale_) {
+        return tr("Out of date: the material or the scene has changed since.");
+    }
+    return shown_->complete ? measuredText() : tr("Stopped. %1").arg(measuredText());
+}
+
+QString AccuracyPage::measuredText() const {
+    const QString method = methodText(shown_->chart);
+    return shown_->camera == document_.scene().camera
+               ? method
+               : tr("Measured from another view. %1").arg(method);
+}
+
+void AccuracyPage::showState() {
+    const bool running = measurement_.isRunning();
+    const bool hasPoints = shown_ != nullptr && !shown_->chart.points.empty();
+    start_->setEnabled(!choices_.empty());
+    start_->setVisible(!running);
+    cancel_->setVisible(running);
+    progress_->setVisible(running);
+    compare_->setEnabled(materialOf(list_->selected()).has_value());
+    export_->setEnabled(hasPoints);
+    state_->setText(stateText());
+    state_->setToolTip(state_->text());
+}
+
+} // namespace patina

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/cost_subject.h"
+
+#include "document.h"
+#include "viewport/environment_library.h"
+#include "viewport/mesh_library.h"
+#include "viewport/mesh_snapshot.h"
+#include "viewport/texture_library.h"
+
+namespace patina {
+
+CostSweep::Subject costSubject(const Document& document, MeshLibrary& meshes,
+                               EnvironmentLibrary& environments) {
+    const Scene& scene = document.scene(document.activeSide());
+    const TextureLibrary* textures = document.textureLibrary();
+    return {scene,
+            static_cast<std::size_t>(document.currentObject()),
+            scene.camera,
+            meshSnapshot(scene, meshes),
+            document.sharedCatalog(),
+            textures != nullptr ? textures->snapshot() : TextureSource(),
+            environments.image(document.environmentPicture())};
+}
+
+} // namespace patina

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/growth_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include "accuracy/plot_colors.h"
+#include "accuracy/plot_library.h"
+
+namespace patina {
+namespace {
+
+constexpr double pointSize = 7.0;
+constexpr double margin = 1.3; ///< of the axes, times what they hold
+constexpr int lawSteps = 48;   ///< of the line, which is bent on log axes
+constexpr QSize leastSize{140, 110};
+
+QString nameOf(ScalingCurve::Axis axis) {
+    switch (axis) {
+    case ScalingCurve::Axis::Pixels:
+        return GrowthPlot::tr("pixels");
+    case ScalingCurve::Axis::Lights:
+        return GrowthPlot::tr("lights");
+    default:
+        return GrowthPlot::tr("objects");
+    }
+}
+
+QString plainNumber(double number) {
+    return QLocale().toString(number, 'g', 3);
+}
+
+/// Short names of large numbers: "50 k", "1 M".
+QString shortNumber(double number) {
+    if (number >= 1e6) {
+        return GrowthPlot::tr("%1 M").arg(plainNumber(number * 1e-6));
+    }
+    return number >= 1e4 ? GrowthPlot::tr("%1 k").arg(plainNumber(number * 1e-3))
+                         : QLocale().toString(number, 'f', 0);
+}
+
+/// Decades, and where there are few of them 2 and 5 times those.
+QSharedPointer<QCPAxisTicker> ticks(double from, double to, QString (*text)(double)) {
+    QSharedPointer<QCPAxisTickerText> made(new QCPAxisTickerText);
+    const double decades = std::log10(to / from);
+    for (double decade = std::pow(10.0, std::floor(std::log10(from))); decade < to;
+         decade *= 10.0) {
+        for (const double step : {1.0, 2.0, 5.0}) {
+            if (step == 1.0 || decades < 1.6 || (step == 2.0 && decades < 2.4)) {
+                made->addTick(step * decade, text(step * decade));
+            }
+        }
+    }
+    return made;
+}
+
+} // namespace
+
+GrowthPlot::GrowthPlot(ScalingCurve::Axis axis, QWidget* parent)
+    : QWidget(parent), curve_{axis, {}, {}}, plot_(new QCustomPlot(this)),
+      line_(plot_->addGraph()), points_(plot_->addGraph()),
+      intervals_(new QCPErrorBars(plot_->xAxis, plot_->yAxis)), law_(new QLabel(this)) {
+    setAccessibleName(tr("Time against %1").arg(nameOf(axis)));
+    plot_->setFocusPolicy(Qt::NoFocus);
+    plot_->setMinimumSize(leastSize);
+    points_->setLineStyle(QCPGraph::lsNone);
+    line_->setAdaptiveSampling(false);
+    intervals_->setErrorType(QCPErrorBars::etValueError);
+    intervals_->setDataPlottable(points_);
+    intervals_->setSymbolGap(pointSize);
+    for (QCPAxis* each : {plot_->xAxis, plot_->yAxis}) {
+        each->setScaleType(QCPAxis::stLogarithmic);
+        each->setSubTicks(false);
+    }
+    plot_->xAxis->setLabel(nameOf(axis));
+    plot_->yAxis->setLabel(tr("ms"));
+    law_->setWordWrap(true);
+    law_->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    law_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    law_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(plot_, 1);
+    layout->addWidget(law_);
+    draw();
+}
+
+void GrowthPlot::setCurve(const std::optional<ScalingCurve>& curve, bool stale) {
+    curve_ = curve.value_or(ScalingCurve{curve_.axis, {}, {}});
+    stale_ = stale;
+    draw();
+}
+
+QString GrowthPlot::law() const {
+    return law_->text();
+}
+
+void GrowthPlot::draw() {
+    points_->data()->clear();
+    QVector<double> below;
+    QVector<double> above;
+    for (const GrowthSample& sample : curve_.samples) {
+        const MedianInterval& time = sample.milliseconds;
+        points_->addData(sample.count, time.median);
+        below << time.median - time.lower;
+        above << time.upper - time.median;
+    }
+    intervals_->setData(below, above);
+    drawLaw();
+    scaleAxes();
+    colour();
+    law_->setText(curve_.samples.empty() ? QString() : QString::fromStdString(lawText(curve_)));
+    law_->setEnabled(!stale_);
+    setAccessibleDescription(law_->text());
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void GrowthPlot::drawLaw() {
+    line_->data()->clear();
+    if (!curve_.law || curve_.samples.empty()) {
+        return;
+    }
+    const double from = std::log(curve_.samples.front().count);
+    const double to = std::log(curve_.samples.back().count);
+    for (int i = 0; i <= lawSteps; ++i) {
+        const double count = std::exp(from + (to - from) * i / lawSteps);
+        const double time = curve_.law->at(count);
+        if (time > 0.0) {
+            line_->addData(count, time);
+        }
+    }
+}
+
+void GrowthPlot::scaleAxes() {
+    double shortest = HUGE_VAL;
+    double longest = 0.0;
+    for (const GrowthSample& sample : curve_.samples) {
+        shortest = std::min(shortest, std::max(sample.milliseconds.lower, 1e-4));
+        longest = std::max(longest, sample.milliseconds.upper);
+    }
+    const bool isEmpty = !(longest > 0.0);
+    const double left = isEmpty ? 1.0 : curve_.samples.front().count / margin;
+    const double right = isEmpty ? 100.0 : curve_.samples.back().count * margin;
+    const double bottom = isEmpty ? 1.0 : shortest / margin;
+    const double top = isEmpty ? 100.0 : longest * margin;
+    plot_->xAxis->setRange(left, right);
+    plot_->xAxis->setTicker(ticks(left, right, shortNumber));
+    plot_->yAxis->setRange(bottom, top);
+    plot_->yAxis->setTicker(ticks(bottom, top, plainNumber));
+}
+
+void GrowthPlot::colour() {
+    const QPalette& look = palette();
+    colourPlot(*plot_, look, stale_);
+    const QColor accent = stale_ ? look.color(QPalette::PlaceholderText)
+                                 : look.color(QPalette::Highlight).lighter(115);
+    intervals_->setPen(QPen(mixed(look.color(QPalette::Base), look.color(QPalette::Text), 0.45)));
+    line_->setPen(QPen(mixed(look.color(QPalette::Base), accent, 0.7), 1.5));
+    points_->setScatterStyle(
+        {QCPScatterStyle::ssCircle, QPen(accent, 1.3), QBrush(accent), pointSize});
+}
+
+} // namespace patina

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/measure_bar.h"
+
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "docks/panel.h"
+
+namespace patina {
+namespace {
+
+constexpr int progressSteps = 1000;
+constexpr int progressWidth = 200;
+
+} // namespace
+
+MeasureBar::MeasureBar(const QString& what, const QStringList& endings, QWidget* parent)
+    : QWidget(parent), start_(textButton(tr("Measure"), what, this)),
+      stop_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
+      progress_(new QProgressBar(this)), text_(new QLabel(this)),
+      export_(textButton(tr("Export"), tr("Write what was measured to a file"), this)) {
+    progress_->setRange(0, progressSteps);
+    progress_->setMaximumWidth(progressWidth);
+    progress_->setAccessibleName(tr("Progress of the measurement"));
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // never widens the dock
+    auto* menu = new QMenu(export_);
+    for (const QString& ending : endings) {
+        menu->addAction(tr("As %1…").arg(ending.toUpper()), this,
+                        [this, ending] { Q_EMIT exportWished(ending); });
+    }
+    export_->setMenu(menu);
+    export_->setPopupMode(QToolButton::InstantPopup);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* widget : std::initializer_list<QWidget*>{start_, stop_, progress_}) {
+        row->addWidget(widget);
+    }
+    row->addWidget(text_, 1);
+    row->addWidget(export_);
+    connect(start_, &QToolButton::clicked, this, &MeasureBar::startWished);
+    connect(stop_, &QToolButton::clicked, this, &MeasureBar::stopWished);
+    setRunning(false);
+    setExportable(false);
+}
+
+void MeasureBar::setProgress(double share) {
+    progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
+}
+
+void MeasureBar::setRunning(bool running) {
+    start_->setVisible(!running);
+    stop_->setVisible(running);
+    progress_->setVisible(running);
+}
+
+void MeasureBar::setStartable(bool startable) {
+    start_->setEnabled(startable);
+}
+
+void MeasureBar::setExportable(bool exportable) {
+    export_->setEnabled(exportable);
+}
+
+void MeasureBar::setText(const QString& text) {
+    text_->setText(text);
+    text_->setToolTip(text);
+}
+
+QString MeasureBar::text() const {
+    return text_->text();
+}
+
+} // namespace patina

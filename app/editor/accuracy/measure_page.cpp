@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/measure_page.h"
+
+#include <utility>
+
+#include <QEvent>
+#include <QFileInfo>
+
+#include "accuracy/chart_export.h"
+#include "accuracy/cost_subject.h"
+#include "accuracy/measure_bar.h"
+#include "docks/settling.h"
+#include "document.h"
+#include "message_log.h"
+
+namespace patina {
+namespace {
+
+constexpr int settleMs = 100;
+
+} // namespace
+
+MeasurePage::MeasurePage(const DockContext& context, const QString& what,
+                         const QStringList& endings)
+    : document_(context.document), meshes_(context.meshes), environments_(context.environments),
+      messages_(context.messages), bar_(new MeasureBar(what, endings, this)) {
+    settle_.setSingleShot(true);
+    settle_.setInterval(settleMs);
+    connectParts();
+}
+
+void MeasurePage::connectParts() {
+    connect(bar_, &MeasureBar::startWished, this, [this] { startMeasuring(); });
+    connect(bar_, &MeasureBar::stopWished, &work_, &SteppedWork::cancel);
+    connect(bar_, &MeasureBar::exportWished, this, [this](const QString& ending) {
+        const QString file = askForChartFile(this, ending);
+        if (!file.isEmpty()) {
+            exportTo(file);
+        }
+    });
+    connect(&work_, &SteppedWork::progressed, bar_, &MeasureBar::setProgress);
+    connect(&work_, &SteppedWork::finished, this, &MeasurePage::finish);
+    connect(&settle_, &QTimer::timeout, this, &MeasurePage::follow);
+    startWhenChanged(settle_, document_, meshes_);
+}
+
+void MeasurePage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    follow();
+}
+
+void MeasurePage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && isVisible()) {
+        refresh(); // marks have the palette's colours
+    }
+}
+
+MeasurePage::Subject MeasurePage::subject() const {
+    const int object = document_.currentObject();
+    Scene scene = measuredPart(document_.scene(document_.activeSide()), object);
+    scene.camera = {};
+    return {std::move(scene), object, document_.sharedCatalog()};
+}
+
+/// Nobody sees it in a dock that is not open.
+void MeasurePage::follow() {
+    if (isVisible()) {
+        refresh();
+    }
+}
+
+void MeasurePage::refresh() {
+    stale_ = measured_ && !(*measured_ == subject());
+    showNumbers(stale_);
+    showState();
+}
+
+CostSweep::Subject MeasurePage::costSubject() {
+    return patina::costSubject(document_, meshes_, environments_);
+}
+
+void MeasurePage::start(SteppedWork::Maker make) {
+    if (isMeasuring() || document_.currentObject() < 0) {
+        return;
+    }
+    measured_ = subject();
+    complete_ = false;
+    problem_.clear();
+    bar_->setProgress(0.0);
+    work_.start(std::move(make));
+    refresh();
+}
+
+void MeasurePage::finish(bool complete, const QString& problem) {
+    complete_ = complete;
+    problem_ = problem;
+    refresh();
+}
+
+void MeasurePage::exportTo(const QString& file) {
+    if (!hasNumbers()) {
+        return;
+    }
+    const auto written = writeWhole(file, bytesFor(QFileInfo(file).suffix().toLower()));
+    if (!written) {
+        messages_.add(written.error());
+    }
+}
+
+QString MeasurePage::state() const {
+    return bar_->text();
+}
+
+QString MeasurePage::stateText() const {
+    if (document_.currentObject() < 0) {
+        return tr("There is no object.");
+    }
+    if (isMeasuring()) {
+        return tr("Measuring …");
+    }
+    if (!problem_.isEmpty()) {
+        return tr("Could not be measured: %1").arg(problem_);
+    }
+    if (!hasNumbers()) {
+        return tr("Nothing is measured yet.");
+    }
+    if (stale_) {
+        return tr("Out of date: the scene has changed since.");
+    }
+    return complete_ ? methodText() : tr("Stopped. %1").arg(methodText());
+}
+
+void MeasurePage::showState() {
+    bar_->setRunning(isMeasuring());
+    bar_->setStartable(document_.currentObject() >= 0);
+    bar_->setExportable(hasNumbers());
+    bar_->setText(stateText());
+}
+
+} // namespace patina

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/model_list.h"
+
+#include <array>
+
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QSignalBlocker>
+
+#include "accuracy/cost_text.h"
+#include "accuracy/number_row.h"
+
+namespace patina {
+namespace {
+
+constexpr int modelRole = Qt::UserRole;
+
+enum Column { Model, Ratio, Time, Total, Sums, Roots, Images, Branches, Memory, Loss, Columns };
+constexpr std::array<int, Columns> widths{190, 110, 110, 90, 70, 70, 70, 74, 70, 90};
+
+/// Nanoseconds, as sure as the ratio is.
+QString nanosecondsText(const ChoiceCost& cost) {
+    const MedianInterval& ratio = cost.ratio;
+    const double each = ratio.median > 0.0 ? cost.nanosecondsPerPixel / ratio.median : 0.0;
+    return ratioText({cost.nanosecondsPerPixel, each * ratio.lower, each * ratio.upper});
+}
+
+QString lossText(const std::optional<double>& loss) {
+    return loss ? ModelList::tr("%1 %").arg(100.0 * *loss, 0, 'f', 1) : QStringLiteral("–");
+}
+
+void fillCounts(NumberRow& row, const std::optional<InstructionCount>& count) {
+    row.setNumber(Total, countText(count), countOf(count));
+    row.setToolTip(Total, kindsText(count));
+    if (!count) {
+        return;
+    }
+    const std::pair<Column, int> kinds[] = {{Sums, count->arithmetic},
+                                            {Roots, count->transcendental},
+                                            {Images, count->texture},
+                                            {Branches, count->branch},
+                                            {Memory, count->memory}};
+    for (const auto& [column, number] : kinds) {
+        row.setNumber(column, QString::number(number), number);
+    }
+}
+
+void fillRow(NumberRow& row, const ModelCost& each) {
+    row.setText(Model, QString::fromStdString(each.label));
+    row.setData(Model, modelRole, QString::fromStdString(each.model));
+    row.setToolTip(Model, ModelList::tr("Enter or a double click gives the selected object this "
+                                        "model"));
+    row.setNumber(Ratio, ratioText(each.cost.ratio), each.cost.ratio.median);
+    row.setToolTip(Ratio, ModelList::tr("Between %1 and %2 with a probability of 95 %, by %3 pairs "
+                                        "of frames")
+                              .arg(digitsText(each.cost.ratio.lower),
+                                   digitsText(each.cost.ratio.upper))
+                              .arg(each.cost.runs));
+    row.setNumber(Time, nanosecondsText(each.cost), each.cost.nanosecondsPerPixel);
+    fillCounts(row, each.instructions);
+    row.setNumber(Loss, lossText(each.albedoLoss), each.albedoLoss.value_or(2.0));
+}
+
+void nameColumns(QTreeWidget& list) {
+    list.setHeaderLabels({ModelList::tr("Model"), ModelList::tr("Of quickest"),
+                          ModelList::tr("ns/pixel"), ModelList::tr("Instructions"),
+                          ModelList::tr("Sums"), ModelList::tr("Roots"), ModelList::tr("Images"),
+                          ModelList::tr("Branches"), ModelList::tr("Memory"),
+                          ModelList::tr("Light lost")});
+    QTreeWidgetItem& head = *list.headerItem();
+    head.setToolTip(Ratio, ModelList::tr("Time beside that of the quickest model"));
+    head.setToolTip(Time, ModelList::tr("Nanoseconds for each pixel that shows the object"));
+    head.setToolTip(Total, ModelList::tr("Instructions of the whole program, lights included; the "
+                                         "same on every machine"));
+    head.setToolTip(Sums, ModelList::tr("Sums, products, comparisons, choices"));
+    head.setToolTip(Roots, ModelList::tr("Divisions, roots, powers, logarithms, angles"));
+    head.setToolTip(Images, ModelList::tr("Looks into images"));
+    head.setToolTip(Branches, ModelList::tr("Where the way depends on a number"));
+    head.setToolTip(Memory, ModelList::tr("Loads and stores"));
+    head.setToolTip(Loss, ModelList::tr("How much of an even white sky's light the model keeps in "
+                                        "its whitest colours; below 0: it sends out more than "
+                                        "arrives"));
+}
+
+} // namespace
+
+ModelList::ModelList(QWidget* parent) : QTreeWidget(parent) {
+    setAccessibleName(tr("Models and what they cost"));
+    nameColumns(*this);
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setFrameShape(QFrame::NoFrame);
+    header()->setStretchLastSection(false);
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        setColumnWidth(static_cast<int>(i), widths[i]);
+    }
+    setSortingEnabled(true);
+    sortByColumn(Ratio, Qt::AscendingOrder);
+    connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
+        Q_EMIT picked(row->data(Model, modelRole).toString());
+    });
+}
+
+void ModelList::setCosts(const std::vector<ModelCost>& costs, bool stale) {
+    const QSignalBlocker blocker(this);
+    const QVariant kept = currentItem() != nullptr ? currentItem()->data(Model, modelRole)
+                                                   : QVariant();
+    const int scrolled = verticalScrollBar()->value();
+    setSortingEnabled(false);
+    clear();
+    for (const ModelCost& each : costs) {
+        auto* row = new NumberRow;
+        fillRow(*row, each);
+        for (int column = 0; stale && column < Columns; ++column) {
+            row->setForeground(column, palette().placeholderText());
+        }
+        addTopLevelItem(row);
+        if (row->data(Model, modelRole) == kept) {
+            setCurrentItem(row);
+        }
+    }
+    setSortingEnabled(true);
+    verticalScrollBar()->setValue(scrolled);
+}
+
+} // namespace patina

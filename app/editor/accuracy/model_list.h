@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QTreeWidget>
+
+#include "measure/model_ranking.h"
+
+namespace patina {
+
+/// Models with what they cost, sortable by every number. A model is asked for with Enter or a
+/// double click.
+class ModelList : public QTreeWidget {
+    Q_OBJECT
+
+  public:
+    explicit ModelList(QWidget* parent = nullptr);
+
+    /// `stale`: they were measured on another scene.
+    void setCosts(const std::vector<ModelCost>& costs, bool stale);
+
+  Q_SIGNALS:
+    void picked(QString model);
+};
+
+} // namespace patina

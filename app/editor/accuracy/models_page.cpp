@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/models_page.h"
+
+#include <utility>
+
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include "accuracy/measure_bar.h"
+#include "accuracy/model_list.h"
+#include "catalog/json_text.h"
+#include "document.h"
+#include "measure/ranking_table.h"
+#include "session.h"
+
+namespace patina {
+
+class ModelsPage::Job : public SteppedWork::Job {
+  public:
+    Job(ModelsPage& page, std::unique_ptr<ModelRanking> ranking)
+        : page_(page), ranking_(std::move(ranking)) {}
+
+    void step() override { ranking_->step(); }
+    bool finished() const override { return ranking_->finished(); }
+    double progress() const override { return ranking_->progress(); }
+    const Errors& problems() const override { return ranking_->problems(); }
+
+    std::function<void()> news() override {
+        std::vector<ModelCost> costs = ranking_->costs();
+        if (costs.size() == told_) {
+            return {};
+        }
+        told_ = costs.size();
+        const QString method = tr("%1 pixels of the object; %2; times are beside the quickest.")
+                                   .arg(QLocale().toString(qulonglong(ranking_->pixels())),
+                                        QString::fromStdString(ranking_->timer()));
+        return [&page = page_, costs = std::move(costs), method] {
+            page.costs_ = costs;
+            page.method_ = method;
+            page.refresh();
+        };
+    }
+
+  private:
+    ModelsPage& page_;
+    std::unique_ptr<ModelRanking> ranking_;
+    std::size_t told_ = 0;
+};
+
+ModelsPage::ModelsPage(const DockContext& context)
+    : MeasurePage(context, tr("Measure every model on this scene"), {"csv", "json"}),
+      list_(new ModelList(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 0);
+    layout->setSpacing(4);
+    layout->addWidget(&bar());
+    layout->addWidget(list_, 1);
+    connect(list_, &ModelList::picked, this, [this](const QString& model) {
+        document().setModel(document().activeSide(), model.toStdString());
+    });
+    refresh();
+}
+
+void ModelsPage::startMeasuring() {
+    measure({});
+}
+
+void ModelsPage::measure(CostSweep::Options options) {
+    if (isMeasuring() || document().currentObject() < 0) {
+        return;
+    }
+    costs_.clear();
+    options.programCache = cacheFolder() / "programs";
+    start([this, subject = costSubject(),
+           options = std::move(options)]() -> Result<std::unique_ptr<SteppedWork::Job>> {
+        auto ranking = ModelRanking::create(subject, options);
+        if (!ranking) {
+            return tl::unexpected(ranking.error());
+        }
+        return std::make_unique<Job>(*this, std::move(*ranking));
+    });
+}
+
+/// Every model comes with its defaults: the object's own material does not matter.
+Scene ModelsPage::measuredPart(Scene scene, int object) const {
+    const auto index = static_cast<std::size_t>(object);
+    if (object >= 0 && index < scene.objects.size()) {
+        scene.objects[index].material = {};
+    }
+    return scene;
+}
+
+QString ModelsPage::methodText() const {
+    return method_;
+}
+
+void ModelsPage::showNumbers(bool stale) {
+    list_->setCosts(costs_, stale);
+}
+
+QByteArray ModelsPage::bytesFor(const QString& ending) const {
+    return QByteArray::fromStdString(ending == "csv" ? rankingCsv(costs_)
+                                                     : writeJson(rankingJson(costs_)));
+}
+
+} // namespace patina

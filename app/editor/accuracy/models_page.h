@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "accuracy/measure_page.h"
+#include "measure/model_ranking.h"
+
+namespace patina {
+
+class ModelList;
+
+/// All models with their defaults on the current object of this scene: what each costs, how many
+/// instructions it takes and how much light it loses. Enter gives the object a model.
+class ModelsPage : public MeasurePage {
+    Q_OBJECT
+
+  public:
+    explicit ModelsPage(const DockContext& context);
+
+    /// Nothing happens while that is going on.
+    void measure(CostSweep::Options options);
+
+    const std::vector<ModelCost>& costs() const { return costs_; }
+
+  protected:
+    void startMeasuring() override;
+    Scene measuredPart(Scene scene, int object) const override;
+    bool hasNumbers() const override { return !costs_.empty(); }
+    QString methodText() const override;
+    void showNumbers(bool stale) override;
+    QByteArray bytesFor(const QString& ending) const override;
+
+  private:
+    class Job;
+
+    std::vector<ModelCost> costs_;
+    QString method_;
+    ModelList* list_;
+};
+
+} // namespace patina

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "accuracy/measure_page.h"
+#include "measure/scaling_sweep.h"
+
+namespace patina {
+
+class GrowthPlot;
+
+/// How the time of a frame grows with its pixels, its lights and its objects, for the current
+/// object with its material.
+class ScalingPage : public MeasurePage {
+    Q_OBJECT
+
+  public:
+    explicit ScalingPage(const DockContext& context);
+
+    /// Nothing happens while that is going on.
+    void measure(ScalingSweep::Options options);
+
+    const std::vector<ScalingCurve>& curves() const { return curves_; }
+
+  protected:
+    void startMeasuring() override;
+    Scene measuredPart(Scene scene, int object) const override;
+    bool hasNumbers() const override { return !curves_.empty(); }
+    QString methodText() const override;
+    void showNumbers(bool stale) override;
+    QByteArray bytesFor(const QString& ending) const override;
+
+  private:
+    class Job;
+
+    std::vector<ScalingCurve> curves_;
+    QString method_;
+    QWidget* plots_;
+    std::array<GrowthPlot*, 3> plot_; ///< by ScalingCurve::Axis
+};
+
+} // namespace patina

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <QObject>
+#include <QThreadPool>
+
+#include "measure/frame_difference.h"
+#include "render/renderer.h"
+
+namespace patina {
+
+/// Draws both sides of a comparison in whole floats and takes one from the other, in a thread with
+/// a context of its own: half floats, as views draw with, are too coarse for small differences. The
+/// context goes when there was nothing to do for some seconds.
+class DifferenceWorker : public QObject {
+    Q_OBJECT
+
+  public:
+    /// What one side shows.
+    struct Side {
+        Scene scene;
+        std::optional<Scene> effects; ///< see View::effects
+    };
+    struct Request {
+        Side a;
+        Side b;
+        View view;
+        MeshSource meshes; ///< for other threads, as are the next
+        TextureSource textures;
+        std::shared_ptr<const Catalog> catalog;
+    };
+
+    explicit DifferenceWorker(std::filesystem::path programCache, QObject* parent = nullptr);
+
+    /// Gives up what it works on.
+    ~DifferenceWorker() override;
+
+    /// Asks in place of what was asked for and not begun yet; finished() follows for the last.
+    void ask(Request request);
+
+    /// Whether nothing is asked for that is not finished.
+    bool isIdle() const { return asked_ == answered_; }
+
+  Q_SIGNALS:
+    /// Null where the frames cannot be drawn, and why.
+    void finished(std::shared_ptr<const patina::FrameDifference> difference, QString problem);
+
+  private:
+    class Workshop;
+    struct Job {
+        quint64 number = 0;
+        Request request;
+    };
+
+    void work();
+    std::optional<Job> next();
+    void answer(quint64 number, const Result<FrameDifference>& difference);
+
+    std::filesystem::path programCache_;
+    quint64 asked_ = 0;
+    quint64 answered_ = 0;
+    std::mutex mutex_; ///< guards the three below, which the thread shares
+    std::optional<Job> job_;
+    bool isWorking_ = false;
+    bool isEnding_ = false;
+    std::condition_variable news_;
+    QThreadPool thread_;
+};
+
+} // namespace patina

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/ranking_table.h"
+
+#include <fmt/format.h>
+
+#include "measure/cost_table.h"
+
+namespace patina {
+namespace {
+
+std::string shareText(const std::optional<double>& share) {
+    return share ? fmt::format("{:.1f} %", 100.0 * *share) : "-";
+}
+
+nlohmann::json numberJson(const std::optional<double>& number) {
+    return number ? nlohmann::json(*number) : nlohmann::json();
+}
+
+std::string rowText(const ModelCost& each) {
+    const MedianInterval& ratio = each.cost.ratio;
+    const InstructionCount count = each.instructions.value_or(InstructionCount());
+    return fmt::format("{:<28} {:6.2f} ({:.2f} .. {:.2f}){} {:9.2f} {:>7} {:7} {:7} {:7} {:7} "
+                       "{:7} {:>8}\n",
+                       each.label, ratio.median, ratio.lower, ratio.upper,
+                       each.cost.settled ? ' ' : '?', each.cost.nanosecondsPerPixel,
+                       instructionsText(each.instructions), count.arithmetic, count.transcendental,
+                       count.texture, count.branch, count.memory, shareText(each.albedoLoss));
+}
+
+} // namespace
+
+std::string rankingText(const std::vector<ModelCost>& costs) {
+    std::string text =
+        fmt::format("{:<28} {:>6} {:<16} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8}\n",
+                    "model", "time", "(of 95 %)", "ns/pixel", "instr.", "sums", "roots", "images",
+                    "branch", "memory", "loss");
+    for (const ModelCost& each : costs) {
+        text += rowText(each);
+    }
+    return text + "time: beside the quickest model; ? still unsure of 3 %\n"
+                  "loss: of an even white sky's light, in the model's whitest colours; below 0: it "
+                  "sends out more than arrives\n";
+}
+
+std::string rankingCsv(const std::vector<ModelCost>& costs) {
+    std::string text = "model,label,ratio,ratio_lower,ratio_upper,ns_per_pixel,runs,settled,"
+                       "instructions,arithmetic,transcendental,texture,branch,memory,albedo_loss\n";
+    for (const ModelCost& each : costs) {
+        const ChoiceCost& cost = each.cost;
+        const InstructionCount count = each.instructions.value_or(InstructionCount());
+        text += fmt::format("{},\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
+                            each.label, cost.ratio.median, cost.ratio.lower, cost.ratio.upper,
+                            cost.nanosecondsPerPixel, cost.runs, cost.settled ? 1 : 0,
+                            instructionsText(each.instructions), count.arithmetic,
+                            count.transcendental, count.texture, count.branch, count.memory,
+                            each.albedoLoss ? fmt::format("{}", *each.albedoLoss) : "-");
+    }
+    return text;
+}
+
+nlohmann::json rankingJson(const std::vector<ModelCost>& costs) {
+    nlohmann::json json = nlohmann::json::array();
+    for (const ModelCost& each : costs) {
+        json.push_back({{"model", each.model},
+                        {"label", each.label},
+                        {"ratio", intervalJson(each.cost.ratio)},
+                        {"nanosecondsPerPixel", each.cost.nanosecondsPerPixel},
+                        {"runs", each.cost.runs},
+                        {"settled", each.cost.settled},
+                        {"instructions", countJson(each.instructions)},
+                        {"albedoLoss", numberJson(each.albedoLoss)}});
+    }
+    return json;
+}
+
+} // namespace patina

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/scaling_curve.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "measure/cost_table.h"
+
+namespace patina {
+namespace {
+
+struct Unit {
+    double count = 1.0;
+    const char* name = "";
+};
+
+Unit unitOf(ScalingCurve::Axis axis) {
+    switch (axis) {
+    case ScalingCurve::Axis::Pixels:
+        return {1e6, "million pixels"};
+    case ScalingCurve::Axis::Lights:
+        return {1.0, "light"};
+    default:
+        return {1.0, "object"};
+    }
+}
+
+nlohmann::json lawJson(const std::optional<GrowthLaw>& law) {
+    return law ? nlohmann::json{{"base", law->base},         {"each", law->each},
+                                {"fit", law->fit},           {"exponent", law->exponent},
+                                {"isLinear", law->shape() == GrowthLaw::Shape::Linear}}
+               : nlohmann::json();
+}
+
+nlohmann::json curveJson(const ScalingCurve& curve) {
+    nlohmann::json samples = nlohmann::json::array();
+    for (const GrowthSample& sample : curve.samples) {
+        samples.push_back(
+            {{"count", sample.count}, {"milliseconds", intervalJson(sample.milliseconds)}});
+    }
+    return {{"axis", axisText(curve.axis)},
+            {"samples", samples},
+            {"law", lawJson(curve.law)},
+            {"text", lawText(curve)}};
+}
+
+} // namespace
+
+std::string axisText(ScalingCurve::Axis axis) {
+    switch (axis) {
+    case ScalingCurve::Axis::Pixels:
+        return "pixels";
+    case ScalingCurve::Axis::Lights:
+        return "lights";
+    default:
+        return "objects";
+    }
+}
+
+std::string lawText(const ScalingCurve& curve) {
+    if (!curve.law) {
+        return "too few times for a law";
+    }
+    const GrowthLaw& law = *curve.law;
+    const Unit unit = unitOf(curve.axis);
+    switch (law.shape()) {
+    case GrowthLaw::Shape::Constant:
+        return fmt::format("constant: within {:.0f} %", 100.0 * (law.spread - 1.0));
+    case GrowthLaw::Shape::Linear:
+        return fmt::format("linear: {:.3g} ms {} {:.3g} ms per {}, R² {:.3f}", law.base,
+                           law.each < 0.0 ? "-" : "+", std::abs(law.each) * unit.count, unit.name,
+                           law.fit);
+    default:
+        return fmt::format("about n^{:.2f}; a line from {:.3g} ms with {:.3g} ms per {} has R² "
+                           "{:.3f}",
+                           law.exponent, law.base, law.each * unit.count, unit.name, law.fit);
+    }
+}
+
+std::string scalingText(const std::vector<ScalingCurve>& curves) {
+    std::string text;
+    for (const ScalingCurve& curve : curves) {
+        text += fmt::format("{:>9} {:>10} {}\n", axisText(curve.axis), "ms", "(of 95 % of runs)");
+        for (const GrowthSample& sample : curve.samples) {
+            const MedianInterval& time = sample.milliseconds;
+            text += fmt::format("{:9.0f} {:10.3f} ({:.3f} .. {:.3f})\n", sample.count, time.median,
+                                time.lower, time.upper);
+        }
+        text += lawText(curve) + "\n";
+    }
+    return text;
+}
+
+std::string scalingCsv(const std::vector<ScalingCurve>& curves) {
+    std::string text = "axis,count,milliseconds,milliseconds_lower,milliseconds_upper\n";
+    for (const ScalingCurve& curve : curves) {
+        for (const GrowthSample& sample : curve.samples) {
+            const MedianInterval& time = sample.milliseconds;
+            text += fmt::format("{},{},{},{},{}\n", axisText(curve.axis), sample.count,
+                                time.median, time.lower, time.upper);
+        }
+    }
+    return text;
+}
+
+nlohmann::json scalingJson(const std::vector<ScalingCurve>& curves) {
+    nlohmann::json json = nlohmann::json::array();
+    for (const ScalingCurve& curve : curves) {
+        json.push_back(curveJson(curve));
+    }
+    return json;
+}
+
+} // namespace patina

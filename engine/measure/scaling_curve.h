@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "measure/growth_law.h"
+
+namespace patina {
+
+/// What a frame takes for more and more of one thing.
+struct ScalingCurve {
+    enum class Axis { Pixels, Lights, Objects };
+
+    Axis axis = Axis::Pixels;
+    std::vector<GrowthSample> samples; ///< counts rise
+    std::optional<GrowthLaw> law;      ///< of the samples, where there are enough
+
+    friend bool operator==(const ScalingCurve&, const ScalingCurve&) = default;
+};
+
+/// "pixels", "lights", "objects".
+std::string axisText(ScalingCurve::Axis axis);
+
+/// The law in words: "linear: 1.2 ms + 34.5 ms per million pixels, R² 0.998".
+std::string lawText(const ScalingCurve& curve);
+
+/// For people, as lines with a line of names before them, and for programs.
+std::string scalingText(const std::vector<ScalingCurve>& curves);
+std::string scalingCsv(const std::vector<ScalingCurve>& curves);
+nlohmann::json scalingJson(const std::vector<ScalingCurve>& curves);
+
+} // namespace patina

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages beside the chart: all models, and how the time grows.
+#include "accuracy/growth_plot.h"
+#include "accuracy/model_list.h"
+#include "accuracy/models_page.h"
+#include "accuracy/scaling_page.h"
+#include "ui/accuracy_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+class ModelsPanel : public AccuracyPanel {
+  protected:
+    ModelsPanel() { pages().setCurrentWidget(&page()); }
+
+    ModelsPage& page() { return *pages().findChild<ModelsPage*>(); }
+    ModelList& models() { return *page().findChild<ModelList*>(); }
+
+    /// The first models only: they take long to compile.
+    void measureSome() {
+        CostSweep::Options options;
+        options.size = {16, 16};
+        options.pairs.fewest = 3;
+        options.pairs.most = 3;
+        page().measure(options);
+        ASSERT_TRUE(QTest::qWaitFor([this] { return page().costs().size() >= 2; }, waitMs));
+        for (QToolButton* button : page().findChildren<QToolButton*>()) {
+            if (button->text() == "Stop") {
+                button->click();
+            }
+        }
+        ASSERT_TRUE(QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs));
+    }
+};
+
+TEST_F(ModelsPanel, Stopped_KeepsWhatIsMeasured) {
+    measureSome();
+    EXPECT_TRUE(page().state().startsWith("Stopped")) << page().state().toStdString();
+    EXPECT_EQ(models().topLevelItemCount(), static_cast<int>(page().costs().size()));
+}
+
+TEST_F(ModelsPanel, OtherScene_PutsItOutOfDate) {
+    measureSome();
+    document().setModel(Side::A, page().costs().front().model);
+    settle();
+    EXPECT_FALSE(page().isStale()); // every model was measured with its defaults
+    document().setFog("exponential");
+    settle();
+    EXPECT_TRUE(page().isStale());
+}
+
+TEST_F(ModelsPanel, Enter_GivesTheObjectThatModel) {
+    measureSome();
+    models().setCurrentItem(models().topLevelItem(1));
+    const QString model = models().currentItem()->data(0, Qt::UserRole).toString();
+    QTest::keyClick(&models(), Qt::Key_Return);
+    EXPECT_EQ(document().material(Side::A)->model.id, model.toStdString());
+}
+
+TEST_F(ModelsPanel, ExportedTable_HasALineForEveryModel) {
+    measureSome();
+    const QString file = QString::fromStdString((home("ranking") += ".csv").string());
+    page().exportTo(file);
+    QFile written(file);
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    EXPECT_EQ(written.readAll().trimmed().split('\n').size(), 1 + models().topLevelItemCount());
+}
+
+class ScalingPanel : public AccuracyPanel {
+  protected:
+    ScalingPanel() {
+        document().setModel(Side::A, "lambert");
+        pages().setCurrentWidget(&page());
+    }
+
+    ScalingPage& page() { return *pages().findChild<ScalingPage*>(); }
+
+    bool measureSmall() {
+        ScalingSweep::Options options;
+        options.edges = {16, 32, 64};
+        options.lights = {1, 2, 4};
+        options.objects = {1, 2, 4};
+        options.edge = 32;
+        options.rounds = 2;
+        page().measure(options);
+        return QTest::qWaitFor([this] { return !page().isMeasuring(); }, waitMs);
+    }
+};
+
+TEST_F(ScalingPanel, Measured_HasALawForEachAxis) {
+    ASSERT_TRUE(measureSmall());
+    ASSERT_EQ(page().curves().size(), 3u) << page().state().toStdString();
+    for (GrowthPlot* plot : page().findChildren<GrowthPlot*>()) {
+        EXPECT_FALSE(plot->law().isEmpty());
+    }
+}
+
+TEST_F(ScalingPanel, ChangedScene_PutsItOutOfDate) {
+    ASSERT_TRUE(measureSmall());
+    EXPECT_FALSE(page().isStale());
+    document().setFog("exponential");
+    settle();
+    EXPECT_TRUE(page().isStale());
+}
+
+} // namespace
+} // namespace patina::tests

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// C beside A and B: how far they are apart.
+#include <algorithm>
+
+#include <QAction>
+
+#include "ui/accuracy_fixture.h"
+#include "viewport/difference_view.h"
+
+namespace patina::tests {
+namespace {
+
+class Difference : public AccuracyPanel {
+  protected:
+    /// The exact way in A and one that is off by a tenth in B, without measuring that.
+    void compareWithFar() {
+        document().setComparing(true);
+        Material chosen = *document().material(Side::B);
+        chosen.accuracy["work"] = "far";
+        document().setSecondMaterial(chosen);
+        window().views().setDifferenceWanted(true);
+        ASSERT_TRUE(waitForView());
+    }
+
+    bool waitForView() {
+        QTest::qWait(20);
+        return QTest::qWaitFor([this] { return view().isUpToDate(); }, waitMs);
+    }
+
+    DifferenceView& view() { return *window().views().difference(); }
+
+    static int brightest(const QImage& picture) {
+        int most = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                most = std::max(most, qGray(picture.pixel(x, y)));
+            }
+        }
+        return most;
+    }
+};
+
+TEST_F(Difference, KnownError_IsShownAsThat) {
+    compareWithFar();
+    ASSERT_NE(view().difference(), nullptr);
+    EXPECT_NEAR(std::ranges::max(view().difference()->relative), float(farError), 1e-4f);
+}
+
+TEST_F(Difference, Gain_MakesItBrighter) {
+    compareWithFar();
+    view().setGain(1.0);
+    const int plain = brightest(view().picture());
+    view().setGain(4.0);
+    EXPECT_GT(brightest(view().picture()), plain);
+    EXPECT_GT(plain, 0);
+}
+
+TEST_F(Difference, SameMaterials_AreBlackAtTheGreatestGain) {
+    document().setComparing(true);
+    window().views().setDifferenceWanted(true);
+    ASSERT_TRUE(waitForView());
+    view().setGain(DifferenceView::mostGain);
+    EXPECT_EQ(brightest(view().picture()), 0);
+}
+
+TEST_F(Difference, ChangedMaterial_IsFollowed) {
+    compareWithFar();
+    document().setSecondMaterial(*document().material(Side::A));
+    ASSERT_TRUE(waitForView());
+    EXPECT_EQ(std::ranges::max(view().difference()->relative), 0.0f);
+}
+
+TEST_F(Difference, ErrorMode_HasColours) {
+    compareWithFar();
+    view().setMode(DifferenceView::Mode::Error);
+    const QColor middle(view().picture().pixel(view().picture().rect().center()));
+    EXPECT_GT(middle.red(), middle.blue()); // a tenth is orange
+}
+
+TEST_F(Difference, EndOfComparing_HidesIt) {
+    compareWithFar();
+    EXPECT_TRUE(view().isVisible());
+    document().setComparing(false);
+    EXPECT_FALSE(view().isVisible());
+}
+
+TEST_F(Difference, NotWantedAnyMore_GivesTheCameraBack) {
+    document().setComparing(true);
+    const Camera before = camera();
+    window().views().setDifferenceWanted(true);
+    window().views().setDifferenceWanted(false);
+    EXPECT_NEAR(camera().distance, before.distance, 1e-9);
+}
+
+TEST_F(Difference, ComparedPoint_ShowsItBesideTheExactWay) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    dock().compare(pointOf("near"));
+    ASSERT_TRUE(window().views().difference() != nullptr && waitForView());
+    EXPECT_NEAR(std::ranges::max(view().difference()->relative), float(nearError), 1e-5f);
+}
+
+} // namespace
+} // namespace patina::tests
