@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProcess>
@@ -155,6 +158,19 @@ TEST_F(Window, ShippedPresets_AppearInTheirDock) {
     auto* grid = window().dock("presets")->findChild<PictureGrid*>();
     ASSERT_NE(grid, nullptr);
     EXPECT_TRUE(waitUntil([&] { return grid->count() > 0; }));
+}
+
+TEST_F(Window, PresetsThatWereNotReadYet_AreNotSaidToBeMissing) {
+    const auto says = [this](const QString& text) {
+        const auto labels = window().dock("presets")->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) {
+            return !label->isHidden() && label->text() == text;
+        });
+    };
+    EXPECT_TRUE(says("The presets are being read…"));
+    window().startRest();
+    EXPECT_TRUE(waitUntil([&] { return !says("The presets are being read…"); }));
+    EXPECT_FALSE(says("There are no presets yet."));
 }
 
 TEST_F(Window, ModelInTheUsersFolder_AppearsInTheChooser) {

@@ -84,6 +84,7 @@ PresetsDock::PresetsDock(const DockContext& context)
             [this](QListWidgetItem* item) { apply(item, document_.activeSide()); });
     connect(grid_, &QWidget::customContextMenuRequested, this, &PresetsDock::showMenu);
     connect(&presets_, &PresetLibrary::changed, this, &PresetsDock::fill);
+    connect(&presets_, &PresetLibrary::checked, this, &PresetsDock::applyFilter);
     connect(&document_, &Document::catalogChanged, grid_, &PictureGrid::wishAnew);
     connect(grid_, &PictureGrid::pictureWished, this, &PresetsDock::askForPicture);
     connect(&thumbnails_, &ThumbnailMaker::ready, this,
@@ -124,7 +125,9 @@ void PresetsDock::applyFilter() {
         grid_->item(row)->setHidden(!match);
         shown += match ? 1 : 0;
     }
-    hint_->setText(entries.empty() ? tr("There are no presets yet.") : tr("No preset matches."));
+    hint_->setText(!presets_.isRead()  ? tr("The presets are being read…")
+                   : entries.empty() ? tr("There are no presets yet.")
+                                     : tr("No preset matches."));
     hint_->setVisible(shown == 0);
 }
 

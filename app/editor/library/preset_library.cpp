@@ -96,6 +96,7 @@ void PresetLibrary::scan() {
     worker_.start([this, catalog = catalog_] {
         auto read = std::make_shared<Folders>(readAll(*catalog));
         const auto take = [this, read] {
+            isRead_ = true;
             if (read->entries != entries_) {
                 entries_ = std::move(read->entries);
                 Q_EMIT changed();

@@ -34,6 +34,8 @@ class PresetLibrary : public QObject {
     ~PresetLibrary() override;
 
     const std::vector<PresetEntry>& entries() const { return entries_; }
+    /// False until the folders were read for the first time.
+    bool isRead() const { return isRead_; }
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
     /// Reads all folders; changed() follows.
@@ -52,6 +54,7 @@ class PresetLibrary : public QObject {
 
     std::shared_ptr<const Catalog> catalog_;
     std::vector<PresetEntry> entries_;
+    bool isRead_ = false;
     std::unique_ptr<QFileSystemWatcher> watcher_;
     QTimer settle_;
     QThreadPool worker_;
