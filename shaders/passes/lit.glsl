@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/illumination.glsl"
 
-// What the model sends to the viewer from one light.
+// What the model sends to the viewer from one light. A surface's normal is bent towards the viewer,
+// who is never below its horizon.
 vec3 lit(Surface s, Illumination light, Model p) {
     Directions d = directionsAt(s, light.l, s.v);
-    if (IS_DARK(d)) {
+    if (IS_UNLIT(d)) {
         return vec3(0.0);
     }
     return light.radiance * CUT_AT_ZERO(shadeModel(d, p));
