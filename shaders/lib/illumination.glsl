@@ -7,6 +7,13 @@ struct Illumination {
     vec3 radiance; // colour times attenuation, E / pi: a white Lambert surface facing l shows this
 };
 
+// Metres to a light. Nearer than 1e-15, where the square of a float is 0 and no direction is left,
+// counts as at the light itself.
+float metresTo(vec3 toLight) {
+    float x = length(toLight);
+    return x > 1e-15 ? x : 0.0;
+}
+
 // 1 / (constant + linear x + quadratic x^2) at the distance x, never above 10 000: with all three
 // at 0, or at the light itself, the formula has no finite value. In Horner's form x^2 alone cannot
 // overflow. OpenGL 1.0 specification (1992), lighting; x >= 0, coefficients >= 0.

@@ -4,7 +4,7 @@
 // At the light itself, where no direction leads to it, it counts as straight above.
 Illumination pointLight(vec3 x, PointLight p) {
     vec3 toLight = p.position - x;
-    float range = length(toLight);
+    float range = metresTo(toLight);
     float attenuation = polynomialAttenuation(range, p.attenuationConstant, p.attenuationLinear,
         p.attenuationQuadratic);
     if (p.falloff == POINT_LIGHT_FALLOFF_INVERSE_SQUARE) {
@@ -14,7 +14,7 @@ Illumination pointLight(vec3 x, PointLight p) {
         attenuation *= rangeWindow(range, p.range);
     }
     Illumination i;
-    i.l = range > 1e-15 ? toLight / range : vec3(0.0, 1.0, 0.0);
+    i.l = range > 0.0 ? toLight / range : vec3(0.0, 1.0, 0.0);
     i.radiance = p.color * (p.intensity * attenuation);
     return i;
 }

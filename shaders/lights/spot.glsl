@@ -36,7 +36,7 @@ float spotCone(vec3 l, vec3 axis, SpotLight p) {
 Illumination spotLight(vec3 x, SpotLight p) {
     vec3 toLight = p.position - x;
     vec3 axis = unitVector(p.direction, vec3(0.0, -1.0, 0.0));
-    float range = length(toLight);
+    float range = metresTo(toLight);
     float attenuation = polynomialAttenuation(range, p.attenuationConstant, p.attenuationLinear,
         p.attenuationQuadratic);
     if (p.falloff == SPOT_LIGHT_FALLOFF_INVERSE_SQUARE) {
@@ -46,7 +46,7 @@ Illumination spotLight(vec3 x, SpotLight p) {
         attenuation *= rangeWindow(range, p.range);
     }
     Illumination i;
-    i.l = range > 1e-15 ? toLight / range : -axis;
+    i.l = range > 0.0 ? toLight / range : -axis;
     i.radiance = p.color * (p.intensity * attenuation * spotCone(i.l, axis, p));
     return i;
 }
