@@ -48,7 +48,11 @@ endif()
 # A compiler cache and a fast linker only where they are installed; neither changes the result.
 find_program(PATINA_CCACHE ccache)
 if(PATINA_CCACHE AND NOT PATINA_TIDY)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${PATINA_CCACHE})
+    # What it must be told to keep files that read precompiled headers.
+    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${PATINA_CCACHE})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        add_compile_options(-fpch-preprocess)
+    endif()
 endif()
 find_program(PATINA_MOLD mold)
 if(PATINA_MOLD)
