@@ -1,32 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene_meshes.h"
 
-#include <fmt/format.h>
-
-#include "scene/primitives.h"
+#include "scene/builtin_mesh.h"
+#include "scene/mesh_path.h"
 
 namespace patina {
-namespace {
-
-constexpr std::string_view builtin = "builtin:";
-
-Result<Mesh> builtinMesh(const Object& object) {
-    const std::string name = object.mesh.substr(builtin.size());
-    auto mesh = primitive(name);
-    if (!mesh) {
-        std::string known;
-        for (const std::string& each : primitiveNames()) {
-            known += (known.empty() ? "one of " : ", ") + each;
-        }
-        return failure(fmt::format("no built-in mesh \"{}\" is known", name), known);
-    }
-    for (Vertex& vertex : mesh->vertices) {
-        vertex.normal = object.flipNormals ? -vertex.normal : vertex.normal;
-    }
-    return std::move(*mesh);
-}
-
-} // namespace
 
 SceneMeshes::Key SceneMeshes::keyOf(const Object& object) {
     return {object.mesh, object.fitUnitBox, object.flipNormals};
@@ -50,7 +28,7 @@ Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, AssetClient& client) 
 }
 
 Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
-    if (std::string_view(object.mesh).starts_with(builtin)) {
+    if (builtinName(object.mesh)) {
         auto mesh = builtinMesh(object);
         if (!mesh) {
             return tl::unexpected(mesh.error());

@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "scene/builtin_mesh.h"
+
 namespace patina {
 namespace {
 
@@ -103,6 +105,39 @@ TEST(Primitives, Solids_HaveNoHoles) {
 
 TEST(Primitives, ShaderballsOnlyOpenEdge_IsTheNeckInsideTheBall) {
     EXPECT_GT(closedShare(primitive("shaderball").value()), 0.995);
+}
+
+Object objectOf(const std::string& mesh) {
+    Object object;
+    object.mesh = mesh;
+    return object;
+}
+
+TEST(BuiltinMesh, FittedIntoTheUnitBox_IsCentredAndTwoMetresLong) {
+    Object object = objectOf("builtin:cylinder");
+    object.fitUnitBox = true;
+    const Bounds bounds = builtinMesh(object).value().bounds;
+    const glm::vec3 size = bounds.size();
+    EXPECT_NEAR(std::max({size.x, size.y, size.z}), 2.0f, 1e-6f);
+    EXPECT_LT(glm::length(bounds.center()), 1e-6f);
+}
+
+TEST(BuiltinMesh, Flipped_TurnsNormalsAndTriangles) {
+    Object object = objectOf("builtin:cube");
+    const Mesh upright = builtinMesh(object).value();
+    object.flipNormals = true;
+    const Mesh flipped = builtinMesh(object).value();
+    EXPECT_EQ(flipped.vertices[0].normal, -upright.vertices[0].normal);
+    EXPECT_EQ(flipped.vertices[0].tangent.w, -upright.vertices[0].tangent.w);
+    EXPECT_EQ(flipped.indices[0], upright.indices[0]);
+    EXPECT_EQ(flipped.indices[1], upright.indices[2]);
+    EXPECT_EQ(flipped.indices[2], upright.indices[1]);
+}
+
+TEST(BuiltinMesh, UnknownName_NamesTheKnownOnes) {
+    const auto mesh = builtinMesh(objectOf("builtin:teapot"));
+    ASSERT_FALSE(mesh.has_value());
+    EXPECT_NE(mesh.error().expected.find("shaderball"), std::string::npos);
 }
 
 TEST(Primitives, UnknownName_GivesNothing) { EXPECT_FALSE(primitive("teapot").has_value()); }

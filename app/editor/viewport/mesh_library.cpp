@@ -8,40 +8,13 @@
 #include <QPointer>
 #include <QTimer>
 
-#include "scene/primitives.h"
+#include "scene/builtin_mesh.h"
+#include "scene/mesh_path.h"
 
 namespace patina {
 namespace {
 
-constexpr std::string_view builtinPrefix = "builtin:";
 constexpr int progressIntervalMs = 100;
-
-bool isBuiltin(const std::string& mesh) {
-    return mesh.starts_with(builtinPrefix);
-}
-
-void flipNormals(Mesh& mesh) {
-    for (Vertex& vertex : mesh.vertices) {
-        vertex.normal = -vertex.normal;
-    }
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-    }
-}
-
-/// Into [-1, 1]^3, as the files process does it for meshes it reads.
-void fitUnitBox(Mesh& mesh) {
-    const glm::vec3 size = mesh.bounds.size();
-    const float longest = std::max({size.x, size.y, size.z});
-    if (mesh.bounds.empty() || !(longest > 0.0f)) {
-        return;
-    }
-    const glm::vec3 middle = mesh.bounds.center();
-    for (Vertex& vertex : mesh.vertices) {
-        vertex.position = (vertex.position - middle) * (2.0f / longest);
-    }
-    mesh.bounds = boundsOf(mesh.vertices);
-}
 
 } // namespace
 
@@ -58,7 +31,7 @@ MeshLibrary::~MeshLibrary() {
 
 MeshView MeshLibrary::view(const Object& object) {
     const Key key = keyOf(object);
-    if (isBuiltin(key.mesh)) {
+    if (builtinName(key.mesh)) {
         if (!builtins_.contains(key)) {
             makeBuiltin(key);
         }
@@ -115,19 +88,16 @@ MeshLibrary::Key MeshLibrary::keyOf(const Object& object) {
 
 void MeshLibrary::makeBuiltin(const Key& key) {
     Mesh& mesh = builtins_[key];
-    std::optional<Mesh> made = primitive(std::string_view(key.mesh).substr(builtinPrefix.size()));
+    Object object;
+    object.mesh = key.mesh;
+    object.fitUnitBox = key.fitUnitBox;
+    object.flipNormals = key.flipNormals;
+    Result<Mesh> made = builtinMesh(object);
     if (!made) {
-        Q_EMIT failed(QString::fromStdString(key.mesh),
-                    failure("there is no built-in mesh called '" + key.mesh + "'").value());
+        Q_EMIT failed(QString::fromStdString(key.mesh), made.error());
         return;
     }
     mesh = std::move(*made);
-    if (key.fitUnitBox) {
-        fitUnitBox(mesh);
-    }
-    if (key.flipNormals) {
-        flipNormals(mesh);
-    }
 }
 
 void MeshLibrary::load(const Key& key) {

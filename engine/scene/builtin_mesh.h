@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "core/mesh.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// The mesh made by code that `object.mesh` names ("builtin:sphere"), fitted into [-1, 1]^3 and
+/// turned inside out where the object asks for that, as meshes of files are. An error for a name
+/// that no such mesh has.
+Result<Mesh> builtinMesh(const Object& object);
+
+} // namespace patina
