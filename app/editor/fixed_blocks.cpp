@@ -5,6 +5,7 @@
 #include <map>
 
 #include "picture_accuracy_form.h"
+#include "scene/scene_limits.h"
 
 namespace patina {
 
@@ -101,11 +102,20 @@ const AccessTable<Scene>& sceneTable() {
     return table;
 }
 
+/// The same numbers as a scene file may hold.
+Access<Object> scaleAccess() {
+    const Access<Object> inner = member(&Object::scale);
+    return {inner.read, [inner](Object& object, const Value& value) {
+                inner.write(object, value);
+                object.scale = usableScale(object.scale);
+            }};
+}
+
 const AccessTable<Object>& objectTable() {
     static const AccessTable<Object> table{
         {"visible", member(&Object::visible)},       {"castsShadow", member(&Object::castsShadow)},
         {"translation", member(&Object::translation)},
-        {"rotation", member(&Object::rotation)},     {"scale", member(&Object::scale)},
+        {"rotation", member(&Object::rotation)},     {"scale", scaleAccess()},
         {"fitUnitBox", member(&Object::fitUnitBox)}, {"flipNormals", member(&Object::flipNormals)}};
     return table;
 }
@@ -151,6 +161,13 @@ Parameter ranged(Parameter parameter, glm::dvec2 hard, glm::dvec2 soft, double s
     return parameter;
 }
 
+/// Light or a colour to look at: the picker starts with what a screen can show.
+Parameter bright(std::string id, std::string label, std::string doc, const glm::dvec3& color) {
+    return ranged(described(ParameterType::Color, std::move(id), std::move(label), std::move(doc),
+                            color),
+                  {0.0, brightest}, {0.0, 1.0}, 0.01);
+}
+
 Parameter toneMappingParameter() {
     Parameter parameter =
         described(ParameterType::Enum, "toneMapping", "Tone mapping",
@@ -176,7 +193,7 @@ std::vector<Parameter> groundParameters() {
     automatic.enabledWhen = "ground.mode != off";
     Parameter height = ranged(described(ParameterType::Float, "ground.height", "Height",
                                         "How high the ground lies.", 0.0),
-                              {-1e5, 1e5}, {-5.0, 5.0}, 0.01, "m");
+                              {-farthest, farthest}, {-5.0, 5.0}, 0.01, "m");
     height.enabledWhen = "ground.mode != off and not ground.automatic";
     Parameter color = described(ParameterType::Color, "ground.color", "Ground colour",
                                 "The share of the light that comes back from the plane.",
@@ -195,22 +212,21 @@ Block sceneBlock() {
     block.id = "scene";
     block.label = "Scene";
     block.parameters = {
-        described(ParameterType::Color, "ambient", "Ambient light",
-                  "Light that comes from everywhere and casts no shape.", Scene().ambient),
-        described(ParameterType::Color, "ambient.sky", "Sky light",
-                  "Ambient light on what faces up.", Hemisphere().sky),
-        described(ParameterType::Color, "ambient.ground", "Ground light",
-                  "Ambient light on what faces down, as the ground throws it back.",
-                  Hemisphere().ground),
+        bright("ambient", "Ambient light", "Light that comes from everywhere and casts no shape.",
+               Scene().ambient),
+        bright("ambient.sky", "Sky light", "Ambient light on what faces up.", Hemisphere().sky),
+        bright("ambient.ground", "Ground light",
+               "Ambient light on what faces down, as the ground throws it back.",
+               Hemisphere().ground),
         ranged(described(ParameterType::Vec3, "ambient.up", "Up",
                          "Where the sky light comes from. Its length does not matter.",
                          Hemisphere().up),
-               {-1e6, 1e6}, {-1.0, 1.0}, 0.01),
-        described(ParameterType::Color, "background", "Background",
-                  "The colour behind the objects. It lights nothing.", Scene().background),
+               {-farthest, farthest}, {-1.0, 1.0}, 0.01),
+        bright("background", "Background", "The colour behind the objects. It lights nothing.",
+               Scene().background),
         ranged(described(ParameterType::Float, "exposure", "Exposure",
                          "Brightness of the whole picture: each step up doubles it.", 0.0),
-               {-20.0, 20.0}, {-4.0, 4.0}, 0.1, "EV"),
+               {-mostStops, mostStops}, {-4.0, 4.0}, 0.1, "EV"),
         toneMappingParameter()};
     for (Parameter& parameter : groundParameters()) {
         block.parameters.push_back(std::move(parameter));
@@ -222,7 +238,6 @@ Block sceneBlock() {
 }
 
 Block objectBlock() {
-    constexpr double farMetres = 1e5; // keeps positions well inside float precision
     Block block;
     block.id = "object";
     block.label = "Object";
@@ -235,15 +250,17 @@ Block objectBlock() {
                   true),
         ranged(described(ParameterType::Vec3, "translation", "Position", "Where the object stands.",
                          glm::dvec3(0.0)),
-               {-farMetres, farMetres}, {-5.0, 5.0}, 0.01, "m"),
+               {-farthest, farthest}, {-5.0, 5.0}, 0.01, "m"),
         ranged(described(ParameterType::Vec3, "rotation", "Rotation",
                          "Turned about the x axis first, then y, then z.", glm::dvec3(0.0)),
-               {-360000.0, 360000.0}, {-180.0, 180.0}, 1.0, "deg"),
+               {-farthest, farthest}, {-180.0, 180.0}, 1.0, "deg"),
         ranged(described(ParameterType::Vec3, "scale", "Scale",
                          "Size along each axis. Negative numbers mirror.", glm::dvec3(1.0)),
-               {-farMetres, farMetres}, {0.0, 4.0}, 0.01),
+               {-largestScale, largestScale}, {0.0, 4.0}, 0.01),
         described(ParameterType::Bool, "fitUnitBox", "Fit to unit box",
-                  "Centre the mesh and scale it to one metre before anything else.", false),
+                  "Centre the mesh and make its longest side two metres (-1 to 1) before anything "
+                  "else.",
+                  false),
         described(ParameterType::Bool, "flipNormals", "Flip normals",
                   "For meshes whose surfaces point inwards and look black.", false)};
     return block;

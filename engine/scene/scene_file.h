@@ -8,9 +8,6 @@
 
 namespace patina {
 
-/// The exposure in a file lies between minus and plus this, so that no product overflows.
-constexpr double mostStops = 32.0;
-
 struct SceneReading {
     Scene scene;
     Errors notes;

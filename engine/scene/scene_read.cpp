@@ -24,18 +24,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What a scene may hold, so that no product of such numbers overflows a float on the way to the
-// screen: metres, factors, linear light, powers of two, degrees.
-constexpr double farthest = 1e6;
-constexpr double largestScale = 1e6;
-constexpr double smallestScale = 1e-6f; // numbers of files are floats
-constexpr double brightest = 1e6;
-
-/// The number nearest to a factor that does not flatten the object.
-double usableScale(double scale) {
-    return std::copysign(std::clamp(std::abs(scale), smallestScale, largestScale), scale);
-}
-
 /// Reads one scene file.
 class SceneReader {
   public:
@@ -121,8 +109,7 @@ class SceneReader {
         reader.read("scale", object.scale);
         limit(reader, "translation", object.translation, -farthest, farthest);
         limit(reader, "rotation", object.rotation, -farthest, farthest);
-        const glm::dvec3 usable{usableScale(object.scale.x), usableScale(object.scale.y),
-                                usableScale(object.scale.z)};
+        const glm::dvec3 usable = usableScale(object.scale);
         if (usable != object.scale) {
             object.scale = usable;
             noteRange(reader, "scale", smallestScale, largestScale);
