@@ -20,6 +20,21 @@ SliderRange range01() {
     return SliderRange(parameter);
 }
 
+TEST(SliderRange, LogSliderWidenedBothWays_StaysLogarithmic) {
+    Parameter parameter;
+    parameter.min = 0.0;
+    parameter.softMin = 1.0;
+    parameter.softMax = 1000.0;
+    parameter.max = 1e6;
+    parameter.scale = Scale::Log;
+    SliderRange range(parameter);
+    range.widenFor(0.5);
+    range.widenFor(1e6);
+    EXPECT_EQ(range.lower(), 0.0);
+    EXPECT_EQ(range.upper(), 1e6);
+    EXPECT_GT(range.positionOf(64.0) - range.positionOf(20.0), 0.05);
+}
+
 TEST_F(Slider, Drag_IsOneStep) {
     drag(slider("roughness"), 0.5, 0.8);
     EXPECT_EQ(fixture.steps(), 1);

@@ -40,10 +40,13 @@ void SliderRange::reset() {
     upper_ = softMax_;
 }
 
-/// A log slider that starts at or below 0 is logarithmic above a thousandth of its length and
-/// runs straight into its start.
+/// A log slider that starts at or below 0 is logarithmic above the start of its soft range, or a
+/// thousandth of that, and runs straight into its start. How far it was widened does not matter.
 double SliderRange::kneeOfLog() const {
-    return lower_ > 0.0 ? lower_ : (upper_ - lower_) * 1e-3;
+    if (lower_ > 0.0) {
+        return lower_;
+    }
+    return softMin_ > 0.0 ? softMin_ : (softMax_ - softMin_) * 1e-3;
 }
 
 double SliderRange::positionOf(double value) const {
