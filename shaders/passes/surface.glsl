@@ -4,8 +4,8 @@
 #include "passes/storable.glsl"
 
 in vec3 worldPosition;
-in vec3 worldNormal;
-in vec3 worldTangent;
+centroid in vec3 worldNormal;
+centroid in vec3 worldTangent;
 
 layout(location = 0) out vec4 storedColor;
 

@@ -12,8 +12,8 @@ layout(location = 5) in mat3x4 objectToWorld;
 layout(location = 8) in mat3 normalToWorld;
 
 out vec3 worldPosition;
-out vec3 worldNormal;
-out vec3 worldTangent;
+centroid out vec3 worldNormal; // beyond an edge it would turn away
+centroid out vec3 worldTangent;
 
 // Lengths are restored per fragment.
 void placeSurface() {
