@@ -70,10 +70,17 @@ void ModelDock::askForPicture(const QString& id) {
 
 void ModelDock::showCurrent() {
     const Material* material = document_.material(document_.activeSide());
-    const QSignalBlocker quiet(grid_);
-    grid_->setCurrentItem(
-        material ? grid_->find(QString::fromStdString(material->model.id)) : nullptr);
+    QListWidgetItem* item =
+        material ? grid_->find(QString::fromStdString(material->model.id)) : nullptr;
     grid_->setEnabled(material != nullptr);
+    if (item == grid_->currentItem()) {
+        return;
+    }
+    const QSignalBlocker quiet(grid_);
+    grid_->setCurrentItem(item);
+    if (item) {
+        grid_->scrollToItem(item);
+    }
 }
 
 /// Its programs are made before it is chosen.
