@@ -104,7 +104,8 @@ class Document : public QObject {
     void replaceMaterial(Side side, const Material& material, const QString& label);
     /// Starts comparing with a material, changes it, or stops (nullopt).
     void setSecondMaterial(std::optional<Material> material);
-    /// Starts comparing with a copy of side A, or stops.
+    /// Starts comparing with what was last on side B of this object, at first with a copy of side
+    /// A; or stops.
     void setComparing(bool on);
     void swapSides();
 
@@ -199,6 +200,7 @@ class Document : public QObject {
     void endEffectHold();
     void updateSecondScene(const BlockPath& path, const QString& parameterId);
     void keepCurrentInside();
+    std::optional<Errors> takeScene(const std::filesystem::path& path);
     void replaceState(DocumentState state, DocumentFile file, int object = 0);
     bool savePreset(const std::filesystem::path& path, const BlockPath& of);
     void tell(const Errors& messages);
@@ -223,6 +225,8 @@ class Document : public QObject {
     std::optional<BlockValues> lastFog_; ///< comes back when fog is turned on again
     std::optional<BlockValues> lastEnvironment_; ///< the same
     std::optional<BlockValues> lastTransparency_;
+    std::optional<Material> lastSecond_;
+    int lastSecondObject_ = -1; ///< what `lastSecond_` was compared on
     std::map<BlockPath::Part, Block> fixedBlocks_;
     mutable std::map<std::vector<const Block*>, Block> accuracyBlocks_; ///< by the blocks in use
     QUndoStack undoStack_;

@@ -100,10 +100,13 @@ void Document::setSecondMaterial(std::optional<Material> wanted) {
 
 void Document::setComparing(bool on) {
     const Material* first = material(Side::A);
-    if (!on) {
+    if (!on && state_.second) {
+        lastSecond_ = state_.second;
+        lastSecondObject_ = currentObject_;
         setSecondMaterial(std::nullopt);
-    } else if (first && !state_.second) {
-        setSecondMaterial(*first);
+    } else if (on && first && !state_.second) {
+        const bool returns = lastSecond_ && lastSecondObject_ == currentObject_;
+        setSecondMaterial(returns ? *lastSecond_ : *first);
     }
 }
 

@@ -98,6 +98,8 @@ void Document::replaceState(DocumentState state, DocumentFile file, int object) 
     interaction_ = 0;
     lastFog_.reset();
     lastTransparency_.reset();
+    lastEnvironment_.reset();
+    lastSecond_.reset();
     isRecovered_ = false;
     state_ = std::move(state);
     savedState_ = state_;
@@ -115,18 +117,27 @@ void Document::startFrom(const Scene& scene) {
 }
 
 bool Document::openScene(const std::filesystem::path& path) {
+    const std::optional<Errors> notes = takeScene(path);
+    tell(notes.value_or(Errors()));
+    return notes.has_value();
+}
+
+/// Gives what there is to say of the scene; nothing, with the errors told, when it cannot be read.
+std::optional<Errors> Document::takeScene(const std::filesystem::path& path) {
     Checked<SceneReading> reading = readScene(path, *catalog_);
     if (!reading) {
         tell(reading.error());
-        return false;
+        return std::nullopt;
     }
     const Checked<std::optional<Material>> second = takeSecond(reading->scene, path, *catalog_);
     const int object = second && *second ? takeSecondObject(reading->scene) : 0;
     replaceState({reading->scene, second.value_or(std::nullopt)},
                  {DocumentFile::Kind::Scene, path, reading->readOnly}, object);
-    tell(reading->notes);
-    tell(second ? Errors() : second.error());
-    return true;
+    Errors notes = reading->notes;
+    if (!second) {
+        notes.insert(notes.end(), second.error().begin(), second.error().end());
+    }
+    return notes;
 }
 
 bool Document::openTemplate(const std::filesystem::path& path) {
@@ -139,7 +150,7 @@ bool Document::openTemplate(const std::filesystem::path& path) {
 
 bool Document::recover(const std::filesystem::path& copy, const DocumentFile& origin) {
     const DocumentState before = state_;
-    const bool opened = openScene(copy);
+    const bool opened = takeScene(copy).has_value(); // its notes are on a file nobody knows
     if (opened) {
         savedState_ = before; // a preset that is saved holds no more than its material
         setFile(origin);

@@ -320,6 +320,34 @@ TEST_F(DocumentEdit, FogOffAndOn_RestoresValues) {
     EXPECT_EQ(document.scene().fog->parameters.at("density"), Value(0.5));
 }
 
+TEST_F(DocumentEdit, ScaleOfNothing_IsWhatASceneFileMayHold) {
+    document.setValue(document.currentPath(Part::Object), "scale", glm::dvec3(0.0, 1.0, -2.0));
+    const glm::dvec3 scale = document.scene().objects[0].scale;
+    EXPECT_GT(scale.x, 0.0);
+    EXPECT_EQ(scale.y, 1.0);
+    EXPECT_EQ(scale.z, -2.0);
+}
+
+TEST_F(DocumentEdit, ComparingAgain_BringsBackWhatWasOnSideB) {
+    document.setComparing(true);
+    document.setValue({Part::Model, 0, Side::B}, "roughness", 0.75);
+    const Material made = *document.state().second;
+    document.setComparing(false);
+    document.setComparing(true);
+    EXPECT_EQ(document.state().second, made);
+}
+
+TEST_F(DocumentEdit, ComparingOnAnotherObject_StartsWithACopy) {
+    document.addObject(document.scene().objects.front());
+    document.setCurrentObject(0);
+    document.setComparing(true);
+    document.setValue({Part::Model, 0, Side::B}, "roughness", 0.75);
+    document.setComparing(false);
+    document.setCurrentObject(1);
+    document.setComparing(true);
+    EXPECT_EQ(document.state().second, *document.material(Side::A));
+}
+
 TEST_F(DocumentEdit, SecondMaterial_ShowsOnSideBOnly) {
     document.setComparing(true);
     document.scene(Side::B);
