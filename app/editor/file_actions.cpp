@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QRegularExpression>
 
+#include "details_dialog.h"
 #include "library/preset_library.h"
 #include "scene/scene_file.h"
 #include "viewport/placement.h"
@@ -93,9 +94,7 @@ bool FileActions::saveAs() {
     if (!mayReplace(asked, file)) {
         return false;
     }
-    const bool isSaved = asPreset
-                             ? document_.savePreset(file.toStdString(), document_.activeSide())
-                             : document_.saveScene(file.toStdString());
+    const bool isSaved = asPreset ? writePreset(file) : document_.saveScene(file.toStdString());
     if (isSaved) {
         session_.setFolderOf("scene", file);
         noteSaved(file);
@@ -141,9 +140,36 @@ void FileActions::exportPreset() {
     const QString asked = QFileDialog::getSaveFileName(
         window_, tr("Save the material as a preset"), start, presetFilter());
     const QString file = withSuffix(asked, presetSuffix);
-    if (!file.isEmpty() && mayReplace(asked, file) &&
-        document_.savePreset(file.toStdString(), document_.activeSide())) {
+    if (!file.isEmpty() && mayReplace(asked, file) && writePreset(file)) {
         noteFile(file);
+    }
+}
+
+/// Under another name it is another preset: the material is called what its file is called.
+bool FileActions::writePreset(const QString& file) {
+    const Side side = document_.activeSide();
+    const Material* material = document_.material(side);
+    const QString name = QFileInfo(file).fileName().chopped(presetSuffix.size());
+    const bool isSameFile = document_.file().path == file.toStdString();
+    const auto held = [&] { return QString::fromStdString(material->name); };
+    if (material && !isSameFile && name.compare(held(), Qt::CaseInsensitive) != 0 &&
+        name != asFileName(held())) {
+        Material renamed = *material;
+        renamed.name = name.toStdString();
+        document_.replaceMaterial(side, renamed, tr("Name %1").arg(name));
+    }
+    return document_.savePreset(file.toStdString(), side);
+}
+
+void FileActions::editDetails() {
+    const Side side = document_.activeSide();
+    const Material* material = document_.material(side);
+    if (!material) {
+        return;
+    }
+    DetailsDialog dialog(*material, window_);
+    if (dialog.exec() == QDialog::Accepted) {
+        document_.replaceMaterial(side, dialog.edited(), tr("Change details"));
     }
 }
 
@@ -237,6 +263,13 @@ void FileActions::addObject(Object object) {
         object.material = start->scene.objects.front().material;
     }
     document_.addObject(object); // which makes it the current one
+}
+
+void FileActions::addBeside(const Object& object) {
+    document_.editAsOneStep(tr("Add %1").arg(QString::fromStdString(object.name)), [&] {
+        addObject(placedBeside(document_.scene(), object, meshes_));
+        Q_EMIT meshPlaced();
+    });
 }
 
 bool FileActions::mayLoseDocument() {
@@ -337,12 +370,14 @@ void FileActions::meshLoaded(const QString& mesh) {
     if (const auto found = wanted_.find(mesh); found != wanted_.end()) {
         const Object object = found->second;
         wanted_.erase(found);
-        const bool replaces = showsOnlyTheStart();
-        document_.editAsOneStep(tr("Add %1").arg(QString::fromStdString(object.name)), [&] {
-            replaces ? replaceObject(object)
-                     : addObject(placedBeside(document_.scene(), object, meshes_));
-            Q_EMIT meshPlaced();
-        });
+        if (showsOnlyTheStart()) {
+            document_.editAsOneStep(tr("Add %1").arg(QString::fromStdString(object.name)), [&] {
+                replaceObject(object);
+                Q_EMIT meshPlaced();
+            });
+        } else {
+            addBeside(object);
+        }
         noteFile(mesh);
     }
 }

@@ -34,6 +34,9 @@ class FileActions : public QObject {
     void exportPreset();
     void importMesh();
 
+    /// Asks for the name, description, author, licence and tags of the current material.
+    void editDetails();
+
     /// Opens what was named on the command line or in a menu: a scene or a preset becomes the
     /// document, a mesh an object in it: beside the others, or in place of a new document's.
     void open(const QStringList& files, Side side);
@@ -44,6 +47,9 @@ class FileActions : public QObject {
     /// Adds an object with a material like the current one's, in an empty scene like a new
     /// document's, and makes it current.
     void addObject(Object object);
+
+    /// The same, beside what is there and in view, as one undo step. Its mesh must be there.
+    void addBeside(const Object& object);
 
     /// False when the user wants to go back. Saves when the user wants that.
     bool mayLoseDocument();
@@ -73,6 +79,7 @@ class FileActions : public QObject {
     void load(const QString& mesh);
     void meshLoaded(const QString& mesh);
     bool showsOnlyTheStart() const;
+    bool writePreset(const QString& file);
     void replaceObject(Object object);
     void meshFailed(const QString& mesh, const Error& why);
     void noteSaved(const QString& file);

@@ -207,7 +207,6 @@ void MainWindow::restoreWindow() {
     }
     hideBottom();
     arranged_ = restoreState(session_.windowLayout(), layoutVersion);
-    hideBottom();
     theme_.setLook(session_.look());
 }
 

@@ -69,6 +69,9 @@ void MainWindow::makeEditMenu() {
     QAction* redo = document_.undoStack().createRedoAction(this, tr("&Redo"));
     redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     menu->addActions({undo, redo});
+    menu->addSeparator();
+    add(menu, tr("Material &Details…"), QKeySequence("Alt+Return"),
+        [this] { files_->editDetails(); });
 }
 
 void MainWindow::makeViewMenu() {

@@ -97,7 +97,7 @@ void SceneDock::addBuiltin(const std::string& name) {
     Object object;
     object.name = capitalised(name).toStdString();
     object.mesh = "builtin:" + name;
-    files_.addObject(object);
+    files_.addBeside(object);
 }
 
 void SceneDock::switchObject(int index, bool on) {
