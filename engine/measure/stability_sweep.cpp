@@ -102,6 +102,8 @@ class StabilitySweep::Variant {
         return done_ < count() ? stepValues(report) : claims_->step(*program_, report);
     }
 
+    std::size_t count() const { return places_.size() + (rows_.size() - 1) * placesPerRow_; }
+
   private:
     Result<void> stepValues(SweepReport& report) {
         const std::size_t size = std::min(options_.slice, count() - done_);
@@ -124,8 +126,6 @@ class StabilitySweep::Variant {
         done_ += size;
         return {};
     }
-
-    std::size_t count() const { return places_.size() + (rows_.size() - 1) * placesPerRow_; }
 
     std::size_t rowOf(std::size_t i) const {
         return i < places_.size() ? 0 : 1 + (i - places_.size()) / placesPerRow_;
@@ -275,9 +275,17 @@ double StabilitySweep::progress() const {
     return (static_cast<double>(next_) + within) / static_cast<double>(variants_.size());
 }
 
+std::size_t StabilitySweep::plannedCases() const {
+    std::size_t cases = 0;
+    for (const EvalCase& variant : variants_) {
+        cases += Variant(variant, options_, casesOfEach()).count();
+    }
+    return cases;
+}
+
 void StabilitySweep::open() {
     const EvalCase& variant = variants_[next_++];
-    current_ = std::make_unique<Variant>(variant, options_, options_.cases / variants_.size());
+    current_ = std::make_unique<Variant>(variant, options_, casesOfEach());
     ++report_.programs;
     if (const auto opened = current_->open(withoutReference_, report_); !opened) {
         report_.errors.push_back(opened.error());

@@ -36,6 +36,9 @@ class StabilitySweep {
     /// 0 .. 1.
     double progress() const;
 
+    /// How many cases it evaluates from beginning to end.
+    std::size_t plannedCases() const;
+
     /// Does one slice of the work: compiles at most one program.
     void step();
 
@@ -47,6 +50,7 @@ class StabilitySweep {
 
   private:
     class Variant;
+    std::size_t casesOfEach() const { return options_.cases / variants_.size(); }
     void open();
 
     std::vector<EvalCase> variants_;
