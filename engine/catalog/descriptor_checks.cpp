@@ -148,7 +148,20 @@ class Checker {
         if (parameter.emission && parameter.type != ParameterType::Color) {
             add(pointer + "/emission", "only a colour can be emitted", "no such key");
         }
+        checkTransparency(parameter, pointer + "/transparency");
         checkTexture(parameter, pointer);
+    }
+
+    /// A share of the light, the same wherever on the surface.
+    void checkTransparency(const Parameter& parameter, const std::string& pointer) {
+        if (!parameter.transparency) {
+            return;
+        }
+        if (parameter.type != ParameterType::Float || parameter.min < 0.0 || parameter.max > 1.0) {
+            add(pointer, "only a float from 0 to 1 can be a share that passes", "no such key");
+        } else if (!parameter.textureChannels.empty()) {
+            add(pointer, "what passes by a value that takes an image is not known", "no such key");
+        }
     }
 
     /// An image drives what is read anew at every point; three keys of a preset's images have a

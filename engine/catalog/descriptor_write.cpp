@@ -100,6 +100,7 @@ Json parameterJson(const Parameter& parameter) {
               {"compiled", compiledJson(parameter)},
               {"space", wordFor(spaceWords, parameter.space)},
               {"emission", parameter.emission},
+              {"transparency", parameter.transparency},
               {"texture", parameter.textureChannels},
               {"migrations", arrayOf(parameter.migrations, migrationJson)}};
     if (const auto names = componentNames(parameter); !names.empty()) {

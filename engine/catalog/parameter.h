@@ -81,6 +81,7 @@ struct Parameter {
     std::string equalTo; ///< Compiled::WhenEqual: id of another float of the block
     Space space = Space::None;
     bool emission = false; ///< a colour that is added once per pixel, whatever the light
+    bool transparency = false; ///< a share of the light that passes: it lowers the opacity
     std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not
     std::optional<PhysicalRange> physical;
     std::vector<Migration> migrations;

@@ -161,8 +161,10 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 
 void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                   const glm::dmat4& cameraToWorld) {
+    const double opacity = opacityOf(material, *pipeline.catalog);
     out[ObjectLayout::surface] =
-        glm::vec4(std::clamp(static_cast<float>(material.opacity), 0.0f, 1.0f), 0.0f, 0.0f, 0.0f);
+        glm::vec4(std::clamp(static_cast<float>(opacity), 0.0f, 1.0f),
+                  1.0 / (1.0 - passedShare(material, *pipeline.catalog)), 0.0f, 0.0f);
     if (pipeline.object.model) {
         packPlace(out, *pipeline.object.model, material.model.parameters, material.accuracy,
                   cameraToWorld);

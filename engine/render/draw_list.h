@@ -19,6 +19,7 @@ namespace patina {
 struct DrawMaterial {
     std::size_t object = 0; ///< the first one that has it
     bool isTransparent = false;
+    bool canShadow = true;
     bool isOutlined = false; ///< its objects' meshes have edges
     std::shared_ptr<const Pipeline> pipeline; ///< null: there is nothing to draw it with
     UniformPool::Place data;

@@ -28,16 +28,16 @@ int usualRounds() {
 }
 
 /// What blends is drawn at once, however long it takes.
-bool blends(const Scene& effects) {
-    return std::ranges::any_of(effects.objects, [](const Object& object) {
-        return object.visible && isTransparent(object.material);
+bool blends(const Scene& effects, const Catalog& catalog) {
+    return std::ranges::any_of(effects.objects, [&catalog](const Object& object) {
+        return object.visible && isTransparent(object.material, catalog);
     });
 }
 
-int roundsOf(const View& view, const Scene& effects, int done) {
+int roundsOf(const View& view, const Scene& effects, const Catalog& catalog, int done) {
     if (view.environmentSamples <= 0) {
         // No more than there are already, so that the first ones are soon seen.
-        const int added = blends(effects) ? 0 : std::min(done, addedRounds);
+        const int added = blends(effects, catalog) ? 0 : std::min(done, addedRounds);
         const int rounds = std::max(usualRounds(), added);
         return std::clamp(view.mostSamples / roundSamples - done, 1, rounds);
     }
@@ -66,7 +66,7 @@ Result<void> EnvironmentPass::begin(const SceneToPack& scene, const View& view,
         return tl::unexpected(kept.error());
     }
     done_ = *kept && view.isContinued ? done_ : 0;
-    count_ = roundsOf(view, scene.effects, done_);
+    count_ = roundsOf(view, scene.effects, catalog, done_);
     light_.setRounds(done_, count_);
     return {};
 }

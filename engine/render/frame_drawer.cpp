@@ -226,7 +226,9 @@ std::size_t FrameDrawer::materialOf(const Scene& scene, std::size_t object) {
     const std::size_t number = materialKeys_.find(print, materials_.size());
     if (number == materials_.size()) {
         const bool isOutlined = outlineChoice(effects, *catalog_).block != nullptr;
-        materials_.push_back({object, isTransparent(effects), isOutlined, nullptr, {}, {}});
+        materials_.push_back({object, isTransparent(effects, *catalog_),
+                              canShadow(scene.objects[object].material, *catalog_), isOutlined,
+                              nullptr, {}, {}});
     }
     return number;
 }

@@ -31,9 +31,10 @@ void setGroundBlending(GroundMode mode) {
 void FrameDrawer::planShadows(const Scene& scene) {
     shadows_.clearCasters();
     for (const DrawItem& item : items_) {
-        if (isCaster(scene.objects[item.index])) {
+        const Object& object = scene.objects[item.index];
+        if (object.castsShadow && materials_[item.material].canShadow) {
             shadows_.addCaster(*item.mesh, {item.view.bounds, item.placement->world},
-                               scene.objects[item.index].material);
+                               object.material);
         }
     }
     const int before = pipelines_.programs().compiledCount();

@@ -16,7 +16,7 @@ constexpr const char* opacityId = "opacity";
 
 } // namespace
 
-std::size_t ShadowHoles::add(const Material& material) {
+std::size_t ShadowHoles::add(const Material& material, double opacity) {
     if (holes_.size() == count_) {
         holes_.emplace_back();
         hasChanged_ = true;
@@ -25,9 +25,9 @@ std::size_t ShadowHoles::add(const Material& material) {
     const TextureUse& use = material.textures.find(opacityId)->second;
     const auto known = holes.material.textures.find(opacityId);
     const bool isSame = known != holes.material.textures.end() && known->second == use &&
-                        holes.material.opacity == material.opacity;
+                        holes.material.opacity == opacity;
     if (!isSame) {
-        holes.material.opacity = material.opacity;
+        holes.material.opacity = opacity;
         holes.material.textures.insert_or_assign(opacityId, use);
         holes.pipeline.reset();
         hasChanged_ = true;

@@ -26,8 +26,8 @@ class ShadowHoles {
     /// Begins a frame.
     void clear() { count_ = 0; }
 
-    /// One more material; its number counts from 0.
-    std::size_t add(const Material& material);
+    /// One more material, with the opacity that its image takes from; its number counts from 0.
+    std::size_t add(const Material& material, double opacity);
 
     /// Makes their programs, and looks whether their images are there.
     Result<void> prepare(const std::shared_ptr<const Catalog>& catalog, ProgramCache& programs,

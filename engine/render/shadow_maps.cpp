@@ -64,7 +64,8 @@ void ShadowMaps::addCaster(const GpuMesh& mesh, const CasterBox& box, const Mate
     meshes_.push_back(&mesh);
     boxes_.push_back(box);
     serials_.push_back(mesh.serial());
-    holesOf_.push_back(hasHoles(material) ? holes_.add(material) : solid);
+    holesOf_.push_back(hasHoles(material) ? holes_.add(material, opacityOf(material, *catalog_))
+                                          : solid);
 }
 
 Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,

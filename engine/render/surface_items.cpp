@@ -120,7 +120,7 @@ void SurfaceItems::choosePipelines(const Scene& scene, const EffectView& view) {
 void SurfaceItems::drawShadows(const Scene& scene) {
     shadows_.clearCasters();
     for (const Item& item : items_) {
-        if (isCaster(scene.objects[item.index])) {
+        if (isCaster(scene.objects[item.index], *catalog_)) {
             shadows_.addCaster(*item.mesh, {item.bounds, item.world},
                                scene.objects[item.index].material);
         }

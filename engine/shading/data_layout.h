@@ -28,7 +28,7 @@ struct ShadowLayout {
 /// The array `objectData`: a material's values, shared by all objects that have them. Where an
 /// object is comes to the vertices (render/instance.h).
 struct ObjectLayout {
-    static constexpr int surface = 0; ///< x: opacity
+    static constexpr int surface = 0; ///< x: opacity; y: one over what the model does not pass
     static constexpr int fixed = 1;   ///< the model's values follow
     /// The rows that take (u, v, 1) to a place in the image, with its strength and its threshold in
     /// their w (see packTextures).

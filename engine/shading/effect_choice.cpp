@@ -33,6 +33,12 @@ bool notPositive(const Value& value) {
     return false;
 }
 
+/// The least that a model is taken to keep of the light: below half of an 8-bit step.
+constexpr double leastKept = 1.0 / 1024.0;
+
+/// What hides at least so much casts shadows.
+constexpr double leastShadowing = 0.5;
+
 /// Parameters without which a block of a kind does nothing.
 std::span<const std::string_view> decisiveIds(std::string_view kind) {
     static constexpr std::array<std::string_view, 2> ofLights{"color", "intensity"};
@@ -113,12 +119,37 @@ bool hasAmbient(const Scene& scene) {
     return scene.ambient.x > 0.0 || scene.ambient.y > 0.0 || scene.ambient.z > 0.0;
 }
 
-bool isCaster(const Object& object) {
-    return object.visible && object.castsShadow && object.material.opacity >= 0.5;
+double passedShare(const Material& material, const Catalog& catalog) {
+    const Block* model = catalog.find("models", material.model.id);
+    double kept = 1.0;
+    for (const Parameter& parameter : model ? std::span(model->parameters)
+                                            : std::span<const Parameter>()) {
+        const double* share =
+            parameter.transparency
+                ? std::get_if<double>(&givenValue(parameter, material.model.parameters))
+                : nullptr;
+        if (share != nullptr && *share > 0.0) {
+            kept *= 1.0 - std::min(*share, 1.0);
+        }
+    }
+    return 1.0 - std::max(kept, leastKept);
 }
 
-bool hasCaster(const Scene& scene) {
-    return std::any_of(scene.objects.begin(), scene.objects.end(), isCaster);
+double opacityOf(const Material& material, const Catalog& catalog) {
+    return material.opacity * (1.0 - passedShare(material, catalog));
+}
+
+bool canShadow(const Material& material, const Catalog& catalog) {
+    return material.opacity >= leastShadowing && opacityOf(material, catalog) >= leastShadowing;
+}
+
+bool isCaster(const Object& object, const Catalog& catalog) {
+    return object.visible && object.castsShadow && canShadow(object.material, catalog);
+}
+
+bool hasCaster(const Scene& scene, const Catalog& catalog) {
+    return std::ranges::any_of(
+        scene.objects, [&catalog](const Object& object) { return isCaster(object, catalog); });
 }
 
 bool hasReceiver(const Scene& scene, const Catalog& catalog) {
@@ -130,7 +161,7 @@ bool hasReceiver(const Scene& scene, const Catalog& catalog) {
 }
 
 bool hasShadows(const Scene& scene, const Catalog& catalog) {
-    return hasCaster(scene) && hasReceiver(scene, catalog);
+    return hasCaster(scene, catalog) && hasReceiver(scene, catalog);
 }
 
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {
@@ -138,17 +169,21 @@ const Block* shadowBlock(const Light& light, const Block& block, const Catalog& 
     return casts ? catalog.find("shadows", light.shadow->id) : nullptr;
 }
 
-bool letsThrough(const Object& object) {
-    return object.visible && canBeSeen(object.material) && isTransparent(object.material);
+bool letsThrough(const Object& object, const Catalog& catalog) {
+    return object.visible && canBeSeen(object.material) && isTransparent(object.material, catalog);
 }
 
-int countLettingThrough(const Scene& scene) {
-    return static_cast<int>(std::ranges::count_if(scene.objects, letsThrough));
+int countLettingThrough(const Scene& scene, const Catalog& catalog) {
+    return static_cast<int>(std::ranges::count_if(
+        scene.objects,
+        [&catalog](const Object& object) { return letsThrough(object, catalog); }));
 }
 
 const Block* transparencyBlock(const Scene& scene, const Catalog& catalog) {
     const bool isNeeded =
-        scene.transparency && std::ranges::any_of(scene.objects, letsThrough);
+        scene.transparency && std::ranges::any_of(scene.objects, [&catalog](const Object& object) {
+            return letsThrough(object, catalog);
+        });
     return isNeeded ? catalog.find("transparency", scene.transparency->id) : nullptr;
 }
 

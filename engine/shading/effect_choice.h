@@ -39,10 +39,22 @@ const Parameter* neutralParameter(const Block& block, const Values& values);
 /// Whether the scene has an ambient colour that is not black.
 bool hasAmbient(const Scene& scene);
 
+/// The share of the light that the material's model itself says to pass, 0 .. 1 - 2^-10: by its
+/// parameters with the key `transparency`. 0 where it has none or is not known. Never all of it,
+/// since what the surface still gives back is divided by the rest (see ObjectLayout::surface).
+double passedShare(const Material& material, const Catalog& catalog);
+
+/// How much of what is behind the material it hides, 0 .. 1: its opacity and its model's share
+/// together.
+double opacityOf(const Material& material, const Catalog& catalog);
+
+/// Whether the material hides enough to keep light from others: half of it.
+bool canShadow(const Material& material, const Catalog& catalog);
+
 /// Whether an object keeps light from others: it is drawn, may do so, and lets less than half of
 /// the light through.
-bool isCaster(const Object& object);
-bool hasCaster(const Scene& scene);
+bool isCaster(const Object& object, const Catalog& catalog);
+bool hasCaster(const Scene& scene, const Catalog& catalog);
 
 /// Whether a shadow can fall on anything: on the ground, or on an object whose model is known.
 bool hasReceiver(const Scene& scene, const Catalog& catalog);
@@ -54,8 +66,8 @@ bool hasShadows(const Scene& scene, const Catalog& catalog);
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog);
 
 /// Whether something shines through an object that is drawn; how many of a scene's there are.
-bool letsThrough(const Object& object);
-int countLettingThrough(const Scene& scene);
+bool letsThrough(const Object& object, const Catalog& catalog);
+int countLettingThrough(const Scene& scene, const Catalog& catalog);
 
 /// The block that puts together what shines through; null where nothing does, or each object is
 /// blended by itself.

@@ -159,7 +159,7 @@ std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& cat
     if (model != nullptr) {
         addTextures(hash, material, catalog);
     }
-    hash.add(material.opacity < 1.0 ? 1 : 0);
+    hash.add(opacityOf(material, catalog) < 1.0 ? 1 : 0);
     if (const RefractionChoice choice = refractionChoice(material, catalog);
         choice.block != nullptr) {
         addBlock(hash, *choice.block, *choice.values, material.accuracy);

@@ -97,9 +97,15 @@ void removeTexture(Scene& scene, const Effect& effect, const Catalog&) {
     }
 }
 
-void removeOpacity(Scene& scene, const Effect&, const Catalog&) {
+void removeOpacity(Scene& scene, const Effect&, const Catalog& catalog) {
     for (Object& object : scene.objects) {
         object.material.opacity = 1.0;
+        const Block* model = catalog.find("models", object.material.model.id);
+        for (const Parameter& parameter : model ? model->parameters : std::vector<Parameter>()) {
+            if (parameter.transparency) {
+                object.material.model.parameters[parameter.id] = 0.0;
+            }
+        }
     }
 }
 

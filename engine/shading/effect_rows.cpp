@@ -43,7 +43,7 @@ void append(std::vector<EffectLine>& lines, const std::vector<EffectLine>& more)
 
 /// The scene with only the object that is looked at, and one that casts shadows if any does: which
 /// effects one object has depends on no more.
-Scene aloneIn(const Scene& scene, std::size_t object) {
+Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     Scene alone;
     alone.lights = scene.lights;
     alone.fog = scene.fog;
@@ -56,8 +56,9 @@ Scene aloneIn(const Scene& scene, std::size_t object) {
     alone.toneMapping = scene.toneMapping;
     alone.accuracy = scene.accuracy;
     alone.objects = {scene.objects[object]};
-    const auto caster = std::find_if(scene.objects.begin(), scene.objects.end(), isCaster);
-    if (caster != scene.objects.end() && !isCaster(scene.objects[object])) {
+    const auto caster = std::ranges::find_if(
+        scene.objects, [&catalog](const Object& each) { return isCaster(each, catalog); });
+    if (caster != scene.objects.end() && !isCaster(scene.objects[object], catalog)) {
         alone.objects.push_back(*caster);
     }
     return alone;
@@ -105,7 +106,7 @@ std::vector<EffectRow> effectRows(const Scene& scene, std::size_t object, const 
     for (EffectLine& line : linesOf(scene, object, catalog, view)) {
         rows.push_back({std::move(line), true, false, {}});
     }
-    findRemovable(rows, aloneIn(scene, object), catalog, view);
+    findRemovable(rows, aloneIn(scene, object, catalog), catalog, view);
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog, view);
     std::vector<EffectLine> out = leftOutLines(set);
     const EffectSet ground = groundEffects(scene, catalog, view);

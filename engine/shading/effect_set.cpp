@@ -82,7 +82,7 @@ const char* wayOf(const Scene& scene, const Block* block) {
 }
 
 void addTransparency(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
-    const int count = countLettingThrough(scene);
+    const int count = countLettingThrough(scene, catalog);
     if (count == 0) {
         if (scene.transparency) {
             effects.leftOut.push_back({"transparency/" + scene.transparency->id,
@@ -195,11 +195,18 @@ void nameEqual(EffectSet& set, const Material& material, const Catalog& catalog)
     }
 }
 
-void addOpacity(EffectSet& set, const Material& material) {
-    set.opacity = material.opacity < 1.0;
-    if (set.opacity) {
-        set.reasons["opacity"] = fmt::format("The material's opacity is {:.3g}.", material.opacity);
+void addOpacity(EffectSet& set, const Material& material, const Catalog& catalog) {
+    set.opacity = opacityOf(material, catalog) < 1.0;
+    if (!set.opacity) {
+        return;
     }
+    const double passed = passedShare(material, catalog);
+    std::string& reason = set.reasons["opacity"];
+    reason = fmt::format("The material's opacity is {:.3g}", material.opacity);
+    if (passed > 0.0) {
+        reason += fmt::format(", and its model lets {:.3g} % of the light pass", 100.0 * passed);
+    }
+    reason += '.';
 }
 
 void addOutline(EffectSet& set, const Material& material, const Catalog& catalog) {
@@ -279,7 +286,7 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     forgetTablesOfTextured(set, catalog);
     nameBlackEmission(set, catalog);
     nameEqual(set, material, catalog);
-    addOpacity(set, material);
+    addOpacity(set, material, catalog);
     addOutline(set, material, catalog);
     set.scene = sceneEffects(scene, catalog, view);
     addRefraction(set, material, scene, catalog);

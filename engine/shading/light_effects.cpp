@@ -78,7 +78,7 @@ std::string nonCastersText(const Scene& scene) {
 
 /// Why shadows cannot be seen, whatever the light is; empty when they can.
 std::string whyNoShadows(const Scene& scene, const Catalog& catalog) {
-    if (!hasCaster(scene)) {
+    if (!hasCaster(scene, catalog)) {
         return scene.objects.empty()
                    ? std::string("No object casts a shadow: there are none.")
                    : fmt::format("No object casts a shadow: {}.", nonCastersText(scene));
@@ -118,8 +118,9 @@ LightGroup groupOf(const Block& block, const Light& light, const Catalog& catalo
     return group;
 }
 
-std::string casterText(const Scene& scene) {
-    const auto casters = std::count_if(scene.objects.begin(), scene.objects.end(), isCaster);
+std::string casterText(const Scene& scene, const Catalog& catalog) {
+    const auto casters = std::ranges::count_if(
+        scene.objects, [&catalog](const Object& object) { return isCaster(object, catalog); });
     return casters == 1 ? "One object casts a shadow."
                         : fmt::format("{} objects cast shadows.", casters);
 }
@@ -153,7 +154,7 @@ void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog
     for (LightGroup& group : effects.lights) {
         group.lines = lines.of(group.key);
         if (group.shadow) {
-            group.shadow->reason = casterText(scene);
+            group.shadow->reason = casterText(scene, catalog);
         }
     }
 }

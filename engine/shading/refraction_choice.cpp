@@ -84,7 +84,7 @@ RefractionChoice refractionChoice(const Material& material, const Catalog& catal
     if (choice.block == nullptr) {
         return {nullptr, nullptr, "No refraction of this kind is known."};
     }
-    if (!isTransparent(material)) {
+    if (!isTransparent(material, catalog)) {
         return {nullptr, nullptr, "The material's opacity is 1: nothing passes."};
     }
     if (isNeutral(material, choice, catalog)) {
@@ -117,7 +117,8 @@ bool disperses(const Block& refraction, const Values& values) {
 
 bool showsSceneBent(const Scene& scene, const Catalog& catalog) {
     const auto refracts = [&catalog](const Object& object) {
-        return letsThrough(object) && refractionChoice(object.material, catalog).block != nullptr;
+        return object.visible && canBeSeen(object.material) &&
+               refractionChoice(object.material, catalog).block != nullptr;
     };
     if (std::ranges::none_of(scene.objects, refracts)) {
         return false;

@@ -83,6 +83,7 @@ void SurfaceWriter::writeSurface() {
         writeAmbient();
         writeHemisphere();
         writeEnvironment();
+        writeKeptShare();
         writeEmission();
     } else {
         out_.addFile("passes/stand_in.glsl");
@@ -314,6 +315,14 @@ void SurfaceWriter::writeEnvironment() {
     out_.addFile("passes/environment_light.glsl");
     main_ += fmt::format("    shaded += environmentLight(s, unpackEnvironment({}), model);\n",
                          EnvironmentLayout::fixed);
+}
+
+/// A model that lets light pass has taken its share from what it gives back; so does the opacity.
+void SurfaceWriter::writeKeptShare() {
+    const auto passes = [](const Parameter& parameter) { return parameter.transparency; };
+    if (set_.opacity && std::ranges::any_of(object_.model->block->parameters, passes)) {
+        main_ += fmt::format("    shaded *= objectData[{}].y;\n", ObjectLayout::surface);
+    }
 }
 
 /// Once per pixel, whatever the number of lights.

@@ -46,6 +46,7 @@ class SurfaceWriter {
     std::string hemisphereSource() const;
     void writeHemisphere();
     void writeEnvironment();
+    void writeKeptShare();
     void writeEmission();
     void writeBlend();
     void writeFog();

@@ -117,9 +117,10 @@ bool canBeSeen(const Material& material) {
            isTextured("opacity", material);
 }
 
-bool isTransparent(const Material& material) {
-    return material.opacity < 1.0 || (isTextured("opacity", material) &&
-                                      !material.textures.find("opacity")->second.cutOut);
+bool isTransparent(const Material& material, const Catalog& catalog) {
+    return opacityOf(material, catalog) < 1.0 ||
+           (isTextured("opacity", material) &&
+            !material.textures.find("opacity")->second.cutOut);
 }
 
 } // namespace patina

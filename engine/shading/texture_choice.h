@@ -37,7 +37,7 @@ bool isTextured(std::string_view parameterId, const Material& material);
 bool canBeSeen(const Material& material);
 
 /// Whether something behind the material may shine through: by its opacity, or by an image of it
-/// that does not only cut out.
-bool isTransparent(const Material& material);
+/// that does not only cut out, or by its model.
+bool isTransparent(const Material& material, const Catalog& catalog);
 
 } // namespace patina

@@ -39,6 +39,7 @@ std::string SurfaceWriter::writeVertexLight() {
     writeLights();
     writeAmbient();
     writeHemisphere();
+    writeKeptShare();
     writeEmission();
     out_.add("vec3 vertexLight(Surface s) {\n    vec3 shaded = vec3(0.0);\n" + main_ +
              "    return shaded;\n}\n");

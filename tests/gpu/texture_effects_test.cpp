@@ -119,9 +119,9 @@ TEST_F(TextureEffects, Key_ChangesWithChannelAndMode) {
 
 TEST_F(TextureEffects, OpacityImage_IsTransparentUnlessItCutsOut) {
     Material leaf = withImage("lambert", "opacity");
-    EXPECT_TRUE(isTransparent(leaf));
+    EXPECT_TRUE(isTransparent(leaf, catalog()));
     leaf.textures.begin()->second.cutOut = true;
-    EXPECT_FALSE(isTransparent(leaf));
+    EXPECT_FALSE(isTransparent(leaf, catalog()));
 }
 
 } // namespace

@@ -67,7 +67,7 @@ TEST_F(Mistakes, SeveralInOneFile_AreAllReported) {
                   ":7:72: the key \"colour\" is not known; expected one of advanced, "
                   "compiled, components, decimals, default, doc, emission, enabledWhen, group, id, "
                   "label, max, migrations, min, physical, scale, softMax, softMin, space, step, "
-                  "texture, type, unit, values\n");
+                  "texture, transparency, type, unit, values\n");
 }
 
 /// One mistake per line from line 3 on; every one of them is another one.
@@ -228,6 +228,14 @@ TEST_F(Mistakes, CompiledWhenEqualToNothing_IsOne) {
 TEST_F(Mistakes, SpaceOfANumber_IsOne) {
     EXPECT_EQ(problem({{"space", "worldPoint"}}),
               "only a vec3 lies in a space; expected no such key\n");
+}
+
+TEST_F(Mistakes, TransparencyOfWhatIsNoShare_IsOne) {
+    EXPECT_EQ(problem({{"transparency", true}}), "");
+    EXPECT_EQ(problem({{"transparency", true}, {"max", 2.0}}),
+              "only a float from 0 to 1 can be a share that passes; expected no such key\n");
+    EXPECT_EQ(problem({{"transparency", true}, {"texture", true}}),
+              "what passes by a value that takes an image is not known; expected no such key\n");
 }
 
 TEST_F(Mistakes, ShadowProjectionOfAModel_IsOne) {
