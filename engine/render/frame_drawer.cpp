@@ -15,6 +15,7 @@
 #include "render/refraction_packer.h"
 #include "shading/effect_choice.h"
 #include "shading/material_print.h"
+#include "shading/refraction_choice.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -91,7 +92,8 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     planGround(scene, view);
     makeRoomForLights();
     planShadows(scene);
-    if (auto fitting = fitTarget(scene.accuracy, view); !fitting) {
+    if (auto fitting = fitTarget(scene.accuracy, view, showsSceneBent(*effects_, *catalog_));
+        !fitting) {
         return fail(fitting.error());
     }
     if (auto begun = beginEnvironment(scene, view, purpose); !begun) {
@@ -106,6 +108,11 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     }
     if (auto begun = beginRefraction(); !begun) {
         return fail(begun.error());
+    }
+    if (refraction_ && refraction_->looksBehind()) { // by a program from before a change, perhaps
+        if (auto fitting = fitTarget(scene.accuracy, view, true); !fitting) {
+            return fail(fitting.error());
+        }
     }
     bands_.begin(sources_, target_.drawnSize(), triangles_, environment_.rounds());
     clear(scene, view);
@@ -255,13 +262,14 @@ bool FrameDrawer::isLarge() const {
 }
 
 /// More triangles than pixels are dense.
-Result<void> FrameDrawer::fitTarget(const PictureAccuracy& accuracy, const View& view) {
+Result<void> FrameDrawer::fitTarget(const PictureAccuracy& accuracy, const View& view,
+                                    bool isReadBetween) {
     const double scale = accuracy.scale();
     const double pixels = scale * view.size.x * (scale * view.size.y);
     const HdrNumbers numbers = accuracy.hasWholeNumbers() ? HdrNumbers::Full : view.numbers;
     const int samples = view.samples > 0 ? view.samples : accuracy.samples();
     return target_.fit(view.size, samples, static_cast<double>(triangles_) > pixels, numbers,
-                       scale);
+                       scale, isReadBetween);
 }
 
 bool FrameDrawer::uploadMeshes(Deadline deadline) {

@@ -142,7 +142,8 @@ class FrameDrawer {
     std::size_t materialOf(const Scene& scene, std::size_t object);
     void makeRoomForLights();
     void count();
-    Result<void> fitTarget(const PictureAccuracy& accuracy, const View& view);
+    Result<void> fitTarget(const PictureAccuracy& accuracy, const View& view,
+                           bool isReadBetween);
     void uploadView(const View& view);
     void clear(const Scene& scene, const View& view);
     void choosePipelines();

@@ -58,9 +58,9 @@ gl::Texture linearImage(glm::ivec2 size, HdrNumbers numbers) {
 } // namespace
 
 Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers numbers,
-                            double scale) {
+                            double scale, bool isReadBetween) {
     const glm::ivec2 scaled = scaledSize(size, scale);
-    const Shape wanted{size, scaled, samples, dense ? 2 : 1, numbers};
+    const Shape wanted{size, scaled, samples, dense ? 2 : 1, numbers, isReadBetween};
     if (wanted == wanted_) {
         return {};
     }
@@ -70,9 +70,10 @@ Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers
     *this = HdrTarget();
     const int fineness = dense ? finenessFor(scaled, samples) : 1;
     const int offered = std::clamp(samples, 1, std::max(1, driverLimit(GL_MAX_SAMPLES)));
-    Result<void> built = build({size, scaled, fineness > 1 ? 1 : offered, fineness, numbers});
+    Result<void> built =
+        build({size, scaled, fineness > 1 ? 1 : offered, fineness, numbers, isReadBetween});
     if (!built && (offered > 1 || fineness > 1)) {
-        built = build({size, scaled, 1, 1, numbers});
+        built = build({size, scaled, 1, 1, numbers, isReadBetween});
     }
     if (built) {
         wanted_ = wanted;
@@ -85,23 +86,32 @@ Result<void> HdrTarget::build(const Shape& shape) {
     built_ = shape;
     const glm::ivec2 drawn = drawnSize();
     const GLenum format = shape.numbers == HdrNumbers::Full ? GL_RGBA32F : GL_RGBA16F;
-    color_ = gl::Renderbuffer::create(drawn, format, shape.samples);
+    color_ = shape.isAveraged() ? gl::Renderbuffer::create(drawn, format, shape.samples)
+                                : gl::Renderbuffer();
     depth_ = gl::Renderbuffer::create(drawn, GL_DEPTH_COMPONENT32F, shape.samples);
     resolvedImage_ = linearImage(shape.scaled, shape.numbers);
     if (glGetError() == GL_OUT_OF_MEMORY) {
         return failure(fmt::format("there is not enough graphics memory for {}x{} pixels",
                                    shape.size.x, shape.size.y));
     }
-    framebuffer_ = gl::Framebuffer::create();
-    framebuffer_.attachColor(color_);
-    framebuffer_.attachDepth(depth_);
-    resolvedFramebuffer_ = gl::Framebuffer::create();
-    resolvedFramebuffer_.attachColor(resolvedImage_);
+    attachAll();
     const Result<void> drawable = framebuffer_.check();
     if (!drawable || shape.isStretched()) {
         return drawable ? buildStretched() : drawable;
     }
     return resolvedFramebuffer_.check();
+}
+
+void HdrTarget::attachAll() {
+    framebuffer_ = gl::Framebuffer::create();
+    if (built_.isAveraged()) {
+        framebuffer_.attachColor(color_);
+    } else {
+        framebuffer_.attachColor(resolvedImage_);
+    }
+    framebuffer_.attachDepth(depth_);
+    resolvedFramebuffer_ = gl::Framebuffer::create();
+    resolvedFramebuffer_.attachColor(resolvedImage_);
 }
 
 Result<void> HdrTarget::buildStretched() {
@@ -122,6 +132,9 @@ void HdrTarget::bind() const {
 }
 
 void HdrTarget::resolve() const {
+    if (!built_.isAveraged()) {
+        return;
+    }
     const glm::ivec2 drawn = drawnSize();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolvedFramebuffer_.name());

@@ -22,8 +22,13 @@ class HdrTarget {
     /// drivers the sorting of samples, which takes them twice as long.
     ///
     /// `scale`: as much of the size, along each side, is drawn and then stretched; 0 .. 1.
+    ///
+    /// With one sample per pixel the averaged image is what is drawn into: it is in memory once and
+    /// resolve() copies nothing. `isReadBetween`: it is read while there is more to draw, and so
+    /// has to be another one.
     Result<void> fit(glm::ivec2 size, int samples, bool dense,
-                     HdrNumbers numbers = HdrNumbers::Half, double scale = 1.0);
+                     HdrNumbers numbers = HdrNumbers::Half, double scale = 1.0,
+                     bool isReadBetween = false);
 
     /// Binds it for drawing, with its whole area as the viewport.
     void bind() const;
@@ -60,13 +65,16 @@ class HdrTarget {
         int samples = 0;      ///< per pixel of the image that is drawn
         int fineness = 1;     ///< that image's pixels per side of one before it is stretched
         HdrNumbers numbers = HdrNumbers::Half;
+        bool isReadBetween = false;
 
+        bool isAveraged() const { return samples > 1 || fineness > 1 || isReadBetween; }
         bool isStretched() const { return scaled != size; }
         friend bool operator==(const Shape&, const Shape&) = default;
     };
 
     Result<void> build(const Shape& shape);
     Result<void> buildStretched();
+    void attachAll();
 
     Shape wanted_;
     Shape built_;

@@ -32,6 +32,7 @@ class RefractionPass {
 
     /// Takes what is in the target now for what is behind the next objects.
     void takeBehind(const HdrTarget& target) const;
+    bool looksBehind() const { return built_.behind; }
 
     /// For a program that draws a body within the ball; it is in use.
     void bind(const gl::Program& program, const Ball& ball, const HdrTarget& target) const;
