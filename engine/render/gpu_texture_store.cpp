@@ -2,6 +2,7 @@
 #include "render/gpu_texture_store.h"
 
 #include <algorithm>
+#include <array>
 
 #include <epoxy/gl.h>
 
@@ -13,19 +14,38 @@ namespace {
 
 constexpr std::uint64_t framesKept = 120;
 
+/// A texel of four numbers.
+using Texel = std::array<float, 4>;
+
 /// Eight by eight fields that nobody takes for a real look.
-std::shared_ptr<const TexturePicture> checker() {
+std::shared_ptr<const TexturePicture> checker(const Texel& light, const Texel& dark) {
     constexpr int fields = 8;
     constexpr int texelsPerField = 8;
     constexpr int size = fields * texelsPerField;
-    FileImage image{{size, size, 3, {}}, 8};
+    FileImage image{{size, size, 4, {}}, 8};
     for (int i = 0; i < size * size; ++i) {
         const bool isLight = (i % size / texelsPerField + i / size / texelsPerField) % 2 == 0;
-        for (const float light : {1.0f, 0.0f, 1.0f}) {
-            image.image.pixels.push_back(isLight ? light : 0.1f);
-        }
+        const Texel& field = isLight ? light : dark;
+        image.image.pixels.insert(image.image.pixels.end(), field.begin(), field.end());
     }
     return std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
+}
+
+/// What stands in for an image that cannot be had: colours; fields that lean to the left and to the
+/// right; steps; and holes in half of the fields.
+const std::shared_ptr<const TexturePicture>& placeholder(TextureRole role) {
+    static const auto colors = checker({1.0f, 0.0f, 1.0f, 1.0f}, {0.1f, 0.1f, 0.1f, 1.0f});
+    static const auto slopes = checker({0.75f, 0.5f, 0.9f, 1.0f}, {0.25f, 0.5f, 0.9f, 1.0f});
+    static const auto steps = checker({1.0f, 1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f, 0.0f});
+    switch (role) {
+    case TextureRole::Normal:
+        return slopes;
+    case TextureRole::Height:
+    case TextureRole::Opacity:
+        return steps;
+    default:
+        return colors;
+    }
 }
 
 TextureDecoding decodingOf(const TextureUse& use, const TextureEffect& effect) {
@@ -87,7 +107,7 @@ std::uint64_t GpuTextureStore::stateOf(const TextureEffect& effect,
            (isComplete ? 1 : 0);
 }
 
-/// A placeholder on a relief or an opacity would hide what is there.
+/// A relief keeps its own strength; of anything else the placeholder is all that is seen.
 void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& material,
                               glm::vec4& data) {
     const auto use = material.textures.find(effect.id);
@@ -99,11 +119,14 @@ void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& mater
         show(found.picture);
         return;
     }
-    if (!placeholder_) {
-        placeholder_ = checker();
+    show(placeholder(effect.role));
+    const bool isRelief =
+        effect.role == TextureRole::Normal || effect.role == TextureRole::Height;
+    if (!found.isMissing) {
+        data.w = 0.0f;
+    } else if (!isRelief) {
+        data.w = 1.0f;
     }
-    show(placeholder_);
-    data.w = found.isMissing && effect.role == TextureRole::Input ? 1.0f : 0.0f;
 }
 
 void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture) {

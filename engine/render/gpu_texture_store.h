@@ -56,7 +56,6 @@ class GpuTextureStore {
     TextureSource source_;
     std::map<const TexturePicture*, Entry> entries_;
     std::array<std::optional<gl::Sampler>, 6> samplers_; ///< by wrap and filter
-    std::shared_ptr<const TexturePicture> placeholder_;
     std::size_t bytesLeft_ = everything;
     std::uint64_t frame_ = 0;
     bool isWaiting_ = false;

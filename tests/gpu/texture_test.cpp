@@ -240,6 +240,37 @@ TEST_F(TextureTest, MissingFile_IsAChecker) {
     EXPECT_GT(glm::distance(at(image, 0.06, 0.06), at(image, 0.19, 0.06)), 0.5f);
 }
 
+/// As visible as on a colour: neighbouring fields of the checker look different.
+TEST_F(TextureTest, MissingReliefOrOpacity_IsSeen) {
+    for (const char* id : {"normal", "height", "opacity"}) {
+        scene.lights.front() = sun({-0.6, 0.0, -0.8});
+        scene.objects.front().material.textures.clear();
+        const Image plain = drawn(64);
+        use(id, "missing").filter = TextureFilter::Nearest;
+        const Image image = drawn(64);
+        float most = 0.0f;
+        for (int x = 0; x < image.width; ++x) {
+            most = std::max(most, glm::distance(pixel(image, x, 4), pixel(plain, x, 4)));
+        }
+        EXPECT_GT(most, 0.1f) << id;
+    }
+}
+
+/// Half of the surface is still there.
+TEST_F(TextureTest, MissingCutOut_LeavesHalfOfTheFields) {
+    const Image plain = drawn(64);
+    TextureUse& missing = use("opacity", "missing");
+    missing.filter = TextureFilter::Nearest;
+    missing.cutOut = true;
+    const Image image = drawn(64);
+    int same = 0;
+    for (int i = 0; i < 64 * 64; ++i) {
+        const bool isSame = pixel(image, i % 64, i / 64) == pixel(plain, i % 64, i / 64);
+        same += isSame ? 1 : 0;
+    }
+    EXPECT_NEAR(same, 64 * 64 / 2, 64 * 64 / 16);
+}
+
 TEST_F(TextureTest, FileThatIsOnItsWay_ShowsTheValue) {
     use("diffuse.color", "not here yet");
     expectNear(at(drawn(), 0.5, 0.5), glm::vec3(0.5f));
