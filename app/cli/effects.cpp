@@ -61,20 +61,21 @@ Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject, g
     return costs;
 }
 
+std::vector<EffectRow> rowsOf(const Scene& scene, const Catalog& catalog,
+                              const MeshSource& meshes) {
+    std::vector<EffectRow> rows =
+        effectRows(scene, 0, catalog, effectView(scene, scene.camera, meshes));
+    for (EffectRow& row : unreachedRows(scene, 0, catalog, meshes)) {
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 Checked<void> printTable(const Scene& scene, const Options& options,
-                         const std::shared_ptr<const Catalog>& catalog) {
-    AssetClient files;
-    const auto loaded = SceneMeshes::load(scene, files);
-    if (!loaded) {
-        return tl::unexpected(loaded.error());
-    }
-    report(loaded->remarks());
-    const auto meshes = [&loaded](const Object& object) { return loaded->view(object); };
+                         const std::shared_ptr<const Catalog>& catalog, const MeshSource& meshes,
+                         AssetClient& files) {
     EffectTable table;
-    table.rows = effectRows(scene, 0, *catalog, effectView(scene, scene.camera, meshes));
-    for (EffectRow& row : unreachedRows(scene, 0, *catalog, meshes)) {
-        table.rows.push_back(std::move(row));
-    }
+    table.rows = rowsOf(scene, *catalog, meshes);
     if (!options.noCost) {
         TextureLoader textures(files);
         const auto environment = environmentPicture(scene, options.picture, *catalog, files);
@@ -127,14 +128,17 @@ void printStages(const std::string& name, const ProgramSource& program,
     std::cout << markedSource(name + "fragment stage", program.fragment, lines);
 }
 
-Checked<void> printSource(const Scene& scene, const Options& options, const Catalog& catalog) {
-    const EffectSet set = effectSet(scene.objects.front().material, scene, catalog);
+/// The program for what the table shows: seen from the scene's camera.
+Checked<void> printSource(const Scene& scene, const Options& options, const Catalog& catalog,
+                          const MeshSource& meshes) {
+    const EffectSet set = effectSet(scene.objects.front().material, scene, catalog,
+                                    effectView(scene, scene.camera, meshes));
     const auto programs = programsOf(set, catalog);
     if (!programs) {
         return tl::unexpected(programs.error());
     }
     if (options.json) {
-        nlohmann::json json = tableJson({effectRows(scene, 0, catalog), {}});
+        nlohmann::json json = tableJson({rowsOf(scene, catalog, meshes), {}});
         json.update(sourceJson(programs->front()));
         if (set.outline) {
             json["outline"] = sourceJson(programs->back());
@@ -166,8 +170,15 @@ Checked<void> effects(const Options& options) {
         return tl::unexpected(oneError(
             failure("the scene is empty", "a preset, --model or --mesh beside it").value()));
     }
-    return options.source ? printSource(setup->scene, options, *catalog)
-                          : printTable(setup->scene, options, catalog);
+    AssetClient files;
+    const auto loaded = SceneMeshes::load(setup->scene, files);
+    if (!loaded) {
+        return tl::unexpected(loaded.error());
+    }
+    report(loaded->remarks());
+    const auto meshes = [&loaded](const Object& object) { return loaded->view(object); };
+    return options.source ? printSource(setup->scene, options, *catalog, meshes)
+                          : printTable(setup->scene, options, catalog, meshes, files);
 }
 
 } // namespace

@@ -164,7 +164,7 @@ double sumOf(const EffectCosts& costs, const std::vector<EffectRow>& rows) {
     double sum = 0.0;
     for (const EffectRow& row : rows) {
         const EffectCost* cost = row.within.empty() ? costs.of(row.line.effect) : nullptr;
-        sum += cost == nullptr ? 0.0 : cost->milliseconds.median;
+        sum += cost == nullptr || cost->belowNoise() ? 0.0 : cost->milliseconds.median;
     }
     return sum;
 }

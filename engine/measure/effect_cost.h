@@ -81,7 +81,8 @@ class EffectCostMeter {
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// The rows' costs added up: of those that are not within another.
+/// The rows' costs added up as they are shown: of those that are not within another, and without
+/// those below noise.
 double sumOf(const EffectCosts& costs, const std::vector<EffectRow>& rows);
 
 } // namespace patina

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -63,6 +66,26 @@ TEST(EffectsCommand, Source_HasNoFogWithoutFog) {
     EXPECT_EQ(outcome.out.find("fog"), std::string::npos);
 }
 
+/// The table says that it changes no pixel of what is seen.
+TEST(EffectsCommand, Source_HasNoFogThatTheTableSaysIsOut) {
+    auto scene = nlohmann::json::parse(
+        readFile(shipped("presets/default.patina-scene.json")));
+    scene["fog"] = {{"id", "exponential"}, {"parameters", {{"density", 1e-7}}}};
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "thin.patina-scene.json";
+    std::ofstream(file) << scene.dump();
+    const std::vector<std::string> thin{"effects", gold, "--scene", file.string()};
+    std::vector<std::string> table = thin;
+    table.emplace_back("--no-cost");
+    EXPECT_NE(patina(table).out.find("it changes no pixel"), std::string::npos);
+    std::vector<std::string> source = thin;
+    source.emplace_back("--source");
+    const Outcome outcome = patina(source);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("#version"), std::string::npos);
+    EXPECT_EQ(outcome.out.find("fog"), std::string::npos);
+}
+
 TEST(EffectsCommand, List_NamesTheModel) {
     const Outcome outcome = patina({"effects", gold, "--no-cost"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -82,7 +105,7 @@ TEST(EffectsCommand, Json_AddsUpToTheFrame) {
     const auto json = nlohmann::json::parse(outcome.out);
     double sum = json["costs"]["rest"];
     for (const auto& effect : json["effects"]) {
-        if (effect["within"] == "" && effect.contains("milliseconds")) {
+        if (effect["within"] == "" && effect.contains("milliseconds") && !effect["belowNoise"]) {
             sum += effect["milliseconds"]["median"].get<double>();
         }
     }
