@@ -56,7 +56,7 @@ double DepthRange::near() const {
 EffectView effectView(const DepthRange& depths) {
     EffectView view;
     if (depths.farthest() > 0.0) {
-        view.farthest = std::exp2(std::ceil(std::log2(depths.farthest())));
+        view.farthest = depths.farthest();
     }
     return view;
 }

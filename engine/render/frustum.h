@@ -41,8 +41,7 @@ class DepthRange {
     double farthest_ = 0.0;
 };
 
-/// What these depths say to the choice of effects. The distance is rounded up to a power of two, so
-/// that a camera that moves seldom asks for other programs.
+/// What these depths say to the choice of effects.
 EffectView effectView(const DepthRange& depths);
 
 /// The perspective of a camera whose image is `aspect` times as wide as high. The (vertical) field

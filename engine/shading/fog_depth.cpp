@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "shading/effect_choice.h"
 
@@ -42,10 +43,36 @@ double brightness(const Block& block, const Values& values) {
     return color == nullptr ? 1.0 : std::max({color->x, color->y, color->z, 0.0});
 }
 
+/// The longest way through the box that the fog fills, by its parameter `size`; infinite where it
+/// has none.
+double longestWay(const Block& block, const Values& values) {
+    const Parameter* parameter = block.parameter("size");
+    const glm::dvec3* size =
+        parameter == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*parameter, values));
+    if (size == nullptr) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const bool isFlat = !(size->x > 0.0 && size->y > 0.0 && size->z > 0.0);
+    return isFlat ? 0.0 : glm::length(*size);
+}
+
+/// The distance by which fog is decided about: the next power of two, so that a camera that moves
+/// seldom asks for other programs.
+double decisiveDistance(const EffectView& view) {
+    return std::isfinite(view.farthest) && view.farthest > 0.0
+               ? std::exp2(std::ceil(std::log2(view.farthest)))
+               : view.farthest;
+}
+
 std::string named(const Block& block, const Values& values, const std::string& id) {
     const Parameter* parameter = block.parameter(id);
     const std::string unit = parameter->unit == "m" ? " m" : "";
     return fmt::format("{} {:.4g}{}", parameter->label, number(block, values, id), unit);
+}
+
+/// Two digits, but for all of it.
+std::string percentText(double share) {
+    return share >= 0.995 ? "100" : fmt::format("{:.2g}", 100.0 * share);
 }
 
 std::string valuesText(const Block& block, const Values& values) {
@@ -66,7 +93,9 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
         return ramp(number(block, values, hides.from), number(block, values, hides.to), distance);
     }
     const double rate = number(block, values, hides.rate);
-    return rate > 0.0 ? -std::expm1(-std::pow(rate * distance, hides.power)) : 0.0;
+    distance = std::min(distance, longestWay(block, values));
+    const bool hidesAny = rate > 0.0 && distance > 0.0;
+    return hidesAny ? -std::expm1(-std::pow(rate * distance, hides.power)) : 0.0;
 }
 
 /// With h the hidden share, a surface of S becomes S (1 - h) + F h. On a display that is, by the
@@ -74,7 +103,7 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
 /// S times the curve's slope at S is never more than 0.44. Tone mapping subtracts a part of the
 /// least channel, which can double both.
 double mostChange(const Scene& scene, const Block& block, const EffectView& view) {
-    const auto hidden = hiddenShare(block, scene.fog->parameters, view.farthest);
+    const auto hidden = hiddenShare(block, scene.fog->parameters, decisiveDistance(view));
     if (!hidden) {
         return std::numeric_limits<double>::infinity();
     }
@@ -88,6 +117,9 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
     }
     const Values& values = scene.fog->parameters;
     const std::string text = valuesText(block, values);
+    if (longestWay(block, values) == 0.0) {
+        return text + ": there is nothing in a box without a width, a height or a depth.";
+    }
     if (!std::isfinite(view.farthest)) {
         return text + ".";
     }
@@ -95,9 +127,9 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
         return fmt::format("{}: at up to {:.3g} m it changes no pixel by half of an 8-bit step.",
                            text, view.farthest);
     }
-    return fmt::format("{}: at up to {:.3g} m it hides {}{:.2g} %.", text, view.farthest,
+    return fmt::format("{}: at up to {:.3g} m it hides {}{} %.", text, view.farthest,
                        block.hides->atMost ? "at most " : "",
-                       100.0 * *hiddenShare(block, values, view.farthest));
+                       percentText(*hiddenShare(block, values, view.farthest)));
 }
 
 } // namespace patina

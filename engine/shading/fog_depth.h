@@ -15,8 +15,9 @@ namespace patina {
 std::optional<double> hiddenShare(const Block& block, const Values& values, double distance);
 
 /// The most by which the scene's fog can change a display value (0 .. 1) of what is drawn: a
-/// bound, so that fog below half of an 8-bit step can be left out unseen. Infinite where the
-/// block does not say.
+/// bound, so that fog below half of an 8-bit step can be left out unseen. It holds up to the next
+/// power of two of the view's distance, so that a camera that moves seldom asks for other programs.
+/// Infinite where the block does not say.
 double mostChange(const Scene& scene, const Block& block, const EffectView& view);
 
 /// Half of a step between two display values of 8 bits.

@@ -189,8 +189,37 @@ TEST_F(EffectRowsTest, ThinFogAtUnknownDepth_IsIn) {
 TEST_F(EffectRowsTest, FogThatBeginsBehindEverything_IsLeftOut) {
     useFog("linear", "start", 20.0);
     scene_.fog->parameters["end"] = 30.0;
-    EXPECT_FALSE(isIn("fog/linear", 19.0));
+    EXPECT_FALSE(isIn("fog/linear", 15.0));
     EXPECT_TRUE(isIn("fog/linear", 21.0));
+}
+
+TEST_F(EffectRowsTest, FogSentence_NamesTheDepthThatThereIs) {
+    useFog("exponential", "density", 0.05);
+    EXPECT_EQ(row("fog/exponential", 8.4).line.reason,
+              "Density 0.05: at up to 8.4 m it hides 34 %.");
+}
+
+TEST_F(EffectRowsTest, FogInABoxWithoutAnyWidth_IsLeftOut) {
+    useFog("boxed", "density", 100.0);
+    EXPECT_TRUE(isIn("fog/boxed", 8.4));
+    EXPECT_EQ(row("fog/boxed", 8.4).line.reason.find("1e+02"), std::string::npos);
+    Scene clear = scene_;
+    clear.fog.reset();
+    EffectKey keys;
+    for (const glm::dvec3& size : {glm::dvec3(0.0), glm::dvec3(4.0, 0.0, 4.0)}) {
+        scene_.fog->parameters["size"] = size;
+        EXPECT_FALSE(isIn("fog/boxed", 8.4));
+        EXPECT_EQ(keys.ofScene(scene_, catalog(), {8.4}), keys.ofScene(clear, catalog(), {8.4}));
+    }
+}
+
+/// No ray is longer in it than its diagonal.
+TEST_F(EffectRowsTest, ThinFogInASmallBox_IsLeftOutAtAnyDepth) {
+    useFog("boxed", "density", 0.01);
+    scene_.fog->parameters["size"] = glm::dvec3(1e-3);
+    EXPECT_FALSE(isIn("fog/boxed", 1000.0));
+    scene_.fog->parameters["size"] = glm::dvec3(10.0);
+    EXPECT_TRUE(isIn("fog/boxed", 1000.0));
 }
 
 /// Halves of 8-bit steps, by the worst case that there is: black behind bright fog.
