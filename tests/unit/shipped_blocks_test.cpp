@@ -36,6 +36,20 @@ TEST(ShippedBlocks, EveryBlock_SaysWhatItIsAndWhereItIsFrom) {
     }
 }
 
+TEST(ShippedBlocks, EveryGlow_MayOutshineAWhiteSurface) {
+    int glows = 0;
+    for (const Block& block : shipped().blocks) {
+        for (const Parameter& parameter : block.parameters) {
+            if (parameter.emission) {
+                ++glows;
+                EXPECT_GE(parameter.max, 100.0) << block.id;
+                EXPECT_EQ(parameter.softMax, 1.0) << block.id;
+            }
+        }
+    }
+    EXPECT_GE(glows, 20);
+}
+
 TEST(ShippedBlocks, EveryAccuracyLevel_SaysWhatItIs) {
     for (const Block& block : shipped().blocks) {
         for (const AccuracyChoice& choice : block.accuracy) {
