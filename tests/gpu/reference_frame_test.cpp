@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "gpu_fixture.h"
 #include "measure/frame_error.h"
@@ -72,10 +73,37 @@ TEST_F(ReferenceFrameTest, FresnelOverTheSum_IsBlended) {
     EXPECT_LE(error(scene).p99, rounding);
 }
 
-TEST_F(ReferenceFrameTest, Fog_IsInIt) {
-    Scene scene = simpleScene();
-    scene.fog = block("fog", "exponential");
-    EXPECT_LE(error(scene).p99, rounding);
+/// Values with which every kind that is shipped can be seen at the ball.
+TEST_F(ReferenceFrameTest, EveryFog_IsInIt) {
+    const std::map<std::string, Values> visible{{"linear", {{"start", 0.5}, {"end", 9.0}}}};
+    const Image clear = capture(simpleScene());
+    for (const Block* fog : catalog->ofKind("fog")) {
+        SCOPED_TRACE(fog->id);
+        Scene scene = simpleScene();
+        scene.fog = block("fog", fog->id);
+        if (const auto values = visible.find(fog->id); values != visible.end()) {
+            for (const auto& [id, value] : values->second) {
+                scene.fog->parameters[id] = value;
+            }
+        }
+        EXPECT_GT(glm::distance(middle(capture(scene)), middle(clear)), 0.01f);
+        EXPECT_LE(error(scene).p99, rounding);
+    }
+}
+
+/// From above and from within the box, past its edges.
+TEST_F(ReferenceFrameTest, FogThatEndsSomewhere_IsInIt) {
+    for (const double pitch : {-20.0, 0.0, 35.0}) {
+        SCOPED_TRACE(pitch);
+        Scene scene = simpleScene();
+        scene.camera.pitch = pitch;
+        scene.fog = block("fog", "low-lying");
+        EXPECT_LE(error(scene).p99, rounding);
+        scene.fog = block("fog", "boxed");
+        scene.fog->parameters["size"] = glm::dvec3(1.2, 0.7, 4.0);
+        scene.fog->parameters["center"] = glm::dvec3(0.3, 0.2, 1.0);
+        EXPECT_LE(error(scene).p99, rounding);
+    }
 }
 
 TEST_F(ReferenceFrameTest, Hemisphere_IsInIt) {
