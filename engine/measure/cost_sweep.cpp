@@ -48,6 +48,12 @@ LinearFrame linearFrame(const Image& image, double factor) {
     return frame;
 }
 
+/// The exact frame takes as long as itself; how far its pairs are apart says what noise there is.
+MedianInterval besideItself(const MedianInterval& ratio) {
+    return {1.0, std::min(ratio.lower / ratio.median, 1.0),
+            std::max(ratio.upper / ratio.median, 1.0)};
+}
+
 double seconds(Clock::duration time) {
     return std::chrono::duration<double>(time).count();
 }
@@ -162,7 +168,14 @@ class CostSweep::Implementation {
             fail(buffer.error());
             return;
         }
-        takeBuffer(std::move(*buffer), sharingMaterial(frame.scene, subject_.object));
+        takeBuffer(std::move(*buffer), measured(frame.scene));
+    }
+
+    /// The objects whose shading is measured: those with the material, or all in the picture.
+    std::vector<bool> measured(const Scene& scene) const {
+        return options_.scope == Choice::Scope::Material
+                   ? sharingMaterial(scene, subject_.object)
+                   : std::vector<bool>(scene.objects.size(), true);
     }
 
     /// What does not count is as the device draws it.
@@ -222,11 +235,13 @@ class CostSweep::Implementation {
         meter_.emplace(std::move(*frame), curve_);
     }
 
-    /// What is left when nothing is shaded.
+    /// What is left when nothing is shaded of what is measured: other objects take their time in
+    /// every frame.
     void timeEmpty() {
         ChosenFrame frame = frameOf({});
-        for (Object& object : frame.scene.objects) {
-            object.visible = false;
+        const std::vector<bool> hidden = measured(frame.scene);
+        for (std::size_t i = 0; i < hidden.size(); ++i) {
+            frame.scene.objects[i].visible = frame.scene.objects[i].visible && !hidden[i];
         }
         if (empties_.empty()) {
             drawn_->timeOf(frame.scene, frame.view); // only warms up
@@ -295,6 +310,9 @@ class CostSweep::Implementation {
                             pairs_->cost().runs >= options_.pairs.fewest;
         if (pairs_->finished() || isLate) {
             point_.cost = pairs_->cost();
+            if (point_.isExact()) {
+                point_.cost.ratio = besideItself(point_.cost.ratio);
+            }
             addPoint();
         }
     }

@@ -88,6 +88,7 @@ TEST_F(CostSweepTest, KnownBlock_HasItsRatiosAndErrors) {
     EXPECT_NEAR(quarter.error.max, 0.1, 1e-6);
     EXPECT_NEAR(sameWork.error.mean, 0.001, 1e-6);
     EXPECT_EQ(chart.find({})->error.max, 0.0);
+    EXPECT_EQ(chart.find({})->cost.ratio.median, 1.0);
 }
 
 TEST_F(CostSweepTest, Combinations_AreMeasuredWhereTheyMayGain) {
@@ -104,6 +105,20 @@ TEST_F(CostSweepTest, Twice_GivesTheSameFront) {
         return levels;
     };
     EXPECT_EQ(frontLevels(measured(false)), frontLevels(measured(false)));
+}
+
+TEST_F(CostSweepTest, OtherMaterial_TakesNoneOfTheTime) {
+    const double alone = measured(false).find({})->cost.nanosecondsPerPixel;
+    Object beside = object("burn-test");
+    beside.material.name = "another";
+    beside.translation = glm::dvec3(2.5, 0.0, 0.0);
+    scene_.objects[0].material.accuracy["work"] = "all";
+    scene_.objects.push_back(beside);
+    scene_.objects[0].translation = glm::dvec3(-2.5, 0.0, 0.0);
+    scene_.camera.distance = 8.0;
+    const CostChart chart = measured(false);
+    EXPECT_NEAR(chart.find({})->cost.nanosecondsPerPixel, alone, 0.25 * alone);
+    EXPECT_NEAR(chart.find({{"work", "quarter"}})->cost.ratio.median, 0.25, 0.05);
 }
 
 TEST_F(CostSweepTest, NothingInView_IsAnError) {
