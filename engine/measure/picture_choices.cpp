@@ -49,18 +49,36 @@ void applyEnvironment(ChosenFrame& frame, const std::string& level, const Catalo
     frame.view.environmentSamples = numberOf(level);
 }
 
-/// From the most that the block can down, halving.
+/// A kind of transparency by its id that mixes all surfaces at once; null where there is none.
+const Block* mixing(const Catalog& catalog, const std::string& id) {
+    const Block* block = catalog.find("transparency", id);
+    return block != nullptr && layersParameter(*block) == nullptr ? block : nullptr;
+}
+
+/// From the most that the block can down, halving; then what mixes all layers at once.
 std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog) {
     const Block* block = transparencyBlock(scene, catalog);
     const Parameter* layers = block == nullptr ? nullptr : layersParameter(*block);
+    if (layers == nullptr) {
+        return {};
+    }
     std::vector<ChoiceLevel> levels;
-    for (int n = layers == nullptr ? 0 : static_cast<int>(layers->max); n >= 1; n /= 2) {
+    for (int n = static_cast<int>(layers->max); n >= 1; n /= 2) {
         levels.push_back(counted({n}, "layers").front());
+    }
+    for (const Block* other : catalog.ofKind("transparency")) {
+        if (mixing(catalog, other->id) != nullptr) {
+            levels.push_back({other->id, other->label, other->summary});
+        }
     }
     return levels;
 }
 
 void applyLayers(ChosenFrame& frame, const std::string& level, const Catalog& catalog) {
+    if (const Block* mixed = mixing(catalog, level)) {
+        frame.scene.transparency = BlockValues{mixed->id, mixed->version, defaultValues(*mixed)};
+        return;
+    }
     const Block* block = transparencyBlock(frame.scene, catalog);
     const Parameter* layers = block == nullptr ? nullptr : layersParameter(*block);
     if (layers != nullptr) {

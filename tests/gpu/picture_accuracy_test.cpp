@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "gpu_fixture.h"
+#include "measure/choices.h"
 #include "measure/cost_sweep.h"
+#include "measure/timed_frames.h"
 #include "scene/picture_choice_text.h"
 
 namespace patina {
@@ -192,6 +194,41 @@ TEST_F(PictureAccuracyTest, ChartOfThePicture_HasAPointForEveryLevel) {
     }
     EXPECT_NE((*sweep)->chart().find({{"picture.shadows", "coarse"}}), nullptr);
     EXPECT_GT((*sweep)->chart().find({{"picture.scale", "half"}})->error.max, 0.01);
+}
+
+TEST_F(PictureAccuracyTest, LayersOfTheScene_HaveTheWeightedMeanAsTheirLastLevel) {
+    Scene scene = simpleScene();
+    scene.objects[0].material.opacity = 0.5;
+    scene.transparency = block("transparency", "peeled");
+    const std::vector<Choice> choices = choicesOfPicture(scene, *catalog);
+    const auto layers = std::ranges::find(choices, "picture.layers", &Choice::id);
+    ASSERT_NE(layers, choices.end());
+    EXPECT_EQ(layers->levels.front().id, "16");
+    EXPECT_EQ(layers->levels.back().id, "weighted");
+    ChosenFrame frame{scene, View()};
+    choose(frame, 0, choices, {{"picture.layers", "weighted"}}, *catalog);
+    EXPECT_EQ(frame.scene.transparency->id, "weighted");
+    ChosenFrame exact{scene, View()};
+    choose(exact, 0, choices, {}, *catalog);
+    EXPECT_EQ(exact.scene.transparency->id, "peeled");
+}
+
+TEST_F(PictureAccuracyTest, MoreDirectionsThanOneFrameHas_TakeTheirTime) {
+    Scene scene = simpleScene();
+    scene.environment = block("environment", "studio");
+    auto drawn = TimedFrames::create({catalog, meshSource()}, {24, 24}, {});
+    ASSERT_TRUE(drawn);
+    const auto milliseconds = [&](int directions) {
+        View view = viewOf(scene, 24);
+        view.environmentSamples = directions;
+        std::vector<double> times;
+        for (int i = 0; i < 5; ++i) {
+            times.push_back((*drawn)->timeOf(scene, view));
+        }
+        return std::ranges::min(times);
+    };
+    milliseconds(4); // only warms up
+    EXPECT_GT(milliseconds(1024), 2.0 * milliseconds(256)); // of which a draw has 256 at most
 }
 
 } // namespace
