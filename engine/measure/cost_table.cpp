@@ -97,8 +97,8 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
         const CostPoint& point = chart.points[i];
         const ChoiceCost& cost = point.cost;
         const FrameError& error = point.error;
-        text += fmt::format("\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name,
-                            levelsText(point.levels), cost.ratio.median, cost.ratio.lower,
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csvText(name),
+                            csvText(levelsText(point.levels)), cost.ratio.median, cost.ratio.lower,
                             cost.ratio.upper, cost.milliseconds.median, cost.nanosecondsPerPixel,
                             instructionsText(point.instructions), cost.runs, error.p99, error.max,
                             error.mean, error.rms, error.stepShare, error.shown, error.flip,
@@ -125,6 +125,14 @@ nlohmann::json costJson(const CostChart& chart) {
             {"emptyMilliseconds", chart.emptyMilliseconds},
             {"timer", chart.timer},
             {"right", chart.right}};
+}
+
+std::string csvText(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char each : text) {
+        quoted += each == '"' ? "\"\"" : std::string(1, each);
+    }
+    return quoted + '"';
 }
 
 std::string instructionsText(const std::optional<InstructionCount>& count) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -22,5 +23,8 @@ nlohmann::json costJson(const CostChart& chart);
 nlohmann::json intervalJson(const MedianInterval& interval);
 nlohmann::json countJson(const std::optional<InstructionCount>& count);
 std::string instructionsText(const std::optional<InstructionCount>& count); ///< or "-"
+
+/// A text as a field of comma-separated values: in quotation marks, those in it doubled (RFC 4180).
+std::string csvText(std::string_view text);
 
 } // namespace patina

@@ -48,11 +48,12 @@ std::string rankingCsv(const std::vector<ModelCost>& costs) {
     for (const ModelCost& each : costs) {
         const ChoiceCost& cost = each.cost;
         const InstructionCount count = each.instructions.value_or(InstructionCount());
-        text += fmt::format("{},\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
-                            each.label, cost.ratio.median, cost.ratio.lower, cost.ratio.upper,
-                            cost.nanosecondsPerPixel, cost.runs, cost.settled ? 1 : 0,
-                            instructionsText(each.instructions), count.arithmetic,
-                            count.transcendental, count.texture, count.branch, count.memory,
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
+                            csvText(each.label), cost.ratio.median, cost.ratio.lower,
+                            cost.ratio.upper, cost.nanosecondsPerPixel, cost.runs,
+                            cost.settled ? 1 : 0, instructionsText(each.instructions),
+                            count.arithmetic, count.transcendental, count.texture,
+                            count.branch, count.memory,
                             each.albedoLoss ? fmt::format("{}", *each.albedoLoss) : "-");
     }
     return text;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "measure/cost_table.h"
 #include "measure/sweep_plan.h"
 
 namespace patina {
@@ -158,6 +159,12 @@ TEST(SweepPlan, WhatGainsNothing_IsNotCombined) {
         chart.points.push_back(point(*levels, levels->contains("b") ? 1.2 : 0.8, 0.1));
     }
     EXPECT_EQ(chart.points.size(), 3u);
+}
+
+TEST(CostCsv, QuotationMarksInAName_AreDoubled) {
+    CostChart chart;
+    chart.points = {point({}, 1.0, 0.0)};
+    EXPECT_TRUE(costCsv(chart, "5\" ball", false).starts_with("\"5\"\" ball\",\"exact\","));
 }
 
 } // namespace
