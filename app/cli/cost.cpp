@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
+#include <array>
+#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -16,6 +19,7 @@
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "core/display_image.h"
+#include "core/number_text.h"
 #include "gl/headless_context.h"
 #include "measure/cost_sweep.h"
 #include "measure/cost_table.h"
@@ -27,7 +31,10 @@
 namespace patina {
 namespace {
 
-constexpr glm::ivec2 usualSize{256, 256};
+/// Of a picture whose edge is a scaling's largest: the edges of the other ones, in 24ths.
+constexpr std::array partsOfEdge{3, 4, 6, 8, 12, 16, 24};
+constexpr int wholeEdge = 24;
+
 constexpr glm::ivec2 plotSize{960, 600};
 
 struct Options {
@@ -100,9 +107,24 @@ Checked<Sweep> swept(CostSweep::Subject subject, const Options& options) {
     return made;
 }
 
+/// The pixel axis of a scaling whose largest picture has this edge.
+std::vector<int> edgesUpTo(int edge) {
+    std::vector<int> edges;
+    for (const int part : partsOfEdge) {
+        const int each = std::max(1, edge * part / wholeEdge);
+        if (edges.empty() || edges.back() < each) {
+            edges.push_back(each);
+        }
+    }
+    return edges;
+}
+
 Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const Options& options) {
     ScalingSweep::Options wanted;
-    wanted.edge = options.picture.size.x;
+    if (const int edge = options.picture.size.x; edge > 0) {
+        wanted.edge = edge;
+        wanted.edges = edgesUpTo(edge);
+    }
     wanted.programCache = programCacheFolder();
     auto sweep = ScalingSweep::create(std::move(subject), wanted);
     if (!sweep) {
@@ -129,31 +151,44 @@ Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const Options
                : tl::unexpected((*ranking)->problems());
 }
 
-/// Calls `measure` with the scene of a preset.
-template <class Measure>
-auto withSubject(const std::string& preset, const Options& options,
-                 const std::shared_ptr<const Catalog>& catalog, const Measure& measure)
-    -> decltype(measure(CostSweep::Subject(), options)) {
-    AssetClient files;
-    const auto setup = sceneFor(preset, options.picture, *catalog);
+/// What is read of a preset before anything is measured.
+struct Prepared {
+    std::string preset;
+    Scene scene;
+    SceneMeshes meshes;
+    std::shared_ptr<const EnvironmentImage> environment;
+};
+
+Checked<Prepared> prepared(const std::string& preset, const Options& options,
+                           const Catalog& catalog, AssetClient& files) {
+    auto setup = sceneFor(preset, options.picture, catalog);
     if (!setup) {
         return tl::unexpected(setup.error());
     }
     report(setup->notes);
-    const auto loaded = SceneMeshes::load(setup->scene, files);
+    auto loaded = SceneMeshes::load(setup->scene, files);
     if (!loaded) {
         return tl::unexpected(loaded.error());
     }
     report(loaded->remarks());
-    TextureLoader textures(files);
-    const auto environment = environmentPicture(setup->scene, options.picture, *catalog, files);
+    const auto environment = environmentPicture(setup->scene, options.picture, catalog, files);
     if (!environment) {
         return tl::unexpected(oneError(environment.error()));
     }
-    auto measured = measure({setup->scene, 0, setup->scene.camera,
-                             [&loaded](const Object& object) { return loaded->view(object); },
-                             catalog, textures.source(), *environment},
-                            options);
+    return Prepared{preset, std::move(setup->scene), std::move(*loaded), *environment};
+}
+
+/// Calls `measure` with what was prepared.
+template <class Measure>
+auto withSubject(const Prepared& subject, const Options& options,
+                 const std::shared_ptr<const Catalog>& catalog, AssetClient& files,
+                 const Measure& measure) {
+    TextureLoader textures(files);
+    auto measured = measure(
+        {subject.scene, 0, subject.scene.camera,
+         [&subject](const Object& object) { return subject.meshes.view(object); }, catalog,
+         textures.source(), subject.environment},
+        options);
     report(textures.takeProblems());
     return measured;
 }
@@ -231,7 +266,12 @@ void print(const std::vector<Measured>& all, const Options& options) {
 }
 
 Checked<bool> rankModels(const Options& options, const std::shared_ptr<const Catalog>& catalog) {
-    const auto costs = withSubject({}, options, catalog, ranked);
+    AssetClient files;
+    const auto subject = prepared({}, options, *catalog, files);
+    if (!subject) {
+        return tl::unexpected(subject.error());
+    }
+    const auto costs = withSubject(*subject, options, catalog, files, ranked);
     if (!costs) {
         return tl::unexpected(costs.error());
     }
@@ -242,8 +282,13 @@ Checked<bool> rankModels(const Options& options, const std::shared_ptr<const Cat
 }
 
 Checked<bool> scale(const Options& options, const std::shared_ptr<const Catalog>& catalog) {
+    AssetClient files;
     const std::string preset = options.presets.empty() ? std::string() : options.presets.front();
-    const auto curves = withSubject(preset, options, catalog, scaled);
+    const auto subject = prepared(preset, options, *catalog, files);
+    if (!subject) {
+        return tl::unexpected(subject.error());
+    }
+    const auto curves = withSubject(*subject, options, catalog, files, scaled);
     if (!curves) {
         return tl::unexpected(curves.error());
     }
@@ -253,23 +298,100 @@ Checked<bool> scale(const Options& options, const std::shared_ptr<const Catalog>
     return true;
 }
 
+/// Every preset is read before the first is measured, so that a mistake in the last one costs no
+/// measurement.
+Checked<std::vector<Prepared>> readAll(const std::vector<std::string>& presets,
+                                       const Options& options, const Catalog& catalog,
+                                       AssetClient& files) {
+    std::vector<Prepared> all;
+    for (const std::string& preset : presets) {
+        auto subject = prepared(preset, options, catalog, files);
+        if (!subject) {
+            return tl::unexpected(subject.error());
+        }
+        all.push_back(std::move(*subject));
+    }
+    return all;
+}
+
+/// What a chart is called that is of no preset.
+std::string nameOf(const Prepared& subject, const Options& options) {
+    if (!subject.preset.empty()) {
+        return subject.preset;
+    }
+    return options.picture.model.empty() ? options.picture.scene : options.picture.model;
+}
+
 /// The charts of all presets.
 Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
                                         const Options& options,
                                         const std::shared_ptr<const Catalog>& catalog) {
+    AssetClient files;
+    const auto subjects = readAll(presets, options, *catalog, files);
+    if (!subjects) {
+        return tl::unexpected(subjects.error());
+    }
     std::vector<Measured> all;
-    for (const std::string& preset : presets) {
-        auto sweep = withSubject(preset, options, catalog, swept);
+    for (const Prepared& subject : *subjects) {
+        auto sweep = withSubject(subject, options, catalog, files, swept);
         if (!sweep) {
             return tl::unexpected(sweep.error());
         }
-        all.push_back({preset.empty() ? options.picture.model : preset, std::move(sweep->chart),
+        all.push_back({nameOf(subject, options), std::move(sweep->chart),
                        std::move(sweep->errors)});
     }
     return all;
 }
 
+/// What goes with the option that is asked for, or else with charts.
+struct Combination {
+    bool isWrong = false;
+    const char* problem = "";
+    const char* expected = "";
+};
+
+bool canBeWritten(const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    std::error_code none;
+    return file.empty() || folder.empty() || std::filesystem::is_directory(folder, none);
+}
+
+/// What would be left out silently is a mistake, and so is, before anything is measured, what could
+/// not be written afterwards.
+Errors checkCombinations(const Options& options) {
+    const bool isOther = options.allModels || options.scaling;
+    const bool isChart = options.hasBudget() || !options.plot.empty() ||
+                         !options.errorMap.empty() || options.ofPicture || options.singles;
+    const glm::ivec2 size = options.picture.size;
+    const bool hasEnding = options.plot.empty() || options.plot.ends_with(".svg") ||
+                           options.plot.ends_with(".png");
+    const std::array wrong{
+        Combination{isOther && isChart,
+                    "budgets, --plot, --error-map, --picture and --singles are of charts of "
+                    "presets",
+                    "--all-models or --scaling without them"},
+        Combination{options.allModels && (!options.presets.empty() ||
+                                          !options.picture.model.empty()),
+                    "--all-models ranks models, and no material",
+                    "no preset and no --model beside it"},
+        Combination{options.scaling && size.x != size.y, "--scaling draws square pictures",
+                    "a --size such as 256x256"},
+        Combination{!hasEnding, "a chart is drawn as .svg or .png", "such a file"},
+        Combination{!canBeWritten(options.plot) || !canBeWritten(options.errorMap),
+                    "there is no folder for the picture", "a file in a folder that exists"},
+    };
+    for (const Combination& each : wrong) {
+        if (each.isWrong) {
+            return oneError(failure(each.problem, each.expected).value());
+        }
+    }
+    return {};
+}
+
 Errors checkRequest(const Options& options) {
+    if (Errors wrong = checkCombinations(options); !wrong.empty()) {
+        return wrong;
+    }
     const bool isOfOne = !options.plot.empty() || !options.errorMap.empty() || options.scaling;
     if (isOfOne && options.presets.size() > 1) {
         return oneError(failure("this is of one preset", "a single preset").value());
@@ -316,15 +438,44 @@ Checked<bool> cost(const Options& options) {
     return met;
 }
 
+/// "0.25" or "1/255"; nothing for what is no finite number.
+std::optional<double> numberOrFraction(std::string_view text) {
+    const std::size_t line = text.find('/');
+    if (line == std::string_view::npos) {
+        return parseNumber(text);
+    }
+    const std::optional<double> over = parseNumber(text.substr(0, line));
+    const std::optional<double> under = parseNumber(text.substr(line + 1));
+    const double share = over && under ? *over / *under : std::nan("");
+    return std::isfinite(share) ? std::optional(share) : std::nullopt;
+}
+
+double budgetIn(const char* option, const std::string& text, bool canBeNothing) {
+    const std::optional<double> budget = numberOrFraction(text);
+    if (!budget || *budget < 0.0 || (*budget == 0.0 && !canBeNothing)) {
+        throw CLI::ValidationError(
+            option, fmt::format("not a budget: \"{}\"; expected {} such as {}", text,
+                                canBeNothing ? "a share of 0 or more" : "milliseconds above 0",
+                                canBeNothing ? "0.004 or 1/255" : "2.5"));
+    }
+    return *budget;
+}
+
 void addBudgets(CLI::App& command, Options& options) {
-    auto* time = command
-                     .add_option("--budget-ms", options.budgetMilliseconds,
-                                 "Pick the most accurate way whose frame takes no longer")
-                     ->check(CLI::PositiveNumber);
+    auto* time = command.add_option_function<std::string>(
+        "--budget-ms",
+        [&options](const std::string& text) {
+            options.budgetMilliseconds = budgetIn("--budget-ms", text, false);
+        },
+        "Pick the most accurate way whose frame takes no longer");
     command
-        .add_option("--budget-error", options.budgetError,
-                    "Pick the fastest way of which 99 of 100 pixels are off by no greater share")
-        ->check(CLI::NonNegativeNumber)
+        .add_option_function<std::string>(
+            "--budget-error",
+            [&options](const std::string& text) {
+                options.budgetError = budgetIn("--budget-error", text, true);
+            },
+            "Pick the fastest way of which 99 of 100 pixels are off by no greater share, such as "
+            "1/255")
         ->excludes(time);
 }
 
@@ -334,9 +485,10 @@ void addCost(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "cost", "Measure what every accuracy choice of a preset costs and how wrong it is");
     auto options = std::make_shared<Options>();
-    options->picture.size = usualSize;
+    options->picture.size = glm::ivec2(0); // as the machine is up to
     command->add_option("presets", options->presets, "Presets (*.patina.json)");
     addSceneOptions(*command, options->picture);
+    command->remove_option(command->get_option("--samples")); // each level has its own
     addSizeOption(*command, options->picture);
     addBudgets(*command, *options);
     command->add_flag("--picture", options->ofPicture,

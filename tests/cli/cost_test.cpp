@@ -92,6 +92,51 @@ TEST(Cost, Scaling_HasALawForEachAxis) {
     }
 }
 
+TEST(Cost, Scaling_DrawsPixelsUpToTheSize) {
+    const Outcome outcome = patina({"cost", "--model", "lambert", "--size", "48x48", "--scaling",
+                                    "--csv"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("pixels,2304,"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("pixels,4096,"), std::string::npos) << outcome.out;
+}
+
+/// Nothing of what is asked for is left out silently.
+void expectMistake(const std::vector<std::string>& arguments, const char* words) {
+    std::vector<std::string> command{"cost"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = patina(command);
+    EXPECT_NE(outcome.exitCode, 0) << words;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+}
+
+TEST(Cost, OptionsThatDoNotGoTogether_AreMistakes) {
+    expectMistake({"--all-models", "--budget-ms", "2"}, "are of charts of presets");
+    expectMistake({"--all-models", "--plot", "a.svg"}, "are of charts of presets");
+    expectMistake({"--all-models", "some.patina.json"}, "ranks models");
+    expectMistake({"--model", "phong", "--scaling", "--error-map", "a.png"}, "of charts");
+    expectMistake({"--model", "phong", "--scaling", "--size", "64x32"}, "square");
+    expectMistake({"--model", "phong", "--samples", "16"}, "--samples");
+}
+
+TEST(Cost, PictureThatCannotBeWritten_IsSaidBeforeMeasuring) {
+    expectMistake({"--model", "phong", "--plot", "chart.pdf"}, ".svg or .png");
+    expectMistake({"--model", "phong", "--plot", "/no/such/folder/chart.svg"}, "no folder");
+}
+
+TEST(Cost, BadPresetAfterAGoodOne_IsSaidBeforeMeasuring) {
+    const std::string good = std::string(PATINA_SOURCE_DIR) + "/presets/strauss/brass.patina.json";
+    expectMistake({good, "/no/such/preset.patina.json"}, "preset.patina.json");
+}
+
+TEST(Cost, Budgets_AreNumbersOrFractions) {
+    expectMistake({"--model", "phong", "--budget-ms", "nan"}, "not a budget");
+    expectMistake({"--model", "phong", "--budget-ms", "-1"}, "milliseconds above 0");
+    expectMistake({"--model", "phong", "--budget-error", "1/0"}, "1/255");
+    const Outcome outcome = cost({"--budget-error", "1/2"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+}
+
 TEST(Cost, NothingToMeasure_IsAMistake) {
     EXPECT_EQ(patina({"cost"}).exitCode, 1);
 }
