@@ -2,9 +2,11 @@
 #include "measure/model_ranking.h"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <utility>
 
+#include "gl/driver.h"
 #include "measure/surface_instructions.h"
 #include "measure/timed_frames.h"
 #include "measure/white_albedo.h"
@@ -13,7 +15,17 @@
 namespace patina {
 namespace {
 
-constexpr glm::ivec2 usualSize{256, 256};
+using Clock = std::chrono::steady_clock;
+
+constexpr glm::ivec2 sizeOnCpu{256, 256};
+constexpr glm::ivec2 sizeOnDevice{1024, 1024};
+
+glm::ivec2 chosenSize(glm::ivec2 wanted) {
+    if (wanted.x > 0 && wanted.y > 0) {
+        return wanted;
+    }
+    return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
+}
 
 /// The first one is the quickest.
 void countFromQuickest(std::vector<ModelCost>& costs) {
@@ -57,7 +69,9 @@ class ModelRanking::Implementation {
     bool finished() const { return costs_.size() == models_.size() || !problems_.empty(); }
 
     double progress() const {
-        return finished() ? 1.0 : double(costs_.size()) / double(models_.size());
+        const double begun =
+            pairs_ ? double(pairs_->cost().runs) / double(options_.pairs.most) : 0.0;
+        return finished() ? 1.0 : (double(costs_.size()) + begun) / double(models_.size());
     }
 
     std::vector<ModelCost> costs() const {
@@ -111,6 +125,14 @@ class ModelRanking::Implementation {
         drawn_->timeOf(first_, view_); // these only warm up
         drawn_->timeOf(other_, view_);
         pairs_.emplace(options_.pairs, empty_);
+        pairsBegan_ = Clock::now();
+    }
+
+    /// The model has had its share of the time, and as many pairs as an interval needs.
+    bool isLate() const {
+        const std::chrono::duration<double> spent = Clock::now() - pairsBegan_;
+        return spent.count() > options_.seconds / double(models_.size()) &&
+               pairs_->cost().runs >= options_.pairs.fewest;
     }
 
     void timePair() {
@@ -119,7 +141,7 @@ class ModelRanking::Implementation {
         pairs_->add(first, other);
         firstTimes_.push_back(first);
         problems_ = drawn_->problems();
-        if (pairs_->finished() && problems_.empty()) {
+        if ((pairs_->finished() || isLate()) && problems_.empty()) {
             addModel();
         }
     }
@@ -144,6 +166,7 @@ class ModelRanking::Implementation {
     double empty_ = 0.0;
     std::size_t pixels_ = 0;
     std::optional<CostPairs> pairs_;
+    Clock::time_point pairsBegan_;
     std::vector<double> firstTimes_;
     std::vector<ModelCost> costs_;
     Errors problems_;
@@ -159,9 +182,8 @@ Result<std::unique_ptr<ModelRanking>> ModelRanking::create(CostSweep::Subject su
     if (subject.object >= subject.scene.objects.size()) {
         return failure("there is no object to measure", "a scene with one");
     }
-    const glm::ivec2 size = options.size.x > 0 && options.size.y > 0 ? options.size : usualSize;
-    auto drawn = TimedFrames::create({subject.catalog, subject.meshes, subject.textures}, size,
-                                     options.programCache);
+    auto drawn = TimedFrames::create({subject.catalog, subject.meshes, subject.textures},
+                                     chosenSize(options.size), options.programCache);
     if (!drawn) {
         return tl::unexpected(drawn.error());
     }

@@ -52,6 +52,28 @@ TEST(RankingTable, Lines_HaveTheLossOfLight) {
     EXPECT_TRUE(rankingJson({matte, own}).at(1).at("albedoLoss").is_null());
 }
 
+TEST(RankingTable, QuotationMarks_AreDoubled) {
+    const ModelCost odd{"odd", "My \"odd\" model", {}, std::nullopt, std::nullopt};
+    EXPECT_NE(rankingCsv({odd}).find("odd,\"My \"\"odd\"\" model\","), std::string::npos);
+}
+
+TEST_F(ModelRankingTest, ShortOfTime_MeasuresAsFewPairsAsAnIntervalNeeds) {
+    const Scene scene = simpleScene();
+    CostSweep::Options options;
+    options.size = {16, 16};
+    options.seconds = 1e-6;
+    auto ranking = ModelRanking::create({scene, 0, scene.camera, meshSource(), catalog}, options);
+    ASSERT_TRUE(ranking);
+    double before = -1.0;
+    while ((*ranking)->costs().size() < 2) {
+        (*ranking)->step();
+        const double progress = (*ranking)->progress();
+        EXPECT_GE(progress, before);
+        before = progress;
+    }
+    EXPECT_EQ((*ranking)->costs().back().cost.runs, options.pairs.fewest);
+}
+
 TEST_F(ModelRankingTest, SceneWithoutObjects_IsAnError) {
     EXPECT_FALSE(ModelRanking::create({Scene(), 0, Camera(), meshSource(), catalog}, {}));
 }
