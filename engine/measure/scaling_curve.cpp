@@ -58,23 +58,30 @@ std::string axisText(ScalingCurve::Axis axis) {
     }
 }
 
-std::string lawText(const ScalingCurve& curve) {
+std::string plainNumber(double number, char format, int digits) {
+    return format == 'f' ? fmt::format("{:.{}f}", number, digits)
+                         : fmt::format("{:.{}g}", number, digits);
+}
+
+std::string lawText(const ScalingCurve& curve, const NumberText& number) {
     if (!curve.law) {
         return "too few times for a law";
     }
     const GrowthLaw& law = *curve.law;
     const Unit unit = unitOf(curve.axis);
+    const std::string base = number(law.base, 'g', 3);
+    const std::string fit = number(law.fit, 'f', 3);
     switch (law.shape()) {
     case GrowthLaw::Shape::Constant:
-        return fmt::format("constant: within {:.0f} %", 100.0 * (law.spread - 1.0));
+        return fmt::format("constant: within {} %", number(100.0 * (law.spread - 1.0), 'f', 0));
     case GrowthLaw::Shape::Linear:
-        return fmt::format("linear: {:.3g} ms {} {:.3g} ms per {}, R² {:.3f}", law.base,
-                           law.each < 0.0 ? "-" : "+", std::abs(law.each) * unit.count, unit.name,
-                           law.fit);
+        return fmt::format("linear: {} ms {} {} ms per {}, R² {}", base,
+                           law.each < 0.0 ? "-" : "+",
+                           number(std::abs(law.each) * unit.count, 'g', 3), unit.name, fit);
     default:
-        return fmt::format("about n^{:.2f}; a line from {:.3g} ms with {:.3g} ms per {} has R² "
-                           "{:.3f}",
-                           law.exponent, law.base, law.each * unit.count, unit.name, law.fit);
+        return fmt::format("about n^{}; a line from {} ms with {} ms per {} has R² {}",
+                           number(law.exponent, 'f', 2), base,
+                           number(law.each * unit.count, 'g', 3), unit.name, fit);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +26,14 @@ struct ScalingCurve {
 /// "pixels", "lights", "objects".
 std::string axisText(ScalingCurve::Axis axis);
 
+/// How a number is written: with so many digits, after the point for 'f', in all for 'g'.
+using NumberText = std::function<std::string(double number, char format, int digits)>;
+
+/// As programs write it, with a point.
+std::string plainNumber(double number, char format, int digits);
+
 /// The law in words: "linear: 1.2 ms + 34.5 ms per million pixels, R² 0.998".
-std::string lawText(const ScalingCurve& curve);
+std::string lawText(const ScalingCurve& curve, const NumberText& number = plainNumber);
 
 /// For people, as lines with a line of names before them, and for programs.
 std::string scalingText(const std::vector<ScalingCurve>& curves);

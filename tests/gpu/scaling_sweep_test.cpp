@@ -2,6 +2,8 @@
 // How times grow, and what is drawn to find that out.
 #include "measure/scaling_sweep.h"
 
+#include <algorithm>
+
 #include "gpu_fixture.h"
 #include "measure/scaling_scenes.h"
 
@@ -41,6 +43,18 @@ TEST(GrowthLaw, TimesThatHardlyDiffer_AreConstant) {
 TEST(GrowthLaw, TooFewTimes_HaveNone) {
     EXPECT_FALSE(growthLaw({sample(1, 1.0), sample(2, 2.0)}));
     EXPECT_FALSE(growthLaw({sample(1, 0.0), sample(2, 2.0), sample(3, 3.0)}));
+}
+
+TEST(LawText, OfAnotherCountry_HasItsNumbers) {
+    ScalingCurve curve{Axis::Lights, {sample(1, 2.5), sample(4, 4.0), sample(64, 34.0)}, {}};
+    curve.law = growthLaw(curve.samples);
+    EXPECT_EQ(lawText(curve), "linear: 2 ms + 0.5 ms per light, R² 1.000");
+    const auto withComma = [](double number, char format, int digits) {
+        std::string text = plainNumber(number, format, digits);
+        std::ranges::replace(text, '.', ',');
+        return text;
+    };
+    EXPECT_EQ(lawText(curve, withComma), "linear: 2 ms + 0,5 ms per light, R² 1,000");
 }
 
 class ScalingSweepTest : public GpuTest {};

@@ -49,6 +49,15 @@ TEST_F(ModelsPanel, OtherScene_PutsItOutOfDate) {
     EXPECT_TRUE(page().isStale());
 }
 
+TEST_F(ModelsPanel, LightLost_IsWrittenAsTheLanguageHasIt) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    models().setCosts({{"matte", "Matte", {}, std::nullopt, 0.255}}, false);
+    const QString text = models().topLevelItem(0)->text(models().columnCount() - 1);
+    QLocale::setDefault(before);
+    EXPECT_EQ(text, "25,5 %");
+}
+
 TEST_F(ModelsPanel, Enter_GivesTheObjectThatModel) {
     measureSome();
     models().setCurrentItem(models().topLevelItem(1));
@@ -93,6 +102,19 @@ TEST_F(ScalingPanel, Measured_HasALawForEachAxis) {
     for (GrowthPlot* plot : page().findChildren<GrowthPlot*>()) {
         EXPECT_FALSE(plot->law().isEmpty());
     }
+}
+
+TEST_F(ScalingPanel, Laws_AreWrittenAsTheLanguageHasThem) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    ScalingCurve curve{ScalingCurve::Axis::Lights,
+                       {{1, {2.5, 2.5, 2.5}}, {4, {4, 4, 4}}, {64, {34, 34, 34}}},
+                       std::nullopt};
+    curve.law = growthLaw(curve.samples);
+    GrowthPlot plot(curve.axis);
+    plot.setCurve(curve, false);
+    QLocale::setDefault(before);
+    EXPECT_EQ(plot.law(), "linear: 2 ms + 0,5 ms per light, R² 1,000");
 }
 
 TEST_F(ScalingPanel, ChangedScene_PutsItOutOfDate) {

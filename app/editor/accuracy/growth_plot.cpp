@@ -34,6 +34,11 @@ QString plainNumber(double number) {
     return QLocale().toString(number, 'g', 3);
 }
 
+/// As lawText() asks for it.
+std::string localNumber(double number, char format, int digits) {
+    return QLocale().toString(number, format, digits).toStdString();
+}
+
 /// Short names of large numbers: "50 k", "1 M".
 QString shortNumber(double number) {
     if (number >= 1e6) {
@@ -114,7 +119,9 @@ void GrowthPlot::draw() {
     drawLaw();
     scaleAxes();
     colour();
-    law_->setText(curve_.samples.empty() ? QString() : QString::fromStdString(lawText(curve_)));
+    law_->setText(curve_.samples.empty()
+                      ? QString()
+                      : QString::fromStdString(lawText(curve_, localNumber)));
     law_->setEnabled(!stale_);
     setAccessibleDescription(law_->text());
     plot_->replot(QCustomPlot::rpQueuedReplot);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <QHeaderView>
+#include <QLocale>
 #include <QScrollBar>
 #include <QSignalBlocker>
 
@@ -26,7 +27,8 @@ QString nanosecondsText(const ChoiceCost& cost) {
 }
 
 QString lossText(const std::optional<double>& loss) {
-    return loss ? ModelList::tr("%1 %").arg(100.0 * *loss, 0, 'f', 1) : QStringLiteral("–");
+    return loss ? ModelList::tr("%1 %").arg(QLocale().toString(100.0 * *loss, 'f', 1))
+                : QStringLiteral("–");
 }
 
 void fillCounts(NumberRow& row, const std::optional<InstructionCount>& count) {
