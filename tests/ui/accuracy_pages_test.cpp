@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages beside the chart: all models, and how the time grows.
+#include "accuracy/cost_text.h"
 #include "accuracy/growth_plot.h"
 #include "accuracy/model_list.h"
 #include "accuracy/models_page.h"
@@ -8,6 +9,14 @@
 
 namespace patina::tests {
 namespace {
+
+TEST(CostText, Shares_AreWrittenWithoutExponents) {
+    EXPECT_EQ(shareText(0.5e-6), "0.00005 %");
+    EXPECT_EQ(shareText(1.2e-7), "0.000012 %");
+    EXPECT_EQ(shareText(0.99e-8), "under 0.00001 %");
+    EXPECT_EQ(shareText(0.031), "3.1 %");
+    EXPECT_EQ(shareText(0.17), "17 %");
+}
 
 class ModelsPanel : public AccuracyPanel {
   protected:

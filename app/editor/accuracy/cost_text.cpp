@@ -24,6 +24,21 @@ QString asText(const std::string& text) {
     return QString::fromStdString(text);
 }
 
+/// Two digits that count, never with an exponent: "17", "0.031", "0.00001".
+QString twoDigits(double number) {
+    constexpr double most = 9.95; // above it whole numbers have as many
+    if (number >= most) {
+        return QLocale().toString(number, 'f', 0);
+    }
+    constexpr double least = 1e-4; // below it an exponent would be written
+    if (number >= least || number <= 0.0) {
+        return QLocale().toString(number, 'g', 2);
+    }
+    const int places = 1 - static_cast<int>(std::floor(std::log10(number)));
+    QString text = QLocale().toString(number, 'f', places);
+    return text.endsWith('0') ? text.chopped(1) : text;
+}
+
 /// A level that a point takes, with its choice; null where the chart does not know it.
 struct TakenLevel {
     const Choice* choice = nullptr;
@@ -55,11 +70,9 @@ QString digitsText(double number) {
 
 QString shareText(double share) {
     if (share > 0.0 && share < leastShare) {
-        return tr("under %1 %").arg(QLocale().toString(100.0 * leastShare, 'g', 1));
+        return tr("under %1 %").arg(twoDigits(100.0 * leastShare));
     }
-    const bool isWhole = share >= 0.0995; // two digits would be written with an exponent
-    return tr("%1 %").arg(isWhole ? QLocale().toString(100.0 * share, 'f', 0)
-                                  : QLocale().toString(100.0 * share, 'g', 2));
+    return tr("%1 %").arg(twoDigits(100.0 * share));
 }
 
 QString wayName(const CostPoint& point, const CostChart& chart) {
