@@ -7,6 +7,7 @@
 #include <QSpinBox>
 #include <QTimer>
 
+#include "accuracy/kept_charts.h"
 #include "ui/accuracy_fixture.h"
 
 namespace patina::tests {
@@ -107,6 +108,31 @@ TEST_F(AccuracyPanel, SceneThatIsBack_HasItsChartAgain) {
     document().undoStack().undo();
     settle();
     EXPECT_FALSE(dock().isStale());
+}
+
+TEST_F(AccuracyPanel, SavedUnderAnotherName_KeepsItsChart) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    for (const char* name : {"first.patina.json", "second.patina.json"}) {
+        ASSERT_TRUE(document().savePreset(home("XDG_DATA_HOME") / name, Side::A));
+        settle();
+        ASSERT_NE(dock().shown(), nullptr) << name;
+        EXPECT_FALSE(dock().isStale()) << name;
+    }
+    document().setFog("exponential");
+    settle();
+    ASSERT_NE(dock().shown(), nullptr); // the new file's, though out of date
+    EXPECT_TRUE(dock().isStale());
+}
+
+TEST_F(AccuracyPanel, WhatIsNotMeasured_LeavesTheChartFresh) {
+    Scene scene = document().scene();
+    const ChartSubject before = chartSubject(scene, 0, "", nullptr);
+    scene.objects[0].material.name = "Another name";
+    scene.objects[0].material.tags = {"a", "b"};
+    scene.ground.mode = scene.ground.mode == GroundMode::Off ? GroundMode::Plane : GroundMode::Off;
+    EXPECT_EQ(chartSubject(scene, 0, "", nullptr), before);
+    scene.objects[0].material.opacity = 0.5;
+    EXPECT_FALSE(chartSubject(scene, 0, "", nullptr) == before);
 }
 
 TEST_F(AccuracyPanel, ChartOfAnotherModel_IsNotApplied) {

@@ -16,9 +16,17 @@ ChartSubject chartSubject(Scene scene, int object, std::string file,
                           std::shared_ptr<const Catalog> catalog) {
     const auto index = static_cast<std::size_t>(object);
     if (object >= 0 && index < scene.objects.size()) {
-        scene.objects[index].material.accuracy.clear();
+        Material& material = scene.objects[index].material;
+        material.accuracy.clear();
+        material.name.clear();
+        material.description.clear();
+        material.author.clear();
+        material.license.clear();
+        material.tags.clear();
     }
     scene.camera = {};
+    scene.accuracy = {};
+    scene.ground.mode = GroundMode::Off; // a measurement is made without it
     return {std::move(scene), object, std::move(file), std::move(catalog)};
 }
 
@@ -31,11 +39,12 @@ KeptChart& KeptCharts::keep(KeptChart chart) {
     return charts_.emplace_back(std::move(chart));
 }
 
-const KeptChart* KeptCharts::find(const ChartSubject& subject) const {
+const KeptChart* KeptCharts::find(const ChartSubject& subject) {
     const auto same = std::find_if(
         charts_.rbegin(), charts_.rend(),
         [&subject](const KeptChart& each) { return each.subject == subject; });
     if (same != charts_.rend()) {
+        same->subject.file = subject.file;
         return &*same;
     }
     const auto near = std::find_if(

@@ -13,12 +13,15 @@ namespace patina {
 
 /// What a chart was measured of, wherever it was seen from.
 struct ChartSubject {
-    Scene scene; ///< with every choice of the object's material exact, and no camera of its own
+    Scene scene; ///< without what makes no difference: see chartSubject()
     int object = -1;
     std::string file; ///< of the document; empty: it has none yet
     std::shared_ptr<const Catalog> catalog;
 
-    friend bool operator==(const ChartSubject&, const ChartSubject&) = default;
+    /// A file that is saved, or saved under another name, is of the same material as before.
+    friend bool operator==(const ChartSubject& a, const ChartSubject& b) {
+        return a.object == b.object && a.catalog == b.catalog && a.scene == b.scene;
+    }
 };
 
 /// A chart, perhaps of a measurement that has not ended.
@@ -31,7 +34,8 @@ struct KeptChart {
 };
 
 /// A chart is of all choices of the object's material, so which of them is taken makes no
-/// difference to it, and who looks at a point from elsewhere still wants the others.
+/// difference to it, and who looks at a point from elsewhere still wants the others. Neither does
+/// what says whose work it is, nor what is not measured: the picture's accuracy and the ground.
 ChartSubject chartSubject(Scene scene, int object, std::string file,
                           std::shared_ptr<const Catalog> catalog);
 
@@ -41,8 +45,9 @@ class KeptCharts {
     /// Keeps a chart; one of the same subject goes, and the oldest where there are many.
     KeptChart& keep(KeptChart chart);
 
-    /// The newest of the same subject, else of the same file and object; null where there is none.
-    const KeptChart* find(const ChartSubject& subject) const;
+    /// The newest of the same subject, which is the subject's file's from now on, else of the same
+    /// file and object; null where there is none.
+    const KeptChart* find(const ChartSubject& subject);
 
   private:
     std::deque<KeptChart> charts_; ///< the newest last
