@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Levels that read a table: what is in their programs, when tables are filled, and what is drawn.
+#include <algorithm>
 #include <cmath>
 
 #include "gpu_fixture.h"
@@ -128,24 +129,6 @@ TEST_F(BlockTablesTest, TwoAxes_DifferFromTheReferenceByRoundingOnly) {
     EXPECT_LE(error(tabled("he-torrance", "series")).p99, 1e-4);
 }
 
-TEST_F(BlockTablesTest, FresnelTerm_ReadsItsTableInASlotAndInABlend) {
-    Scene scene = tabled("cook-torrance", "reflectance.clear");
-    scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
-    EXPECT_EQ(filled(scene), 1);
-    EXPECT_LE(error(scene).p99, 1e-4);
-    scene.objects[0].material.model = block("models", "lambert");
-    EXPECT_EQ(filled(scene), 1);
-    EXPECT_LE(error(scene).p99, 1e-4);
-}
-
-TEST_F(BlockTablesTest, ModelAndItsPart_ShareATexture) {
-    Scene scene = tabled("he-torrance", "series");
-    scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
-    scene.objects[0].material.accuracy["reflectance.clear"] = "table";
-    EXPECT_NE(fragment(scene).find("readTableLine(x.x, 256, 64)"), std::string::npos);
-    EXPECT_LE(error(scene).p99, 1e-4);
-}
-
 TEST_F(BlockTablesTest, ModelBetweenExactAndCosine_IsDrawnOtherwise) {
     const Image table = capture(tabled("strauss", "terms"));
     EXPECT_NE(table, capture(tabled("strauss", "terms", "cosine")));
@@ -242,6 +225,84 @@ TEST_F(UserTableTest, ImageThatDrivesAnEntry_LeavesTheTableOut) {
     material.textures["tallness"].file = "/height.png";
     EXPECT_EQ(fragment(scene).find("blockTables"), std::string::npos);
     EXPECT_EQ(filled(scene), 0);
+}
+
+/// A Fresnel block of the user's folder whose table has no error: it is a line.
+class UserFresnelTableTest : public BlockTablesTest {
+  protected:
+    void SetUp() override {
+        BlockTablesTest::SetUp();
+        writeFile(folder_ / "fresnel/line-test.json", R"({
+  "id": "line-test", "version": 1, "label": "Line", "summary": "s", "applications": "a",
+  "source": "a test", "doc": "d",
+  "parameters": [
+    {"id": "rim", "label": "Rim", "type": "float", "default": 0.75, "min": 0, "max": 1,
+     "group": "g", "doc": "d"}
+  ],
+  "accuracy": [{"id": "way", "label": "Way", "doc": "d", "values": [
+    {"id": "exact", "label": "Exact", "doc": "d", "exact": true},
+    {"id": "table", "label": "Table", "doc": "d", "table": "lines"}]}],
+  "tables": [{"id": "lines", "size": [256], "of": ["rim"]}],
+  "claims": []
+})");
+        writeFile(folder_ / "fresnel/line-test.glsl",
+                  "// SPDX-License-Identifier: MIT-0\n"
+                  "vec3 lineTestFresnelLinesEntry(vec2 x, LineTestFresnel p) {\n"
+                  "    return vec3(p.rim + (0.125 - p.rim) * x.x);\n}\n"
+                  "vec3 lineTestFresnel(Incidence i, LineTestFresnel p) {\n"
+                  "    if (p.way == LINE_TEST_FRESNEL_WAY_TABLE) {\n"
+                  "        return lineTestFresnelLines(vec2(i.c, 0.0), p);\n    }\n"
+                  "    return lineTestFresnelLinesEntry(vec2(i.c, 0.0), p);\n}\n"
+                  "vec3 lineTestFresnelTint(LineTestFresnel p) {\n    return vec3(1.0);\n}\n");
+        const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true},
+                               BlockRoot{folder_.path(), false}};
+        catalog = std::make_shared<const Catalog>(loadCatalog(roots));
+        ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
+        renderer->setCatalog(catalog);
+    }
+
+    Scene withLine(const std::string& model, const std::string& level) const {
+        Scene scene = tabled(model, "way", level);
+        scene.objects[0].material.parts["fresnel"] = block("fresnel", "line-test");
+        return scene;
+    }
+
+    /// The greatest difference of a channel.
+    float apart(const Scene& scene, const Scene& other) {
+        const auto one = renderer->capture(scene, wholeView(scene), source_, false);
+        const auto two = renderer->capture(other, wholeView(other), source_, false);
+        EXPECT_TRUE(one && two);
+        float most = 0.0f;
+        for (std::size_t i = 0; i < one->pixels.size(); ++i) {
+            most = std::max(most, std::abs(one->pixels[i] - two->pixels[i]));
+        }
+        return most;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(UserFresnelTableTest, InASlot_IsReadFromItsTable) {
+    const Scene scene = withLine("cook-torrance", "table");
+    EXPECT_EQ(filled(scene), 1);
+    EXPECT_NE(fragment(scene).find("readTableLine(x.x, 256, 0)"), std::string::npos);
+    EXPECT_LE(apart(scene, withLine("cook-torrance", "exact")), 1e-4f);
+}
+
+TEST_F(UserFresnelTableTest, InABlend_IsReadFromItsTable) {
+    const Scene scene = withLine("lambert", "table");
+    EXPECT_EQ(filled(scene), 1);
+    EXPECT_NE(fragment(scene).find("readTableLine(x.x, 256, 0)"), std::string::npos);
+    EXPECT_LE(apart(scene, withLine("lambert", "exact")), 1e-4f);
+}
+
+TEST_F(UserFresnelTableTest, BesideAModelsTable_SharesItsTexture) {
+    Scene both = withLine("he-torrance", "table");
+    both.objects[0].material.accuracy["series"] = "table";
+    Scene one = both;
+    one.objects[0].material.accuracy["way"] = "exact";
+    EXPECT_NE(fragment(both).find("readTableLine(x.x, 256, 64)"), std::string::npos);
+    EXPECT_LE(apart(both, one), 1e-4f);
 }
 
 } // namespace

@@ -23,12 +23,6 @@ double largest(const std::function<double(double)>& difference) {
     return worst;
 }
 
-double fresnelError(const std::string& id, const Values& values, const AccuracyLevels& levels) {
-    const Subject exact("fresnel", id, values);
-    const Subject cheap("fresnel", id, values, levels);
-    return largest([&](double c) { return cheap.reflectance(c) - exact.reflectance(c); });
-}
-
 /// The largest error of the product of the grazing terms. The viewer stands at 45 degrees, so that
 /// the highlight does not fade where the light grazes: without smoothness it is k times the product
 /// times (r.v)^3.
@@ -74,25 +68,6 @@ TEST(StraussTable, OfOtherConstants_StaysBelowFourHundredths) {
             EXPECT_LT(error, 0.04) << kf << ' ' << ks;
         }
     }
-}
-
-TEST(ClearTable, OfUsualIndices_IsClose) {
-    const AccuracyLevels tabled{{"reflectance.clear", "table"}};
-    for (const double index : {1.33, 1.5, 2.4}) {
-        EXPECT_LE(fresnelError("dielectric", {{"index.inside", index}}, tabled), 2e-4) << index;
-        EXPECT_LE(fresnelError("dielectric",
-                               {{"index.outside", index}, {"index.inside", 1.0}}, tabled),
-                  2e-4)
-            << index;
-    }
-    EXPECT_LE(fresnelError("dielectric", {{"index.inside", 1.001}}, tabled), 0.014);
-}
-
-TEST(ClearTable, FromInside_ReflectsAllBeyondTheCriticalAngle) {
-    const Subject inside("fresnel", "dielectric",
-                         {{"index.outside", 1.5}, {"index.inside", 1.0}},
-                         {{"reflectance.clear", "table"}});
-    EXPECT_NEAR(inside.reflectance(direction(42.0, 0.0).z), 1.0, 1e-12);
 }
 
 TEST(WaveTable, AtAnyRoughness_IsCloseToTheSeries) {
