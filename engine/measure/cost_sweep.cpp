@@ -5,10 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "gl/driver.h"
-#include "measure/reference_frame.h"
+#include "measure/right_frame.h"
 #include "measure/surface_instructions.h"
 #include "measure/sweep_plan.h"
 #include "measure/timed_frames.h"
@@ -37,17 +35,6 @@ glm::ivec2 chosenSize(glm::ivec2 wanted) {
     return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
 }
 
-LinearFrame linearFrame(const Image& image, double factor) {
-    LinearFrame frame;
-    frame.size = {image.width, image.height};
-    frame.colors.reserve(image.pixels.size() / 4);
-    for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
-        const glm::dvec3 color(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
-        frame.colors.push_back(color / factor);
-    }
-    return frame;
-}
-
 /// The exact frame takes as long as itself; how far its pairs are apart says what noise there is.
 MedianInterval besideItself(const MedianInterval& ratio) {
     return {1.0, std::min(ratio.lower / ratio.median, 1.0),
@@ -64,17 +51,25 @@ class CostSweep::Implementation {
   public:
     Implementation(Subject subject, const Options& options, std::unique_ptr<TimedFrames> drawn)
         : subject_(std::move(subject)), options_(options), drawn_(std::move(drawn)),
-          curve_(DisplayCurve::of(subject_.scene)), plan_({}, false) {
+          plan_({}, false) {
         subject_.scene.ground.mode = GroundMode::Off;
         const Catalog& catalog = *subject_.catalog;
         subject_.scene.accuracy = PictureAccuracy(); // which has a chart of its own
-        chart_.choices = options.scope == Choice::Scope::Material
+        chart_.choices = isOfMaterial()
                              ? materialChoices(subject_.scene, subject_.object, catalog)
                              : choicesOfPicture(subject_.scene, catalog);
+        std::erase_if(chart_.choices, [&options](const Choice& choice) {
+            return !options.only.empty() && std::ranges::find(options.only, choice.id) ==
+                                                options.only.end();
+        });
         chart_.size = drawn_->size();
         chart_.timer = drawn_->method();
-        plan_ = SweepPlan(chart_.choices, options.combinations);
+        counted_ = isOfMaterial() ? sharingMaterial(subject_.scene, subject_.object)
+                                  : std::vector<bool>(subject_.scene.objects.size(), true);
+        plan_ = SweepPlan(chart_.choices, options.combinations, options.present);
         singles_ = plan_.waiting();
+        right_.emplace(RightFrame::Wish{drawn_->renderer(), drawn_->meshes(), frameOf({}),
+                                        capturedFrame({}), counted_, isOfMaterial()});
     }
 
     void step(std::chrono::milliseconds patience) {
@@ -97,33 +92,58 @@ class CostSweep::Implementation {
         }
         const std::size_t measured = chart_.points.size();
         const double known = double(measured + plan_.waiting() + 1);
-        const double right = meter_ ? 1.0 : reference_ ? reference_->progress() : 0.0;
-        return (right + double(measured)) / (1.0 + known);
+        return (right_->progress() + double(measured)) / (1.0 + known);
     }
 
     const CostChart& chart() const { return chart_; }
     const Errors& problems() const { return problems_; }
-    const LinearFrame* right() const { return meter_ ? &meter_->right() : nullptr; }
+    const LinearFrame* right() const {
+        return right_->isDone() ? &right_->meter().right() : nullptr;
+    }
 
     std::vector<double> errorMap(const ChosenLevels& levels) {
-        if (!meter_) {
+        if (!right_->isDone()) {
             return {};
         }
-        const Result<LinearFrame> frame = captured(levels);
-        return frame ? meter_->mapOf(*frame) : std::vector<double>();
+        SlicedCapture capture(drawn_->renderer(), drawn_->meshes(), capturedFrame(levels));
+        Result<bool> drawn = false;
+        while (drawn && !*drawn) {
+            drawn = capture.step(std::chrono::seconds(1));
+        }
+        const Result<LinearFrame> frame =
+            drawn ? capture.frame() : tl::unexpected(drawn.error());
+        return frame ? right_->meter().mapOf(*frame) : std::vector<double>();
     }
 
   private:
+    /// What is done for a point, one after the other.
+    enum class Stage { None, Drawing, Comparing, Counting, Warming, Timing };
+
+    bool isOfMaterial() const { return options_.scope == Choice::Scope::Material; }
+
     /// The next piece of work, the smallest there is.
     void work(std::chrono::milliseconds patience) {
-        if (!meter_) {
+        if (!right_->isDone()) {
             workOnRight(patience);
-        } else if (empties_.size() < emptyFrames) {
+            return;
+        }
+        if (empties_.size() < emptyFrames) {
             timeEmpty();
-        } else if (pairs_) {
-            timePair();
-        } else {
-            beginPoint();
+            return;
+        }
+        switch (stage_) {
+        case Stage::None:
+            return beginPoint();
+        case Stage::Drawing:
+            return drawPoint(patience);
+        case Stage::Comparing:
+            return comparePoint(patience);
+        case Stage::Counting:
+            return countPoint();
+        case Stage::Warming:
+            return warmUp();
+        case Stage::Timing:
+            return timeFrame();
         }
     }
 
@@ -132,122 +152,44 @@ class CostSweep::Implementation {
         frame.view.size = chart_.size;
         frame.view.camera = subject_.camera;
         frame.view.environmentImage = subject_.environment;
-        frame.view.samples = options_.scope == Choice::Scope::Material ? 1 : 0;
+        frame.view.samples = isOfMaterial() ? 1 : 0;
         choose(frame, subject_.object, chart_.choices, levels, *subject_.catalog);
         return frame;
     }
 
-    /// The linear frame in whole floats; the picture's own choices say otherwise.
-    Result<LinearFrame> captured(const ChosenLevels& levels) {
+    /// As it is captured: in whole floats; the picture's own choices say otherwise.
+    ChosenFrame capturedFrame(const ChosenLevels& levels) const {
         ChosenFrame frame = frameOf(levels);
-        if (options_.scope == Choice::Scope::Material) {
+        if (isOfMaterial()) {
             frame.view.numbers = HdrNumbers::Full;
             frame.view.environmentSamples = sampledDirections;
         }
-        const auto image =
-            drawn_->renderer().capture(frame.scene, frame.view, drawn_->meshes(), false);
-        if (!image) {
-            return tl::unexpected(image.error());
-        }
-        return linearFrame(*image, curve_.factor());
+        return frame;
     }
 
     void fail(Error error) { problems_.push_back(std::move(error)); }
 
     void workOnRight(std::chrono::milliseconds patience) {
-        if (reference_) {
-            if (reference_->step(patience)) {
-                takeReference();
-            }
+        const Result<bool> done = right_->step(patience);
+        if (!done) {
+            fail(done.error());
             return;
         }
-        ChosenFrame frame = frameOf({});
-        auto buffer =
-            drawn_->renderer().captureSurfaces(frame.scene, frame.view, drawn_->meshes());
-        if (!buffer) {
-            fail(buffer.error());
-            return;
-        }
-        takeBuffer(std::move(*buffer), measured(frame.scene));
+        chart_.pixels = right_->pixels();
+        chart_.right = right_->method();
     }
 
-    /// The objects whose shading is measured: those with the material, or all in the picture.
-    std::vector<bool> measured(const Scene& scene) const {
-        return options_.scope == Choice::Scope::Material
-                   ? sharingMaterial(scene, subject_.object)
-                   : std::vector<bool>(scene.objects.size(), true);
-    }
-
-    /// What does not count is as the device draws it.
-    void takeReference() {
-        LinearFrame right = reference_->frame();
-        reference_.reset();
-        const Result<LinearFrame> drawn = captured({});
-        if (!drawn) {
-            fail(drawn.error());
-            return;
-        }
-        for (std::size_t i = 0; i < right.colors.size(); ++i) {
-            if (right.counts[i] == 0) {
-                right.colors[i] = drawn->colors[i];
-            }
-        }
-        meter_.emplace(std::move(right), curve_);
-    }
-
-    void takeBuffer(SurfaceBuffer buffer, const std::vector<bool>& wanted) {
-        std::vector<std::uint8_t> counts(buffer.pixels());
-        for (std::size_t i = 0; i < counts.size(); ++i) {
-            const std::optional<std::size_t> object = buffer.objectAt(i);
-            counts[i] = object && wanted[*object] ? 1 : 0;
-            chart_.pixels += counts[i];
-        }
-        if (chart_.pixels == 0) {
-            fail(failure("nothing of the material is in the picture", "an object in view").value());
-            return;
-        }
-        Error reason;
-        if (options_.scope == Choice::Scope::Material) {
-            auto made = ReferenceFrame::create(std::move(buffer), wanted);
-            if (made) {
-                reference_ = std::move(*made);
-                chart_.right = "the same frame in double precision";
-                return;
-            }
-            reason = made.error();
-        }
-        compareWithDevice(std::move(counts), reason.problem);
-    }
-
-    /// What cannot be computed on the CPU is compared with what the device draws with every choice
-    /// exact.
-    void compareWithDevice(std::vector<std::uint8_t> counts, const std::string& reason) {
-        auto frame = captured({});
-        if (!frame) {
-            fail(frame.error());
-            return;
-        }
-        frame->counts = std::move(counts);
-        chart_.right = reason.empty()
-                           ? std::string("the finest frame that the device draws")
-                           : fmt::format("the exact frame as the device draws it, because {}",
-                                         reason);
-        meter_.emplace(std::move(*frame), curve_);
-    }
-
-    /// What is left when nothing is shaded of what is measured: other objects take their time in
-    /// every frame.
+    /// What is left when nothing of what counts is shaded.
     void timeEmpty() {
         ChosenFrame frame = frameOf({});
-        const std::vector<bool> hidden = measured(frame.scene);
-        for (std::size_t i = 0; i < hidden.size(); ++i) {
-            frame.scene.objects[i].visible = frame.scene.objects[i].visible && !hidden[i];
+        for (std::size_t i = 0; i < counted_.size(); ++i) {
+            frame.scene.objects[i].visible = frame.scene.objects[i].visible && !counted_[i];
         }
-        if (empties_.empty()) {
-            drawn_->timeOf(frame.scene, frame.view); // only warms up
+        const double time = drawn_->timeOf(frame.scene, frame.view);
+        if (std::exchange(isWarm_, true)) {
+            empties_.push_back(time);
+            chart_.emptyMilliseconds = medianInterval(empties_).median;
         }
-        empties_.push_back(drawn_->timeOf(frame.scene, frame.view));
-        chart_.emptyMilliseconds = medianInterval(empties_).median;
     }
 
     void beginPoint() {
@@ -257,50 +199,86 @@ class CostSweep::Implementation {
             done_ = true;
             return;
         }
-        const Result<LinearFrame> frame = captured(*levels);
+        point_ = CostPoint{std::move(*levels), {}, {}, {}};
+        exactFrame_ = frameOf({});
+        pointFrame_ = frameOf(point_.levels);
+        capture_.emplace(drawn_->renderer(), drawn_->meshes(), capturedFrame(point_.levels));
+        stage_ = Stage::Drawing;
+    }
+
+    void drawPoint(std::chrono::milliseconds patience) {
+        const Result<bool> drawn = capture_->step(patience);
+        if (drawn && !*drawn) {
+            return;
+        }
+        Result<LinearFrame> frame = drawn ? capture_->frame() : tl::unexpected(drawn.error());
+        capture_.reset();
         if (!frame) {
             fail(frame.error());
             return;
         }
-        point_ = CostPoint{std::move(*levels), meter_->errorOf(*frame), {}, {}};
-        exactFrame_ = frameOf({});
-        pointFrame_ = frameOf(point_.levels);
+        pointColors_ = std::move(*frame);
+        right_->meter().addErrorOf(comparing_, pointColors_, point_.error);
+        stage_ = Stage::Comparing;
+    }
+
+    void comparePoint(std::chrono::milliseconds patience) {
+        if (comparing_.step(patience)) {
+            stage_ = Stage::Counting;
+        }
+    }
+
+    void countPoint() {
         point_.instructions =
             surfaceInstructions(pointFrame_.scene, subject_.object, subject_.camera,
                                 {subject_.catalog, subject_.meshes});
         if (point_.isExact()) {
-            exactColors_ = frame->colors;
-        } else if (changesNothing(*frame)) {
+            exactColors_ = pointColors_.colors;
+        } else if (changesNothing()) {
             point_.cost.settled = true;
             addPoint();
             return;
         }
-        drawn_->timeOf(exactFrame_.scene, exactFrame_.view); // these only warm up
+        isExactWarm_ = false;
+        stage_ = Stage::Warming;
+    }
+
+    /// A frame each, which shows what programs and targets take to be made.
+    void warmUp() {
+        if (!std::exchange(isExactWarm_, true)) {
+            drawn_->timeOf(exactFrame_.scene, exactFrame_.view);
+            return;
+        }
         drawn_->timeOf(pointFrame_.scene, pointFrame_.view);
         pairs_.emplace(options_.pairs, chart_.emptyMilliseconds);
         pairsBegan_ = Clock::now();
+        exactTime_.reset();
+        stage_ = Stage::Timing;
     }
 
     /// Some levels have nothing to do in a material: they draw the exact picture, bit for bit, with
     /// as many instructions, and take as long.
-    bool changesNothing(const LinearFrame& frame) const {
+    bool changesNothing() const {
         const CostPoint* exact = chart_.find({});
-        return options_.scope == Choice::Scope::Material && exact != nullptr &&
-               point_.instructions && point_.instructions == exact->instructions &&
-               frame.colors == exactColors_;
+        return isOfMaterial() && exact != nullptr && point_.instructions &&
+               point_.instructions == exact->instructions && pointColors_.colors == exactColors_;
     }
 
     void addPoint() {
         chart_.points.push_back(point_);
         pairs_.reset();
+        stage_ = Stage::None;
         tellTimes();
     }
 
-    void timePair() {
-        const double exact = drawn_->timeOf(exactFrame_.scene, exactFrame_.view);
-        const double other = drawn_->timeOf(pointFrame_.scene, pointFrame_.view);
-        pairs_->add(exact, other);
-        exactTimes_.push_back(exact);
+    /// One frame of a pair.
+    void timeFrame() {
+        if (!exactTime_) {
+            exactTime_ = drawn_->timeOf(exactFrame_.scene, exactFrame_.view);
+            return;
+        }
+        pairs_->add(*exactTime_, drawn_->timeOf(pointFrame_.scene, pointFrame_.view));
+        exactTimes_.push_back(*std::exchange(exactTime_, std::nullopt));
         if (!drawn_->problems().empty()) {
             problems_ = drawn_->problems();
             return;
@@ -329,18 +307,24 @@ class CostSweep::Implementation {
     Subject subject_;
     Options options_;
     std::unique_ptr<TimedFrames> drawn_;
-    DisplayCurve curve_;
     CostChart chart_;
     SweepPlan plan_;
     std::size_t singles_ = 0;
-    std::unique_ptr<ReferenceFrame> reference_; ///< while it is computed
-    std::optional<ErrorMeter> meter_;
+    std::vector<bool> counted_; ///< by object: whose pixels are measured
+    std::optional<RightFrame> right_;
+    bool isWarm_ = false; ///< the frame without what is measured
     std::vector<double> empties_;
     std::vector<double> exactTimes_;
     std::vector<glm::dvec3> exactColors_; ///< as the device draws them
+    Stage stage_ = Stage::None;
     CostPoint point_; ///< that is measured
     ChosenFrame exactFrame_;
     ChosenFrame pointFrame_;
+    std::optional<SlicedCapture> capture_; ///< while the point is drawn
+    LinearFrame pointColors_;
+    PieceWork comparing_;
+    bool isExactWarm_ = false;
+    std::optional<double> exactTime_; ///< of the pair whose second frame is next
     std::optional<CostPairs> pairs_;
     Clock::time_point pairsBegan_;
     Clock::duration spentUntilNow_{};

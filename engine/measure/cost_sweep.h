@@ -32,12 +32,15 @@ class CostSweep {
         CostPairs::Options pairs{};
         double seconds = 60.0;    ///< no combination is begun after that, and pairs get fewer
         bool combinations = true; ///< not only single choices
+        ChosenLevels present{};   ///< what there is now is measured, too
+        std::vector<std::string> only{}; ///< Choice::id of what is measured; empty: of all
     };
 
     static Result<std::unique_ptr<CostSweep>> create(Subject subject, const Options& options);
     ~CostSweep();
 
-    /// Works for about so long, or for one frame where that takes longer.
+    /// Works for about so long, or for one frame where that takes longer: a frame that is timed is
+    /// drawn at once, and a program is made at once.
     void step(std::chrono::milliseconds patience);
     bool finished() const;
     double progress() const; ///< 0 .. 1; falls back when combinations are found worth measuring

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <memory>
 
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
@@ -100,27 +102,52 @@ double sumOf(const Kernel& kernel) {
     return sum;
 }
 
-/// A plane as the eye resolves it.
-std::vector<double> blurred(const std::vector<double>& plane, glm::ivec2 size,
-                            std::initializer_list<Blur> blurs, double pixelsPerDegree) {
+/// A plane as the eye resolves it, before it is divided by the weights' sum.
+struct Blurred {
+    std::vector<double> sum;
+    double whole = 0.0;
+};
+
+/// What is kept while a picture is seen.
+struct Memory {
+    explicit Memory(std::size_t pixels) : lightness(pixels), rows(pixels) {
+        for (std::vector<double>& plane : planes) {
+            plane.resize(pixels);
+        }
+        for (Blurred& plane : blurred) {
+            plane.sum.resize(pixels);
+        }
+    }
+
+    Planes planes;
+    std::array<Blurred, 3> blurred;
+    std::vector<double> lightness;
+    std::vector<double> rows; ///< of the plane that is filtered
+};
+
+using MemoryPointer = std::shared_ptr<Memory>;
+
+void addBlur(PieceWork& work, const MemoryPointer& memory, std::size_t plane, glm::ivec2 size,
+             std::initializer_list<Blur> blurs, double pixelsPerDegree) {
     constexpr double widest = 0.04;
     const double reach = 3.0 * std::sqrt(widest / (2.0 * std::numbers::pi * std::numbers::pi));
     const int radius = static_cast<int>(std::ceil(reach * pixelsPerDegree));
-    std::vector<double> sum(plane.size());
-    double whole = 0.0;
     for (const Blur& blur : blurs) {
         const Kernel kernel = bell(blur, radius, pixelsPerDegree);
         const double height = blur.weight * std::sqrt(std::numbers::pi / blur.width);
-        const std::vector<double> part = filtered(plane, size, kernel, kernel);
-        for (std::size_t i = 0; i < sum.size(); ++i) {
-            sum[i] += height * part[i];
-        }
-        whole += height * sumOf(kernel) * sumOf(kernel);
+        memory->blurred[plane].whole += height * sumOf(kernel) * sumOf(kernel);
+        work.add(memory->rows.size(), [=](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                memory->rows[i] = filteredAlong(memory->planes[plane], size, kernel, i);
+            }
+        });
+        work.add(memory->rows.size(), [=](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                memory->blurred[plane].sum[i] +=
+                    height * filteredDown(memory->rows, size, kernel, i);
+            }
+        });
     }
-    for (double& value : sum) {
-        value /= whole;
-    }
-    return sum;
 }
 
 /// Weights above 0 sum up to 1, those below to -1.
@@ -158,64 +185,123 @@ Detector detector(bool ofPoints, double pixelsPerDegree) {
     return made;
 }
 
-std::vector<double> strength(const std::vector<double>& lightness, glm::ivec2 size,
-                             const Detector& detector) {
-    std::vector<double> x = filtered(lightness, size, detector.along, detector.across);
-    const std::vector<double> y = filtered(lightness, size, detector.across, detector.along);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        x[i] = std::hypot(x[i], y[i]);
-    }
-    return x;
+/// How strong what the detector looks for is, in any direction.
+void addStrength(PieceWork& work, const MemoryPointer& memory, glm::ivec2 size,
+                 const Detector& detector, std::vector<double>& strength) {
+    const auto addRows = [&](const Kernel& kernel) {
+        work.add(memory->rows.size(), [=](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                memory->rows[i] = filteredAlong(memory->lightness, size, kernel, i);
+            }
+        });
+    };
+    addRows(detector.along);
+    work.add(strength.size(), [=, &strength](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            strength[i] = filteredDown(memory->rows, size, detector.across, i);
+        }
+    });
+    addRows(detector.across);
+    work.add(strength.size(), [=, &strength](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            strength[i] = std::hypot(strength[i],
+                                     filteredDown(memory->rows, size, detector.along, i));
+        }
+    });
+}
+
+void addOpponents(PieceWork& work, const MemoryPointer& memory,
+                  const std::vector<glm::dvec3>& shown) {
+    work.add(shown.size(), [=, &shown](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::dvec3 parts = opponent(toRelativeXyz() * srgbDecoded(shown[i]));
+            for (int k = 0; k < 3; ++k) {
+                memory->planes[static_cast<std::size_t>(k)][i] = parts[k];
+            }
+            memory->lightness[i] = (parts.x + 16.0) / 116.0;
+        }
+    });
+}
+
+void addColors(PieceWork& work, const MemoryPointer& memory, std::vector<glm::dvec3>& colors) {
+    work.add(colors.size(), [=, &colors](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            glm::dvec3 parts;
+            for (int k = 0; k < 3; ++k) {
+                const Blurred& plane = memory->blurred[static_cast<std::size_t>(k)];
+                parts[k] = plane.sum[i] / plane.whole;
+            }
+            colors[i] = perceived(glm::clamp(lightOf(parts), 0.0, 1.0));
+        }
+    });
 }
 
 } // namespace
 
-Flip::Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right, double pixelsPerDegree)
+Flip::Flip(glm::ivec2 size, double pixelsPerDegree)
     : size_(size), pixelsPerDegree_(pixelsPerDegree),
       farthest_(std::pow(distance(perceived({0.0, 1.0, 0.0}), perceived({0.0, 0.0, 1.0})),
-                         colorPower)),
-      right_(seen(right)) {}
+                         colorPower)) {}
 
-Flip::Seen Flip::seen(const std::vector<glm::dvec3>& shown) const {
-    Planes planes;
-    std::vector<double> lightness;
-    for (const glm::dvec3& color : shown) {
-        const glm::dvec3 parts = opponent(toRelativeXyz() * srgbDecoded(color));
-        for (int i = 0; i < 3; ++i) {
-            planes[static_cast<std::size_t>(i)].push_back(parts[i]);
-        }
-        lightness.push_back((parts.x + 16.0) / 116.0);
-    }
+Flip::Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right, PieceWork& work,
+           double pixelsPerDegree)
+    : Flip(size, pixelsPerDegree) {
+    addSeeing(work, right, right_);
+}
+
+Flip::Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right, double pixelsPerDegree)
+    : Flip(size, pixelsPerDegree) {
+    PieceWork work;
+    addSeeing(work, right, right_);
+    work.finish();
+}
+
+void Flip::addSeeing(PieceWork& work, const std::vector<glm::dvec3>& shown, Seen& seen) const {
+    seen.colors.resize(shown.size());
+    seen.edges.resize(shown.size());
+    seen.points.resize(shown.size());
+    const auto memory = std::make_shared<Memory>(shown.size());
     const double degree = pixelsPerDegree_;
-    const std::vector<double> light = blurred(planes[0], size_, {{1.0, 0.0047}}, degree);
-    const std::vector<double> red = blurred(planes[1], size_, {{1.0, 0.0053}}, degree);
-    const std::vector<double> blue =
-        blurred(planes[2], size_, {{34.1, 0.04}, {13.5, 0.025}}, degree);
-    Seen made;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const glm::dvec3 color = lightOf({light[i], red[i], blue[i]});
-        made.colors.push_back(perceived(glm::clamp(color, 0.0, 1.0)));
-    }
-    made.edges = strength(lightness, size_, detector(false, degree));
-    made.points = strength(lightness, size_, detector(true, degree));
-    return made;
+    addOpponents(work, memory, shown);
+    addBlur(work, memory, 0, size_, {{1.0, 0.0047}}, degree);
+    addBlur(work, memory, 1, size_, {{1.0, 0.0053}}, degree);
+    addBlur(work, memory, 2, size_, {{34.1, 0.04}, {13.5, 0.025}}, degree);
+    addColors(work, memory, seen.colors);
+    addStrength(work, memory, size_, detector(false, degree), seen.edges);
+    addStrength(work, memory, size_, detector(true, degree), seen.points);
 }
 
 std::vector<double> Flip::differences(const std::vector<glm::dvec3>& shown) const {
-    const Seen other = seen(shown);
-    std::vector<double> map(shown.size());
-    for (std::size_t i = 0; i < map.size(); ++i) {
-        const double apart = std::pow(distance(right_.colors[i], other.colors[i]), colorPower);
-        const double limit = nearShare * farthest_;
-        const double color = apart < limit ? nearScale * apart / limit
-                                           : nearScale + (1.0 - nearScale) * (apart - limit) /
-                                                             (farthest_ - limit);
-        const double feature = std::max(std::abs(right_.edges[i] - other.edges[i]),
-                                        std::abs(right_.points[i] - other.points[i]));
-        const double share = std::pow(std::numbers::sqrt2 / 2.0 * feature, featurePower);
-        map[i] = std::pow(color, 1.0 - share);
-    }
+    PieceWork work;
+    std::vector<double> map;
+    addDifferences(work, shown, map);
+    work.finish();
     return map;
+}
+
+void Flip::addDifferences(PieceWork& work, const std::vector<glm::dvec3>& shown,
+                          std::vector<double>& map) const {
+    map.resize(shown.size());
+    const auto other = std::make_shared<Seen>();
+    addSeeing(work, shown, *other);
+    work.add(map.size(), [this, other, &map](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            map[i] = difference(*other, i);
+        }
+    });
+}
+
+double Flip::difference(const Seen& other, std::size_t pixel) const {
+    const double apart =
+        std::pow(distance(right_.colors[pixel], other.colors[pixel]), colorPower);
+    const double limit = nearShare * farthest_;
+    const double color = apart < limit ? nearScale * apart / limit
+                                       : nearScale + (1.0 - nearScale) * (apart - limit) /
+                                                         (farthest_ - limit);
+    const double feature = std::max(std::abs(right_.edges[pixel] - other.edges[pixel]),
+                                    std::abs(right_.points[pixel] - other.points[pixel]));
+    const double share = std::pow(std::numbers::sqrt2 / 2.0 * feature, featurePower);
+    return std::pow(color, 1.0 - share);
 }
 
 } // namespace patina

@@ -7,6 +7,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "measure/piece_work.h"
+
 namespace patina {
 
 /// How different two pictures look to somebody who flips between them: P. Andersson, J. Nilsson,
@@ -22,8 +24,16 @@ class Flip {
     Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right,
          double pixelsPerDegree = usualPixelsPerDegree);
 
+    /// The same, ready when `work` is done. Until then `right` and this must stay where they are.
+    Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right, PieceWork& work,
+         double pixelsPerDegree = usualPixelsPerDegree);
+
     /// The difference of each pixel, 0 .. 1.
     std::vector<double> differences(const std::vector<glm::dvec3>& shown) const;
+
+    /// The same by `work`, into `map`. Until it is done all of them must stay where they are.
+    void addDifferences(PieceWork& work, const std::vector<glm::dvec3>& shown,
+                        std::vector<double>& map) const;
 
   private:
     /// What the eye makes of a picture.
@@ -33,7 +43,10 @@ class Flip {
         std::vector<double> points;
     };
 
-    Seen seen(const std::vector<glm::dvec3>& shown) const;
+    Flip(glm::ivec2 size, double pixelsPerDegree);
+
+    void addSeeing(PieceWork& work, const std::vector<glm::dvec3>& shown, Seen& seen) const;
+    double difference(const Seen& other, std::size_t pixel) const;
 
     glm::ivec2 size_;
     double pixelsPerDegree_;

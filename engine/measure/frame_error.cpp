@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <memory>
 
 #include <glm/common.hpp>
 
@@ -48,16 +49,6 @@ void addShown(FrameError& error, const std::vector<double>& differences) {
     error.stepShare = differences.empty() ? 0.0 : double(steps) / double(differences.size());
 }
 
-std::vector<glm::dvec3> shownOf(const LinearFrame& frame, const DisplayCurve& curve) {
-    std::vector<glm::dvec3> shown(frame.colors.size());
-    inParallel(shown.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            shown[i] = curve.shown(frame.colors[i]);
-        }
-    });
-    return shown;
-}
-
 double meanOf(const std::vector<double>& values) {
     double sum = 0.0;
     for (const double value : values) {
@@ -65,6 +56,14 @@ double meanOf(const std::vector<double>& values) {
     }
     return values.empty() ? 0.0 : sum / double(values.size());
 }
+
+/// What is kept while a frame is compared.
+struct Comparison {
+    std::vector<double> map;
+    std::vector<glm::dvec3> shown;
+    std::vector<double> differences;
+    std::vector<double> flip;
+};
 
 std::vector<double> ofCounted(const std::vector<double>& all,
                               const std::vector<std::uint8_t>& counts) {
@@ -79,39 +78,74 @@ std::vector<double> ofCounted(const std::vector<double>& all,
 
 } // namespace
 
+ErrorMeter::ErrorMeter(LinearFrame right, const DisplayCurve& curve, PieceWork& work)
+    : right_(std::move(right)), curve_(curve), shown_(right_.colors.size()),
+      floor_(leastShownLight / curve.factor()) {
+    work.add(shown_.size(), [this](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            shown_[i] = curve_.shown(right_.colors[i]);
+        }
+    });
+    flip_.emplace(right_.size, shown_, work);
+}
+
 ErrorMeter::ErrorMeter(LinearFrame right, const DisplayCurve& curve)
-    : right_(std::move(right)), curve_(curve), shown_(shownOf(right_, curve)),
-      floor_(leastShownLight / curve.factor()), flip_(right_.size, shown_) {}
+    : right_(std::move(right)), curve_(curve), floor_(leastShownLight / curve.factor()) {
+    shown_.reserve(right_.colors.size());
+    for (const glm::dvec3& color : right_.colors) {
+        shown_.push_back(curve_.shown(color));
+    }
+    flip_.emplace(right_.size, shown_);
+}
+
+double ErrorMeter::relative(const LinearFrame& frame, std::size_t pixel) const {
+    return right_.counts[pixel] != 0
+               ? relativeError(right_.colors[pixel], frame.colors[pixel], floor_)
+               : 0.0;
+}
 
 std::vector<double> ErrorMeter::mapOf(const LinearFrame& frame) const {
     assert(frame.colors.size() == right_.colors.size());
     std::vector<double> map(right_.colors.size());
     inParallel(map.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            map[i] = right_.counts[i] != 0
-                         ? relativeError(right_.colors[i], frame.colors[i], floor_)
-                         : 0.0;
+            map[i] = relative(frame, i);
         }
     });
     return map;
 }
 
 FrameError ErrorMeter::errorOf(const LinearFrame& frame) const {
+    PieceWork work;
     FrameError error;
-    addRelative(error, ofCounted(mapOf(frame), right_.counts));
-    std::vector<glm::dvec3> shown = shown_;
-    std::vector<double> differences(shown.size());
-    inParallel(differences.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    addErrorOf(work, frame, error);
+    work.finish();
+    return error;
+}
+
+void ErrorMeter::addErrorOf(PieceWork& work, const LinearFrame& frame, FrameError& error) const {
+    assert(frame.colors.size() == right_.colors.size());
+    const std::size_t pixels = right_.colors.size();
+    const auto kept = std::make_shared<Comparison>();
+    kept->map.resize(pixels);
+    kept->differences.resize(pixels);
+    kept->shown = shown_;
+    work.add(pixels, [this, kept, &frame](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            kept->map[i] = relative(frame, i);
             if (right_.counts[i] != 0) {
-                shown[i] = curve_.shown(frame.colors[i]);
-                differences[i] = greatestOf(glm::abs(shown[i] - shown_[i]));
+                kept->shown[i] = curve_.shown(frame.colors[i]);
+                kept->differences[i] = greatestOf(glm::abs(kept->shown[i] - shown_[i]));
             }
         }
     });
-    addShown(error, ofCounted(differences, right_.counts));
-    error.flip = meanOf(ofCounted(flip_.differences(shown), right_.counts));
-    return error;
+    flip_->addDifferences(work, kept->shown, kept->flip);
+    work.addOnce([this, kept, &error] {
+        error = FrameError();
+        addRelative(error, ofCounted(kept->map, right_.counts));
+        addShown(error, ofCounted(kept->differences, right_.counts));
+        error.flip = meanOf(ofCounted(kept->flip, right_.counts));
+    });
 }
 
 } // namespace patina

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "measure/display_curve.h"
 #include "measure/flip.h"
 #include "measure/linear_frame.h"
+#include "measure/piece_work.h"
 
 namespace patina {
 
@@ -31,9 +33,15 @@ class ErrorMeter {
   public:
     ErrorMeter(LinearFrame right, const DisplayCurve& curve);
 
+    /// The same, ready when `work` is done. Until then it must stay where it is.
+    ErrorMeter(LinearFrame right, const DisplayCurve& curve, PieceWork& work);
+
     /// `frame` is of the same size; its own counts say nothing, and its pixels that do not count
     /// are taken for right.
     FrameError errorOf(const LinearFrame& frame) const;
+
+    /// The same by `work`, into `error`. Until it is done all of them must stay where they are.
+    void addErrorOf(PieceWork& work, const LinearFrame& frame, FrameError& error) const;
 
     /// The relative error of each pixel, rows from the top; 0 where nothing counts.
     std::vector<double> mapOf(const LinearFrame& frame) const;
@@ -41,11 +49,13 @@ class ErrorMeter {
     const LinearFrame& right() const { return right_; }
 
   private:
+    double relative(const LinearFrame& frame, std::size_t pixel) const;
+
     LinearFrame right_;
     DisplayCurve curve_;
     std::vector<glm::dvec3> shown_; ///< the right frame on the display
     double floor_ = 0.0;            ///< light that is taken for no darker
-    Flip flip_;
+    std::optional<Flip> flip_;
 };
 
 } // namespace patina

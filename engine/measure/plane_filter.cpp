@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "measure/parallel.h"
-
 namespace patina {
 namespace {
 
@@ -23,24 +21,17 @@ double sumAround(const std::vector<double>& plane, std::size_t first, std::size_
 
 } // namespace
 
-std::vector<double> filtered(const std::vector<double>& plane, glm::ivec2 size,
-                             const Kernel& along, const Kernel& down) {
+double filteredAlong(const std::vector<double>& plane, glm::ivec2 size, const Kernel& kernel,
+                     std::size_t i) {
+    const std::size_t x = i % static_cast<std::size_t>(size.x);
+    return sumAround(plane, i - x, 1, static_cast<int>(x), size.x, kernel);
+}
+
+double filteredDown(const std::vector<double>& plane, glm::ivec2 size, const Kernel& kernel,
+                    std::size_t i) {
     const auto columns = static_cast<std::size_t>(size.x);
-    std::vector<double> rows(plane.size());
-    std::vector<double> both(plane.size());
-    inParallel(plane.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t x = i % columns;
-            rows[i] = sumAround(plane, i - x, 1, static_cast<int>(x), size.x, along);
-        }
-    });
-    inParallel(plane.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto y = static_cast<int>(i / columns);
-            both[i] = sumAround(rows, i % columns, columns, y, size.y, down);
-        }
-    });
-    return both;
+    const auto y = static_cast<int>(i / columns);
+    return sumAround(plane, i % columns, columns, y, size.y, kernel);
 }
 
 } // namespace patina

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -10,9 +11,11 @@ namespace patina {
 /// Weights for the pixels from -r to r around one.
 using Kernel = std::vector<double>;
 
-/// A plane filtered along its rows with one kernel and along its columns with another; beyond the
-/// edges it goes on as it ends.
-std::vector<double> filtered(const std::vector<double>& plane, glm::ivec2 size,
-                             const Kernel& along, const Kernel& down);
+/// Pixel `i` of a plane filtered along its row, or down its column; beyond the edges the plane goes
+/// on as it ends.
+double filteredAlong(const std::vector<double>& plane, glm::ivec2 size, const Kernel& kernel,
+                     std::size_t i);
+double filteredDown(const std::vector<double>& plane, glm::ivec2 size, const Kernel& kernel,
+                    std::size_t i);
 
 } // namespace patina

@@ -33,14 +33,26 @@ std::size_t product(const std::vector<std::vector<std::string>>& candidates) {
 
 } // namespace
 
-SweepPlan::SweepPlan(std::vector<Choice> choices, bool combinations)
+SweepPlan::SweepPlan(std::vector<Choice> choices, bool combinations, ChosenLevels present)
     : choices_(std::move(choices)), combinations_(combinations) {
     for (auto choice = choices_.rbegin(); choice != choices_.rend(); ++choice) {
         for (std::size_t i = choice->levels.size(); i-- > 1;) {
             add({{choice->id, choice->levels[i].id}});
         }
     }
+    if (isMeant(present)) {
+        add(std::move(present));
+    }
     add({});
+}
+
+/// Whether all of it is among the choices.
+bool SweepPlan::isMeant(const ChosenLevels& levels) const {
+    return std::ranges::all_of(levels, [this](const auto& level) {
+        return std::ranges::any_of(choices_, [&level](const Choice& choice) {
+            return choice.id == level.first && choice.level(level.second) != nullptr;
+        });
+    });
 }
 
 void SweepPlan::add(ChosenLevels levels) {

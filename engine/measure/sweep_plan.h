@@ -16,7 +16,8 @@ class SweepPlan {
   public:
     static constexpr std::size_t mostCombinations = 512;
 
-    SweepPlan(std::vector<Choice> choices, bool combinations);
+    /// `present` is measured in any case, after the exact point.
+    SweepPlan(std::vector<Choice> choices, bool combinations, ChosenLevels present = {});
 
     /// The next point, given what was measured; nothing: all are.
     std::optional<ChosenLevels> next(const CostChart& chart);
@@ -28,6 +29,7 @@ class SweepPlan {
     using Candidates = std::vector<std::vector<std::string>>; ///< by choice, without the exact one
 
     void add(ChosenLevels levels);
+    bool isMeant(const ChosenLevels& levels) const;
     void addCombinations(const CostChart& chart);
     void addGreedy(const CostChart& chart);
     Candidates gaining(const CostChart& chart) const;

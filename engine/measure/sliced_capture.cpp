@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/sliced_capture.h"
+
+#include <utility>
+
+#include "measure/display_curve.h"
+
+namespace patina {
+
+SlicedCapture::SlicedCapture(Renderer& renderer, const MeshSource& meshes, ChosenFrame frame)
+    : renderer_(renderer), meshes_(meshes), frame_(std::move(frame)) {}
+
+Result<void> SlicedCapture::begin() {
+    View part = frame_.view;
+    part.isContinued = continued_;
+    if (continued_) {
+        part.environmentSamples = frame_.view.environmentSamples - renderer_.environmentSamples();
+    }
+    return renderer_.beginCapture(frame_.scene, part, meshes_);
+}
+
+/// One frame has no more of an environment's samples than it may.
+bool SlicedCapture::lacksSamples() const {
+    const int samples = renderer_.environmentSamples();
+    return samples > 0 && samples < frame_.view.environmentSamples;
+}
+
+Result<bool> SlicedCapture::step(std::chrono::milliseconds patience) {
+    if (!begun_) {
+        if (auto begun = begin(); !begun) {
+            return tl::unexpected(begun.error());
+        }
+        begun_ = true;
+    }
+    if (!renderer_.proceed(patience)) {
+        return false;
+    }
+    if (lacksSamples()) {
+        begun_ = false;
+        continued_ = true;
+        return false;
+    }
+    return true;
+}
+
+Result<LinearFrame> SlicedCapture::frame() const {
+    const auto image = renderer_.captured(false);
+    if (!image) {
+        return tl::unexpected(image.error());
+    }
+    const double factor = DisplayCurve::of(frame_.scene).factor();
+    LinearFrame frame;
+    frame.size = {image->width, image->height};
+    frame.colors.reserve(image->pixels.size() / 4);
+    for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
+        const glm::dvec3 color(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]);
+        frame.colors.push_back(color / factor);
+    }
+    return frame;
+}
+
+} // namespace patina

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frames and their errors, worked out in slices, are the same as those that are made at once.
+#include "measure/sliced_capture.h"
+
+#include "gpu_fixture.h"
+#include "measure/frame_error.h"
+
+namespace patina {
+namespace {
+
+constexpr std::chrono::milliseconds noPatience{0};
+
+class SlicedCaptureTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+        source_ = meshSource();
+    }
+
+    ChosenFrame frameOf(const Scene& scene, int edge) const {
+        ChosenFrame frame{scene, viewOf(scene, edge)};
+        frame.view.numbers = HdrNumbers::Full;
+        frame.view.samples = 1;
+        return frame;
+    }
+
+    LinearFrame sliced(const ChosenFrame& frame) {
+        SlicedCapture capture(*renderer, source_, frame);
+        steps_ = 1;
+        for (Result<bool> done = capture.step(noPatience); done && !*done;
+             done = capture.step(noPatience)) {
+            ++steps_;
+        }
+        const auto made = capture.frame();
+        EXPECT_TRUE(made) << (made ? "" : made.error().text());
+        return made ? *made : LinearFrame();
+    }
+
+    /// With an exposure of 0.
+    LinearFrame whole(const ChosenFrame& frame) {
+        const auto image = renderer->capture(frame.scene, frame.view, source_, false);
+        EXPECT_TRUE(image);
+        LinearFrame made;
+        made.size = {image->width, image->height};
+        for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
+            made.colors.emplace_back(image->pixels[i], image->pixels[i + 1],
+                                     image->pixels[i + 2]);
+        }
+        return made;
+    }
+
+    MeshSource source_;
+    int steps_ = 0;
+};
+
+TEST_F(SlicedCaptureTest, Frame_IsTheOneThatIsDrawnAtOnce) {
+    Scene scene = simpleScene("phong");
+    scene.lights.push_back(light("point"));
+    const ChosenFrame frame = frameOf(scene, 256);
+    EXPECT_EQ(sliced(frame), whole(frame));
+    EXPECT_GT(steps_, 2);
+}
+
+TEST_F(SlicedCaptureTest, EnvironmentsLight_IsSummedUpToTheEnd) {
+    Scene scene = simpleScene("lambert");
+    scene.environment = block("environment", "studio");
+    ChosenFrame frame = frameOf(scene, 24);
+    frame.view.environmentSamples = 300; // more than one frame may have
+    const LinearFrame made = sliced(frame);
+    EXPECT_EQ(renderer->environmentSamples(), 300);
+    EXPECT_EQ(made, whole(frame));
+}
+
+TEST_F(SlicedCaptureTest, GivenUp_LeavesTheNextFrameAsItIs) {
+    const ChosenFrame frame = frameOf(simpleScene("phong"), 256);
+    const LinearFrame right = whole(frame);
+    {
+        SlicedCapture given(*renderer, source_, frameOf(simpleScene("ward"), 256));
+        ASSERT_TRUE(given.step(noPatience));
+    }
+    EXPECT_EQ(sliced(frame), right);
+}
+
+TEST_F(SlicedCaptureTest, ErrorsInPieces_AreThoseOfTheWholeFrame) {
+    const Scene scene = simpleScene("phong");
+    LinearFrame right = whole(frameOf(scene, 256));
+    right.counts.assign(right.colors.size(), 1);
+    LinearFrame other = right;
+    for (std::size_t i = 0; i < other.colors.size(); i += 3) {
+        other.colors[i] *= 1.01;
+    }
+    PieceWork preparing;
+    const DisplayCurve curve = DisplayCurve::of(scene);
+    const ErrorMeter meter(right, curve, preparing);
+    int steps = 0;
+    while (!preparing.step(noPatience)) {
+        ++steps;
+    }
+    PieceWork comparing;
+    FrameError error;
+    meter.addErrorOf(comparing, other, error);
+    while (!comparing.step(noPatience)) {
+        ++steps;
+    }
+    EXPECT_GT(steps, 50);
+    EXPECT_EQ(error, ErrorMeter(right, curve).errorOf(other));
+    EXPECT_GT(error.flip, 0.0);
+    EXPECT_NEAR(error.p99, 0.01, 1e-9);
+}
+
+} // namespace
+} // namespace patina
