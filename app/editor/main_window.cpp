@@ -184,7 +184,7 @@ void MainWindow::arrangeDocks() {
     }
     const bool narrow = width() < narrowWindow;
     const int left = narrow ? 212 : 276;
-    const int right = narrow ? 364 : 380;
+    const int right = narrow ? 384 : 440;
     resizeDocks({dock("models"), dock("parameters")}, {left, right}, Qt::Horizontal);
     resizeDocks({dock("models"), dock("presets")}, {10, 11}, Qt::Vertical);
     resizeDocks({dock("parameters"), dock("lights")}, {11, 10}, Qt::Vertical);
