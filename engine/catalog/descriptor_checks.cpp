@@ -16,6 +16,7 @@
 #include "catalog/shadow_checks.h"
 #include "catalog/suggestion.h"
 #include "catalog/table_checks.h"
+#include "catalog/transparency_checks.h"
 #include "catalog/value_json.h"
 #include "core/number_text.h"
 
@@ -148,20 +149,7 @@ class Checker {
         if (parameter.emission && parameter.type != ParameterType::Color) {
             add(pointer + "/emission", "only a colour can be emitted", "no such key");
         }
-        checkTransparency(parameter, pointer + "/transparency");
         checkTexture(parameter, pointer);
-    }
-
-    /// A share of the light, the same wherever on the surface.
-    void checkTransparency(const Parameter& parameter, const std::string& pointer) {
-        if (!parameter.transparency) {
-            return;
-        }
-        if (parameter.type != ParameterType::Float || parameter.min < 0.0 || parameter.max > 1.0) {
-            add(pointer, "only a float from 0 to 1 can be a share that passes", "no such key");
-        } else if (!parameter.textureChannels.empty()) {
-            add(pointer, "what passes by a value that takes an image is not known", "no such key");
-        }
     }
 
     /// An image drives what is read anew at every point; three keys of a preset's images have a
@@ -173,9 +161,8 @@ class Checker {
         }
         if ((parameter.type != ParameterType::Float && parameter.type != ParameterType::Color) ||
             (parameter.compiled != Compiled::No && parameter.compiled != Compiled::WhenEqual)) {
-            add(pointer + "/texture", "only a float or a colour that is not compiled in takes an "
-                                      "image",
-                "no such key");
+            add(pointer + "/texture",
+                "only a float or a colour that is not compiled in takes an image", "no such key");
         } else if (std::find(taken.begin(), taken.end(), parameter.id) != taken.end()) {
             add(pointer + "/texture",
                 fmt::format("\"{}\" is the key of a whole material's image", parameter.id),
@@ -388,7 +375,7 @@ Errors descriptorMistakes(const Descriptor& descriptor) {
     Errors errors = Checker(descriptor).run();
     for (const Errors& more :
          {fillMistakes(descriptor), shadowMistakes(descriptor), boundMistakes(descriptor),
-          tableMistakes(descriptor)}) {
+          tableMistakes(descriptor), transparencyMistakes(descriptor)}) {
         errors.insert(errors.end(), more.begin(), more.end());
     }
     return errors;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of SurfaceWriter that writes what is seen through a transparent body.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "shading/environment_source.h"
@@ -27,6 +29,14 @@ std::string namesSource(const Block& block) {
 }
 
 } // namespace
+
+/// A model that lets light pass has taken its share from what it gives back; so does the opacity.
+void SurfaceWriter::writeKeptShare() {
+    const auto passes = [](const Parameter& parameter) { return parameter.transparency; };
+    if (set_.opacity && std::ranges::any_of(object_.model->block->parameters, passes)) {
+        main_ += fmt::format("    shaded *= objectData[{}].y;\n", ObjectLayout::surface);
+    }
+}
 
 void SurfaceWriter::writeDistance() {
     if (scene_.environment == nullptr) {

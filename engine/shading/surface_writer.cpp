@@ -317,14 +317,6 @@ void SurfaceWriter::writeEnvironment() {
                          EnvironmentLayout::fixed);
 }
 
-/// A model that lets light pass has taken its share from what it gives back; so does the opacity.
-void SurfaceWriter::writeKeptShare() {
-    const auto passes = [](const Parameter& parameter) { return parameter.transparency; };
-    if (set_.opacity && std::ranges::any_of(object_.model->block->parameters, passes)) {
-        main_ += fmt::format("    shaded *= objectData[{}].y;\n", ObjectLayout::surface);
-    }
-}
-
 /// Once per pixel, whatever the number of lights.
 void SurfaceWriter::writeEmission() {
     for (const std::string& color : set_.emission) {

@@ -234,8 +234,6 @@ TEST_F(Mistakes, TransparencyOfWhatIsNoShare_IsOne) {
     EXPECT_EQ(problem({{"transparency", true}}), "");
     EXPECT_EQ(problem({{"transparency", true}, {"max", 2.0}}),
               "only a float from 0 to 1 can be a share that passes; expected no such key\n");
-    EXPECT_EQ(problem({{"transparency", true}, {"texture", true}}),
-              "what passes by a value that takes an image is not known; expected no such key\n");
 }
 
 TEST_F(Mistakes, ShadowProjectionOfAModel_IsOne) {
