@@ -2,8 +2,6 @@
 #include "cli/command.h"
 
 #include <array>
-#include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -13,13 +11,12 @@
 #include "assets/asset_client.h"
 #include "catalog/json_text.h"
 #include "cli/cost_plot.h"
+#include "cli/cost_request.h"
 #include "cli/environment_setup.h"
 #include "cli/picture.h"
-#include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "core/display_image.h"
-#include "core/number_text.h"
 #include "gl/headless_context.h"
 #include "measure/cost_sweep.h"
 #include "measure/cost_table.h"
@@ -36,24 +33,6 @@ constexpr std::array partsOfEdge{3, 4, 6, 8, 12, 16, 24};
 constexpr int wholeEdge = 24;
 
 constexpr glm::ivec2 plotSize{960, 600};
-
-struct Options {
-    std::vector<std::string> presets;
-    PictureOptions picture;
-    std::optional<double> budgetMilliseconds;
-    std::optional<double> budgetError;
-    bool ofPicture = false;
-    bool singles = false;
-    bool allModels = false;
-    bool scaling = false;
-    bool json = false;
-    bool csv = false;
-    std::string plot;
-    std::string errorMap;
-    double seconds = 60.0;
-
-    bool hasBudget() const { return budgetMilliseconds || budgetError; }
-};
 
 /// A chart, and where the point that the budget buys, or else the fastest one, goes wrong.
 struct Sweep {
@@ -72,7 +51,7 @@ Errors oneError(Error error) {
     return {std::move(error)};
 }
 
-CostSweep::Options sweepOptions(const Options& options) {
+CostSweep::Options sweepOptions(const CostRequest& options) {
     CostSweep::Options wanted;
     wanted.size = options.picture.size;
     wanted.scope = options.ofPicture ? Choice::Scope::Picture : Choice::Scope::Material;
@@ -82,14 +61,14 @@ CostSweep::Options sweepOptions(const Options& options) {
     return wanted;
 }
 
-const CostPoint& mappedPoint(const CostChart& chart, const Options& options) {
+const CostPoint& mappedPoint(const CostChart& chart, const CostRequest& options) {
     const auto answer =
         bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
     const bool isAsked = options.hasBudget() && answer;
     return chart.points[isAsked ? answer->point : costFront(chart.points).front()];
 }
 
-Checked<Sweep> swept(CostSweep::Subject subject, const Options& options) {
+Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options) {
     auto sweep = CostSweep::create(std::move(subject), sweepOptions(options));
     if (!sweep) {
         return tl::unexpected(oneError(sweep.error()));
@@ -119,7 +98,7 @@ std::vector<int> edgesUpTo(int edge) {
     return edges;
 }
 
-Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const Options& options) {
+Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const CostRequest& options) {
     ScalingSweep::Options wanted;
     if (const int edge = options.picture.size.x; edge > 0) {
         wanted.edge = edge;
@@ -138,7 +117,7 @@ Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const Opti
                : tl::unexpected((*sweep)->problems());
 }
 
-Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const Options& options) {
+Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostRequest& options) {
     auto ranking = ModelRanking::create(std::move(subject), sweepOptions(options));
     if (!ranking) {
         return tl::unexpected(oneError(ranking.error()));
@@ -159,7 +138,7 @@ struct Prepared {
     std::shared_ptr<const EnvironmentImage> environment;
 };
 
-Checked<Prepared> prepared(const std::string& preset, const Options& options,
+Checked<Prepared> prepared(const std::string& preset, const CostRequest& options,
                            const Catalog& catalog, AssetClient& files) {
     auto setup = sceneFor(preset, options.picture, catalog);
     if (!setup) {
@@ -180,7 +159,7 @@ Checked<Prepared> prepared(const std::string& preset, const Options& options,
 
 /// Calls `measure` with what was prepared.
 template <class Measure>
-auto withSubject(const Prepared& subject, const Options& options,
+auto withSubject(const Prepared& subject, const CostRequest& options,
                  const std::shared_ptr<const Catalog>& catalog, AssetClient& files,
                  const Measure& measure) {
     TextureLoader textures(files);
@@ -205,7 +184,7 @@ Result<void> writePlot(const CostChart& chart, const std::string& file) {
 }
 
 /// The chart and the map, where they are asked for.
-Result<void> writePictures(const Measured& measured, const Options& options) {
+Result<void> writePictures(const Measured& measured, const CostRequest& options) {
     if (!options.errorMap.empty()) {
         const Image map = errorPicture(measured.errors, measured.chart.size);
         if (auto written = writeShown(map, options.errorMap); !written) {
@@ -225,7 +204,7 @@ std::string budgetText(const CostPoint& point, const BudgetAnswer& answer) {
 }
 
 /// False when nothing fits the budget.
-bool printBudget(const CostChart& chart, const Options& options) {
+bool printBudget(const CostChart& chart, const CostRequest& options) {
     const auto answer =
         bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
     if (!answer) {
@@ -236,7 +215,7 @@ bool printBudget(const CostChart& chart, const Options& options) {
     return answer->fits;
 }
 
-nlohmann::json jsonOf(const Measured& measured, const Options& options) {
+nlohmann::json jsonOf(const Measured& measured, const CostRequest& options) {
     nlohmann::json json = costJson(measured.chart);
     json["preset"] = measured.name;
     const auto answer =
@@ -247,7 +226,7 @@ nlohmann::json jsonOf(const Measured& measured, const Options& options) {
     return json;
 }
 
-void print(const std::vector<Measured>& all, const Options& options) {
+void print(const std::vector<Measured>& all, const CostRequest& options) {
     if (options.json) {
         nlohmann::json json = nlohmann::json::array();
         for (const Measured& each : all) {
@@ -265,7 +244,8 @@ void print(const std::vector<Measured>& all, const Options& options) {
     }
 }
 
-Checked<bool> rankModels(const Options& options, const std::shared_ptr<const Catalog>& catalog) {
+Checked<bool> rankModels(const CostRequest& options,
+                         const std::shared_ptr<const Catalog>& catalog) {
     AssetClient files;
     const auto subject = prepared({}, options, *catalog, files);
     if (!subject) {
@@ -281,7 +261,7 @@ Checked<bool> rankModels(const Options& options, const std::shared_ptr<const Cat
     return true;
 }
 
-Checked<bool> scale(const Options& options, const std::shared_ptr<const Catalog>& catalog) {
+Checked<bool> scale(const CostRequest& options, const std::shared_ptr<const Catalog>& catalog) {
     AssetClient files;
     const std::string preset = options.presets.empty() ? std::string() : options.presets.front();
     const auto subject = prepared(preset, options, *catalog, files);
@@ -301,7 +281,7 @@ Checked<bool> scale(const Options& options, const std::shared_ptr<const Catalog>
 /// Every preset is read before the first is measured, so that a mistake in the last one costs no
 /// measurement.
 Checked<std::vector<Prepared>> readAll(const std::vector<std::string>& presets,
-                                       const Options& options, const Catalog& catalog,
+                                       const CostRequest& options, const Catalog& catalog,
                                        AssetClient& files) {
     std::vector<Prepared> all;
     for (const std::string& preset : presets) {
@@ -315,7 +295,7 @@ Checked<std::vector<Prepared>> readAll(const std::vector<std::string>& presets,
 }
 
 /// What a chart is called that is of no preset.
-std::string nameOf(const Prepared& subject, const Options& options) {
+std::string nameOf(const Prepared& subject, const CostRequest& options) {
     if (!subject.preset.empty()) {
         return subject.preset;
     }
@@ -324,7 +304,7 @@ std::string nameOf(const Prepared& subject, const Options& options) {
 
 /// The charts of all presets.
 Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
-                                        const Options& options,
+                                        const CostRequest& options,
                                         const std::shared_ptr<const Catalog>& catalog) {
     AssetClient files;
     const auto subjects = readAll(presets, options, *catalog, files);
@@ -343,69 +323,8 @@ Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
     return all;
 }
 
-/// What goes with the option that is asked for, or else with charts.
-struct Combination {
-    bool isWrong = false;
-    const char* problem = "";
-    const char* expected = "";
-};
-
-bool canBeWritten(const std::string& file) {
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    std::error_code none;
-    return file.empty() || folder.empty() || std::filesystem::is_directory(folder, none);
-}
-
-/// What would be left out silently is a mistake, and so is, before anything is measured, what could
-/// not be written afterwards.
-Errors checkCombinations(const Options& options) {
-    const bool isOther = options.allModels || options.scaling;
-    const bool isChart = options.hasBudget() || !options.plot.empty() ||
-                         !options.errorMap.empty() || options.ofPicture || options.singles;
-    const glm::ivec2 size = options.picture.size;
-    const bool hasEnding = options.plot.empty() || options.plot.ends_with(".svg") ||
-                           options.plot.ends_with(".png");
-    const std::array wrong{
-        Combination{isOther && isChart,
-                    "budgets, --plot, --error-map, --picture and --singles are of charts of "
-                    "presets",
-                    "--all-models or --scaling without them"},
-        Combination{options.allModels && (!options.presets.empty() ||
-                                          !options.picture.model.empty()),
-                    "--all-models ranks models, and no material",
-                    "no preset and no --model beside it"},
-        Combination{options.scaling && size.x != size.y, "--scaling draws square pictures",
-                    "a --size such as 256x256"},
-        Combination{!hasEnding, "a chart is drawn as .svg or .png", "such a file"},
-        Combination{!canBeWritten(options.plot) || !canBeWritten(options.errorMap),
-                    "there is no folder for the picture", "a file in a folder that exists"},
-    };
-    for (const Combination& each : wrong) {
-        if (each.isWrong) {
-            return oneError(failure(each.problem, each.expected).value());
-        }
-    }
-    return {};
-}
-
-Errors checkRequest(const Options& options) {
-    if (Errors wrong = checkCombinations(options); !wrong.empty()) {
-        return wrong;
-    }
-    const bool isOfOne = !options.plot.empty() || !options.errorMap.empty() || options.scaling;
-    if (isOfOne && options.presets.size() > 1) {
-        return oneError(failure("this is of one preset", "a single preset").value());
-    }
-    const bool isGiven = !options.presets.empty() || !options.picture.model.empty() ||
-                         !options.picture.scene.empty() || options.allModels;
-    return isGiven ? Errors()
-                   : oneError(failure("there is nothing to measure",
-                                      "a preset, --model, --scene or --all-models")
-                                  .value());
-}
-
 /// True when every budget could be met.
-Checked<bool> cost(const Options& options) {
+Checked<bool> cost(const CostRequest& options) {
     if (const Errors wrong = checkRequest(options); !wrong.empty()) {
         return tl::unexpected(wrong);
     }
@@ -438,79 +357,13 @@ Checked<bool> cost(const Options& options) {
     return met;
 }
 
-/// "0.25" or "1/255"; nothing for what is no finite number.
-std::optional<double> numberOrFraction(std::string_view text) {
-    const std::size_t line = text.find('/');
-    if (line == std::string_view::npos) {
-        return parseNumber(text);
-    }
-    const std::optional<double> over = parseNumber(text.substr(0, line));
-    const std::optional<double> under = parseNumber(text.substr(line + 1));
-    const double share = over && under ? *over / *under : std::nan("");
-    return std::isfinite(share) ? std::optional(share) : std::nullopt;
-}
-
-double budgetIn(const char* option, const std::string& text, bool canBeNothing) {
-    const std::optional<double> budget = numberOrFraction(text);
-    if (!budget || *budget < 0.0 || (*budget == 0.0 && !canBeNothing)) {
-        throw CLI::ValidationError(
-            option, fmt::format("not a budget: \"{}\"; expected {} such as {}", text,
-                                canBeNothing ? "a share of 0 or more" : "milliseconds above 0",
-                                canBeNothing ? "0.004 or 1/255" : "2.5"));
-    }
-    return *budget;
-}
-
-void addBudgets(CLI::App& command, Options& options) {
-    auto* time = command.add_option_function<std::string>(
-        "--budget-ms",
-        [&options](const std::string& text) {
-            options.budgetMilliseconds = budgetIn("--budget-ms", text, false);
-        },
-        "Pick the most accurate way whose frame takes no longer");
-    command
-        .add_option_function<std::string>(
-            "--budget-error",
-            [&options](const std::string& text) {
-                options.budgetError = budgetIn("--budget-error", text, true);
-            },
-            "Pick the fastest way of which 99 of 100 pixels are off by no greater share, such as "
-            "1/255")
-        ->excludes(time);
-}
-
 } // namespace
 
 void addCost(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "cost", "Measure what every accuracy choice of a preset costs and how wrong it is");
-    auto options = std::make_shared<Options>();
-    options->picture.size = glm::ivec2(0); // as the machine is up to
-    command->add_option("presets", options->presets, "Presets (*.patina.json)");
-    addSceneOptions(*command, options->picture);
-    command->remove_option(command->get_option("--samples")); // each level has its own
-    addSizeOption(*command, options->picture);
-    addBudgets(*command, *options);
-    command->add_flag("--picture", options->ofPicture,
-                      "The picture's own choices, such as samples, instead of the material's");
-    command->add_flag("--singles", options->singles, "Each choice by itself, no combinations");
-    command
-        ->add_option("--seconds", options->seconds,
-                     "No combination is begun after so long; slow frames are drawn less often")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    auto* all = command->add_flag("--all-models", options->allModels,
-                                  "Rank all models with their defaults on one scene instead");
-    command
-        ->add_flag("--scaling", options->scaling,
-                   "How the time grows with pixels, lights and objects instead")
-        ->excludes(all);
-    command->add_option("--plot", options->plot, "Draw the chart into a file: .svg or .png");
-    command->add_option("--error-map", options->errorMap,
-                        "Draw where the way that the budget buys, or else the fastest one, is "
-                        "wrong: .png");
-    auto* json = command->add_flag("--json", options->json, "Print an array of charts as JSON");
-    command->add_flag("--csv", options->csv, "Print comma-separated values")->excludes(json);
+    auto options = std::make_shared<CostRequest>();
+    addCostOptions(*command, *options);
     command->callback([options, &status] {
         const auto done = cost(*options);
         status = done && *done ? 0 : 1;

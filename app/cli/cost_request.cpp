@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cost_request.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "core/number_text.h"
+
+namespace patina {
+namespace {
+
+Errors oneError(Error error) {
+    return {std::move(error)};
+}
+
+/// What goes with the option that is asked for, or else with charts.
+struct Combination {
+    bool isWrong = false;
+    const char* problem = "";
+    const char* expected = "";
+};
+
+bool canBeWritten(const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    std::error_code none;
+    return file.empty() || folder.empty() || std::filesystem::is_directory(folder, none);
+}
+
+/// What would be left out silently is a mistake, and so is, before anything is measured, what could
+/// not be written afterwards.
+Errors checkCombinations(const CostRequest& request) {
+    const bool isOther = request.allModels || request.scaling;
+    const bool isChart = request.hasBudget() || !request.plot.empty() ||
+                         !request.errorMap.empty() || request.ofPicture || request.singles;
+    const glm::ivec2 size = request.picture.size;
+    const bool hasEnding = request.plot.empty() || request.plot.ends_with(".svg") ||
+                           request.plot.ends_with(".png");
+    const std::array wrong{
+        Combination{isOther && isChart,
+                    "budgets, --plot, --error-map, --picture and --singles are of charts of "
+                    "presets",
+                    "--all-models or --scaling without them"},
+        Combination{request.allModels && (!request.presets.empty() ||
+                                          !request.picture.model.empty()),
+                    "--all-models ranks models, and no material",
+                    "no preset and no --model beside it"},
+        Combination{request.scaling && size.x != size.y, "--scaling draws square pictures",
+                    "a --size such as 256x256"},
+        Combination{!hasEnding, "a chart is drawn as .svg or .png", "such a file"},
+        Combination{!canBeWritten(request.plot) || !canBeWritten(request.errorMap),
+                    "there is no folder for the picture", "a file in a folder that exists"},
+    };
+    for (const Combination& each : wrong) {
+        if (each.isWrong) {
+            return oneError(failure(each.problem, each.expected).value());
+        }
+    }
+    return {};
+}
+
+/// "0.25" or "1/255"; nothing for what is no finite number.
+std::optional<double> numberOrFraction(std::string_view text) {
+    const std::size_t line = text.find('/');
+    if (line == std::string_view::npos) {
+        return parseNumber(text);
+    }
+    const std::optional<double> over = parseNumber(text.substr(0, line));
+    const std::optional<double> under = parseNumber(text.substr(line + 1));
+    const double share = over && under ? *over / *under : std::nan("");
+    return std::isfinite(share) ? std::optional(share) : std::nullopt;
+}
+
+double budgetIn(const char* option, const std::string& text, bool canBeNothing) {
+    const std::optional<double> budget = numberOrFraction(text);
+    if (!budget || *budget < 0.0 || (*budget == 0.0 && !canBeNothing)) {
+        throw CLI::ValidationError(
+            option, fmt::format("not a budget: \"{}\"; expected {} such as {}", text,
+                                canBeNothing ? "a share of 0 or more" : "milliseconds above 0",
+                                canBeNothing ? "0.004 or 1/255" : "2.5"));
+    }
+    return *budget;
+}
+
+void addBudgets(CLI::App& command, CostRequest& request) {
+    auto* time = command.add_option_function<std::string>(
+        "--budget-ms",
+        [&request](const std::string& text) {
+            request.budgetMilliseconds = budgetIn("--budget-ms", text, false);
+        },
+        "Pick the most accurate way whose frame takes no longer");
+    command
+        .add_option_function<std::string>(
+            "--budget-error",
+            [&request](const std::string& text) {
+                request.budgetError = budgetIn("--budget-error", text, true);
+            },
+            "Pick the fastest way of which 99 of 100 pixels are off by no greater share, such as "
+            "1/255")
+        ->excludes(time);
+}
+
+} // namespace
+
+void addCostOptions(CLI::App& command, CostRequest& request) {
+    request.picture.size = glm::ivec2(0);
+    command.add_option("presets", request.presets, "Presets (*.patina.json)");
+    addSceneOptions(command, request.picture);
+    command.remove_option(command.get_option("--samples")); // each level has its own
+    addSizeOption(command, request.picture);
+    addBudgets(command, request);
+    command.add_flag("--picture", request.ofPicture,
+                     "The picture's own choices, such as samples, instead of the material's");
+    command.add_flag("--singles", request.singles, "Each choice by itself, no combinations");
+    command
+        .add_option("--seconds", request.seconds,
+                    "No combination is begun after so long; slow frames are drawn less often")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    auto* all = command.add_flag("--all-models", request.allModels,
+                                 "Rank all models with their defaults on one scene instead");
+    command
+        .add_flag("--scaling", request.scaling,
+                  "How the time grows with pixels, lights and objects instead")
+        ->excludes(all);
+    command.add_option("--plot", request.plot, "Draw the chart into a file: .svg or .png");
+    command.add_option("--error-map", request.errorMap,
+                       "Draw where the way that the budget buys, or else the fastest one, is "
+                       "wrong: .png");
+    auto* json = command.add_flag("--json", request.json, "Print an array of charts as JSON");
+    command.add_flag("--csv", request.csv, "Print comma-separated values")->excludes(json);
+}
+
+Errors checkRequest(const CostRequest& request) {
+    if (Errors wrong = checkCombinations(request); !wrong.empty()) {
+        return wrong;
+    }
+    const bool isOfOne = !request.plot.empty() || !request.errorMap.empty() || request.scaling;
+    if (isOfOne && request.presets.size() > 1) {
+        return oneError(failure("this is of one preset", "a single preset").value());
+    }
+    const bool isGiven = !request.presets.empty() || !request.picture.model.empty() ||
+                         !request.picture.scene.empty() || request.allModels;
+    return isGiven ? Errors()
+                   : oneError(failure("there is nothing to measure",
+                                      "a preset, --model, --scene or --all-models")
+                                  .value());
+}
+
+} // namespace patina
