@@ -21,7 +21,8 @@ float squaredPower(float c, float e) {
     float x = 1.0 - fract(e) * (1.0 - c);
     float square = c;
     for (int n = int(min(e, 1e9)); n > 0; n >>= 1) {
-        x *= (n & 1) == 1 ? square : 1.0;
+        int last = n & 1;
+        x *= mix(1.0, square, float(last));
         square *= square;
     }
     return x;
