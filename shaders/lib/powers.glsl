@@ -11,19 +11,21 @@ const int POWER_SQUARING = 1;
 const int POWER_RATIONAL = 2;
 const int POWER_GAUSSIAN = 3;
 
-// c^e by repeated squaring, exact for whole exponents; for the fraction f of others c^f is taken as
-// 1 - f (1 - c), which is exact for f = 0 and 1, and the error is below 0.071 / e^2 from exponent 1
-// on. In floats the relative error is about 1e-7 e.
-float squaredPower(float c, float e) {
+// Repeated squaring, exact for whole exponents; for the fraction f of others c^f is taken as
+// 1 - f d, which is exact for f = 0 and 1, and the error is below 0.071 / e^2 from exponent 1 on.
+// While a square is above a half it is made of 1 - x, which there has more digits than x.
+float squaredPower(float d, float c, float e) {
     if (!(c > 0.0)) {
         return 0.0;
     }
-    float x = 1.0 - fract(e) * (1.0 - c);
+    float x = 1.0 - fract(e) * d;
+    float lack = d;
     float square = c;
     for (int n = int(min(e, 1e9)); n > 0; n >>= 1) {
         int last = n & 1;
         x *= mix(1.0, square, float(last));
-        square *= square;
+        lack *= 2.0 - lack;
+        square = lack < 0.5 ? 1.0 - lack : square * square;
     }
     return x;
 }
@@ -39,7 +41,7 @@ float gaussianPower(float d, float c, float e) {
 // Computer Generated Pictures, CACM 18(6), 1975.
 float powerLobe(int level, float d, float c, float e) {
     if (level == POWER_SQUARING) {
-        return squaredPower(c, e);
+        return squaredPower(d, c, e);
     }
     if (level == POWER_RATIONAL) {
         return schlickLobe(d, c, e);
@@ -57,10 +59,7 @@ float halfVersine(Directions d) {
 
 // (n.h)^e by the level of the choice.
 float halfPowerLobe(int level, Directions d, float e) {
-    if (level == POWER_SQUARING) {
-        return squaredPower(d.nh, e);
-    }
-    if (level == POWER_RATIONAL || level == POWER_GAUSSIAN) {
+    if (level == POWER_SQUARING || level == POWER_RATIONAL || level == POWER_GAUSSIAN) {
         return powerLobe(level, halfVersine(d), d.nh, e);
     }
     return blinnLobe(d.sin2h, d.cos2h, d.nH, e);
