@@ -79,7 +79,8 @@ Checked<void> draw(std::vector<Side>& sides, const Options& options,
         if (!environment) {
             return tl::unexpected(oneError(environment.error()));
         }
-        maker->setEnvironment(*environment, options.picture.samples);
+        maker->setEnvironment(*environment,
+                              directionsFor(side.scene, options.picture, *catalog));
         auto image = maker->draw(
             side.scene, [&meshes](const Object& object) { return meshes->view(object); },
             options.picture.size, true);

@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::string_view kind = "environment";
 
+/// Directions that a scene gets without being asked for: more of them take long.
+constexpr int mostUnasked = 256;
+
 std::string knownIds(const Catalog& catalog) {
     std::string known;
     for (const Block* block : catalog.ofKind(kind)) {
@@ -82,6 +85,16 @@ environmentPicture(const Scene& scene, const PictureOptions& options, const Cata
         return EnvironmentImage::missing();
     }
     return panorama.map(EnvironmentImage::from);
+}
+
+int directionsFor(const Scene& scene, const PictureOptions& options, const Catalog& catalog) {
+    if (options.samples > 0) {
+        return options.samples;
+    }
+    const Block* block =
+        scene.environment ? catalog.find("environment", scene.environment->id) : nullptr;
+    return block == nullptr ? mostUnasked
+                            : std::min(directionsOf(*scene.environment, *block), mostUnasked);
 }
 
 } // namespace patina

@@ -70,7 +70,8 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
                        "another way");
     command
         .add_option("--samples", options.samples,
-                    "Directions per pixel that an environment's light is summed from")
+                    "Directions per pixel that an environment's light is summed from; unless "
+                    "given as many as the scene says, but no more than 256")
         ->check(CLI::Range(1, 1 << 24));
     command.add_option_function<std::string>(
         "--exposure", [&options](const std::string& text) { options.exposure = stopsIn(text); },

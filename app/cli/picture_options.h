@@ -24,7 +24,7 @@ struct PictureOptions {
     std::string scene;             ///< a file; empty: the shipped default scene
     std::string environment;       ///< a block's id, a file or "none"; empty: the scene's
     std::string transparency;      ///< a block's id or "sorted"; empty: the scene's
-    int samples = 256;             ///< directions per pixel of an environment's light
+    int samples = 0; ///< directions per pixel of an environment's light; 0: see directionsFor()
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};
 };

@@ -60,7 +60,7 @@ Checked<Image> picture(const Options& options, const std::shared_ptr<const Catal
     if (!environment) {
         return tl::unexpected(oneError(environment.error()));
     }
-    maker->setEnvironment(*environment, options.picture.samples);
+    maker->setEnvironment(*environment, directionsFor(scene, options.picture, *catalog));
     const bool display = !options.output.isLinear();
     auto image = maker->draw(
         scene, [&loaded](const Object& object) { return loaded->view(object); },

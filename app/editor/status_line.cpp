@@ -140,10 +140,10 @@ void StatusLine::showFrame() {
 void StatusLine::showSamples() {
     const int samples = viewport_->samples();
     samples_->setVisible(samples > 0);
-    samples_->setText(samples < Viewport::wantedSamples
+    samples_->setText(samples < viewport_->wantedSamples()
                           ? tr("Environment: %1 of %2 samples")
                                 .arg(samples)
-                                .arg(Viewport::wantedSamples)
+                                .arg(viewport_->wantedSamples())
                           : tr("Environment: %1 samples").arg(samples));
 }
 

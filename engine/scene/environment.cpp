@@ -7,6 +7,8 @@
 namespace patina {
 namespace {
 
+constexpr int fewestDirections = 4; ///< one round
+
 const std::string* textOf(const BlockValues& values, const Parameter& parameter) {
     const auto found = values.parameters.find(parameter.id);
     const Value& value =
@@ -38,6 +40,23 @@ Backdrop backdropOf(const BlockValues& environment, const Block& block) {
     return *word == "hidden"    ? Backdrop::Hidden
            : *word == "blurred" ? Backdrop::Blurred
                                 : Backdrop::Sharp;
+}
+
+const Parameter* directionsParameter(const Block& environment) {
+    const Parameter* directions = environment.parameter("directions");
+    return directions != nullptr && directions->type == ParameterType::Int ? directions : nullptr;
+}
+
+int directionsOf(const BlockValues& environment, const Block& block) {
+    const Parameter* parameter = directionsParameter(block);
+    if (parameter == nullptr) {
+        return usualDirections;
+    }
+    const auto given = environment.parameters.find(parameter->id);
+    const bool isGiven = given != environment.parameters.end();
+    const Value value =
+        conformed(*parameter, isGiven ? given->second : parameter->defaultValue);
+    return std::max(std::get<int>(value), fewestDirections);
 }
 
 double environmentNumber(const BlockValues& environment, const Block& block, std::string_view id) {

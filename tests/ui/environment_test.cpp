@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "docks/block_chooser.h"
+#include "scene/environment.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests {
@@ -35,11 +36,11 @@ class EnvironmentInTheWindow : public WindowFixture {
 TEST_F(EnvironmentInTheWindow, LeftAlone_SettlesAndThenDrawsNothing) {
     view().setFixedSize(160, 120);
     document().setEnvironment("studio");
-    ASSERT_TRUE(waitForSamples(Viewport::wantedSamples));
+    ASSERT_TRUE(waitForSamples(usualDirections));
     newFrames();
     QTest::qWait(1000);
     EXPECT_EQ(newFrames(), 0);
-    EXPECT_EQ(view().samples(), Viewport::wantedSamples);
+    EXPECT_EQ(view().samples(), usualDirections);
 }
 
 TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {

@@ -182,7 +182,7 @@ View Viewport::view() const {
     view.effects = sources_.effects ? sources_.effects() : nullptr;
     view.environmentImage = sources_.environment ? sources_.environment() : nullptr;
     view.isContinued = isContinued_;
-    view.mostSamples = wantedSamples;
+    view.mostSamples = wantedSamples();
     return view;
 }
 

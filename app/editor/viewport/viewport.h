@@ -68,8 +68,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// Whether the picture shows what would be drawn now.
     bool isUpToDate() const { return !stale_ && !isDrawing(); }
 
-    /// So many samples of an environment's light a view gathers while nothing changes.
-    static constexpr int wantedSamples = 1024;
+    /// So many samples of an environment's light a view gathers while nothing changes: as many as
+    /// the scene says.
+    int wantedSamples() const;
 
     /// Samples that the picture has; 0 without an environment.
     int samples() const;

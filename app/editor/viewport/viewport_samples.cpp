@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a view goes on with an environment's light while nothing changes, and then stops.
+#include "scene/environment.h"
 #include "viewport/viewport.h"
 
 namespace patina {
@@ -14,8 +15,16 @@ int Viewport::samples() const {
     return renderer_ ? renderer_->environmentSamples() : 0;
 }
 
+int Viewport::wantedSamples() const {
+    const std::optional<BlockValues>& environment = sources_.scene().environment;
+    const Block* block = environment && catalog_ != nullptr
+                             ? catalog_->find("environment", environment->id)
+                             : nullptr;
+    return block == nullptr ? usualDirections : directionsOf(*environment, *block);
+}
+
 bool Viewport::wantsSamples() const {
-    return samples() > 0 && samples() < wantedSamples && !inspecting_;
+    return samples() > 0 && samples() < wantedSamples() && !inspecting_;
 }
 
 /// After a frame that shows the scene as it is.
