@@ -10,6 +10,7 @@
 #include "measure/surface_instructions.h"
 #include "measure/sweep_plan.h"
 #include "measure/timed_frames.h"
+#include "shading/effect_choice.h"
 
 namespace patina {
 namespace {
@@ -18,6 +19,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr glm::ivec2 sizeOnCpu{256, 256};
 constexpr glm::ivec2 sizeOnDevice{1024, 1024};
+
+/// With thousands of directions per pixel.
+constexpr glm::ivec2 sampledSizeOnCpu{64, 64};
 
 /// Of an environment's light, where errors are measured: the same ones in every frame.
 constexpr int sampledDirections = 64;
@@ -28,11 +32,13 @@ constexpr int emptyFrames = 7;
 /// The share of the time that pairs of single choices may take.
 constexpr double shareOfPairs = 0.6;
 
-glm::ivec2 chosenSize(glm::ivec2 wanted) {
-    if (wanted.x > 0 && wanted.y > 0) {
-        return wanted;
+glm::ivec2 chosenSize(const CostSweep::Subject& subject, const CostSweep::Options& options) {
+    if (options.size.x > 0 && options.size.y > 0) {
+        return options.size;
     }
-    return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
+    const bool isSampled = options.scope == Choice::Scope::Picture &&
+                           environmentChoice(subject.scene, *subject.catalog).block != nullptr;
+    return !gl::isSoftware() ? sizeOnDevice : isSampled ? sampledSizeOnCpu : sizeOnCpu;
 }
 
 /// The exact frame takes as long as itself; how far its pairs are apart says what noise there is.
@@ -343,7 +349,7 @@ Result<std::unique_ptr<CostSweep>> CostSweep::create(Subject subject, const Opti
         return failure("there is no object to measure", "a scene with one");
     }
     auto drawn = TimedFrames::create({subject.catalog, subject.meshes, subject.textures},
-                                     chosenSize(options.size), options.programCache);
+                                     chosenSize(subject, options), options.programCache);
     if (!drawn) {
         return tl::unexpected(drawn.error());
     }

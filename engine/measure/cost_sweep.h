@@ -26,7 +26,9 @@ class CostSweep {
     };
 
     struct Options {
-        glm::ivec2 size{0}; ///< pixels; 0: 256 x 256 where the CPU draws, else 1024 x 1024
+        /// Pixels; 0: 1024 x 1024, 256 x 256 where the CPU draws, 64 x 64 where that draws pictures
+        /// under an environment.
+        glm::ivec2 size{0};
         Choice::Scope scope = Choice::Scope::Material;
         std::filesystem::path programCache{};
         CostPairs::Options pairs{};

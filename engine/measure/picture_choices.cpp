@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/environment.h"
 #include "scene/picture_choice_text.h"
 #include "scene/transparency.h"
 #include "shading/effect_choice.h"
@@ -22,68 +23,104 @@ struct PictureRow {
     const char* doc;
     std::vector<ChoiceLevel> (*levels)(const Scene& scene, const Catalog& catalog);
     void (*apply)(ChosenFrame& frame, const std::string& level, const Catalog& catalog);
+    /// What the scene has, which may be none of the levels.
+    std::string (*current)(const Scene& scene, const Catalog& catalog);
 };
 
 int numberOf(const std::string& level) {
     return std::atoi(level.c_str());
 }
 
-/// "8", "4", ...: each with a label such as "8 samples".
-std::vector<ChoiceLevel> counted(std::initializer_list<int> counts, std::string_view what) {
-    std::vector<ChoiceLevel> levels;
-    for (const int count : counts) {
-        const std::string number = std::to_string(count);
-        levels.push_back({number, fmt::format("{} {}", number, what), {}});
-    }
-    return levels;
+/// "8" with a label such as "8 layers".
+ChoiceLevel counted(int count, std::string_view what) {
+    const std::string number = std::to_string(count);
+    return {number, fmt::format("{} {}", number, what), {}};
 }
 
 std::vector<ChoiceLevel> environmentLevels(const Scene& scene, const Catalog& catalog) {
-    if (environmentChoice(scene, catalog).block == nullptr) {
-        return {};
-    }
-    return counted({4096, 1024, 256, 64, 16, 4}, "directions");
-}
-
-void applyEnvironment(ChosenFrame& frame, const std::string& level, const Catalog&) {
-    frame.view.environmentSamples = numberOf(level);
-}
-
-/// A kind of transparency by its id that mixes all surfaces at once; null where there is none.
-const Block* mixing(const Catalog& catalog, const std::string& id) {
-    const Block* block = catalog.find("transparency", id);
-    return block != nullptr && layersParameter(*block) == nullptr ? block : nullptr;
-}
-
-/// From the most that the block can down, halving; then what mixes all layers at once.
-std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog) {
-    const Block* block = transparencyBlock(scene, catalog);
-    const Parameter* layers = block == nullptr ? nullptr : layersParameter(*block);
-    if (layers == nullptr) {
-        return {};
-    }
+    const Block* block = environmentChoice(scene, catalog).block;
+    const Parameter* directions = block == nullptr ? nullptr : directionsParameter(*block);
     std::vector<ChoiceLevel> levels;
-    for (int n = static_cast<int>(layers->max); n >= 1; n /= 2) {
-        levels.push_back(counted({n}, "layers").front());
-    }
-    for (const Block* other : catalog.ofKind("transparency")) {
-        if (mixing(catalog, other->id) != nullptr) {
-            levels.push_back({other->id, other->label, other->summary});
+    for (const int count : {4096, 1024, 256, 64, 16, 4}) {
+        if (directions != nullptr && count >= directions->min && count <= directions->max) {
+            levels.push_back(counted(count, "directions"));
         }
     }
     return levels;
 }
 
+void applyEnvironment(ChosenFrame& frame, const std::string& level, const Catalog& catalog) {
+    const Block* block = environmentChoice(frame.scene, catalog).block;
+    const Parameter* directions = block == nullptr ? nullptr : directionsParameter(*block);
+    if (directions != nullptr) {
+        frame.scene.environment->parameters[directions->id] = numberOf(level);
+        frame.view.environmentSamples = numberOf(level);
+    }
+}
+
+std::string currentEnvironment(const Scene& scene, const Catalog& catalog) {
+    const Block* block = environmentChoice(scene, catalog).block;
+    return block == nullptr ? std::string()
+                            : std::to_string(directionsOf(*scene.environment, *block));
+}
+
+/// A kind of transparency that sorts: the scene's own, else the first; null: there is none.
+const Block* sortingBlock(const Scene& scene, const Catalog& catalog) {
+    const Block* own = transparencyBlock(scene, catalog);
+    if (own != nullptr && layersParameter(*own) != nullptr) {
+        return own;
+    }
+    const std::vector<const Block*> all = catalog.ofKind("transparency");
+    const auto found = std::ranges::find_if(
+        all, [](const Block* block) { return layersParameter(*block) != nullptr; });
+    return found == all.end() ? nullptr : *found;
+}
+
+/// From the most that the sorting kind can down, halving; then the kinds that mix all at once.
+std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog) {
+    std::vector<ChoiceLevel> levels;
+    if (transparencyBlock(scene, catalog) == nullptr) {
+        return levels;
+    }
+    const Block* sorting = sortingBlock(scene, catalog);
+    const int most = sorting == nullptr ? 0 : static_cast<int>(layersParameter(*sorting)->max);
+    for (int n = most; n >= 1; n /= 2) {
+        levels.push_back(counted(n, "layers"));
+    }
+    for (const Block* block : catalog.ofKind("transparency")) {
+        if (layersParameter(*block) == nullptr) {
+            levels.push_back({block->id, block->label, block->summary});
+        }
+    }
+    return levels;
+}
+
+/// The scene's kind of transparency becomes this one, with its defaults where it was another.
+BlockValues& useTransparency(Scene& scene, const Block& block) {
+    if (!scene.transparency || scene.transparency->id != block.id) {
+        scene.transparency = BlockValues();
+        scene.transparency->id = block.id;
+        scene.transparency->version = block.version;
+        scene.transparency->parameters = defaultValues(block);
+    }
+    return *scene.transparency;
+}
+
 void applyLayers(ChosenFrame& frame, const std::string& level, const Catalog& catalog) {
-    if (const Block* mixed = mixing(catalog, level)) {
-        frame.scene.transparency = BlockValues{mixed->id, mixed->version, defaultValues(*mixed)};
-        return;
+    if (const Block* mixing = catalog.find("transparency", level)) {
+        useTransparency(frame.scene, *mixing);
+    } else if (const Block* sorting = sortingBlock(frame.scene, catalog)) {
+        useTransparency(frame.scene, *sorting).parameters[layersParameter(*sorting)->id] =
+            numberOf(level);
     }
-    const Block* block = transparencyBlock(frame.scene, catalog);
-    const Parameter* layers = block == nullptr ? nullptr : layersParameter(*block);
-    if (layers != nullptr) {
-        frame.scene.transparency->parameters[layers->id] = numberOf(level);
+}
+
+std::string currentLayers(const Scene& scene, const Catalog& catalog) {
+    const Block* block = transparencyBlock(scene, catalog);
+    if (block == nullptr || layersParameter(*block) == nullptr) {
+        return block == nullptr ? std::string() : block->id;
     }
+    return std::to_string(layersOf(*scene.transparency, *block));
 }
 
 /// What says how many places a kind of shadow looks at; null where nothing does.
@@ -93,18 +130,34 @@ const Parameter* tapsOf(const Light& light, const Catalog& catalog) {
     return taps != nullptr && taps->type == ParameterType::Enum ? taps : nullptr;
 }
 
-/// Of the first light that has such shadows; their finest level is listed last.
+/// The first light that has such shadows; null where none does.
+const Light* tappedLight(const Scene& scene, const Catalog& catalog) {
+    const auto found = std::ranges::find_if(scene.lights, [&catalog](const Light& light) {
+        return light.enabled && tapsOf(light, catalog) != nullptr;
+    });
+    return found != scene.lights.end() && hasShadows(scene, catalog) ? &*found : nullptr;
+}
+
+/// Their finest level is listed last.
 std::vector<ChoiceLevel> tapLevels(const Scene& scene, const Catalog& catalog) {
     std::vector<ChoiceLevel> levels;
-    for (std::size_t i = 0; i < scene.lights.size() && levels.empty(); ++i) {
-        const Parameter* taps = hasShadows(scene, catalog) && scene.lights[i].enabled
-                                    ? tapsOf(scene.lights[i], catalog)
-                                    : nullptr;
-        for (const EnumValue& value : taps == nullptr ? std::vector<EnumValue>() : taps->values) {
+    if (const Light* light = tappedLight(scene, catalog)) {
+        for (const EnumValue& value : tapsOf(*light, catalog)->values) {
             levels.insert(levels.begin(), ChoiceLevel{value.id, value.label, value.doc});
         }
     }
     return levels;
+}
+
+std::string currentTaps(const Scene& scene, const Catalog& catalog) {
+    const Light* light = tappedLight(scene, catalog);
+    if (light == nullptr) {
+        return {};
+    }
+    const Parameter& taps = *tapsOf(*light, catalog);
+    const auto given = light->shadow->parameters.find(taps.id);
+    const bool isGiven = given != light->shadow->parameters.end();
+    return std::get<std::string>(conformed(taps, isGiven ? given->second : taps.defaultValue));
 }
 
 void applyTaps(ChosenFrame& frame, const std::string& level, const Catalog& catalog) {
@@ -123,13 +176,14 @@ void applyTaps(ChosenFrame& frame, const std::string& level, const Catalog& cata
 constexpr std::array rows{
     PictureRow{"picture.environment", "Environment",
                "How many directions per pixel the light from all around is a mean of.",
-               environmentLevels, applyEnvironment},
+               environmentLevels, applyEnvironment, currentEnvironment},
     PictureRow{"picture.layers", "Layers",
-               "How many surfaces behind each other are put in their order.", layerLevels,
-               applyLayers},
+               "How many surfaces behind each other are put in their order, or that all are mixed at "
+               "once.",
+               layerLevels, applyLayers, currentLayers},
     PictureRow{"picture.shadows", "Shadow edges",
                "How many places of a depth map a shadow's edge is a mean of.", tapLevels,
-               applyTaps},
+               applyTaps, currentTaps},
 };
 
 constexpr std::string_view prefix = "picture.";
@@ -146,6 +200,22 @@ Choice choiceOf(const PictureChoiceText& text) {
         choice.levels.push_back({level.id, level.label, level.doc});
     }
     return choice;
+}
+
+/// Null for the choices of the table above.
+const PictureChoiceText* textOf(const Choice& choice) {
+    const std::string_view id = choice.id;
+    return id.starts_with(prefix) ? pictureChoiceText(id.substr(prefix.size())) : nullptr;
+}
+
+std::string currentLevel(const Scene& scene, const Choice& choice, const Catalog& catalog) {
+    for (const PictureRow& row : rows) {
+        if (row.id == choice.id) {
+            return row.current(scene, catalog);
+        }
+    }
+    const PictureChoiceText* text = textOf(choice);
+    return text == nullptr ? std::string() : text->levels[scene.accuracy.level(text->choice)].id;
 }
 
 } // namespace
@@ -167,6 +237,18 @@ std::vector<Choice> choicesOfPicture(const Scene& scene, const Catalog& catalog)
     return choices;
 }
 
+ChosenLevels levelsOfPicture(const Scene& scene, const std::vector<Choice>& choices,
+                             const Catalog& catalog) {
+    ChosenLevels levels;
+    for (const Choice& choice : choices) {
+        const std::string current = currentLevel(scene, choice, catalog);
+        if (!current.empty() && current != choice.levels.front().id) {
+            levels[choice.id] = current;
+        }
+    }
+    return levels;
+}
+
 void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& level,
                    const Catalog& catalog) {
     for (const PictureRow& row : rows) {
@@ -174,9 +256,7 @@ void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& 
             row.apply(frame, level, catalog);
         }
     }
-    const std::string_view id = choice.id;
-    const PictureChoiceText* text =
-        id.starts_with(prefix) ? pictureChoiceText(id.substr(prefix.size())) : nullptr;
+    const PictureChoiceText* text = textOf(choice);
     if (const auto number = text == nullptr ? std::nullopt : text->level(level)) {
         frame.scene.accuracy.choose(text->choice, *number);
     }

@@ -2,13 +2,42 @@
 // Frames and their errors, worked out in slices, are the same as those that are made at once.
 #include "measure/sliced_capture.h"
 
+#include <algorithm>
+#include <ctime>
+
 #include "gpu_fixture.h"
 #include "measure/frame_error.h"
+#include "measure/parallel.h"
 
 namespace patina {
 namespace {
 
 constexpr std::chrono::milliseconds noPatience{0};
+
+/// How long a window may stand still, and how long a step is asked to work.
+constexpr double longestMs = 100.0;
+constexpr std::chrono::milliseconds patience{20};
+
+/// What all cores have worked for this process, as if it had them to itself: other work on the
+/// machine does not count.
+double workedMs() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return (1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec)) / double(parallelParts());
+}
+
+/// The longest of the steps until one says that all is done.
+template <class Step>
+double longestOf(const Step& step) {
+    double longest = 0.0;
+    bool done = false;
+    while (!done) {
+        const double before = workedMs();
+        done = step();
+        longest = std::max(longest, workedMs() - before);
+    }
+    return longest;
+}
 
 class SlicedCaptureTest : public GpuTest {
   protected:
@@ -107,6 +136,27 @@ TEST_F(SlicedCaptureTest, ErrorsInPieces_AreThoseOfTheWholeFrame) {
     EXPECT_EQ(error, ErrorMeter(right, curve).errorOf(other));
     EXPECT_GT(error.flip, 0.0);
     EXPECT_NEAR(error.p99, 0.01, 1e-9);
+}
+
+TEST_F(SlicedCaptureTest, StepOf512Pixels_IsShorterThanAWindowMayWait) {
+    Scene scene = simpleScene("cook-torrance");
+    scene.environment = block("environment", "studio");
+    ChosenFrame frame = frameOf(scene, 512);
+    frame.view.environmentSamples = 8;
+    sliced(frame); // makes the programs
+    frame.view.environmentSamples = 64;
+    SlicedCapture capture(*renderer, source_, frame);
+    EXPECT_LT(longestOf([&] { return capture.step(patience).value(); }), longestMs);
+
+    LinearFrame right = capture.frame().value();
+    right.counts.assign(right.colors.size(), 1);
+    const LinearFrame other = right;
+    PieceWork work;
+    const ErrorMeter meter(right, DisplayCurve::of(scene), work);
+    EXPECT_LT(longestOf([&] { return work.step(patience); }), longestMs);
+    FrameError error;
+    meter.addErrorOf(work, other, error);
+    EXPECT_LT(longestOf([&] { return work.step(patience); }), longestMs);
 }
 
 } // namespace
