@@ -74,7 +74,7 @@ class AccuracyPanel : public WindowFixture {
     }
 
     AccuracyDock& pages() { return *window().dock("accuracy")->findChild<AccuracyDock*>(); }
-    AccuracyPage& dock() { return *pages().findChild<AccuracyPage*>(); }
+    virtual AccuracyPage& dock() { return *pages().findChild<AccuracyPage*>("material"); }
     CostList& list() { return *dock().findChild<CostList*>(); }
     CostPlot& plot() { return *dock().findChild<CostPlot*>(); }
     BudgetRow& budget() { return *dock().findChild<BudgetRow*>(); }

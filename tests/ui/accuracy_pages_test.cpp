@@ -67,6 +67,19 @@ TEST_F(ModelsPanel, LightLost_IsWrittenAsTheLanguageHasIt) {
     EXPECT_EQ(text, "25,5 %");
 }
 
+TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {
+    measureSome();
+    const std::string first = page().costs().front().model;
+    document().setFog("exponential");
+    settle();
+    measureSome();
+    EXPECT_FALSE(page().isStale());
+    document().undoStack().undo();
+    settle();
+    EXPECT_FALSE(page().isStale()) << first;
+    EXPECT_EQ(models().topLevelItemCount(), static_cast<int>(page().costs().size()));
+}
+
 TEST_F(ModelsPanel, Enter_GivesTheObjectThatModel) {
     measureSome();
     models().setCurrentItem(models().topLevelItem(1));
@@ -124,6 +137,40 @@ TEST_F(ScalingPanel, Laws_AreWrittenAsTheLanguageHasThem) {
     plot.setCurve(curve, false);
     QLocale::setDefault(before);
     EXPECT_EQ(plot.law(), "linear: 2 ms + 0,5 ms per light, R² 1,000");
+}
+
+TEST_F(ScalingPanel, SceneThatIsBack_HasItsNumbersAgain) {
+    ASSERT_TRUE(measureSmall());
+    const std::vector<ScalingCurve> first = page().curves();
+    document().setFog("exponential");
+    settle();
+    ASSERT_TRUE(measureSmall());
+    EXPECT_FALSE(page().isStale());
+    EXPECT_FALSE(page().curves() == first);
+    document().undoStack().undo();
+    settle();
+    EXPECT_FALSE(page().isStale());
+    EXPECT_TRUE(page().curves() == first);
+}
+
+TEST_F(ScalingPanel, SavedDocument_KeepsItsNumbers) {
+    ASSERT_TRUE(measureSmall());
+    ASSERT_TRUE(document().saveScene(home("saved.patina-scene.json")));
+    settle();
+    EXPECT_FALSE(page().isStale());
+    EXPECT_EQ(page().curves().size(), 3u);
+}
+
+TEST_F(ScalingPanel, OtherDocument_HasNoneOfItsNumbers) {
+    ASSERT_TRUE(document().saveScene(home("one.patina-scene.json")));
+    ASSERT_TRUE(measureSmall());
+    document().startFrom(Scene(document().scene()));
+    document().setFog("exponential");
+    settle();
+    EXPECT_TRUE(page().curves().empty());
+    ASSERT_TRUE(document().openScene(home("one.patina-scene.json")));
+    settle();
+    EXPECT_EQ(page().curves().size(), 3u);
 }
 
 TEST_F(ScalingPanel, ChangedScene_PutsItOutOfDate) {

@@ -26,7 +26,6 @@
 #include "measure/cost_table.h"
 #include "message_log.h"
 #include "session.h"
-#include "viewport/compare_area.h"
 #include "viewport/mesh_library.h"
 
 namespace patina {
@@ -36,21 +35,12 @@ constexpr int progressSteps = 1000;
 constexpr int settleMs = 100;
 constexpr QSize usualSize{720, 320};
 
-/// The exact level is written only over another: a material that names none is exact.
-void setLevel(Material& material, const Choice& choice, const std::string& level) {
-    if (level != choice.levels.front().id || material.accuracy.contains(choice.key)) {
-        material.accuracy[choice.key] = level;
-    }
-}
-
 } // namespace
 
-AccuracyPage::AccuracyPage(const DockContext& context)
+AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target)
     : document_(context.document), library_(context.meshes), environments_(context.environments),
-      messages_(context.messages), views_(context.views),
-      start_(textButton(tr("Measure"),
-                        tr("Measure the time and the error of every way to compute this material"),
-                        this)),
+      messages_(context.messages), target_(std::move(target)),
+      start_(textButton(tr("Measure"), target_->measureText(), this)),
       cancel_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
       compare_(textButton(tr("Compare with exact"),
                           tr("Show the exact way in A, the selected one in B and how far they are "
@@ -80,6 +70,7 @@ void AccuracyPage::layOut() {
     }
     row->addWidget(state_, 1);
     row->addWidget(compare_);
+    compare_->setVisible(target_->canCompare());
     row->addWidget(export_);
     auto* parts = new QSplitter(this);
     parts->setChildrenCollapsible(false);
@@ -151,36 +142,24 @@ QSize AccuracyPage::sizeHint() const {
     return usualSize;
 }
 
-ChartSubject AccuracyPage::subject() const {
-    const int object = document_.currentObject();
-    return chartSubject(document_.scene(document_.activeSide()), object,
-                        document_.file().path.string(), document_.sharedCatalog());
-}
-
 /// Finds the chart of what is on the screen now. Nobody sees it in a dock that is not open.
 void AccuracyPage::follow() {
     if (!isVisible()) {
         return;
     }
-    updateChoices();
-    showChart(running_ ? &*running_ : charts_.find(subject()));
+    choices_ = target_->choices();
+    showChart(running_ ? &*running_ : charts_.find(target_->subject(), file()));
 }
 
-void AccuracyPage::updateChoices() {
-    const int object = document_.currentObject();
-    choices_ = object < 0 ? std::vector<Choice>()
-                          : materialChoices(document_.scene(document_.activeSide()),
-                                            static_cast<std::size_t>(object),
-                                            document_.catalog());
+std::string AccuracyPage::file() const {
+    return document_.file().path.string();
 }
 
 void AccuracyPage::showChart(const KeptChart* chart) {
     static const CostChart none;
     shown_ = chart;
-    stale_ = shown_ != nullptr && !(shown_->subject == subject());
-    const Material* material = document_.material(document_.activeSide());
-    const ChosenLevels current =
-        material != nullptr ? levelsOf(*material, choices_) : ChosenLevels();
+    stale_ = shown_ != nullptr && !(shown_->subject == target_->subject());
+    const ChosenLevels current = target_->levels(choices_);
     const CostChart& points = shown_ != nullptr ? shown_->chart : none;
     plot_->setChart(points, current, stale_);
     list_->setChart(points, current, stale_);
@@ -203,8 +182,10 @@ void AccuracyPage::measure(CostSweep::Options options) {
     if (measurement_.isRunning() || object < 0) {
         return;
     }
-    running_ = KeptChart{subject(), document_.scene().camera, {}, false, {}};
+    running_ = KeptChart{target_->subject(), file(), document_.scene().camera, {}, false, {}};
     options.programCache = cacheFolder() / "programs";
+    options.scope = target_->scope();
+    options.present = target_->levels(target_->choices());
     progress_->setValue(0);
     measurement_.start(costSubject(document_, library_, environments_), std::move(options));
     select(-1);
@@ -224,54 +205,26 @@ void AccuracyPage::take(const CostMeasurement::Outcome& outcome) {
     follow();
 }
 
-std::optional<Material> AccuracyPage::materialOf(int point) const {
-    const Material* held = document_.material(document_.activeSide());
-    if (held == nullptr || shown_ == nullptr || point < 0 ||
-        point >= static_cast<int>(shown_->chart.points.size()) ||
-        shown_->chart.choices != choices_) {
-        return std::nullopt;
-    }
-    Material material = *held;
-    const ChosenLevels& levels =
-        shown_->chart.points[static_cast<std::size_t>(point)].levels;
-    for (const Choice& choice : choices_) {
-        const auto level = levels.find(choice.id);
-        setLevel(material, choice,
-                 level == levels.end() ? choice.levels.front().id : level->second);
-    }
-    return material;
+const CostPoint* AccuracyPage::pointAt(int point) const {
+    const bool isThere = shown_ != nullptr && point >= 0 &&
+                         point < static_cast<int>(shown_->chart.points.size()) &&
+                         shown_->chart.choices == choices_;
+    return isThere ? &shown_->chart.points[static_cast<std::size_t>(point)] : nullptr;
 }
 
 void AccuracyPage::apply(int point) {
-    updateChoices();
-    if (const std::optional<Material> material = materialOf(point)) {
-        const QString name =
-            wayName(shown_->chart.points[static_cast<std::size_t>(point)], shown_->chart);
-        document_.replaceMaterial(document_.activeSide(), *material, tr("Accuracy: %1").arg(name));
+    choices_ = target_->choices();
+    if (const CostPoint* chosen = pointAt(point)) {
+        target_->apply(choices_, chosen->levels,
+                       tr("Accuracy: %1").arg(wayName(*chosen, shown_->chart)));
     }
 }
 
 void AccuracyPage::compare(int point) {
-    updateChoices();
-    const std::optional<Material> chosen = materialOf(point);
-    if (!chosen) {
-        return;
+    choices_ = target_->choices();
+    if (const CostPoint* chosen = pointAt(point)) {
+        target_->compare(choices_, chosen->levels);
     }
-    Material exact = *chosen;
-    for (const Choice& choice : choices_) {
-        setLevel(exact, choice, choice.levels.front().id);
-    }
-    views_.setDifferenceWanted(true);
-    const bool isSo = document_.isComparing() && *document_.material(Side::A) == exact &&
-                      *document_.material(Side::B) == *chosen;
-    if (isSo) {
-        return;
-    }
-    const QString label = tr("Compare with exact");
-    document_.editAsOneStep(label, [&] {
-        document_.replaceMaterial(Side::A, exact, label);
-        document_.setSecondMaterial(*chosen);
-    });
 }
 
 QByteArray AccuracyPage::bytesFor(const QString& ending) const {
@@ -312,7 +265,7 @@ QString AccuracyPage::stateText() const {
                    : tr("Measuring … the right picture first");
     }
     if (choices_.empty()) {
-        return tr("Nothing of this material can be computed more cheaply.");
+        return target_->noChoicesText();
     }
     if (shown_ == nullptr) {
         return tr("Nothing is measured yet.");
@@ -340,7 +293,7 @@ void AccuracyPage::showState() {
     start_->setVisible(!running);
     cancel_->setVisible(running);
     progress_->setVisible(running);
-    compare_->setEnabled(materialOf(list_->selected()).has_value());
+    compare_->setEnabled(pointAt(list_->selected()) != nullptr);
     export_->setEnabled(hasPoints);
     state_->setText(stateText());
     state_->setToolTip(state_->text());

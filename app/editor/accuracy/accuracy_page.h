@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 
 #include <QTimer>
 #include <QWidget>
 
-#include "accuracy/kept_charts.h"
+#include "accuracy/chart_target.h"
+#include "accuracy/kept_chart.h"
 #include "check/cost_measurement.h"
 #include "docks/dock_context.h"
 
@@ -20,13 +23,13 @@ class BudgetRow;
 class CostList;
 class CostPlot;
 
-/// What accuracy costs: every way to compute the active material, in time and error, measured on
-/// demand; one of them is given to the material by a click, or by a budget.
+/// What accuracy costs: every way to compute a material or to draw the picture, in time and error,
+/// measured on demand; one of them is taken by a click, or by a budget.
 class AccuracyPage : public QWidget {
     Q_OBJECT
 
   public:
-    explicit AccuracyPage(const DockContext& context);
+    AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target);
 
     /// Nothing happens while that is going on, or where nothing can be measured.
     void measure(CostSweep::Options options);
@@ -39,7 +42,7 @@ class AccuracyPage : public QWidget {
     /// the chart stays that of where it was measured from.
     bool isStale() const { return stale_; }
 
-    /// Gives the material what a point of the chart has, as one undo step.
+    /// Gives the target what a point of the chart has, as one undo step.
     void apply(int point);
     /// Shows the exact way in A and a point of the chart in B, as one undo step, and the difference
     /// in C.
@@ -58,29 +61,28 @@ class AccuracyPage : public QWidget {
     void connectParts();
     void makeExportMenu();
     void follow();
-    void updateChoices();
     void showChart(const KeptChart* chart);
     void showState();
     void select(int point);
     void take(const CostMeasurement::Outcome& outcome);
     QString stateText() const;
     QString measuredText() const;
-    ChartSubject subject() const;
-    /// The active material with the levels of a point; nothing where they are not its own.
-    std::optional<Material> materialOf(int point) const;
+    std::string file() const; ///< the document's
+    /// A point of the chart; null where the target has not the chart's choices.
+    const CostPoint* pointAt(int point) const;
     QByteArray bytesFor(const QString& ending) const;
 
     Document& document_;
     MeshLibrary& library_;
     EnvironmentLibrary& environments_;
     MessageLog& messages_;
-    CompareArea& views_;
+    std::unique_ptr<ChartTarget> target_;
     CostMeasurement measurement_;
-    KeptCharts charts_;
+    KeptResults<KeptChart> charts_;
     std::optional<KeptChart> running_; ///< what is being measured
     const KeptChart* shown_ = nullptr;
     bool stale_ = false;
-    std::vector<Choice> choices_; ///< of the active material
+    std::vector<Choice> choices_; ///< of the target
     QTimer settle_;               ///< changes of the document are gathered
     QToolButton* start_;
     QToolButton* cancel_;

@@ -40,7 +40,7 @@ BudgetRow::BudgetRow(QWidget* parent)
       milliseconds_(new QDoubleSpinBox(this)), size_(new QComboBox(this)),
       bounded_(new QCheckBox(tr("Error below"), this)), share_(new QSpinBox(this)),
       use_(textButton(tr("Use it"),
-                      tr("Give the material of the selected object what the budget buys"), this)),
+                      tr("Take what the budget buys"), this)),
       text_(new QLabel(this)) {
     timed_->setToolTip(tr("The most accurate way that is fast enough"));
     milliseconds_->setRange(0.01, 10000.0);

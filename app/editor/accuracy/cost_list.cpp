@@ -80,8 +80,8 @@ void nameColumns(QTreeWidget& list) {
                           CostList::tr("Instructions")});
     QTreeWidgetItem& head = *list.headerItem();
     head.setToolTip(Way, CostList::tr("A disc: nothing is both faster and more accurate. A ring: "
-                                      "what the material has now"));
-    head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that shows the material"));
+                                      "what is chosen now"));
+    head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that counts"));
     head.setToolTip(Ratio, CostList::tr("Time beside that of the exact way; ≈: nobody can tell it "
                                         "from that"));
     head.setToolTip(P99, CostList::tr("Relative error that 99 of 100 pixels keep"));
@@ -97,7 +97,7 @@ void nameColumns(QTreeWidget& list) {
 } // namespace
 
 CostList::CostList(QWidget* parent) : QTreeWidget(parent) {
-    setAccessibleName(tr("Ways to compute the material"));
+    setAccessibleName(tr("Ways to compute it"));
     nameColumns(*this);
     setRootIsDecorated(false);
     setUniformRowHeights(true);

@@ -15,7 +15,7 @@ class CostList : public QTreeWidget {
   public:
     explicit CostList(QWidget* parent = nullptr);
 
-    /// Shows the points; `current` is what the material has, `stale` says that they are of
+    /// Shows the points; `current` is what is chosen now, `stale` says that they are of
     /// something else than is on the screen.
     void setChart(const CostChart& chart, const ChosenLevels& current, bool stale);
 

@@ -32,7 +32,7 @@ CostPlot::CostPlot(QWidget* parent)
       marks_(std::make_unique<PlotMarks>(*plot_)) {
     setObjectName("costPlot");
     setAccessibleName(tr("Chart of time against error"));
-    setToolTip(tr("Click on a point to compute the material of the selected object that way"));
+    setToolTip(tr("Click on a point to compute it that way"));
     setFocusPolicy(Qt::StrongFocus);
     plot_->setFocusPolicy(Qt::NoFocus);
     plot_->setMouseTracking(true);

@@ -14,7 +14,7 @@ namespace patina {
 class PlotMarks;
 
 /// The points of a chart: time per pixel against error, both on log axes, with the front as a line
-/// and the material's own point in a ring. A click or Enter asks for a point, left and right go
+/// and what is chosen now in a ring. A click or Enter asks for a point, left and right go
 /// from one to the next.
 class CostPlot : public QWidget {
     Q_OBJECT

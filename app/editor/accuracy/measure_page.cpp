@@ -42,6 +42,7 @@ void MeasurePage::connectParts() {
     connect(&work_, &SteppedWork::finished, this, &MeasurePage::finish);
     connect(&settle_, &QTimer::timeout, this, &MeasurePage::follow);
     startWhenChanged(settle_, document_, meshes_);
+    connect(&document_, &Document::fileChanged, &settle_, qOverload<>(&QTimer::start));
 }
 
 void MeasurePage::showEvent(QShowEvent* event) {
@@ -56,11 +57,15 @@ void MeasurePage::changeEvent(QEvent* event) {
     }
 }
 
-MeasurePage::Subject MeasurePage::subject() const {
+MeasuredSubject MeasurePage::subject() const {
     const int object = document_.currentObject();
     Scene scene = measuredPart(document_.scene(document_.activeSide()), object);
     scene.camera = {};
     return {std::move(scene), object, document_.sharedCatalog()};
+}
+
+std::string MeasurePage::file() const {
+    return document_.file().path.string();
 }
 
 /// Nobody sees it in a dock that is not open.
@@ -71,7 +76,9 @@ void MeasurePage::follow() {
 }
 
 void MeasurePage::refresh() {
-    stale_ = measured_ && !(*measured_ == subject());
+    const MeasuredSubject now = subject();
+    shown_ = running_ ? &*running_ : results_.find(now, file());
+    stale_ = shown_ != nullptr && !(shown_->subject == now);
     showNumbers(stale_);
     showState();
 }
@@ -84,17 +91,26 @@ void MeasurePage::start(SteppedWork::Maker make) {
     if (isMeasuring() || document_.currentObject() < 0) {
         return;
     }
-    measured_ = subject();
-    complete_ = false;
-    problem_.clear();
+    running_ = PageResult{subject(), file(), {}, {}, false, {}};
     bar_->setProgress(0.0);
     work_.start(std::move(make));
     refresh();
 }
 
+void MeasurePage::take(std::any numbers, const QString& method) {
+    if (running_) {
+        running_->numbers = std::move(numbers);
+        running_->method = method;
+        refresh();
+    }
+}
+
 void MeasurePage::finish(bool complete, const QString& problem) {
-    complete_ = complete;
-    problem_ = problem;
+    if (running_) {
+        running_->complete = complete;
+        running_->problem = problem;
+        results_.keep(*std::exchange(running_, std::nullopt));
+    }
     refresh();
 }
 
@@ -119,8 +135,8 @@ QString MeasurePage::stateText() const {
     if (isMeasuring()) {
         return tr("Measuring …");
     }
-    if (!problem_.isEmpty()) {
-        return tr("Could not be measured: %1").arg(problem_);
+    if (shown_ != nullptr && !shown_->problem.isEmpty()) {
+        return tr("Could not be measured: %1").arg(shown_->problem);
     }
     if (!hasNumbers()) {
         return tr("Nothing is measured yet.");
@@ -128,7 +144,7 @@ QString MeasurePage::stateText() const {
     if (stale_) {
         return tr("Out of date: the scene has changed since.");
     }
-    return complete_ ? methodText() : tr("Stopped. %1").arg(methodText());
+    return shown_->complete ? shown_->method : tr("Stopped. %1").arg(shown_->method);
 }
 
 void MeasurePage::showState() {

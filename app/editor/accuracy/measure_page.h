@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
+#include <any>
 #include <optional>
+#include <string>
 
 #include <QTimer>
 #include <QWidget>
 
+#include "accuracy/kept_results.h"
 #include "check/stepped_work.h"
 #include "docks/dock_context.h"
 #include "measure/cost_sweep.h"
@@ -15,8 +17,18 @@ namespace patina {
 
 class MeasureBar;
 
-/// A page that measures the scene when it is asked to, beside what the artist does, and says when
-/// that is out of date. What is measured and shown is a derived class's.
+/// What a page measured, perhaps not to the end.
+struct PageResult {
+    MeasuredSubject subject;
+    std::string file;  ///< of the document; empty: it has none yet
+    std::any numbers;  ///< of the page's own type; empty: none yet
+    QString method;    ///< how they were measured
+    bool complete = false;
+    QString problem; ///< why it ended before its time; else empty
+};
+
+/// A page that measures the scene when it is asked to, beside what the artist does, keeps that for
+/// the session and says when it is out of date. What is measured and shown is a derived class's.
 class MeasurePage : public QWidget {
     Q_OBJECT
 
@@ -37,9 +49,6 @@ class MeasurePage : public QWidget {
     virtual void startMeasuring() = 0;
     /// The scene without what makes no difference to the numbers.
     virtual Scene measuredPart(Scene scene, int object) const = 0;
-    virtual bool hasNumbers() const = 0;
-    /// How they were measured.
-    virtual QString methodText() const = 0;
     virtual void showNumbers(bool stale) = 0;
     virtual QByteArray bytesFor(const QString& ending) const = 0;
 
@@ -47,7 +56,19 @@ class MeasurePage : public QWidget {
     /// object.
     void start(SteppedWork::Maker make);
     CostSweep::Subject costSubject();
-    /// There is more to show, or none any more.
+
+    /// There are more numbers of what is being measured.
+    void take(std::any numbers, const QString& method);
+
+    /// What is shown; the empty value where there is nothing.
+    template <class Numbers>
+    const Numbers& numbers() const {
+        static const Numbers none{};
+        const auto* held = shown_ != nullptr ? std::any_cast<Numbers>(&shown_->numbers) : nullptr;
+        return held != nullptr ? *held : none;
+    }
+
+    /// Finds what is to be shown, and shows it.
     void refresh();
 
     MeasureBar& bar() { return *bar_; }
@@ -57,30 +78,23 @@ class MeasurePage : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
-    /// What numbers are of.
-    struct Subject {
-        Scene scene;
-        int object = -1;
-        std::shared_ptr<const Catalog> catalog;
-
-        friend bool operator==(const Subject&, const Subject&) = default;
-    };
-
     void connectParts();
     void follow();
     void finish(bool complete, const QString& problem);
     void showState();
+    bool hasNumbers() const { return shown_ != nullptr && shown_->numbers.has_value(); }
     QString stateText() const;
-    Subject subject() const;
+    MeasuredSubject subject() const;
+    std::string file() const;
 
     Document& document_;
     MeshLibrary& meshes_;
     EnvironmentLibrary& environments_;
     MessageLog& messages_;
-    std::optional<Subject> measured_;
-    bool complete_ = false;
+    KeptResults<PageResult> results_;
+    std::optional<PageResult> running_;   ///< what is being measured
+    const PageResult* shown_ = nullptr;
     bool stale_ = false;
-    QString problem_;
     QTimer settle_; ///< changes of the document are gathered
     MeasureBar* bar_;
     SteppedWork work_; ///< the last: it ends before what it tells

@@ -34,11 +34,7 @@ class ModelsPage::Job : public SteppedWork::Job {
         const QString method = tr("%1 pixels of the object; %2; times are beside the quickest.")
                                    .arg(QLocale().toString(qulonglong(ranking_->pixels())),
                                         QString::fromStdString(ranking_->timer()));
-        return [&page = page_, costs = std::move(costs), method] {
-            page.costs_ = costs;
-            page.method_ = method;
-            page.refresh();
-        };
+        return [&page = page_, costs = std::move(costs), method] { page.take(costs, method); };
     }
 
   private:
@@ -69,7 +65,6 @@ void ModelsPage::measure(CostSweep::Options options) {
     if (isMeasuring() || document().currentObject() < 0) {
         return;
     }
-    costs_.clear();
     options.programCache = cacheFolder() / "programs";
     start([this, subject = costSubject(),
            options = std::move(options)]() -> Result<std::unique_ptr<SteppedWork::Job>> {
@@ -90,17 +85,13 @@ Scene ModelsPage::measuredPart(Scene scene, int object) const {
     return scene;
 }
 
-QString ModelsPage::methodText() const {
-    return method_;
-}
-
 void ModelsPage::showNumbers(bool stale) {
-    list_->setCosts(costs_, stale);
+    list_->setCosts(costs(), stale);
 }
 
 QByteArray ModelsPage::bytesFor(const QString& ending) const {
-    return QByteArray::fromStdString(ending == "csv" ? rankingCsv(costs_)
-                                                     : writeJson(rankingJson(costs_)));
+    return QByteArray::fromStdString(ending == "csv" ? rankingCsv(costs())
+                                                     : writeJson(rankingJson(costs())));
 }
 
 } // namespace patina

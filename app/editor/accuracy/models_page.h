@@ -21,21 +21,17 @@ class ModelsPage : public MeasurePage {
     /// Nothing happens while that is going on.
     void measure(CostSweep::Options options);
 
-    const std::vector<ModelCost>& costs() const { return costs_; }
+    const std::vector<ModelCost>& costs() const { return numbers<std::vector<ModelCost>>(); }
 
   protected:
     void startMeasuring() override;
     Scene measuredPart(Scene scene, int object) const override;
-    bool hasNumbers() const override { return !costs_.empty(); }
-    QString methodText() const override;
     void showNumbers(bool stale) override;
     QByteArray bytesFor(const QString& ending) const override;
 
   private:
     class Job;
 
-    std::vector<ModelCost> costs_;
-    QString method_;
     ModelList* list_;
 };
 

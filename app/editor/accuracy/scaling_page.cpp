@@ -34,11 +34,8 @@ class ScalingPage::Job : public SteppedWork::Job {
                                   "of %2 × %2 pixels.")
                                    .arg(QString::fromStdString(sweep_->timer()))
                                    .arg(edge_);
-        return [&page = page_, curves = sweep_->curves(), method] {
-            page.curves_ = curves;
-            page.method_ = method;
-            page.refresh();
-        };
+        return
+            [&page = page_, curves = sweep_->curves(), method] { page.take(curves, method); };
     }
 
   private:
@@ -75,7 +72,6 @@ void ScalingPage::measure(ScalingSweep::Options options) {
     if (isMeasuring() || document().currentObject() < 0) {
         return;
     }
-    curves_.clear();
     options.programCache = cacheFolder() / "programs";
     start([this, subject = costSubject(),
            options = std::move(options)]() -> Result<std::unique_ptr<SteppedWork::Job>> {
@@ -91,14 +87,10 @@ Scene ScalingPage::measuredPart(Scene scene, int) const {
     return scene;
 }
 
-QString ScalingPage::methodText() const {
-    return method_;
-}
-
 void ScalingPage::showNumbers(bool stale) {
     for (std::size_t i = 0; i < plot_.size(); ++i) {
         std::optional<ScalingCurve> shown;
-        for (const ScalingCurve& curve : curves_) {
+        for (const ScalingCurve& curve : curves()) {
             if (curve.axis == static_cast<ScalingCurve::Axis>(i)) {
                 shown = curve;
             }
@@ -115,8 +107,8 @@ QByteArray ScalingPage::bytesFor(const QString& ending) const {
         plots_->grab().save(&buffer, "PNG");
         return bytes;
     }
-    return QByteArray::fromStdString(ending == "csv" ? scalingCsv(curves_)
-                                                     : writeJson(scalingJson(curves_)));
+    return QByteArray::fromStdString(ending == "csv" ? scalingCsv(curves())
+                                                     : writeJson(scalingJson(curves())));
 }
 
 } // namespace patina

@@ -22,21 +22,19 @@ class ScalingPage : public MeasurePage {
     /// Nothing happens while that is going on.
     void measure(ScalingSweep::Options options);
 
-    const std::vector<ScalingCurve>& curves() const { return curves_; }
+    const std::vector<ScalingCurve>& curves() const {
+        return numbers<std::vector<ScalingCurve>>();
+    }
 
   protected:
     void startMeasuring() override;
     Scene measuredPart(Scene scene, int object) const override;
-    bool hasNumbers() const override { return !curves_.empty(); }
-    QString methodText() const override;
     void showNumbers(bool stale) override;
     QByteArray bytesFor(const QString& ending) const override;
 
   private:
     class Job;
 
-    std::vector<ScalingCurve> curves_;
-    QString method_;
     QWidget* plots_;
     std::array<GrowthPlot*, 3> plot_; ///< by ScalingCurve::Axis
 };

@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/accuracy_dock.h"
 
+#include <memory>
+
 #include "accuracy/accuracy_page.h"
+#include "accuracy/material_target.h"
 #include "accuracy/models_page.h"
+#include "accuracy/picture_target.h"
 #include "accuracy/scaling_page.h"
 
 namespace patina {
 
 AccuracyDock::AccuracyDock(const DockContext& context) {
     setDocumentMode(true);
-    addTab(new AccuracyPage(context), tr("This Material"));
-    addTab(new ModelsPage(context), tr("All Models"));
-    addTab(new ScalingPage(context), tr("Scaling"));
-    setTabToolTip(0, tr("Every way to compute the material: time against error"));
-    setTabToolTip(1, tr("Every model on this scene: time, instructions, lost light"));
-    setTabToolTip(2, tr("Time against pixels, lights and objects"));
+    auto* material = new AccuracyPage(
+        context, std::make_unique<MaterialTarget>(context.document, context.views));
+    auto* picture =
+        new AccuracyPage(context, std::make_unique<PictureTarget>(context.document));
+    material->setObjectName("material");
+    picture->setObjectName("picture");
+    const auto add = [this](QWidget* page, const QString& title, const QString& what) {
+        setTabToolTip(addTab(page, title), what);
+    };
+    add(material, tr("This Material"),
+        tr("Every way to compute the material: time against error"));
+    add(picture, tr("This Picture"), tr("Every way to draw the picture: time against error"));
+    add(new ModelsPage(context), tr("All Models"),
+        tr("Every model on this scene: time, instructions, lost light"));
+    add(new ScalingPage(context), tr("Scaling"), tr("Time against pixels, lights and objects"));
 }
 
 } // namespace patina

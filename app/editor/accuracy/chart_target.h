@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QString>
+
+#include "accuracy/kept_results.h"
+#include "measure/choices.h"
+
+namespace patina {
+
+/// What the points of a chart are measured of and given to: a material or the picture.
+class ChartTarget {
+  public:
+    virtual ~ChartTarget() = default;
+
+    virtual Choice::Scope scope() const = 0;
+
+    /// What of it can be computed more cheaply now.
+    virtual std::vector<Choice> choices() const = 0;
+
+    /// What it has of these, without what is exact.
+    virtual ChosenLevels levels(const std::vector<Choice>& choices) const = 0;
+
+    /// What a chart of now is of. It is of all choices, so which of them are taken makes no
+    /// difference to it.
+    virtual MeasuredSubject subject() const = 0;
+
+    /// Gives it these levels, and of the other choices the exact ones, as one undo step.
+    virtual void apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
+                       const QString& label) = 0;
+
+    /// Whether the exact way and another can be seen beside each other.
+    virtual bool canCompare() const { return false; }
+
+    /// Shows the exact way in A and these levels in B, as one undo step, and the difference in C.
+    virtual void compare(const std::vector<Choice>&, const ChosenLevels&) {}
+
+    virtual QString measureText() const = 0;   ///< what measuring does, for a tool tip
+    virtual QString noChoicesText() const = 0; ///< that there is nothing to choose
+};
+
+} // namespace patina

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/material_target.h"
+
+#include <QCoreApplication>
+
+#include "document.h"
+#include "scene/environment.h"
+#include "viewport/compare_area.h"
+
+namespace patina {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("MaterialTarget", text);
+}
+
+/// The exact level is written only over another: a material that names none is exact.
+Material withLevels(Material material, const std::vector<Choice>& choices,
+                    const ChosenLevels& levels) {
+    for (const Choice& choice : choices) {
+        const std::string& exact = choice.levels.front().id;
+        const auto found = levels.find(choice.id);
+        const std::string& level = found == levels.end() ? exact : found->second;
+        if (level != exact || material.accuracy.contains(choice.key)) {
+            material.accuracy[choice.key] = level;
+        }
+    }
+    return material;
+}
+
+/// Materials are measured with the picture's usual accuracy and as many directions as errors need.
+void forgetPicture(Scene& scene, const Catalog& catalog) {
+    scene.accuracy = PictureAccuracy();
+    const Block* block =
+        scene.environment ? catalog.find("environment", scene.environment->id) : nullptr;
+    const Parameter* directions = block == nullptr ? nullptr : directionsParameter(*block);
+    if (directions != nullptr) {
+        scene.environment->parameters.erase(directions->id);
+    }
+}
+
+} // namespace
+
+std::vector<Choice> MaterialTarget::choices() const {
+    const int object = document_.currentObject();
+    return object < 0 ? std::vector<Choice>()
+                      : materialChoices(document_.scene(document_.activeSide()),
+                                        static_cast<std::size_t>(object), document_.catalog());
+}
+
+ChosenLevels MaterialTarget::levels(const std::vector<Choice>& choices) const {
+    const Material* material = document_.material(document_.activeSide());
+    return material != nullptr ? levelsOf(*material, choices) : ChosenLevels();
+}
+
+MeasuredSubject MaterialTarget::subject() const {
+    const int object = document_.currentObject();
+    Scene scene = document_.scene(document_.activeSide());
+    if (object >= 0) {
+        Material& material = scene.objects[static_cast<std::size_t>(object)].material;
+        material.accuracy.clear();
+        material.name.clear();
+        material.description.clear();
+        material.author.clear();
+        material.license.clear();
+        material.tags.clear();
+    }
+    scene.camera = {};
+    scene.ground.mode = GroundMode::Off; // a measurement is made without it
+    forgetPicture(scene, document_.catalog());
+    return {std::move(scene), object, document_.sharedCatalog()};
+}
+
+void MaterialTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
+                           const QString& label) {
+    if (const Material* held = document_.material(document_.activeSide())) {
+        document_.replaceMaterial(document_.activeSide(), withLevels(*held, choices, levels),
+                                  label);
+    }
+}
+
+void MaterialTarget::compare(const std::vector<Choice>& choices, const ChosenLevels& levels) {
+    const Material* held = document_.material(document_.activeSide());
+    if (held == nullptr) {
+        return;
+    }
+    const Material exact = withLevels(*held, choices, {});
+    const Material chosen = withLevels(*held, choices, levels);
+    views_.setDifferenceWanted(true);
+    const bool isSo = document_.isComparing() && *document_.material(Side::A) == exact &&
+                      *document_.material(Side::B) == chosen;
+    if (isSo) {
+        return;
+    }
+    const QString label = tr("Compare with exact");
+    document_.editAsOneStep(label, [&] {
+        document_.replaceMaterial(Side::A, exact, label);
+        document_.setSecondMaterial(chosen);
+    });
+}
+
+QString MaterialTarget::measureText() const {
+    return tr("Measure the time and the error of every way to compute this material");
+}
+
+QString MaterialTarget::noChoicesText() const {
+    return tr("Nothing of this material can be computed more cheaply.");
+}
+
+} // namespace patina

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/chart_target.h"
+
+namespace patina {
+
+class CompareArea;
+class Document;
+
+/// The active material of the current object.
+class MaterialTarget : public ChartTarget {
+  public:
+    /// `views` show what is compared.
+    MaterialTarget(Document& document, CompareArea& views)
+        : document_(document), views_(views) {}
+
+    Choice::Scope scope() const override { return Choice::Scope::Material; }
+    std::vector<Choice> choices() const override;
+    ChosenLevels levels(const std::vector<Choice>& choices) const override;
+    MeasuredSubject subject() const override;
+    void apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
+               const QString& label) override;
+    bool canCompare() const override { return true; }
+    void compare(const std::vector<Choice>& choices, const ChosenLevels& levels) override;
+    QString measureText() const override;
+    QString noChoicesText() const override;
+
+  private:
+    Document& document_;
+    CompareArea& views_;
+};
+
+} // namespace patina

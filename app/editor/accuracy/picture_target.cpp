@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/picture_target.h"
+
+#include <utility>
+
+#include <QCoreApplication>
+
+#include "document.h"
+#include "picture_accuracy_form.h"
+
+namespace patina {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("PictureTarget", text);
+}
+
+/// The values of a block that differ from those that are there.
+void setValues(Document& document, const BlockPath& path, const BlockValues& wanted) {
+    for (const auto& [id, value] : wanted.parameters) {
+        document.setValue(path, id, value);
+    }
+}
+
+/// Brings what choices of the picture change, and nothing else, from `wanted` into the document.
+void takePicture(Document& document, const Scene& wanted) {
+    const BlockPath scenePath = document.currentPath(BlockPath::Part::Scene);
+    for (const Parameter& parameter : pictureAccuracyParameters()) {
+        if (const auto level = pictureLevel(wanted, parameter.id)) {
+            document.setValue(scenePath, parameter.id, *level);
+        }
+    }
+    if (wanted.transparency) {
+        document.setTransparency(wanted.transparency->id);
+        setValues(document, document.currentPath(BlockPath::Part::Transparency),
+                  *wanted.transparency);
+    }
+    if (wanted.environment) {
+        setValues(document, document.currentPath(BlockPath::Part::Environment),
+                  *wanted.environment);
+    }
+    for (std::size_t i = 0; i < wanted.lights.size(); ++i) {
+        if (wanted.lights[i].shadow) {
+            setValues(document, {BlockPath::Part::Shadow, static_cast<int>(i), Side::A},
+                      *wanted.lights[i].shadow);
+        }
+    }
+}
+
+} // namespace
+
+Scene PictureTarget::withLevels(const std::vector<Choice>& choices,
+                                const ChosenLevels& levels) const {
+    ChosenFrame frame{document_.scene(document_.activeSide()), View()};
+    if (!frame.scene.objects.empty()) {
+        choose(frame, 0, choices, levels, document_.catalog());
+    }
+    return std::move(frame.scene);
+}
+
+std::vector<Choice> PictureTarget::choices() const {
+    const Scene& scene = document_.scene(document_.activeSide());
+    return scene.objects.empty() ? std::vector<Choice>()
+                                 : choicesOfPicture(scene, document_.catalog());
+}
+
+ChosenLevels PictureTarget::levels(const std::vector<Choice>& choices) const {
+    return levelsOfPicture(document_.scene(document_.activeSide()), choices, document_.catalog());
+}
+
+MeasuredSubject PictureTarget::subject() const {
+    Scene scene = withLevels(choices(), {});
+    scene.camera = {};
+    return {std::move(scene), document_.currentObject(), document_.sharedCatalog()};
+}
+
+void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
+                          const QString& label) {
+    const Scene wanted = withLevels(choices, levels);
+    if (!(levelsOfPicture(wanted, choices, document_.catalog()) == this->levels(choices))) {
+        document_.editAsOneStep(label, [&] { takePicture(document_, wanted); });
+    }
+}
+
+QString PictureTarget::measureText() const {
+    return tr("Measure the time and the error of every way to draw this scene's picture");
+}
+
+QString PictureTarget::noChoicesText() const {
+    return tr("There is nothing to draw.");
+}
+
+} // namespace patina

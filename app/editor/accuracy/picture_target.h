@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/chart_target.h"
+
+namespace patina {
+
+class Document;
+
+/// The picture of the scene, whatever its materials.
+class PictureTarget : public ChartTarget {
+  public:
+    explicit PictureTarget(Document& document) : document_(document) {}
+
+    Choice::Scope scope() const override { return Choice::Scope::Picture; }
+    std::vector<Choice> choices() const override;
+    ChosenLevels levels(const std::vector<Choice>& choices) const override;
+    MeasuredSubject subject() const override;
+    void apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
+               const QString& label) override;
+    QString measureText() const override;
+    QString noChoicesText() const override;
+
+  private:
+    /// The scene as it is shown, with these levels.
+    Scene withLevels(const std::vector<Choice>& choices, const ChosenLevels& levels) const;
+
+    Document& document_;
+};
+
+} // namespace patina
