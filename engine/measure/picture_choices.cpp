@@ -178,8 +178,8 @@ constexpr std::array rows{
                "How many directions per pixel the light from all around is a mean of.",
                environmentLevels, applyEnvironment, currentEnvironment},
     PictureRow{"picture.layers", "Layers",
-               "How many surfaces behind each other are put in their order, or that all are mixed at "
-               "once.",
+               "How many surfaces behind each other are put in their order, or that all are mixed "
+               "at once.",
                layerLevels, applyLayers, currentLayers},
     PictureRow{"picture.shadows", "Shadow edges",
                "How many places of a depth map a shadow's edge is a mean of.", tapLevels,
