@@ -78,7 +78,7 @@ void SurfaceWriter::writeShadow(std::size_t index) {
 void SurfaceWriter::writeGround() {
     const bool isPlane = set_.ground == GroundMode::Plane;
     out_.add(fmt::format("#define GROUND {}\n#define IS_DARK(d) ((d).nl <= 0.0)\n"
-                         "#define IS_UNLIT(d) IS_DARK(d)\n"
+                         "#define IS_UNLIT(nl) ((nl) <= 0.0)\n"
                          "#define CUT_AT_ZERO(color) (color)\n",
                          *object_.ground));
     out_.addFile("passes/ground.glsl");

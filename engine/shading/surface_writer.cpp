@@ -180,11 +180,11 @@ void SurfaceWriter::writeModel() {
     writeBlock(model);
     out_.add(unpackSource(model, {"unpackModel", set_.model->compiled, filled_}));
     out_.add(fmt::format("#define Model {}\n#define {} {}\n#define IS_DARK(d) ({})\n"
-                         "#define IS_UNLIT(d) ({})\n"
+                         "#define IS_UNLIT(nl) ({})\n"
                          "#define CUT_AT_ZERO(color) {}\n",
                          structName(model), isInspected() ? "modelValue" : "shadeModel",
                          functionName(model), gateSource(model),
-                         isLitFromBehind() ? "false" : "(d).nl <= 0.0",
+                         isLitFromBehind() ? "false" : "(nl) <= 0.0",
                          cutSource(model, !leavesNormals())));
     if (isInspected()) {
         out_.addFile("passes/inspected_model.glsl");

@@ -29,6 +29,7 @@ struct Directions {
     float sin2v;
     float tH;    // t.(l + v) and b.(l + v), which keep their digits where l and v oppose
     float bH;
+    float versineL; // 1 - n.l
     vec2 pixel; // where on the picture, in its pixels, for models that draw marks; 0 without one
 };
 
@@ -40,6 +41,7 @@ float perpendicular2(vec3 u, vec3 n, float nu) {
 
 // The geometry for unit n, t, b (orthogonal), l and v. With H = l + v, which is never normalised:
 //   tan^2 theta_h = |H - (n.H) n|^2 : (n.H)^2      1 - l.h = |l - v|^2 / 4 / (1 + l.h)
+//   1 - n.l = |n - l|^2 / 2
 //   1 - r.v = |2 (n.l) n - H|^2 / 2                l.h = |H| / 2
 //   r.v = 2 (n.l)(n.v) - l.v far from the mirror direction, where it is the small one
 // so small angles keep all their digits: 1 - cos is never formed from a rounded cosine.
@@ -67,8 +69,11 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     d.tH = dot(P, t);
     d.bH = dot(P, b);
     d.cos2h = d.nH * d.nH;
-    d.lh = 0.5 * sqrt(d.HH);
+    float size = sqrt(d.HH);
+    d.lh = 0.5 * size;
 
+    vec3 rise = n - l;
+    d.versineL = 0.5 * dot(rise, rise);
     vec3 chord = l - v;
     d.versineLh = 0.25 * dot(chord, chord) / (1.0 + d.lh);
     // r - v: near the mirror direction they have the same digits, and l + v would round first.
@@ -79,7 +84,7 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     // 1e-30 is what GPUs that flush subnormals can still divide by; |H| = 1e-15 is far below the
     // rounding of two unit vectors.
     bool opposite = !(d.HH > 1e-30);
-    float scale = opposite ? 0.0 : inversesqrt(max(d.HH, 1e-30));
+    float scale = opposite ? 0.0 : 1.0 / size;
     d.nh = d.nH * scale;
     d.ht = d.tH * scale;
     d.hb = d.bH * scale;
@@ -101,6 +106,16 @@ Incidence halfIncidence(Directions d) {
     i.c = min(d.lh, 1.0);
     i.versine = min(d.versineLh, 1.0);
     return i;
+}
+
+// 1 - n.h = sin^2 / (1 + n.h) where nH > 0, with one division, for the only root is that of l.h.
+float upperVersine(Directions d) {
+    return d.sin2h / (d.HH + 2.0 * d.nH * d.lh);
+}
+
+// The same; 1 where the half vector is below the horizon.
+float halfVersine(Directions d) {
+    return d.nH > 0.0 ? upperVersine(d) : 1.0;
 }
 
 // A unit vector perpendicular to the unit vector n that changes smoothly with n but at n.z = 0:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Gaussians in the angle theta between the normal and the half vector, with the angle exactly and
-// in two cheaper ways. sin2h : cos2h and nh as in lib/microfacet.glsl; nh > 0.
+// in two cheaper ways.
+#include "lib/directions.glsl"
 #include "lib/microfacet.glsl"
 
 // The levels of an accuracy choice "angle", in the order in which every descriptor lists them: the
@@ -18,24 +19,21 @@ float cheapSquaredAngle(int level, float versine, float c) {
     return 2.0 * versine;
 }
 
-// e^(-(theta / width)^2) by the level, width > 0.
-float gaussianLobeBy(int level, float sin2h, float cos2h, float nh, float width) {
+// e^(-(theta / width)^2) by the level, from 1 - cos theta and cos theta, width > 0.
+float gaussianLobeBy(int level, float versine, float c, float width) {
     if (level == ANGLE_POLYNOMIAL || level == ANGLE_SMALL) {
-        float versine = sin2h / ((sin2h + cos2h) * (1.0 + nh));
         float inverse = 1.0 / width;
-        float angle2 = cheapSquaredAngle(level, versine, nh);
+        float angle2 = cheapSquaredAngle(level, versine, c);
         return exp2(-1.4426950408889634 * (angle2 * inverse) * inverse);
     }
-    return gaussianLobe(sin2h, cos2h, nh, width);
+    return gaussianLobe(versine, width);
 }
 
-// exp(-(theta_h / m)^2) by the level, m >= 0 the width in radians, from the sign of nH = n.(l + v);
-// 0 where n.h <= 0. m -> 0 is 1 where h = n and else 0, which a rounding of the directions decides:
-// like facets, a lobe is never narrower than slopeWidth() allows.
+// exp(-(theta_h / m)^2) by the level, m >= 0 the width in radians; 0 where n.h <= 0. m -> 0 is 1
+// where h = n and else 0, which a rounding of the directions decides: like facets, a lobe is never
+// narrower than slopeWidth() allows.
 // R. L. Cook and K. E. Torrance, ACM TOG 1(1), 1982 (Blinn's Gaussian, 1977).
-float gaussianHighlight(int level, float sin2h, float cos2h, float nH, float m) {
-    if (!(nH > 0.0)) {
-        return 0.0;
-    }
-    return gaussianLobeBy(level, sin2h, cos2h, sqrt(cos2h / (sin2h + cos2h)), slopeWidth(m));
+float gaussianHighlight(int level, Directions d, float m) {
+    float lobe = gaussianLobeBy(level, upperVersine(d), d.nh, slopeWidth(m));
+    return d.nH > 0.0 ? lobe : 0.0;
 }

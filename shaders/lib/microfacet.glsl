@@ -12,8 +12,8 @@
 float beckmannDistribution(float sin2h, float cos2h, float alpha) {
     float tan2 = cos2h > 1e-30 * sin2h ? sin2h / cos2h : 1e30;
     float sec2 = 1.0 + min(tan2, 1e15);
-    return exp2(-1.4426950408889634 * (tan2 / (alpha * alpha))) * sec2 * sec2
-        / (PI * alpha * alpha);
+    float inverse2 = 1.0 / (alpha * alpha);
+    return exp2(-1.4426950408889634 * (tan2 * inverse2)) * sec2 * sec2 * (inverse2 / PI);
 }
 
 // Trowbridge-Reitz (GGX): D = alpha^2 / (pi (cos^2 (alpha^2 - 1) + 1)^2).
@@ -45,22 +45,19 @@ float cosinePowerDistribution(float sin2h, float cos2h, float e) {
     return (e + 2.0) * powSC(sin2h, cos2h, e) / (2.0 * PI);
 }
 
-// theta^2 from nh = cos theta and the ratio of the squares, which keeps a small angle's digits.
-float squaredAngle(float sin2h, float cos2h, float nh) {
-    return acos2(min(2.0 * sin2h / ((sin2h + cos2h) * (1.0 + nh)), 2.0));
-}
-
 // The width of the Gaussian that falls to a half at theta = beta: beta / sqrt(ln 2). Blinn 1977,
 // D2.
 float gaussianWidth(float beta) {
     return 1.2011224087864498 * beta;
 }
 
-// The lobe e^(-(theta / width)^2), width > 0 in radians: Blinn 1977, distribution D2, which he
-// takes from Torrance and Sparrow 1967; the Gaussian of Cook and Torrance 1982.
-float gaussianLobe(float sin2h, float cos2h, float nh, float width) {
+// The lobe e^(-(theta / width)^2) from 1 - cos theta, width > 0 in radians: Blinn 1977,
+// distribution D2, which he takes from Torrance and Sparrow 1967; the Gaussian of Cook and Torrance
+// 1982.
+float gaussianLobe(float versine, float width) {
     float inverse = 1.0 / width;
-    return exp2(-1.4426950408889634 * (squaredAngle(sin2h, cos2h, nh) * inverse) * inverse);
+    float angle2 = acos2(min(2.0 * versine, 2.0));
+    return exp2(-1.4426950408889634 * (angle2 * inverse) * inverse);
 }
 
 // What the Gaussian lobe is divided by to be a distribution, the integral of lobe x cos over the

@@ -52,11 +52,6 @@ float powerLobe(int level, float d, float c, float e) {
     return pow1m(d, c, e);
 }
 
-// 1 - n.h; 1 where the half vector is below the horizon.
-float halfVersine(Directions d) {
-    return d.nh > 0.0 ? d.sin2h / ((d.sin2h + d.cos2h) * (1.0 + d.nh)) : 1.0;
-}
-
 // (n.h)^e by the level of the choice.
 float halfPowerLobe(int level, Directions d, float e) {
     if (level == POWER_SQUARING || level == POWER_RATIONAL || level == POWER_GAUSSIAN) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // The terms of microfacet models as functions of plain cosines, the way papers print them, for
 // checking values from outside. Models use the forms they call, which keep small angles.
+#include "lib/incidence.glsl"
 #include "lib/masking.glsl"
 #include "lib/microfacet.glsl"
 
@@ -41,7 +42,7 @@ float phongD(float nh, float beta) {
 
 // The Gaussian of Cook and Torrance 1982 with the constant 1: e^(-(theta / m)^2).
 float gaussianD(float nh, float m) {
-    return gaussianLobe(sineSquared(nh), cosineSquared(nh), max(nh, 0.0), slopeWidth(m));
+    return gaussianLobe(incidenceOf(nh).versine, slopeWidth(m));
 }
 
 // e^(-(c2 theta)^2), a half at the angle beta (Blinn 1977, D2): c2 = sqrt(ln 2) / beta.

@@ -14,7 +14,7 @@ Illumination pointLight(vec3 x, PointLight p) {
         attenuation *= rangeWindow(range, p.range);
     }
     Illumination i;
-    i.l = range > 0.0 ? toLight / range : vec3(0.0, 1.0, 0.0);
+    i.l = range > 0.0 ? toLight * (1.0 / range) : vec3(0.0, 1.0, 0.0);
     i.radiance = p.color * (p.intensity * attenuation);
     return i;
 }

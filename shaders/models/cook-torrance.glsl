@@ -42,7 +42,7 @@ float cookTorranceD(Directions d, CookTorrance p) {
     if (p.distribution == COOK_TORRANCE_DISTRIBUTION_PHONG) {
         return cosinePowerDistribution(d.sin2h, d.cos2h, phongExponent(slopeWidth(p.roughness)));
     }
-    return gaussianLobe(d.sin2h, d.cos2h, d.nh, width) / gaussianNormaliser(width);
+    return gaussianLobe(halfVersine(d), width) / gaussianNormaliser(width);
 }
 
 // The same with fewer operations, for all but GGX, of which nothing can be left out.
@@ -55,7 +55,7 @@ float cookTorranceReducedD(Directions d, CookTorrance p) {
         float e = phongExponent(slopeWidth(p.roughness));
         return (e + 2.0) * gaussianPower(halfVersine(d), d.nh, e) / (2.0 * PI);
     }
-    return gaussianLobeBy(ANGLE_SMALL, d.sin2h, d.cos2h, d.nh, width) / gaussianNormaliser(width);
+    return gaussianLobeBy(ANGLE_SMALL, halfVersine(d), d.nh, width) / gaussianNormaliser(width);
 }
 
 float cookTorranceFacets(Directions d, CookTorrance p) {

@@ -5,8 +5,7 @@
 
 // A matte base and the Gaussian lobe of Blinn 1977.
 vec3 gaussian(Directions d, Gaussian p) {
-    vec3 lobe = p.specularColor
-        * gaussianHighlight(p.angle, d.sin2h, d.cos2h, d.nH, p.width);
+    vec3 lobe = p.specularColor * gaussianHighlight(p.angle, d, p.width);
     bool limits = p.glossMode == GAUSSIAN_GLOSS_MODE_LIMIT;
     return p.diffuseColor * d.nl + glossed(lobe, p.gloss, limits, 1.0);
 }

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/directions.glsl"
 
-// (1 + n.l) / 2 and (1 - n.l) / 2, each without cancellation: 1 - c = sin^2 / (1 + c).
+// (1 + n.l) / 2 and (1 - n.l) / 2, each without cancellation: their product is sin^2 / 4, which
+// gives the smaller one.
 void goochWeights(Directions d, OUT(float) towards, OUT(float) away) {
-    float c = clamp(d.nl, -1.0, 1.0);
-    if (c > 0.0) {
-        towards = 0.5 * (1.0 + c);
-        away = 0.5 * d.sin2l / (1.0 + c);
-    } else {
-        away = 0.5 * (1.0 - c);
-        towards = 0.5 * d.sin2l / (1.0 - c);
-    }
+    float most = 0.5 + 0.5 * min(abs(d.nl), 1.0);
+    float least = 0.25 * d.sin2l / most;
+    towards = d.nl > 0.0 ? most : least;
+    away = d.nl > 0.0 ? least : most;
 }
 
 // Gooch, Gooch, Shirley and Cohen, A Non-Photorealistic Lighting Model for Automatic Technical

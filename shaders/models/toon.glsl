@@ -3,19 +3,26 @@
 #include "lib/elementary.glsl"
 #include "lib/gloss.glsl"
 
+// 0 below an edge at x = 0 that is as wide as `softness`, 1 above it.
+float toonRise(float x, float softness) {
+    float t = clamp(0.5 + x / max(softness, 1e-3), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
 // The share of `above` where x is above an edge as wide as `softness`, and of `below` under it;
-// each share by itself, so that neither is a difference. An edge is never narrower than 0.001: a
+// the smaller share by itself, so that it is no difference. An edge is never narrower than 0.001: a
 // harder one is a jump, on which a rounding of n.l would decide between two colours.
 vec3 toonEdge(float x, float softness, vec3 below, vec3 above) {
     float place = x / max(softness, 1e-3);
-    float t = clamp(0.5 + place, 0.0, 1.0);
-    float u = clamp(0.5 - place, 0.0, 1.0);
-    return u * u * (3.0 - 2.0 * u) * below + t * t * (3.0 - 2.0 * t) * above;
+    float u = max(0.5 - abs(place), 0.0);
+    float least = u * u * (3.0 - 2.0 * u);
+    float most = 1.0 - least;
+    return (place > 0.0 ? least : most) * below + (place > 0.0 ? most : least) * above;
 }
 
 // n.l - edge; near the normal as (1 - edge) - (1 - n.l), which keeps its digits.
 float toonLead(Directions d, float edge) {
-    return d.nl > 0.5 ? (1.0 - edge) - d.sin2l / (1.0 + d.nl) : d.nl - edge;
+    return d.nl > 0.5 ? (1.0 - edge) - d.versineL : d.nl - edge;
 }
 
 // Inside the spot around the mirror direction its colour, by the ratio of the versines of the angle
@@ -27,8 +34,7 @@ vec3 toonSpot(Directions d, Toon p) {
     }
     float inside = 1.0 - min(d.versineRv / radius, 1e6);
     bool limits = p.glossMode == TOON_GLOSS_MODE_LIMIT;
-    return toonEdge(inside, p.softness, vec3(0.0),
-        glossed(p.specularColor, p.gloss, limits, 1.0));
+    return toonRise(inside, p.softness) * glossed(p.specularColor, p.gloss, limits, 1.0);
 }
 
 // Two or three flat tones by n.l, per fragment. A. Lake et al., Stylized Rendering Techniques for

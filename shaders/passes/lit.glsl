@@ -2,12 +2,12 @@
 #include "lib/illumination.glsl"
 
 // What the model sends to the viewer from one light. A surface's normal is bent towards the viewer,
-// who is never below its horizon.
+// who is never below its horizon. Nothing else is computed for a light that is.
 vec3 lit(Surface s, Illumination light, Model p) {
-    Directions d = directionsAt(s, light.l, s.v);
-    if (IS_UNLIT(d)) {
+    if (IS_UNLIT(dot(s.n, light.l))) {
         return vec3(0.0);
     }
+    Directions d = directionsAt(s, light.l, s.v);
     return light.radiance * CUT_AT_ZERO(shadeModel(d, p));
 }
 

@@ -4,7 +4,6 @@
 #include "lib/gloss.glsl"
 
 vec3 gaussianSpecular(Directions d, GaussianSpecular p) {
-    vec3 lobe = p.specularColor
-        * gaussianHighlight(p.angle, d.sin2h, d.cos2h, d.nH, p.width);
+    vec3 lobe = p.specularColor * gaussianHighlight(p.angle, d, p.width);
     return glossed(lobe, p.gloss, p.glossMode == GAUSSIAN_SPECULAR_GLOSS_MODE_LIMIT, 1.0);
 }
