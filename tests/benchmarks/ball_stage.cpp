@@ -9,7 +9,8 @@
 
 namespace patina::benchmarks {
 
-BallStage::BallStage() : context_(gl::HeadlessContext::create().value()) {
+BallStage::BallStage(int size)
+    : size_(size), context_(gl::HeadlessContext::create().value()) {
     camera_.yaw = 15.0;
     camera_.pitch = 15.0;
     camera_.distance = 3.6;
@@ -53,7 +54,7 @@ double BallStage::secondsPerFrame(const Use& use) {
 
 Image BallStage::picture(const Use& use) {
     draw(use);
-    return readLinear(target_.name(), {size, size}, 0.0);
+    return readLinear(target_.name(), {size_, size_}, 0.0);
 }
 
 } // namespace patina::benchmarks

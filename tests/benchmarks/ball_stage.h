@@ -14,10 +14,13 @@
 
 namespace patina::benchmarks {
 
-/// A ball that fills most of a target with one sample per pixel. What draws it says how.
+/// A ball that fills most of a square target with one sample per pixel. What draws it says how.
 class BallStage {
   public:
-    BallStage();
+    static constexpr int usualSize = 512;
+
+    /// `size` is the target's width in pixels.
+    explicit BallStage(int size = usualSize);
 
     /// Makes a program and what it reads the current ones.
     using Use = std::function<void()>;
@@ -31,9 +34,9 @@ class BallStage {
   private:
     void draw(const Use& use);
 
-    static constexpr int size = 512;
     static constexpr int framesAtOnce = 4;
 
+    int size_;
     std::unique_ptr<gl::HeadlessContext> context_;
     Camera camera_;
     DepthRange depths_;

@@ -144,16 +144,19 @@ void main() {{
     Surface s = surface();
     vec3 shaded = vec3(0.0);
     int lights = int(sceneData[{0}].x);
-    for (int i = 0; i < lights; ++i) {{
+    bool isAmbient = max(sceneData[0].r, max(sceneData[0].g, sceneData[0].b)) > 0.0;
+    for (int i = 0; i < (isAmbient ? lights + 1 : lights); ++i) {{
         Illumination light = anyLight(s.x, {1} + i * {2});
-        Directions d = directionsAt(s, light.l, s.v);
+        vec3 v = s.v;
+        if (i == lights) {{ // the model's text is in the loop alone
+            light.l = s.n;
+            light.radiance = sceneData[0].rgb;
+            v = 0.5 * s.n + sqrt(0.75) * s.t;
+        }}
+        Directions d = directionsAt(s, light.l, v);
         if ((objectData[0].y == 0.0 || d.nl > 0.0) && (objectData[0].z == 0.0 || d.nv > 0.0)) {{
             shaded += light.radiance * max(shadeAny(d), vec3(0.0));
         }}
-    }}
-    if (max(sceneData[0].r, max(sceneData[0].g, sceneData[0].b)) > 0.0) {{
-        vec3 v = 0.5 * s.n + sqrt(0.75) * s.t;
-        shaded += sceneData[0].rgb * max(shadeAny(directionsAt(s, s.n, v)), vec3(0.0));
     }}
     if (objectData[{3}].y > 0.0) {{
         shaded = mix(shaded, anyTint(), anyShare(incidenceBetween(s.n, s.v)));

@@ -2,6 +2,7 @@
 // What it saves that only the code for a scene is in its program: beside one that is told by
 // uniforms what it is to do.
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 #include "assembled_program.h"
@@ -13,7 +14,9 @@
 namespace patina::benchmarks {
 namespace {
 
-constexpr int rounds = 21;
+/// With all models a pixel takes microseconds.
+constexpr int stageSize = 256;
+constexpr int rounds = 5;
 
 /// A plain Phong surface in three directional lights.
 Scene plainScene(const Catalog& catalog) {
@@ -53,13 +56,14 @@ bool compare(BallStage& stage, AssembledProgram& assembled, SwitchedProgram& swi
     }
     report("Switched by uniforms / assembled: " + name, text(spreadOf(ratios), 1.0, "x"), same,
            "the same picture");
+    std::fflush(stdout); // the next takes seconds to compile
     return same;
 }
 
 } // namespace
 
 bool switches() {
-    BallStage stage;
+    BallStage stage(stageSize);
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     const Scene scene = plainScene(*catalog);
     AssembledProgram assembled(catalog, scene, stage);
