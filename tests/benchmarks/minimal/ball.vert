@@ -6,7 +6,7 @@ layout(location = 1) in vec3 normal;
 uniform mat4 worldToClip;
 
 out vec3 worldPosition;
-out vec3 worldNormal;
+centroid out vec3 worldNormal;
 
 void main() {
     worldPosition = position;

@@ -4,7 +4,7 @@
 #include "lib/math.glsl"
 
 in vec3 worldPosition;
-in vec3 worldNormal;
+centroid in vec3 worldNormal;
 layout(location = 0) out vec4 color;
 uniform vec3 eye;
 
