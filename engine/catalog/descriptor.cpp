@@ -211,6 +211,7 @@ Parameter parameterFrom(const Fields& fields) {
     fields.read("space", spaceWords, parameter.space);
     fields.read("emission", parameter.emission);
     fields.read("transparency", parameter.transparency);
+    fields.read("highlight", highlightWords, parameter.highlight);
     parameter.textureChannels = channelsFrom(fields, parameter.type);
     parameter.physical = physicalFrom(fields);
     fields.readEach("migrations", parameter.migrations, migrationFrom);

@@ -13,10 +13,10 @@
 #include "catalog/expression.h"
 #include "catalog/fill_checks.h"
 #include "catalog/reserved_words.h"
+#include "catalog/role_checks.h"
 #include "catalog/shadow_checks.h"
 #include "catalog/suggestion.h"
 #include "catalog/table_checks.h"
-#include "catalog/transparency_checks.h"
 #include "catalog/value_json.h"
 #include "core/number_text.h"
 
@@ -375,7 +375,7 @@ Errors descriptorMistakes(const Descriptor& descriptor) {
     Errors errors = Checker(descriptor).run();
     for (const Errors& more :
          {fillMistakes(descriptor), shadowMistakes(descriptor), boundMistakes(descriptor),
-          tableMistakes(descriptor), transparencyMistakes(descriptor)}) {
+          tableMistakes(descriptor), roleMistakes(descriptor)}) {
         errors.insert(errors.end(), more.begin(), more.end());
     }
     return errors;

@@ -33,6 +33,11 @@ inline constexpr Words<Space, 5> spaceWords{{{"none", Space::None},
                                              {"cameraPoint", Space::CameraPoint},
                                              {"cameraDirection", Space::CameraDirection}}};
 
+inline constexpr Words<HighlightWidth, 4> highlightWords{{{"none", HighlightWidth::None},
+                                                          {"slope", HighlightWidth::Slope},
+                                                          {"exponent", HighlightWidth::Exponent},
+                                                          {"angle", HighlightWidth::Angle}}};
+
 inline constexpr Words<ShadowProjection, 4> shadowProjectionWords{
     {{"none", ShadowProjection::None},
      {"parallel", ShadowProjection::Parallel},

@@ -101,6 +101,7 @@ Json parameterJson(const Parameter& parameter) {
               {"space", wordFor(spaceWords, parameter.space)},
               {"emission", parameter.emission},
               {"transparency", parameter.transparency},
+              {"highlight", wordFor(highlightWords, parameter.highlight)},
               {"texture", parameter.textureChannels},
               {"migrations", arrayOf(parameter.migrations, migrationJson)}};
     if (const auto names = componentNames(parameter); !names.empty()) {

@@ -27,6 +27,14 @@ enum class Compiled {
     WhenEqual ///< a float: only whether it is the same as `equalTo` is part of the program
 };
 
+/// As what a number says how wide a block's highlight is. Pictures may widen highlights by it.
+enum class HighlightWidth {
+    None,     ///< it does not
+    Slope,    ///< of tiny mirrors, 0 .. 1
+    Exponent, ///< of a power of n.h, 0 or more
+    Angle     ///< of a bell curve over the angle between n and h, in radians
+};
+
 /// One choice of an enum parameter, or one level of an accuracy choice.
 struct EnumValue {
     std::string id;
@@ -82,6 +90,7 @@ struct Parameter {
     Space space = Space::None;
     bool emission = false; ///< a colour that is added once per pixel, whatever the light
     bool transparency = false; ///< a share of the light that passes: it lowers the opacity
+    HighlightWidth highlight = HighlightWidth::None;
     std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not
     std::optional<PhysicalRange> physical;
     std::vector<Migration> migrations;

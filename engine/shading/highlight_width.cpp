@@ -10,18 +10,17 @@ namespace {
 
 /// The function that widens what a parameter says; null where that is no highlight's width.
 const char* wideningOf(const Parameter& parameter) {
-    if (parameter.type != ParameterType::Float && parameter.type != ParameterType::Angle) {
-        return nullptr;
-    }
-    const std::string first = parameter.id.substr(0, parameter.id.find('.'));
-    const bool isMatte = !parameter.unit.empty(); // an angle between slopes
-    if (first == "roughness") {
-        return isMatte ? nullptr : "widenedSlope";
-    }
-    if (first == "shininess") {
+    switch (parameter.highlight) {
+    case HighlightWidth::Slope:
+        return "widenedSlope";
+    case HighlightWidth::Exponent:
         return "widenedExponent";
+    case HighlightWidth::Angle:
+        return "widenedAngle";
+    case HighlightWidth::None:
+        break;
     }
-    return parameter.id == "width" ? "widenedAngle" : nullptr;
+    return nullptr;
 }
 
 } // namespace

@@ -7,9 +7,7 @@
 
 namespace patina {
 
-/// Whether the block has a parameter that says how wide its highlight is. By what shared parameter
-/// ids mean: `shininess` is an exponent, `roughness` without a unit the slope of tiny mirrors,
-/// `width` an angle.
+/// Whether the block has a parameter that says how wide its highlight is (Parameter::highlight).
 bool hasHighlightWidth(const Block& block);
 
 /// Statements that widen each of them in the struct `variable` by the float `spread` (see

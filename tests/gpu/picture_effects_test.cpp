@@ -3,9 +3,11 @@
 #include "shading/picture_effects.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/picture_choice_text.h"
 #include "shading/effect_key.h"
+#include "shading/highlight_width.h"
 #include "shading_scene.h"
 
 namespace patina {
@@ -91,6 +93,24 @@ TEST_F(PictureEffects, WideHighlights_AreThoseOfTheModelAndItsSlots) {
     scene_.objects[0].material.parts["specular"] = block("specular", "gaussian");
     EXPECT_TRUE(has(program(with(scene_, "highlights", "widened")).fragment,
                     "model.specular.width = widenedAngle(model.specular.width, spread);"));
+}
+
+/// Whatever the parameter is called: its descriptor says what it is.
+TEST(HighlightWidth, OfAUsersBlock_IsWidenedByItsWord) {
+    Block block;
+    for (const auto& [id, width] : {std::pair{"gloss.sharpness", HighlightWidth::Exponent},
+                                    std::pair{"facets", HighlightWidth::Slope},
+                                    std::pair{"spreading", HighlightWidth::Angle},
+                                    std::pair{"shininess", HighlightWidth::None}}) {
+        Parameter& parameter = block.parameters.emplace_back();
+        parameter.id = id;
+        parameter.highlight = width;
+    }
+    EXPECT_TRUE(hasHighlightWidth(block));
+    EXPECT_EQ(widenedSource(block, "model"),
+              "    model.glossSharpness = widenedExponent(model.glossSharpness, spread);\n"
+              "    model.facets = widenedSlope(model.facets, spread);\n"
+              "    model.spreading = widenedAngle(model.spreading, spread);\n");
 }
 
 TEST_F(PictureEffects, WideHighlights_AreNoneOnAMattSurface) {
