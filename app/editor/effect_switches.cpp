@@ -14,6 +14,7 @@ EffectSwitches::EffectSwitches(Document& document, QObject* parent)
     connect(&document, &Document::effectsChanged, this, &EffectSwitches::forget);
     connect(&document, &Document::currentChanged, this, &EffectSwitches::forget);
     connect(&document, &Document::catalogChanged, this, &EffectSwitches::forget);
+    connect(&document, &Document::sceneReplaced, this, &EffectSwitches::switchAllOn);
 }
 
 bool EffectSwitches::isOff(std::string_view effect) const {
@@ -31,6 +32,14 @@ void EffectSwitches::setOff(const std::string& effect, bool off) {
     }
     forget();
     Q_EMIT changed();
+}
+
+void EffectSwitches::switchAllOn() {
+    forget();
+    if (!off_.empty()) {
+        off_.clear();
+        Q_EMIT changed();
+    }
 }
 
 const Scene& EffectSwitches::scene(Side side) {

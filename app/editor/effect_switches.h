@@ -14,7 +14,8 @@
 namespace patina {
 
 /// Effects that are switched off in the views, so that an artist sees what each one does. They are
-/// no part of the document: nothing of it is saved or undone, and what is exported has them all.
+/// no part of the document: nothing of it is saved or undone, and what is exported has them all. In
+/// another document everything is on.
 class EffectSwitches : public QObject {
     Q_OBJECT
 
@@ -35,6 +36,7 @@ class EffectSwitches : public QObject {
 
   private:
     void forget();
+    void switchAllOn();
 
     Document& document_;
     std::vector<std::string> off_;

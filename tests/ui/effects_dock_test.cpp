@@ -173,6 +173,21 @@ TEST_F(EffectsPanel, AllOn_ShowsEverythingAgain) {
     EXPECT_EQ(row("fog/")->checkState(0), Qt::Checked);
 }
 
+TEST_F(EffectsPanel, AnotherDocument_HasEverythingOnAndNoCosts) {
+    ASSERT_TRUE(measure());
+    switchOff("fog/");
+    Scene other = document().scene();
+    other.ambient = glm::dvec3(0.3);
+    document().startFrom(other);
+    settle();
+    newFrames();
+    EXPECT_TRUE(isInTheShader("fog/"));
+    EXPECT_EQ(row("fog/")->checkState(0), Qt::Checked);
+    EXPECT_FALSE(window().findChild<QToolButton*>("switchedOff")->isVisible());
+    EXPECT_EQ(row("fog/")->text(1), "");
+    EXPECT_EQ(total(), "Costs are not measured yet.");
+}
+
 TEST_F(EffectsPanel, ValueDraggedWhileAnotherEffectIsOff_IsShown) {
     switchOff("fog/");
     document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient", glm::dvec3(0.7));

@@ -59,6 +59,9 @@ QString labelOfImage(const std::string& id, const Material& material, const Cata
     case TextureRole::Opacity:
         return EffectsDock::tr("Image of the opacity");
     default:
+        if (id.empty()) {
+            return EffectsDock::tr("Images");
+        }
         return EffectsDock::tr("Image of %1")
             .arg(asText(target.parameter != nullptr ? target.parameter->label : id));
     }
@@ -149,6 +152,12 @@ void EffectsDock::connectParts() {
     connect(&settle_, &QTimer::timeout, this, &EffectsDock::updateRows);
     startWhenChanged(settle_, document_, library_);
     connect(&switches_, &EffectSwitches::changed, this, &EffectsDock::updateRows);
+    connect(&document_, &Document::sceneReplaced, this, [this] {
+        measurement_.cancel();
+        measured_.reset(); // of another document
+        updateRows();
+        fill();
+    });
 }
 
 void EffectsDock::showEvent(QShowEvent* event) {
@@ -251,7 +260,7 @@ void EffectsDock::fillRow(QTreeWidgetItem* item, const EffectRow& row) {
 void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
     const bool isOfObject = measured_ && measured_->object == document_.currentObject();
     const EffectCost* cost =
-        isOfObject ? measured_->outcome.costs.of(row.line.effect) : nullptr;
+        isOfObject && row.in ? measured_->outcome.costs.of(row.line.effect) : nullptr;
     if (cost == nullptr) {
         return;
     }
