@@ -9,7 +9,7 @@
 
 #include "core/number_text.h"
 #include "material/material.h"
-#include "scene/scene_file.h"
+#include "scene/scene_limits.h"
 
 namespace patina {
 namespace {
