@@ -8,6 +8,7 @@
 
 #include "details_dialog.h"
 #include "library/preset_library.h"
+#include "scene/scene_file.h"
 
 namespace patina {
 namespace {

@@ -97,7 +97,7 @@ TEST_F(AtomicFile, RelativePath_IsWritten) {
 }
 
 TEST_F(AtomicFile, LongestName_IsWritten) {
-    const fs::path file = folder_ / (std::string(250, 'n') + ".json");
+    const fs::path file = folder_ / (std::string(250, 'n').append(".json"));
     EXPECT_TRUE(writeFileAtomically(file, "new"));
 }
 

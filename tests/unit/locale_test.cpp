@@ -81,7 +81,7 @@ TEST_F(DecimalComma, ParseNumber_WantsAPoint) {
 }
 
 TEST_F(DecimalComma, PlaceInAMessage_IsUngrouped) {
-    const auto document = parseJson(std::string(1500, '\n') + "x", "f");
+    const auto document = parseJson(std::string(1500, '\n').append("x"), "f");
     EXPECT_EQ(document.error().text().substr(0, 7), "f:1501:");
 }
 
