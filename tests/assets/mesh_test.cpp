@@ -145,7 +145,7 @@ TEST(MeshFile, ScaleBeyondTheFloats_IsRefused) {
 
 TEST(PoorMesh, TriangleAtNan_IsLeftOutAndReported) {
     const auto mesh =
-        loaded("nan.obj", std::string(squareObj) + "v nan 0 0\nf 1 2 5\n");
+        loaded("nan.obj", std::string(squareObj).append("v nan 0 0\nf 1 2 5\n"));
     ASSERT_TRUE(mesh) << mesh.error().text();
     EXPECT_EQ((*mesh)->view().indices.size(), 6u);
     EXPECT_EQ((*mesh)->remarks(),
@@ -169,7 +169,7 @@ TEST(PoorMesh, SeveralReasons_AreAllNamed) {
 }
 
 TEST(PoorMesh, TriangleWithoutArea_IsLeftOutAndReported) {
-    const auto mesh = loaded("line.obj", std::string(squareObj) + "v 2 0 0\nf 1 2 5\n");
+    const auto mesh = loaded("line.obj", std::string(squareObj).append("v 2 0 0\nf 1 2 5\n"));
     ASSERT_TRUE(mesh) << mesh.error().text();
     EXPECT_FALSE((*mesh)->remarks().empty());
 }

@@ -42,7 +42,7 @@ std::vector<std::array<Corner, 3>> trianglesOf(const MeshView& mesh) {
 
 TEST(PlainObj, EqualsWhatTheGeneralReaderMakesOfIt) {
     const auto plain = loaded("tent.obj", tent);
-    const auto general = loaded("tent.obj", std::string(tent) + homogeneousPoint);
+    const auto general = loaded("tent.obj", std::string(tent).append(homogeneousPoint));
     ASSERT_TRUE(plain) << plain.error().text();
     ASSERT_TRUE(general) << general.error().text();
     const auto triangles = trianglesOf((*plain)->view());
