@@ -7,7 +7,6 @@
 #include <QSpinBox>
 #include <QTimer>
 
-#include "accuracy/kept_charts.h"
 #include "ui/accuracy_fixture.h"
 
 namespace patina::tests {
