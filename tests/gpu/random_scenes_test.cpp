@@ -155,6 +155,15 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
         return image ? *image : Image();
     }
 
+    void makeSolid(Material& material) const {
+        material.opacity = material.opacity > 0.0 ? 1.0 : 0.0;
+        for (const Parameter& each : shipped_->find("models", material.model.id)->parameters) {
+            if (each.transparency) {
+                material.model.parameters[each.id] = 0.0;
+            }
+        }
+    }
+
     /// Without anything behind the objects, which is no surface and not looked at.
     void examine(Scene scene, std::uint64_t number) {
         scene.background = glm::dvec3(0.0);
@@ -164,7 +173,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
             scene.environment->parameters["background"] = std::string("hidden");
         }
         for (Object& each : scene.objects) {
-            each.material.opacity = each.material.opacity > 0.0 ? 1.0 : 0.0;
+            makeSolid(each.material);
             each.material.parts.erase("outline");
         }
         renderer->setCatalog(examining_);
