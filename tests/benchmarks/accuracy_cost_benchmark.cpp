@@ -99,6 +99,7 @@ Scene pictureScene(const Catalog& catalog) {
     scene.transparency = defaultsOf(catalog, "transparency", "peeled");
     Object pane = scene.objects.front();
     pane.mesh = "builtin:torus";
+    pane.scale = glm::dvec3(1.6); // around the ball
     pane.material.opacity = 0.5;
     scene.objects.push_back(pane);
     return scene;
