@@ -12,7 +12,10 @@ namespace {
 
 class PicturePanel : public AccuracyPanel {
   protected:
-    PicturePanel() { pages().setCurrentWidget(&dock()); }
+    PicturePanel() {
+        only = {"picture.scale", "picture.samples", "picture.numbers", "picture.normals"};
+        pages().setCurrentWidget(&dock());
+    }
 
     AccuracyPage& dock() override { return *pages().findChild<AccuracyPage*>("picture"); }
 
