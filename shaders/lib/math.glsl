@@ -35,7 +35,8 @@ vec3 safeNormalize(vec3 v, vec3 fallback) {
 // root and one division.
 vec3 unitVector(vec3 v, vec3 fallback) {
     float length2 = dot(v, v);
-    return length2 > 1e-30 ? v * inversesqrt(length2) : fallback;
+    vec3 unit = v * inversesqrt(max(length2, 1e-30));
+    return length2 > 1e-30 ? unit : fallback;
 }
 
 // The width of a microfacet distribution from the slider's roughness, which is the RMS slope m of

@@ -8,7 +8,8 @@ vec2 hatchingStrokes(vec2 place, float spacing, float shift, float width, float 
     float rows = place.y / spacing - shift;
     float stroke = floor(rows + 0.5);
     float rhythm = place.x / (9.0 * spacing) + 0.381966 * stroke;
-    float bend = wobble * 0.5 * sin(2.0 * PI * (rhythm - floor(rhythm)));
+    // To the nearest whole number: a phase just below one keeps its digits.
+    float bend = wobble * 0.5 * sin(2.0 * PI * (rhythm - floor(rhythm + 0.5)));
     float aside = abs(rows - stroke + bend) * spacing;
     // A pen does not fill the gap between its strokes.
     return lineMark(min(width, 0.75 * spacing), aside);

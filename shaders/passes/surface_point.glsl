@@ -23,12 +23,9 @@ struct Surface {
     vec2 pixel;     // of the picture, whatever the target's fineness
 };
 
-// n, or n + lack v made unit where n.v lacks something of LEAST_NV; v where n has no length.
 vec3 towardsViewer(vec3 n, vec3 v) {
-    float nv = dot(n, v);
-    float lack = max(LEAST_NV - nv, 0.0);
-    float length2 = dot(n, n) + lack * (2.0 * nv + lack);
-    return (n + lack * v) * (lack > 0.0 ? inversesqrt(length2) : 1.0);
+    float lack = LEAST_NV - dot(n, v);
+    return lack > 0.0 ? normalize(n + lack * v) : n;
 }
 
 Directions directionsAt(Surface s, vec3 l, vec3 v) {
