@@ -73,8 +73,6 @@ class AccuracyPanel : public WindowFixture {
         settle();
     }
 
-    std::vector<std::string> only; ///< choices to measure; empty: all
-
     AccuracyDock& pages() { return *window().dock("accuracy")->findChild<AccuracyDock*>(); }
     virtual AccuracyPage& dock() { return *pages().findChild<AccuracyPage*>("material"); }
     CostList& list() { return *dock().findChild<CostList*>(); }
@@ -90,7 +88,6 @@ class AccuracyPanel : public WindowFixture {
         options.pairs.fewest = 3;
         options.pairs.most = 4;
         options.combinations = false;
-        options.only = only;
         dock().measure(options);
     }
 

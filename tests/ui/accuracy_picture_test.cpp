@@ -12,10 +12,7 @@ namespace {
 
 class PicturePanel : public AccuracyPanel {
   protected:
-    PicturePanel() {
-        only = {"picture.scale", "picture.samples", "picture.numbers", "picture.normals"};
-        pages().setCurrentWidget(&dock());
-    }
+    PicturePanel() { pages().setCurrentWidget(&dock()); }
 
     AccuracyPage& dock() override { return *pages().findChild<AccuracyPage*>("picture"); }
 
