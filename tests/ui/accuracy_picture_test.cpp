@@ -103,10 +103,10 @@ TEST_F(PicturePanel, ShadowsLayersAndDirections_AreGivenToWhatHasThem) {
     const std::vector<Choice> choices = choicesOfPicture(document().scene(), document().catalog());
     const ChosenLevels wanted{{"picture.environment", "16"}, {"picture.layers", "2"},
                               {"picture.shadows", "coarse"}};
-    for (const auto& [id, level] : wanted) {
+    for (const auto& each : wanted) {
         ASSERT_TRUE(std::ranges::any_of(choices, [&](const Choice& choice) {
-            return choice.id == id && choice.level(level) != nullptr;
-        })) << id;
+            return choice.id == each.first && choice.level(each.second) != nullptr;
+        })) << each.first;
     }
     const int count = steps();
     PictureTarget(document()).apply(choices, wanted, "Accuracy");
