@@ -4,10 +4,42 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include <epoxy/gl.h>
 
+#include "render/sound_normals.h"
+
 namespace patina {
+namespace {
+
+/// Writes the bytes from `offset` on, at most `bytes` of them, and says how many.
+std::size_t writeSlice(gl::Buffer& target, std::span<const std::byte> content, std::size_t offset,
+                       std::size_t bytes) {
+    const auto slice = content.subspan(offset, std::min(bytes, content.size() - offset));
+    target.write(GL_COPY_WRITE_BUFFER, slice, offset);
+    return slice.size();
+}
+
+/// The same of vertices, whose normals arrive sound whatever the mesh has.
+std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices,
+                          std::size_t offset, std::size_t bytes) {
+    const std::size_t end = offset + std::min(bytes, vertices.size_bytes() - offset);
+    const std::size_t first = offset / sizeof(Vertex);
+    const auto touched =
+        vertices.subspan(first, (end + sizeof(Vertex) - 1) / sizeof(Vertex) - first);
+    if (haveSoundNormals(touched)) {
+        return writeSlice(target, std::as_bytes(vertices), offset, bytes);
+    }
+    const std::vector<Vertex> sound = withSoundNormals(touched);
+    const auto slice = std::as_bytes(std::span(sound))
+                           .subspan(offset - first * sizeof(Vertex), end - offset);
+    target.write(GL_COPY_WRITE_BUFFER, slice, offset);
+    return slice.size();
+}
+
+} // namespace
 
 GpuMesh::GpuMesh(const MeshView& mesh, std::uint64_t serial)
     : triangles_(static_cast<int>(mesh.indices.size() / 3)), serial_(serial) {
@@ -33,12 +65,9 @@ gl::VertexArray GpuMesh::makeArray() const {
 
 void GpuMesh::upload(const MeshView& mesh, std::size_t bytes) {
     const std::size_t split = vertices_.size();
-    const bool isVertices = uploaded_ < split;
-    const auto content = isVertices ? std::as_bytes(mesh.vertices) : std::as_bytes(mesh.indices);
-    const std::size_t offset = isVertices ? uploaded_ : uploaded_ - split;
-    const auto slice = content.subspan(offset, std::min(bytes, content.size() - offset));
-    (isVertices ? vertices_ : indices_).write(GL_COPY_WRITE_BUFFER, slice, offset);
-    uploaded_ += slice.size();
+    uploaded_ += uploaded_ < split
+                     ? writeVertices(vertices_, mesh.vertices, uploaded_, bytes)
+                     : writeSlice(indices_, std::as_bytes(mesh.indices), uploaded_ - split, bytes);
 }
 
 void GpuMesh::draw(const InstanceBuffer& instances, const DrawRange& range) const {

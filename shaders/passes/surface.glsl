@@ -16,20 +16,19 @@ vec3 faceNormal(vec3 v) {
 }
 
 // The interpolated normal, turned to the side that is seen whatever the winding of the triangle,
-// so that a back side is shaded like a front.
+// so that a back side is shaded like a front. Vertices have unit normals or none (surface.vert).
 vec3 shadingNormal(vec3 v) {
     vec3 face = cross(dFdx(worldPosition), dFdy(worldPosition));
-    vec3 n = unitVector(worldNormal, v);
-    bool isBehind = (dot(n, face) < 0.0) != (dot(face, v) < 0.0);
-    return towardsViewer(isBehind ? -n : n, v);
+    bool isBehind = (dot(worldNormal, face) < 0.0) != (dot(face, v) < 0.0);
+    return unitTowardsViewer(isBehind ? -worldNormal : worldNormal, v);
 }
 
 Surface surface() {
     vec3 toEye = viewData[4].xyz - worldPosition;
     Surface s;
     s.x = worldPosition;
-    s.v = unitVector(toEye, vec3(0.0, 0.0, 1.0));
-    s.range = length(toEye);
+    s.range = sqrt(max(dot(toEye, toEye), 1e-30));
+    s.v = toEye * (1.0 / s.range); // one division, also where a driver makes three of v / range
     s.n = shadingNormal(s.v);
     s.t = tangentAlong(s.n, worldTangent);
     s.b = cross(s.n, s.t);

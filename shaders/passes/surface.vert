@@ -15,10 +15,12 @@ out vec3 worldPosition;
 centroid out vec3 worldNormal; // beyond an edge it would turn away
 centroid out vec3 worldTangent;
 
-// Lengths are restored per fragment.
+// The normal is unit, or zero where the vertex has none; the tangent's length is restored per
+// fragment.
 void placeSurface() {
     worldPosition = vec4(position, 1.0) * objectToWorld;
-    worldNormal = normal * normalToWorld;
+    vec3 across = normal * normalToWorld;
+    worldNormal = across * inversesqrt(max(dot(across, across), 1e-30));
     worldTangent = vec4(tangent, 0.0) * objectToWorld;
     gl_Position = mat4(viewData[0], viewData[1], viewData[2], viewData[3]) * vec4(worldPosition, 1.0);
 }

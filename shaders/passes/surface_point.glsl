@@ -28,6 +28,16 @@ vec3 towardsViewer(vec3 n, vec3 v) {
     return lack > 0.0 ? normalize(n + lack * v) : n;
 }
 
+// The same for an n of at most length 1, blended of unit ones, made unit by one root. What is kept
+// towards the viewer is at least LEAST_NV of the length of n, as (1 + n.n) / 2 is never less than
+// that and the same where it is 1, and at least half of LEAST_NV, so that nothing cancels where n is
+// -v or zero, which gives v. 1e-36 is there for a v of zero, at the eye itself.
+vec3 unitTowardsViewer(vec3 n, vec3 v) {
+    float least = 0.5 * LEAST_NV * (1.0 + dot(n, n));
+    vec3 bent = n + max(least - dot(n, v), 0.0) * v;
+    return bent * inversesqrt(dot(bent, bent) + 1e-36);
+}
+
 Directions directionsAt(Surface s, vec3 l, vec3 v) {
     Directions d = directions(s.n, s.t, s.b, l, v);
     d.pixel = s.pixel;

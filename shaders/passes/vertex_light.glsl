@@ -15,7 +15,7 @@ Surface vertexSurface(float side) {
     s.x = worldPosition;
     s.v = unitVector(toEye, vec3(0.0, 0.0, 1.0));
     s.range = length(toEye);
-    s.n = towardsViewer(side * unitVector(worldNormal, s.v), s.v);
+    s.n = unitTowardsViewer(side * worldNormal, s.v);
     s.t = tangentAlong(s.n, worldTangent);
     s.b = cross(s.n, s.t);
     s.pixel = vec2(0.0);

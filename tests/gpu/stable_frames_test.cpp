@@ -112,6 +112,22 @@ const HardScene hardScenes[] = {
      [](Scene&, Mesh& mesh) {
          eachVertex(mesh, [](Vertex& v, std::size_t) { v.position.z = v.position.x; });
      }},
+    {"EndlessNormals",
+     [](Scene&, Mesh& mesh) {
+         eachVertex(mesh, [](Vertex& v, std::size_t i) {
+             v.normal = i % 3 == 0 ? glm::vec3(-infinity) : v.normal * 1e30f;
+         });
+     }},
+    {"TinyNormals",
+     [](Scene&, Mesh& mesh) {
+         eachVertex(mesh, [](Vertex& v, std::size_t i) {
+             v.normal *= i % 2 == 0 ? 1e-12f : 1e-20f;
+         });
+     }},
+    {"NormalsAwayFromTheViewer",
+     [](Scene&, Mesh& mesh) {
+         eachVertex(mesh, [](Vertex& v, std::size_t) { v.normal = {0.0f, 1e-4f, -1.0f}; });
+     }},
 };
 
 /// Draws with shaders that show what is wrong.
@@ -162,7 +178,7 @@ class ExaminedFrame : public GpuTest {
         const glm::vec3 found = worst(image);
         EXPECT_EQ(found.r, 0.0f) << what << ": a colour is not finite";
         EXPECT_EQ(found.g, 0.0f) << what << ": a colour is negative";
-        EXPECT_EQ(found.b, 0.0f) << what << ": a point or a light is not finite";
+        EXPECT_EQ(found.b, 0.0f) << what << ": a point, a normal or a light is wrong";
     }
 
   private:
@@ -256,8 +272,9 @@ TEST_P(HardFrame, OfAPreset_IsFiniteBeforeItIsStored) {
     const auto files = shippedPresets();
     const auto fogs = catalog->ofKind("fog");
     ASSERT_FALSE(files.empty());
-    const auto preset = readPreset(files[5 * placeOfScene() % files.size()], *catalog);
+    auto preset = readPreset(files[5 * placeOfScene() % files.size()], *catalog);
     ASSERT_TRUE(preset) << text(preset.error());
+    preset->material.parts.erase("outline"); // lines have programs that show their own colour
     expectSoundWith(preset->material, *fogs[placeOfScene() % fogs.size()]);
 }
 
