@@ -123,10 +123,11 @@ void reduce(TexturePicture& picture, std::size_t level) {
     }
 }
 
-TexelFormat formatFor(const FileImage& source, bool decodes) {
+/// A grey image whose codes and whose light both count has these apart.
+TexelFormat formatFor(const FileImage& source, bool decodes, bool keepsCodes) {
     const bool grey = source.image.channels == 1;
     if (source.bits != 8) {
-        return grey ? TexelFormat::Grey32 : TexelFormat::Color32;
+        return grey && !keepsCodes ? TexelFormat::Grey32 : TexelFormat::Color32;
     }
     return decodes ? TexelFormat::Srgb8 : grey ? TexelFormat::Grey8 : TexelFormat::Color8;
 }
@@ -139,24 +140,49 @@ glm::vec4 texelOf(const Image& image, std::size_t at) {
     return {from[0], from[1], from[2], image.channels == 4 ? from[3] : 1.0f};
 }
 
-/// The image itself, from the bottom row up.
-void fill(TexturePicture& picture, const FileImage& source, bool decodes) {
+bool hasAlpha(const Image& image) {
+    for (std::size_t i = 3; image.channels == 4 && i < image.pixels.size(); i += 4) {
+        if (usable(image.pixels[i]) < 1.0f) {
+            return true;
+        }
+    }
+    return false;
+}
+
+glm::vec4 usable(glm::vec4 texel) {
+    for (int i = 0; i < 4; ++i) {
+        texel[i] = usable(texel[i]);
+    }
+    return texel;
+}
+
+glm::vec4 decoded(glm::vec4 texel, int bits) {
+    for (int i = 0; i < 3; ++i) {
+        texel[i] = bits == 8 ? srgb().decoded(code(texel[i]))
+                             : static_cast<float>(srgbDecoded(double(texel[i])));
+    }
+    return texel;
+}
+
+/// The luminance of Rec. 709; of a grey the number itself.
+float greyOf(const glm::vec4& texel) {
+    return texel.g + 0.2126f * (texel.r - texel.g) + 0.0722f * (texel.b - texel.g);
+}
+
+/// The image itself, from the bottom row up. Where it has no alpha its grey stands there: that of
+/// its numbers, but where they are said to be encoded that of the light.
+void fill(TexturePicture& picture, const FileImage& source, bool decodes, bool keepsCodes) {
     const Image& image = source.image;
     const Texels texels(picture.format);
     std::byte* to = picture.bytes.data();
     for (int y = image.height - 1; y >= 0; --y) {
         for (int x = 0; x < image.width; ++x) {
-            glm::vec4 texel =
-                texelOf(image, std::size_t(y) * std::size_t(image.width) + std::size_t(x));
-            for (int i = 0; i < 3 && decodes; ++i) {
-                texel[i] = source.bits == 8
-                               ? srgb().decoded(code(texel[i]))
-                               : static_cast<float>(srgbDecoded(double(usable(texel[i]))));
+            const glm::vec4 numbers = usable(
+                texelOf(image, std::size_t(y) * std::size_t(image.width) + std::size_t(x)));
+            glm::vec4 texel = decodes ? usable(decoded(numbers, source.bits)) : numbers;
+            if (!picture.hasAlpha) {
+                texel.a = greyOf(keepsCodes ? numbers : texel);
             }
-            for (int i = 0; i < 4; ++i) {
-                texel[i] = usable(texel[i]);
-            }
-            picture.hasAlpha = picture.hasAlpha || texel.a < 1.0f;
             texels.write(to, texel);
             to += texels.size();
         }
@@ -182,10 +208,12 @@ TexturePicture madeTexture(const FileImage& source, TextureDecoding decoding,
                            const std::function<bool()>& cancelled) {
     const bool decodes = decoding == TextureDecoding::Srgb ||
                          (decoding == TextureDecoding::Color && source.bits != 0);
+    const bool keepsCodes = decodes && decoding == TextureDecoding::Color;
     TexturePicture picture;
-    picture.format = formatFor(source, decodes);
+    picture.format = formatFor(source, decodes, keepsCodes);
+    picture.hasAlpha = hasAlpha(source.image);
     addLevels(picture, {source.image.width, source.image.height});
-    fill(picture, source, decodes);
+    fill(picture, source, decodes, keepsCodes);
     for (std::size_t level = 1; level < picture.levels.size(); ++level) {
         if (cancelled && cancelled()) {
             picture.levels.resize(level);

@@ -102,7 +102,9 @@ Parameter chosen(std::string id, std::string label, std::string doc,
 }
 
 Parameter channelSetting(const std::vector<std::string>& channels) {
-    const std::vector<EnumValue> all{{"auto", "Automatic", "The usual channel for this."},
+    const std::vector<EnumValue> all{{"auto", "Automatic",
+                                      "The usual channel for this; where that is alpha, the grey "
+                                      "of an image without one."},
                                      {"rgb", "Colour", "Red, green and blue."},
                                      {"r", "Red", "The red channel alone."},
                                      {"g", "Green", "The green channel alone."},

@@ -71,7 +71,7 @@ std::size_t rowBytes(const TexturePicture& picture, std::size_t level) {
 
 } // namespace
 
-GpuTexture::GpuTexture(const TexturePicture& picture)
+GpuTexture::GpuTexture(const TexturePicture& picture, bool isOpaque)
     : decodes_(decodesBadly(picture.format)), level_(picture.levels.size()) {
     GLuint name = 0;
     glGenTextures(1, &name);
@@ -93,8 +93,11 @@ GpuTexture::GpuTexture(const TexturePicture& picture)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, last);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, last);
     if (isGrey(picture.format)) {
-        constexpr std::array<GLint, 4> grey{GL_RED, GL_RED, GL_RED, GL_ONE};
+        constexpr std::array<GLint, 4> grey{GL_RED, GL_RED, GL_RED, GL_RED};
         glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, grey.data());
+    }
+    if (isOpaque) {
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_ONE);
     }
 }
 

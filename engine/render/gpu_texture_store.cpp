@@ -60,6 +60,11 @@ TextureDecoding decodingOf(const TextureUse& use, const TextureEffect& effect) {
     }
 }
 
+/// Whether the alpha itself is meant, of an image that has none. Else its grey counts there.
+bool showsOpaque(const TexturePicture& picture, const TextureUse& use) {
+    return !picture.hasAlpha && use.channel == TextureChannel::Alpha;
+}
+
 GLenum wrapOf(TextureWrap wrap) {
     switch (wrap) {
     case TextureWrap::Clamp:
@@ -100,7 +105,8 @@ std::uint64_t GpuTextureStore::stateOf(const TextureEffect& effect,
         return 0;
     }
     const TextureLookup found = source_(use->second, decodingOf(use->second, effect));
-    const auto entry = entries_.find(found.picture.get());
+    const bool isOpaque = found.picture && showsOpaque(*found.picture, use->second);
+    const auto entry = entries_.find({found.picture.get(), isOpaque});
     const bool isComplete = entry != entries_.end() && entry->second.texture.isComplete();
     // Addresses are even.
     return std::uint64_t(reinterpret_cast<std::uintptr_t>(found.picture.get())) +
@@ -116,10 +122,10 @@ void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& mater
         found = source_(use->second, decodingOf(use->second, effect));
     }
     if (found.picture) {
-        show(found.picture);
+        show(found.picture, showsOpaque(*found.picture, use->second));
         return;
     }
-    show(placeholder(effect.role));
+    show(placeholder(effect.role), false);
     const bool isRelief =
         effect.role == TextureRole::Normal || effect.role == TextureRole::Height;
     if (!found.isMissing) {
@@ -129,10 +135,11 @@ void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& mater
     }
 }
 
-void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture) {
-    auto entry = entries_.find(picture.get());
+void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque) {
+    const EntryKey key{picture.get(), isOpaque};
+    auto entry = entries_.find(key);
     if (entry == entries_.end()) {
-        entry = entries_.emplace(picture.get(), Entry{picture, GpuTexture(*picture)}).first;
+        entry = entries_.emplace(key, Entry{picture, GpuTexture(*picture, isOpaque)}).first;
     }
     entry->second.lastFrame = frame_;
     GpuTexture& texture = entry->second.texture;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <glm/vec4.hpp>
 
@@ -49,12 +50,15 @@ class GpuTextureStore {
         std::uint64_t lastFrame = 0;
     };
 
+    /// A picture, and whether it is shown as an opaque one.
+    using EntryKey = std::pair<const TexturePicture*, bool>;
+
     void bindOne(const TextureEffect& effect, const Material& material, glm::vec4& data);
-    void show(const std::shared_ptr<const TexturePicture>& picture);
+    void show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque);
     const gl::Sampler& sampler(const TextureUse& use);
 
     TextureSource source_;
-    std::map<const TexturePicture*, Entry> entries_;
+    std::map<EntryKey, Entry> entries_;
     std::array<std::optional<gl::Sampler>, 6> samplers_; ///< by wrap and filter
     std::size_t bytesLeft_ = everything;
     std::uint64_t frame_ = 0;

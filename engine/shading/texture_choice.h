@@ -24,7 +24,8 @@ struct TextureTarget {
 TextureTarget textureTarget(std::string_view key, const TextureUse& use, const Material& material,
                             const Catalog& catalog);
 
-/// The channel that counts: never Auto.
+/// The channel that counts: never Auto. Where that makes alpha of it the grey of an image without
+/// alpha counts (see TexturePicture::hasAlpha).
 TextureChannel channelOf(const TextureUse& use, const TextureTarget& target);
 
 /// Whether the colours of the file are taken as light: those that Auto takes for encoded.

@@ -13,6 +13,7 @@ TextureEffect effectOf(const std::string& id, const TextureUse& use, const Textu
     effect.id = id;
     effect.role = target.role;
     effect.channel = channelOf(use, target);
+    effect.isUsualChannel = effect.channel != use.channel;
     effect.mode = use.mode;
     effect.cutOut = target.role == TextureRole::Opacity && use.cutOut;
     if (target.parameter != nullptr) {
@@ -35,8 +36,8 @@ const char* modeText(TextureMode mode) {
     }
 }
 
-const char* channelText(TextureChannel channel) {
-    switch (channel) {
+const char* channelText(const TextureEffect& texture) {
+    switch (texture.channel) {
     case TextureChannel::Red:
         return "red";
     case TextureChannel::Green:
@@ -44,7 +45,7 @@ const char* channelText(TextureChannel channel) {
     case TextureChannel::Blue:
         return "blue";
     case TextureChannel::Alpha:
-        return "alpha";
+        return texture.isUsualChannel ? "alpha, or grey without one" : "alpha";
     default:
         return "colour";
     }
@@ -78,7 +79,7 @@ EffectLine lineOf(const TextureEffect& texture) {
     const std::string detail =
         texture.role == TextureRole::Normal || texture.role == TextureRole::Height
             ? std::string()
-            : fmt::format("{}, {}{}", channelText(texture.channel), modeText(texture.mode),
+            : fmt::format("{}, {}{}", channelText(texture), modeText(texture.mode),
                           texture.cutOut ? ", cut out" : "");
     return {"texture/" + texture.id, detail, "An image is bound to it."};
 }

@@ -28,7 +28,7 @@ TEST(Texture, EveryCodeOfAnSrgbFile_StaysItself) {
     std::vector<int> expected;
     for (int y = 15; y >= 0; --y) { // a texture's rows go up
         for (int x = 0; x < 16; ++x) {
-            expected.insert(expected.end(), {16 * y + x, 16 * y + x, 16 * y + x, 255});
+            expected.insert(expected.end(), {16 * y + x, 16 * y + x, 16 * y + x, 16 * y + x});
         }
     }
     for (int code = 0; code < 256; ++code) {
@@ -84,6 +84,46 @@ TEST(Texture, Alpha_IsSeenWhereItIsBelowOne) {
         madeTexture({{1, 1, 4, {1, 1, 1, 0.5f}}, 8}, TextureDecoding::Color).hasAlpha);
 }
 
+/// The number that a grey picture, or one without alpha, gives where alpha is asked for.
+float alphaOf(const FileImage& file, TextureDecoding decoding) {
+    const TexturePicture made = madeTexture(file, decoding);
+    const std::size_t bytes = texelBytes(made.format);
+    if (made.format == TexelFormat::Color32 || made.format == TexelFormat::Grey32) {
+        float last = 0.0f; // the only number of a grey texel stands for its alpha too
+        std::memcpy(&last, made.bytes.data() + bytes - sizeof last, sizeof last);
+        return last;
+    }
+    return float(std::to_integer<int>(made.bytes[bytes - 1])) / 255.0f;
+}
+
+TEST(Texture, WithoutAlpha_ItsGreyStandsThere) {
+    const float code = 51.0f / 255.0f;
+    for (const int bits : {0, 8, 16}) {
+        const FileImage grey{{1, 1, 3, {code, code, code}}, bits};
+        EXPECT_EQ(alphaOf(grey, TextureDecoding::Linear), code) << bits;
+        EXPECT_EQ(alphaOf(grey, TextureDecoding::Color), code) << bits;
+        const FileImage opaque{{1, 1, 4, {code, code, code, 1.0f}}, bits};
+        EXPECT_EQ(alphaOf(opaque, TextureDecoding::Color), code) << bits;
+        const FileImage masked{{1, 1, 4, {1.0f, 1.0f, 1.0f, code}}, bits};
+        EXPECT_EQ(alphaOf(masked, TextureDecoding::Color), code) << bits;
+    }
+}
+
+TEST(Texture, OneChannel_GivesItsCodesAsAlphaWhileItsLightIsDecoded) {
+    const float code = 51.0f / 255.0f;
+    for (const int bits : {8, 16}) {
+        const FileImage grey{{1, 1, 1, {code}}, bits};
+        EXPECT_EQ(alphaOf(grey, TextureDecoding::Color), code) << bits;
+        EXPECT_NEAR(alphaOf(grey, TextureDecoding::Srgb), SrgbTable().decoded(51), 2e-3) << bits;
+    }
+}
+
+/// By the weights of Rec. 709.
+TEST(Texture, ColorWithoutAlpha_GivesItsLuminance) {
+    const FileImage green{{1, 1, 3, {0.0f, 1.0f, 0.0f}}, 0};
+    EXPECT_NEAR(alphaOf(green, TextureDecoding::Color), 0.7152f, 1e-6);
+}
+
 TEST(Texture, PngReadAsData_HasTheCodesOfTheFile) {
     const TemporaryFolder folder;
     AssetClient client;
@@ -92,7 +132,8 @@ TEST(Texture, PngReadAsData_HasTheCodesOfTheFile) {
     const auto picture = client.loadTexture(folder / "a.png", TextureDecoding::Linear);
     ASSERT_TRUE(picture) << picture.error().text();
     EXPECT_EQ((*picture)->format, TexelFormat::Color8);
-    EXPECT_EQ(codesOf(**picture, 0), (std::vector<int>{128, 0, 255, 255}));
+    // 0.2126 * 128 + 0.0722 * 255 = 45.6 for the alpha that it lacks.
+    EXPECT_EQ(codesOf(**picture, 0), (std::vector<int>{128, 0, 255, 46}));
 }
 
 TEST(Texture, Exr_StaysFloats) {

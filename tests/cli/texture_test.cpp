@@ -43,6 +43,18 @@ TEST_F(TextureOption, Setting_ChangesHowItLies) {
     EXPECT_NE(readFile(folder_ / "out.png"), readFile(folder_ / "plain.png"));
 }
 
+/// Pictures that were drawn have no transparent part: their grey counts.
+TEST_F(TextureOption, PictureWithoutAlphaOnTheOpacity_MakesHoles) {
+    ASSERT_EQ(drawn({}, "plain.png").exitCode, 0);
+    ASSERT_EQ(drawn({}, "mask.exr").exitCode, 0);
+    for (const std::string& mask : {image(), std::string(folder_ / "mask.exr")}) {
+        const Outcome outcome =
+            drawn({"--texture", "opacity=" + mask, "--texture", "opacity:cutOut=true"});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_NE(readFile(folder_ / "out.png"), readFile(folder_ / "plain.png")) << mask;
+    }
+}
+
 TEST_F(TextureOption, UnknownSetting_SaysWhichThereAre) {
     const Outcome outcome =
         drawn({"--texture", "diffuse.color=" + image(), "--texture", "diffuse.color:warp=1"});
@@ -89,6 +101,28 @@ TEST_F(TextureOption, MissingFileInAPreset_IsAMessageAndAPicture) {
         {"render", folder_ / "a.patina.json", "--size", "16x16", "-o", folder_ / "out.png"});
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_NE(outcome.err.find("gone.png: no such file"), std::string::npos) << outcome.err;
+}
+
+TEST_F(TextureOption, MeshWithoutTextureCoordinates_IsSaid) {
+    writeFile(folder_ / "bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string mesh = folder_ / "bare.obj";
+    EXPECT_EQ(drawn({"--mesh", mesh}).err, "");
+    const Outcome picture = drawn({"--mesh", mesh, "--texture", "diffuse.color=" + image()});
+    EXPECT_EQ(picture.exitCode, 0);
+    EXPECT_NE(picture.err.find(mesh + ": the mesh has no texture coordinates"), std::string::npos)
+        << picture.err;
+    const Outcome effects = patina({"effects", "--no-cost", "--model", "phong", "--mesh", mesh,
+                                    "--texture", "diffuse.color=" + image()});
+    EXPECT_NE(effects.out.find("bound to it, but the mesh has no texture coordinates"),
+              std::string::npos)
+        << effects.out;
+}
+
+TEST_F(TextureOption, MeshWithTextureCoordinates_IsNot) {
+    writeFile(folder_ / "laid.obj",
+              "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    const std::string mesh = folder_ / "laid.obj";
+    EXPECT_EQ(drawn({"--mesh", mesh, "--texture", "diffuse.color=" + image()}).err, "");
 }
 
 TEST_F(TextureOption, Effects_NameTheImage) {

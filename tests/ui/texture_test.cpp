@@ -164,8 +164,8 @@ TEST_F(TextureForm, SurfaceForm_TakesNormalAndHeightMaps) {
     const Material* material = document.material(Side::A);
     ASSERT_TRUE(material->textures.contains("normal"));
     surface.textures().lay(surface.row("opacity")->parameter(), image());
-    // The picture has no alpha channel: its brightness counts.
-    EXPECT_EQ(material->textures.at("opacity").channel, TextureChannel::Red);
+    // Whether the picture has an alpha channel the renderer sees.
+    EXPECT_EQ(material->textures.at("opacity").channel, TextureChannel::Auto);
 }
 
 } // namespace

@@ -3,8 +3,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QImageReader>
-#include <QPixelFormat>
 #include <QToolButton>
 
 #include "parameters/parameter_row.h"
@@ -18,21 +16,11 @@ bool takesImage(const Parameter& parameter) {
     return !parameter.textureChannels.empty();
 }
 
-/// Masks come with an alpha channel or as a grey picture.
-bool lacksAlpha(const QString& file) {
-    const QImage::Format format = QImageReader(file).imageFormat();
-    return format != QImage::Format_Invalid &&
-           QImage::toPixelFormat(format).alphaUsage() == QPixelFormat::IgnoresAlpha;
-}
-
 /// An image as it lies at first. One on a number that goes beyond 1 darkens it.
 TextureUse firstUse(const Parameter& parameter, const QString& file) {
     TextureUse use = textureUse(parameter.id, file.toStdString());
     if (parameter.type == ParameterType::Float && parameter.max > 1.0) {
         use.mode = TextureMode::Multiply;
-    }
-    if (textureRole(parameter.id) == TextureRole::Opacity && lacksAlpha(file)) {
-        use.channel = TextureChannel::Red;
     }
     return use;
 }

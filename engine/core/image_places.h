@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "core/mesh.h"
+
+namespace patina {
+
+/// Whether the vertices have texture coordinates: whether they lie at more than one place of an
+/// image. A file without any leaves them all at one, where an image is one colour. Of very many
+/// vertices it looks at a million, evenly spaced.
+bool hasImagePlaces(std::span<const Vertex> vertices);
+
+} // namespace patina
