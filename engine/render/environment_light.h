@@ -33,8 +33,11 @@ class EnvironmentLight {
     /// What a white matte surface that faces up reflects.
     glm::dvec3 upward() const { return table_.upward(); }
 
-    /// Which rounds of samples the next programs draw.
-    void setRounds(int first, int count);
+    /// Which samples the next programs draw: from which round on, and how many, which are whole
+    /// rounds or a part of one.
+    void setSamples(int firstRound, int count);
+
+    static constexpr int roundSamples = 4; ///< as in shaders/passes/environment_light.glsl
 
     /// For the programs that are used next.
     void bind() const;

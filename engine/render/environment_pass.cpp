@@ -14,8 +14,9 @@
 namespace patina {
 namespace {
 
-/// Samples of one round (shaders/passes/environment_light.glsl), and the most rounds of a frame.
-constexpr int roundSamples = 4;
+constexpr int roundSamples = EnvironmentLight::roundSamples;
+
+/// Of a frame.
 constexpr int mostRounds = 64;
 
 /// Of a frame that only adds to what is seen, and need not be done soon, at most.
@@ -34,14 +35,21 @@ bool blends(const Scene& effects, const Catalog& catalog) {
     });
 }
 
-int roundsOf(const View& view, const Scene& effects, const Catalog& catalog, int done) {
+/// Less than a round is drawn where no more are wanted.
+int wholeRounds(int samples) {
+    return samples < roundSamples ? samples
+                                  : (samples + roundSamples - 1) / roundSamples * roundSamples;
+}
+
+int samplesOf(const View& view, const Scene& effects, const Catalog& catalog, int done) {
     if (view.environmentSamples <= 0) {
         // No more than there are already, so that the first ones are soon seen.
-        const int added = blends(effects, catalog) ? 0 : std::min(done, addedRounds);
-        const int rounds = std::max(usualRounds(), added);
-        return std::clamp(view.mostSamples / roundSamples - done, 1, rounds);
+        const int added =
+            blends(effects, catalog) ? 0 : std::min(done, addedRounds * roundSamples);
+        const int most = std::max(usualRounds() * roundSamples, added);
+        return wholeRounds(std::clamp(view.mostSamples - done, 1, most));
     }
-    return std::clamp((view.environmentSamples + roundSamples - 1) / roundSamples, 1, mostRounds);
+    return wholeRounds(std::min(view.environmentSamples, mostRounds * roundSamples));
 }
 
 void set(const gl::Program& program, const char* name, const glm::dvec3& value) {
@@ -66,8 +74,8 @@ Result<void> EnvironmentPass::begin(const SceneToPack& scene, const View& view,
         return tl::unexpected(kept.error());
     }
     done_ = *kept && view.isContinued ? done_ : 0;
-    count_ = roundsOf(view, scene.effects, catalog, done_);
-    light_.setRounds(done_, count_);
+    count_ = samplesOf(view, scene.effects, catalog, done_);
+    light_.setSamples((done_ + roundSamples - 1) / roundSamples, count_);
     return {};
 }
 
@@ -75,7 +83,7 @@ void EnvironmentPass::foresee(const SceneToPack& scene, const View& view, const 
                               ProgramCache& cache) {
     light_.follow(scene.effects, scene.scene, view.environmentImage, catalog, cache);
     if (isIn()) {
-        light_.setRounds(0, 1);
+        light_.setSamples(0, roundSamples);
     }
 }
 
@@ -115,7 +123,11 @@ void EnvironmentPass::add(const gl::Texture& frame) {
 }
 
 int EnvironmentPass::samples() const {
-    return roundSamples * done_;
+    return done_;
+}
+
+int EnvironmentPass::rounds() const {
+    return isIn() ? (count_ + roundSamples - 1) / roundSamples : 0;
 }
 
 bool EnvironmentPass::holds(glm::ivec2 size) const {

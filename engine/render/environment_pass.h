@@ -39,7 +39,7 @@ class EnvironmentPass {
     int samples() const;
 
     /// Rounds of samples of the frame that was prepared; 0 without an environment.
-    int rounds() const { return isIn() ? count_ : 0; }
+    int rounds() const;
 
     /// Whether what was drawn last is in the mean.
     bool hasPicture() const { return done_ > 0; }
@@ -56,7 +56,7 @@ class EnvironmentPass {
     EnvironmentLight light_;
     Accumulation accumulation_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();
-    int done_ = 0;  ///< rounds in the mean
+    int done_ = 0;  ///< samples in the mean
     int count_ = 1; ///< of the frame that is being drawn
 };
 

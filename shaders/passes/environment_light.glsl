@@ -221,7 +221,10 @@ vec3 environmentArrived(Surface s, Lobe lobe, vec3 l, Environment e, Model p) {
 
 vec3 environmentLight(Surface s, Environment e, Model p) {
     int first = int(environmentData[0].z);
-    int count = RULES * int(environmentData[0].w);
+    int count = int(environmentData[1].z);
+    // Less than a round begins with any of the rules: each is as likely as in a whole one.
+    int begin = count < RULES
+        ? int(float(RULES) * environmentPoint(uint(first), environmentSeed(uint(RULES))).x) : 0;
     Lobe lobe;
     lobe.t = s.t;
     lobe.b = s.b;
@@ -231,7 +234,7 @@ vec3 environmentLight(Surface s, Environment e, Model p) {
     }
     vec3 sum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
-        int rule = i % RULES;
+        int rule = (begin + i) % RULES;
         vec2 u = environmentPoint(uint(first + i / RULES), environmentSeed(uint(rule)));
         sum += environmentArrived(s, lobe, normalize(drawnDirection(s, lobe, rule, u)), e, p);
     }

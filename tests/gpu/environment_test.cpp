@@ -129,6 +129,31 @@ TEST_F(EnvironmentTest, SamplesInManyFrames_AreThoseOfOne) {
     EXPECT_NEAR(middle(*inSteps).g, middle(atOnce).g, 2e-3f * middle(atOnce).g);
 }
 
+/// Mean of green in the middle of a picture.
+double meanInTheMiddle(const Image& image) {
+    const int from = 3 * image.width / 8;
+    const int to = 5 * image.width / 8;
+    double sum = 0.0;
+    for (int y = from; y < to; ++y) {
+        for (int x = from; x < to; ++x) {
+            const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
+            sum += image.pixels[at * std::size_t(image.channels) + 1];
+        }
+    }
+    return sum / double((to - from) * (to - from));
+}
+
+TEST_F(EnvironmentTest, LessThanARound_IsRightOnAverage) {
+    size_ = 128;
+    const Scene scene = inTheStudio("lambert");
+    const double right = meanInTheMiddle(settled(scene, 256));
+    for (const int samples : {1, 2, 3}) {
+        const double mean = meanInTheMiddle(settled(scene, samples));
+        EXPECT_EQ(renderer->environmentSamples(), samples);
+        EXPECT_NEAR(mean, right, 0.1 * right) << samples;
+    }
+}
+
 TEST_F(EnvironmentTest, WithoutOne_ThereAreNoSamples) {
     const Scene scene = simpleScene();
     ASSERT_TRUE(renderer->capture(scene, viewWith(scene, 8), squares(), false));
