@@ -7,6 +7,7 @@
 
 #include "shading/effect_choice.h"
 #include "shading/effect_key.h"
+#include "shading/light_reach.h"
 
 namespace patina {
 namespace {
@@ -95,7 +96,23 @@ Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& ca
 /// of it, on the exposure and on how far away things are.
 bool mayHideFog(const DocumentState& state, const BlockPath& path) {
     return state.scene.fog &&
-           (path.part == BlockPath::Part::Fog || path.part == BlockPath::Part::Scene);
+           (path.part == BlockPath::Part::Fog || path.part == BlockPath::Part::Scene ||
+            path.part == BlockPath::Part::Object);
+}
+
+/// Which objects a light with an end reaches decides whether it is in their programs.
+bool mayMoveLight(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
+    const bool moves =
+        path.part == BlockPath::Part::Light || path.part == BlockPath::Part::Object;
+    return moves && std::ranges::any_of(state.scene.lights, [&catalog](const Light& light) {
+        const Block* block = catalog.find("lights", light.block.id);
+        return block != nullptr && !reachOf(light, *block).isEverywhere();
+    });
+}
+
+/// Whether it also depends on where things are.
+bool decidesByPlace(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
+    return mayHideFog(state, path) || mayMoveLight(state, path, catalog);
 }
 
 bool isNumber(const Parameter& parameter) {
@@ -111,6 +128,9 @@ std::vector<DocumentState> foreseen(const DocumentState& state, const BlockPath&
         return {};
     }
     std::vector<DocumentState> states;
+    if (decidesByPlace(state, path, catalog)) {
+        states.push_back(state); // with what is out because of its place
+    }
     std::vector<Keys> known{keysOf(state, path, catalog)};
     for (const Value& value :
          {inside(parameter), filled(parameter, 0.0), filled(parameter, parameter.softMin),
@@ -136,7 +156,8 @@ void EffectHold::begin(const DocumentState& state, int object, const BlockPath& 
     const std::vector<Value> edges = edgesOf(state, path, parameter, catalog);
     const Keys effective = keysWith(apart(parameter, edges));
     const bool decides =
-        mayHideFog(state, path) || std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
+        decidesByPlace(state, path, catalog) ||
+        std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
             return keysWith(value) != effective;
         });
     held_.reset();

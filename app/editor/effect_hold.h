@@ -13,7 +13,8 @@
 namespace patina {
 
 /// What changing a value may soon call other programs for: a state of each kind that differs from
-/// this one in its programs.
+/// this one in its programs, and this one where it lacks something because of its place, which a
+/// drag brings in.
 std::vector<DocumentState> foreseen(const DocumentState& state, const BlockPath& path,
                                     const Parameter& parameter, const Catalog& catalog);
 

@@ -81,7 +81,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
     cursor_ = Cursor();
     fence_ = gl::Fence();
     effects_ = &effectsOf(view, scene);
-    heldEffects_ = effects_ != &scene;
+    heldEffects_ = foreseesHeld_ || effects_ != &scene;
     if (auto prepared = prepare(*effects_, purpose); !prepared) {
         return fail(prepared.error());
     }
@@ -193,6 +193,7 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
     materialKeys_.clear(scene.objects.size());
     placements_.makeRoom(scene.objects.size());
     lightLists_.begin(scene, *catalog_);
+    lightKinds_.begin(*effects_, *catalog_);
     const double aspect = double(view.size.x) / double(view.size.y);
     const glm::dmat4 worldToClip =
         projection(view.camera, aspect, depths_) * cameras_.worldToCamera;
@@ -212,28 +213,39 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
             continue;
         }
         const Placement& place = placements_.of(i, object, mesh.bounds);
+        const std::size_t lights = lightLists_.listFor(place.ball);
         if (!mesh.bounds.empty()) {
             depths_.add(place.corners, cameras_.worldToCamera);
         }
         items_.push_back({i, mesh, &meshes_.prepare(mesh), &place,
-                          glm::distance(place.middle, origin), lightLists_.listFor(place.ball),
-                          materialOf(scene, i),
+                          glm::distance(place.middle, origin), lights,
+                          materialOf(scene, i, unreachedFrom(lights)),
                           purpose == Purpose::Foresight || !isOutside(place, worldToClip)});
     }
 }
 
+/// Which lights the objects of a list have no code for. While a value is dragged the lists are data
+/// alone.
+std::uint64_t FrameDrawer::unreachedFrom(std::size_t lights) const {
+    return heldEffects_ ? 0 : lightKinds_.unreached(lightLists_, lights);
+}
+
 /// The number of an object's material. Two objects share one when both its values and the effects
 /// of their programs are the same.
-std::size_t FrameDrawer::materialOf(const Scene& scene, std::size_t object) {
+std::size_t FrameDrawer::materialOf(const Scene& scene, std::size_t object,
+                                    std::uint64_t unreached) {
     const Material& effects = effects_->objects[object].material;
     std::uint64_t print = materialPrint(effects);
     if (heldEffects_) {
         print = 31 * print + materialPrint(scene.objects[object].material);
     }
+    if (unreached != 0) {
+        print = 31 * print + unreached;
+    }
     const std::size_t number = materialKeys_.find(print, materials_.size());
     if (number == materials_.size()) {
         const bool isOutlined = outlineChoice(effects, *catalog_).block != nullptr;
-        materials_.push_back({object, isTransparent(effects, *catalog_),
+        materials_.push_back({object, unreached, isTransparent(effects, *catalog_),
                               canShadow(scene.objects[object].material, *catalog_), isOutlined,
                               nullptr, {}, {}});
     }

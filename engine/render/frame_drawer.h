@@ -14,6 +14,7 @@
 #include "render/draw_list.h"
 #include "render/draw_slices.h"
 #include "render/environment_pass.h"
+#include "render/fog_reach.h"
 #include "render/frame_bands.h"
 #include "render/frustum.h"
 #include "render/ground_place.h"
@@ -22,6 +23,7 @@
 #include "render/hdr_target.h"
 #include "render/instance_buffer.h"
 #include "render/key_table.h"
+#include "render/light_kinds.h"
 #include "render/light_lists.h"
 #include "render/pipeline_store.h"
 #include "render/placement.h"
@@ -137,9 +139,11 @@ class FrameDrawer {
     static const Scene& effectsOf(const View& view, const Scene& scene);
     Result<void> prepare(const Scene& scene, Purpose purpose);
     bool hasPipelines(const Scene& effects);
+    void drawUnseen(const Scene& scene, const View& view, const MeshSource& meshes);
     bool fail(Error error);
     void collect(const Scene& scene, const View& view, const MeshSource& meshes, Purpose purpose);
-    std::size_t materialOf(const Scene& scene, std::size_t object);
+    std::size_t materialOf(const Scene& scene, std::size_t object, std::uint64_t unreached);
+    std::uint64_t unreachedFrom(std::size_t lights) const;
     void makeRoomForLights();
     void count();
     Result<void> fitTarget(const PictureAccuracy& accuracy, const View& view,
@@ -147,15 +151,17 @@ class FrameDrawer {
     void uploadView(const View& view);
     void clear(const Scene& scene, const View& view);
     void choosePipelines();
-    void choosePipeline(DrawMaterial& material, const PipelineStore::Surroundings& around);
+    void choosePipeline(DrawMaterial& material);
     void orderItems();
     void fillTables(const Scene& scene);
-    PipelineStore::Surroundings surroundings();
+    void beginSurroundings();
+    FogReach fogReach() const;
+    PipelineStore::Surroundings surroundings(std::uint64_t unreached);
     void planShadows(const Scene& scene);
     bool drawShadows(Deadline deadline);
     void planGround(const Scene& scene, const View& view);
     double lowestHeight(const DrawItem& item);
-    void chooseGround(const PipelineStore::Surroundings& around);
+    void chooseGround();
     void drawGround(const Scene& scene);
     Result<void> beginLayers(const Scene& scene);
     Result<void> addLayers();
@@ -210,6 +216,9 @@ class FrameDrawer {
     UniformBuffer viewData_;
     std::vector<UniformBuffer> sceneData_; ///< by list of lights
     LightLists lightLists_;
+    LightKinds lightKinds_;
+    EffectView effectView_; ///< what the view says to the frame's programs
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> sceneKeys_; ///< by EffectView::unreached
     ShadowMaps shadows_;
     std::optional<Error> shadowError_;
     GroundItem ground_;
@@ -238,6 +247,7 @@ class FrameDrawer {
     bool isSoftware_;
     std::vector<const Pipeline*> fedScenes_; ///< by list of lights: who reads what is in it now
     bool heldEffects_ = false; ///< they are not the scene's own, and a drag must not compile
+    bool foreseesHeld_ = false; ///< the programs of a drag are made ahead
     int lostLights_ = 0;
     std::vector<const void*> programs_;
     std::vector<const void*> sources_;   ///< what this frame's report is made from

@@ -38,31 +38,50 @@ std::uint64_t FrameDrawer::lackedPrograms(const Scene& scene, const View& view,
     heldEffects_ = effects_ != &scene;
     collect(scene, view, meshes, Purpose::Frame);
     planGround(scene, view);
-    const std::uint64_t around = surroundings().key;
+    beginSurroundings();
     std::size_t lacked = display_.has(*effects_) ? 0 : 1;
     for (const DrawMaterial& material : materials_) {
         const std::uint64_t key =
             EffectKey::ofMaterial(effects_->objects[material.object].material, *catalog_);
+        const std::uint64_t around = surroundings(material.unreached).key;
         if (!pipelines_.has(key, around)) {
             boost::hash_combine(lacked, key);
+            boost::hash_combine(lacked, around);
         }
     }
-    if (ground_.isSeen && !pipelines_.hasGround(effects_->ground.mode, around)) {
-        boost::hash_combine(lacked, 1);
-    }
-    if (lacked != 0) {
-        boost::hash_combine(lacked, around);
+    if (ground_.isSeen) {
+        const std::uint64_t around = surroundings(unreachedFrom(ground_.lights)).key;
+        if (!pipelines_.hasGround(effects_->ground.mode, around)) {
+            boost::hash_combine(lacked, 1);
+            boost::hash_combine(lacked, around);
+        }
     }
     effects_ = nullptr;
     return lacked;
 }
 
-/// Drivers put work off until a program is drawn with: it is, outside of what can be seen. Where
-/// there are very many triangles that would take longer than it saves.
+/// The programs of the picture, and those of a drag, in which places and distances decide nothing.
 bool FrameDrawer::foresee(const Scene& scene, const View& view, const MeshSource& meshes) {
-    if (catalog_ == nullptr || hasPipelines(effectsOf(view, scene))) {
+    if (catalog_ == nullptr) {
         return false;
     }
+    bool isMade = false;
+    if (lackedPrograms(scene, view, meshes) != 0) {
+        drawUnseen(scene, view, meshes);
+        isMade = true;
+    }
+    if (!hasPipelines(effectsOf(view, scene))) {
+        foreseesHeld_ = true;
+        drawUnseen(scene, view, meshes);
+        foreseesHeld_ = false;
+        isMade = true;
+    }
+    return isMade;
+}
+
+/// Drivers put work off until a program is drawn with: it is, outside of what can be seen. Where
+/// there are very many triangles that would take longer than it saves.
+void FrameDrawer::drawUnseen(const Scene& scene, const View& view, const MeshSource& meshes) {
     FrameReport before = report_;
     if (begin(scene, view, meshes, Purpose::Foresight) && !isLarge() && uploadMeshes(never)) {
         glEnable(GL_SCISSOR_TEST);
@@ -73,7 +92,6 @@ bool FrameDrawer::foresee(const Scene& scene, const View& view, const MeshSource
     }
     effects_ = nullptr;
     report_ = std::move(before);
-    return true;
 }
 
 } // namespace patina

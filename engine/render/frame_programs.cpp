@@ -8,13 +8,13 @@ namespace patina {
 
 void FrameDrawer::choosePipelines() {
     const int before = pipelines_.programs().compiledCount();
-    const PipelineStore::Surroundings around = surroundings();
+    beginSurroundings();
     sources_.clear();
     if (lastGood_.size() < effects_->objects.size()) {
         lastGood_.resize(effects_->objects.size());
     }
     for (DrawMaterial& material : materials_) {
-        choosePipeline(material, around);
+        choosePipeline(material);
     }
     for (const DrawItem& item : items_) {
         const std::shared_ptr<const Pipeline>& chosen = materials_[item.material].pipeline;
@@ -22,19 +22,46 @@ void FrameDrawer::choosePipelines() {
             lastGood_[item.index] = chosen;
         }
     }
-    chooseGround(around);
+    chooseGround();
     report_.compiled += pipelines_.programs().compiledCount() - before;
 }
 
-/// While a value is dragged its depth decides nothing.
-PipelineStore::Surroundings FrameDrawer::surroundings() {
-    const EffectView view = heldEffects_ ? EffectView() : effectView(depths_);
-    return {*effects_, keys_.ofScene(*effects_, *catalog_, view), view};
+/// While a value is dragged neither depth nor place decides anything.
+void FrameDrawer::beginSurroundings() {
+    sceneKeys_.clear();
+    effectView_ = heldEffects_ ? EffectView() : effectView(depths_, fogReach());
+}
+
+/// Whether the frame's objects and its ground lie behind the fog's box or in it.
+FogReach FrameDrawer::fogReach() const {
+    FogReach fog(*effects_, *catalog_, glm::dvec3(cameras_.cameraToWorld[3]));
+    if (!fog.hasBox()) {
+        return fog;
+    }
+    for (const DrawItem& item : items_) {
+        fog.add(item.placement->corners);
+    }
+    if (ground_.isSeen) {
+        fog.add(groundBounds(), worldMatrix(ground_.place));
+    }
+    return fog;
+}
+
+/// What is around objects that these lights do not reach.
+PipelineStore::Surroundings FrameDrawer::surroundings(std::uint64_t unreached) {
+    EffectView view = effectView_;
+    view.unreached = unreached;
+    auto known = std::ranges::find(sceneKeys_, unreached,
+                                   &std::pair<std::uint64_t, std::uint64_t>::first);
+    if (known == sceneKeys_.end()) {
+        known = sceneKeys_.insert(known, {unreached, keys_.ofScene(*effects_, *catalog_, view)});
+    }
+    return {*effects_, known->second, view};
 }
 
 /// A program that does not compile leaves the objects with the last good one.
-void FrameDrawer::choosePipeline(DrawMaterial& material,
-                                 const PipelineStore::Surroundings& around) {
+void FrameDrawer::choosePipeline(DrawMaterial& material) {
+    const PipelineStore::Surroundings around = surroundings(material.unreached);
     const Material& effects = effects_->objects[material.object].material;
     const std::uint64_t key = EffectKey::ofMaterial(effects, *catalog_);
     const PipelineStore::Entry& entry = pipelines_.get(effects, key, around);

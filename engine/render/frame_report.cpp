@@ -56,10 +56,10 @@ void FrameDrawer::describeEffects() {
     report_.effects.clear();
     report_.messages.clear();
     report_.warnings = 0;
-    const PipelineStore::Surroundings around = surroundings();
     for (const DrawMaterial& used : materials_) {
         const Material& material = effects_->objects[used.object].material;
         const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
+        const PipelineStore::Surroundings around = surroundings(used.unreached);
         for (const Error& error : pipelines_.get(material, key, around).errors) {
             addOnce(report_.messages, error);
         }

@@ -90,11 +90,12 @@ void FrameDrawer::planGround(const Scene& scene, const View& view) {
     }
 }
 
-void FrameDrawer::chooseGround(const PipelineStore::Surroundings& around) {
+void FrameDrawer::chooseGround() {
     if (!ground_.isSeen) {
         return;
     }
-    const PipelineStore::Entry& entry = pipelines_.ground(around);
+    const PipelineStore::Entry& entry =
+        pipelines_.ground(surroundings(unreachedFrom(ground_.lights)));
     ground_.pipeline = entry.pipeline ? entry.pipeline : ground_.pipeline;
     ground_.isSeen = ground_.pipeline && ground_.pipeline->effects.ground != GroundMode::Off;
     if (!ground_.isSeen) {

@@ -53,14 +53,6 @@ double DepthRange::near() const {
     return farthest_ > 0.0 ? std::max(0.99 * nearest_, 1e-4 * far()) : 0.1;
 }
 
-EffectView effectView(const DepthRange& depths) {
-    EffectView view;
-    if (depths.farthest() > 0.0) {
-        view.farthest = depths.farthest();
-    }
-    return view;
-}
-
 glm::dmat4 projection(const Camera& camera, double aspect, const DepthRange& depths) {
     const double angle = glm::radians(std::clamp(camera.fieldOfView, 1.0, 170.0));
     return glm::perspective(angle, aspect, depths.near(), depths.far());

@@ -8,7 +8,6 @@
 
 #include "core/mesh.h"
 #include "scene/scene.h"
-#include "shading/effect_view.h"
 
 namespace patina {
 
@@ -40,9 +39,6 @@ class DepthRange {
     double nearest_ = 1e30;
     double farthest_ = 0.0;
 };
-
-/// What these depths say to the choice of effects.
-EffectView effectView(const DepthRange& depths);
 
 /// The perspective of a camera whose image is `aspect` times as wide as high. The (vertical) field
 /// of view is brought into 1 .. 170 degrees.

@@ -70,8 +70,15 @@ Mesh groundMesh() {
         mesh.vertices.push_back(vertex);
     }
     mesh.indices = {0, 1, 2, 0, 2, 3};
-    mesh.bounds = boundsOf(mesh.vertices);
+    mesh.bounds = groundBounds();
     return mesh;
+}
+
+Bounds groundBounds() {
+    Bounds bounds;
+    bounds.add({-1.0f, 0.0f, -1.0f});
+    bounds.add({1.0f, 0.0f, 1.0f});
+    return bounds;
 }
 
 double lowestPoint(const MeshView& mesh, const glm::dmat4& world) {

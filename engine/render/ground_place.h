@@ -40,8 +40,9 @@ void addGround(DepthRange& depths, const GroundPlace& place, const Camera& camer
 /// From a square of two metres a side, level at the origin, into the world.
 glm::dmat4 worldMatrix(const GroundPlace& place);
 
-/// That square.
+/// That square, and its box.
 Mesh groundMesh();
+Bounds groundBounds();
 
 /// The lowest height of a mesh in the world. Exact: a box's corners lie lower than what is in it
 /// when it is turned.

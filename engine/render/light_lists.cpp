@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "shading/effect_view.h"
 
 namespace patina {
 namespace {
@@ -102,6 +103,16 @@ bool LightLists::holds(std::size_t list, std::size_t light) const {
     const std::size_t place = light < places_.size() ? places_[light] : 0;
     return place == 0 ||
            ((bits_[list * words_ + (place - 1) / wordBits] >> ((place - 1) % wordBits)) & 1) != 0;
+}
+
+std::uint64_t LightLists::unreached(std::size_t list) const {
+    std::uint64_t lights = 0;
+    for (const Bounded& bounded : bounded_) {
+        if (bounded.light < EffectView::knownLights && !holds(list, bounded.light)) {
+            lights |= std::uint64_t(1) << bounded.light;
+        }
+    }
+    return lights;
 }
 
 } // namespace patina

@@ -40,6 +40,10 @@ class LightLists {
     static constexpr std::size_t most = 64;
 
     bool holds(std::size_t list, std::size_t light) const;
+
+    /// The lights that are not on the list, as EffectView::unreached has them.
+    std::uint64_t unreached(std::size_t list) const;
+
     std::size_t count() const { return words_ == 0 ? 1 : bits_.size() / words_; }
 
   private:

@@ -33,8 +33,8 @@ struct View {
     const Scene* effects = nullptr;
     /// The picture of the scene's environment; nothing: it is not there yet, and black.
     std::shared_ptr<const EnvironmentImage> environmentImage;
-    /// Directions per pixel that are drawn for an environment's light, in whole rounds of four; 0:
-    /// what takes about as long as the lights.
+    /// Directions per pixel that are drawn for an environment's light, from four on in whole rounds
+    /// of four; 0: what takes about as long as the lights.
     int environmentSamples = 0;
     /// Where a frame that continues stops to add: so many samples are in the picture then.
     int mostSamples = 1 << 24;

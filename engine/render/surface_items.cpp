@@ -56,9 +56,17 @@ void SurfaceItems::prepare(const Scene& scene, const View& view, const MeshSourc
     report_ = FrameReport();
     textures_.beginFrame();
     collect(scene, view, meshes);
-    choosePipelines(scene, usesDepths ? effectView(depths_) : EffectView());
+    choosePipelines(scene, usesDepths ? effectView(depths_, fogReach(scene)) : EffectView());
     drawShadows(scene);
     feed(scene, view);
+}
+
+FogReach SurfaceItems::fogReach(const Scene& scene) const {
+    FogReach fog(scene, *catalog_, glm::dvec3(cameraToWorld_[3]));
+    for (const Item& item : items_) {
+        fog.add(item.bounds, item.world);
+    }
+    return fog;
 }
 
 void SurfaceItems::end() {

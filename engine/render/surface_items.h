@@ -9,6 +9,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "render/fog_reach.h"
 #include "render/frustum.h"
 #include "render/gpu_mesh_store.h"
 #include "render/gpu_texture_store.h"
@@ -61,6 +62,7 @@ class SurfaceItems {
     const FrameReport& report() const { return report_; }
 
   private:
+    FogReach fogReach(const Scene& scene) const;
     void collect(const Scene& scene, const View& view, const MeshSource& meshes);
     void choosePipelines(const Scene& scene, const EffectView& view);
     void note(const PipelineStore::Entry& entry);

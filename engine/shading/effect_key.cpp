@@ -116,13 +116,17 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
                                  const EffectView& view) {
     lines_.clear();
     const bool shadows = hasShadows(scene, catalog);
-    for (const Light& light : scene.lights) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
         const Block* block = catalog.find("lights", light.block.id);
         lines_.add(ofLight(light, catalog, shadows),
-                   block != nullptr && reachOf(light, *block).isEverywhere());
+                   block != nullptr && reachOf(light, *block).isEverywhere(), view.reaches(i));
     }
     Hash hash;
     for (const LightLines::Group& group : lines_.groups()) {
+        if (!group.isReached) {
+            continue;
+        }
         hash.add(group.key);
         hash.add(static_cast<std::uint64_t>(lines_.of(group)));
     }

@@ -64,11 +64,17 @@ Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     return alone;
 }
 
+/// The ground is lit by lights that do not reach the object.
+EffectSet groundOf(const Scene& scene, const Catalog& catalog, EffectView view) {
+    view.unreached = 0;
+    return groundEffects(scene, catalog, view);
+}
+
 std::vector<EffectLine> linesOf(const Scene& scene, std::size_t object, const Catalog& catalog,
                                 const EffectView& view) {
     std::vector<EffectLine> lines =
         effectLines(effectSet(scene.objects[object].material, scene, catalog, view));
-    const EffectSet ground = groundEffects(scene, catalog, view);
+    const EffectSet ground = groundOf(scene, catalog, view);
     if (ground.ground != GroundMode::Off) {
         lines.push_back(effectLines(ground).front());
     }
@@ -109,7 +115,7 @@ std::vector<EffectRow> effectRows(const Scene& scene, std::size_t object, const 
     findRemovable(rows, aloneIn(scene, object, catalog), catalog, view);
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog, view);
     std::vector<EffectLine> out = leftOutLines(set);
-    const EffectSet ground = groundEffects(scene, catalog, view);
+    const EffectSet ground = groundOf(scene, catalog, view);
     for (const LeftOut& left : ground.leftOut) {
         out.push_back({left.what, {}, left.reason});
     }

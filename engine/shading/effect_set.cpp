@@ -266,7 +266,7 @@ void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) 
 
 SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const EffectView& view) {
     SceneEffects effects;
-    addLights(effects, scene, catalog);
+    addLights(effects, scene, catalog, view);
     addFog(effects, scene, catalog, view);
     addEnvironment(effects, scene, catalog);
     addTransparency(effects, scene, catalog);

@@ -85,6 +85,7 @@ struct TextureEffect {
     bool isColor = false;
     glm::dvec2 range{0.0, 1.0};
     TextureChannel channel = TextureChannel::Color;
+    bool isUsualChannel = false; ///< not chosen: for alpha the grey of an image that has none
     TextureMode mode = TextureMode::Replace;
     bool cutOut = false;
 

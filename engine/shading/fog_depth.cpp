@@ -43,12 +43,15 @@ double brightness(const Block& block, const Values& values) {
     return color == nullptr ? 1.0 : std::max({color->x, color->y, color->z, 0.0});
 }
 
+const glm::dvec3* vectorOf(const Parameter* parameter, const Values& values) {
+    return parameter == nullptr ? nullptr
+                                : std::get_if<glm::dvec3>(&givenValue(*parameter, values));
+}
+
 /// The longest way through the box that the fog fills, by its parameter `size`; infinite where it
 /// has none.
 double longestWay(const Block& block, const Values& values) {
-    const Parameter* parameter = block.parameter("size");
-    const glm::dvec3* size =
-        parameter == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*parameter, values));
+    const glm::dvec3* size = vectorOf(block.parameter("size"), values);
     if (size == nullptr) {
         return std::numeric_limits<double>::infinity();
     }
@@ -98,6 +101,16 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
     return hidesAny ? -std::expm1(-std::pow(rate * distance, hides.power)) : 0.0;
 }
 
+std::optional<FogBox> fogBox(const Block& block, const Values& values) {
+    const Parameter* middle = block.parameter("center");
+    const glm::dvec3* center = vectorOf(middle, values);
+    const glm::dvec3* size = vectorOf(block.parameter("size"), values);
+    const bool isBox = block.hides && center != nullptr && size != nullptr &&
+                       middle->space == Space::WorldPoint && isFinite(Value(*center)) &&
+                       isFinite(Value(*size));
+    return isBox ? std::optional(FogBox{*center, *size}) : std::nullopt;
+}
+
 /// With h the hidden share, a surface of S becomes S (1 - h) + F h. On a display that is, by the
 /// slope of the sRGB curve at black, at most 12.92 F h more, and at most 0.44 h less, since
 /// S times the curve's slope at S is never more than 0.44. Tone mapping subtracts a part of the
@@ -106,6 +119,9 @@ double mostChange(const Scene& scene, const Block& block, const EffectView& view
     const auto hidden = hiddenShare(block, scene.fog->parameters, decisiveDistance(view));
     if (!hidden) {
         return std::numeric_limits<double>::infinity();
+    }
+    if (view.missesFog) {
+        return 0.0;
     }
     const double light = brightness(block, scene.fog->parameters) * std::exp2(scene.exposure);
     return *hidden > 0.0 ? 2.0 * *hidden * (srgbSlope * light + 0.44) : 0.0;
@@ -119,6 +135,9 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
     const std::string text = valuesText(block, values);
     if (longestWay(block, values) == 0.0) {
         return text + ": there is nothing in a box without a width, a height or a depth.";
+    }
+    if (view.missesFog) {
+        return text + ": nothing that is drawn lies in its box or is seen through it.";
     }
     if (!std::isfinite(view.farthest)) {
         return text + ".";

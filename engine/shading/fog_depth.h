@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <glm/vec3.hpp>
+
 #include "catalog/block.h"
 #include "scene/scene.h"
 #include "shading/effect_view.h"
@@ -17,8 +19,18 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
 /// The most by which the scene's fog can change a display value (0 .. 1) of what is drawn: a
 /// bound, so that fog below half of an 8-bit step can be left out unseen. It holds up to the next
 /// power of two of the view's distance, so that a camera that moves seldom asks for other programs.
-/// Infinite where the block does not say.
+/// Infinite where the block does not say; 0 where the view misses its box.
 double mostChange(const Scene& scene, const Block& block, const EffectView& view);
+
+/// A box along the axes of the scene.
+struct FogBox {
+    glm::dvec3 center{0.0};
+    glm::dvec3 size{0.0}; ///< from side to side
+};
+
+/// The box that the fog fills, by its parameters `center` (a point of the world) and `size`;
+/// nothing where it has none of them.
+std::optional<FogBox> fogBox(const Block& block, const Values& values);
 
 /// Half of a step between two display values of 8 bits.
 inline constexpr double halfStep = 0.5 / 255.0;

@@ -132,7 +132,8 @@ std::string lightName(const Scene& scene, std::size_t index) {
     return light.name.empty() ? fmt::format("light {}", index + 1) : light.name;
 }
 
-void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
+void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog,
+               const EffectView& view) {
     const std::string whyNone = whyNoShadows(scene, catalog);
     LightLines lines;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -144,7 +145,10 @@ void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog
         }
         LightGroup group = groupOf(*block, light, catalog, whyNone.empty());
         group.names.push_back(lightName(scene, i));
-        lines.add(group.key, reachOf(light, *block).isEverywhere());
+        lines.add(group.key, reachOf(light, *block).isEverywhere(), view.reaches(i));
+        if (!view.reaches(i)) {
+            continue;
+        }
         addGroup(effects, std::move(group));
         if (std::string why = whyNoShadow(light, *block, catalog, whyNone); !why.empty()) {
             effects.leftOut.push_back({"shadows of " + lightName(scene, i), std::move(why)});

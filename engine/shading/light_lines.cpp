@@ -19,7 +19,7 @@ void LightLines::clear() {
     lights_ = 0;
 }
 
-void LightLines::add(std::uint64_t key, bool isEverywhere) {
+void LightLines::add(std::uint64_t key, bool isEverywhere, bool isReached) {
     if (key == 0) {
         return;
     }
@@ -27,10 +27,11 @@ void LightLines::add(std::uint64_t key, bool isEverywhere) {
     const auto before = [](const Group& group, std::uint64_t other) { return group.key < other; };
     const auto place = std::lower_bound(groups_.begin(), groups_.end(), key, before);
     if (place == groups_.end() || place->key != key) {
-        groups_.insert(place, {key, 1, isEverywhere});
+        groups_.insert(place, {key, 1, isEverywhere, isReached});
         return;
     }
     ++place->count;
+    place->isReached = place->isReached || isReached;
     place->isEverywhere = place->isEverywhere && isEverywhere;
 }
 

@@ -15,12 +15,14 @@ class LightLines {
         std::uint64_t key = 0; ///< EffectKey::ofLight of its lights
         int count = 0;
         bool isEverywhere = true;
+        bool isReached = false; ///< a light of it reaches what is drawn
     };
 
     void clear();
 
-    /// A light. One that is left out, with the key 0, is in no group.
-    void add(std::uint64_t key, bool isEverywhere);
+    /// A light. One that is left out, with the key 0, is in no group. One that ends before what is
+    /// drawn counts among them, so that the others do not become lines by its leaving.
+    void add(std::uint64_t key, bool isEverywhere, bool isReached = true);
 
     /// Sorted by key.
     const std::vector<Group>& groups() const { return groups_; }

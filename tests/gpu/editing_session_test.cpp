@@ -119,8 +119,9 @@ class EditingSession : public GpuTest {
             all[i % all.size()](scene);
             capture(scene, true);
             session.compiled += renderer->report().compiled;
-            const EffectView view = effectView(scene, scene.camera, meshSource());
-            see(effectSet(scene.objects[0].material, scene, *catalog, view));
+            const EffectView view = effectView(scene, scene.camera, *catalog, meshSource());
+            see(effectSet(scene.objects[0].material, scene, *catalog,
+                          objectView(scene, 0, *catalog, meshSource())));
             const EffectSet ground = groundEffects(scene, *catalog, view);
             if (ground.ground != GroundMode::Off) {
                 see(ground);

@@ -163,6 +163,19 @@ TEST_F(EffectRowsTest, Fog_SaysHowMuchItHides) {
               "Density 0.02: at up to 14 m it hides 24 %.");
 }
 
+TEST_F(EffectRowsTest, FogThatNothingIsSeenThrough_IsLeftOut) {
+    useFog("boxed", "density", 5.0);
+    EffectView view{10.0};
+    EXPECT_TRUE(sceneEffects(scene_, catalog(), view).fog);
+    view.missesFog = true;
+    EXPECT_FALSE(sceneEffects(scene_, catalog(), view).fog);
+    EXPECT_NE(EffectKey().ofScene(scene_, catalog(), view),
+              EffectKey().ofScene(scene_, catalog(), {10.0}));
+    const Block& block = *catalog().find("fog", "boxed");
+    EXPECT_EQ(fogText(scene_, block, view),
+              "Density 5: nothing that is drawn lies in its box or is seen through it.");
+}
+
 TEST_F(EffectRowsTest, FogTooThinToBeSeen_IsLeftOut) {
     useFog("exponential", "density", 1e-6);
     EXPECT_FALSE(isIn("fog/exponential"));

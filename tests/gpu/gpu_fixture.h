@@ -100,6 +100,15 @@ class GpuTest : public testing::Test {
         return scene;
     }
 
+    /// The simple scene with a white matte plate that faces the camera and the light.
+    Scene plate() const {
+        Scene scene = simpleScene("lambert");
+        scene.objects[0].mesh = "builtin:plane";
+        scene.objects[0].rotation = {90.0, 0.0, 0.0};
+        scene.objects[0].material.model.parameters["diffuse.color"] = glm::dvec3(1.0);
+        return scene;
+    }
+
     static View viewOf(const Scene& scene, int size = 33) {
         View view;
         view.size = {size, size};

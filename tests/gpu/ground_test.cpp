@@ -84,7 +84,7 @@ TEST_F(GroundTest, ReachingIntoFog_BringsTheFogIntoTheProgram) {
     scene_.fog->parameters["start"] = 40.0;
     scene_.fog->parameters["end"] = 60.0;
     const auto hasFog = [this] {
-        const EffectView view = effectView(scene_, scene_.camera, meshSource());
+        const EffectView view = effectView(scene_, scene_.camera, *catalog, meshSource());
         const bool isInRows = sceneEffects(scene_, *catalog, view).fog.has_value();
         capture(scene_);
         const auto& effects = renderer->report().effects;

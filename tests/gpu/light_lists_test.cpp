@@ -2,13 +2,18 @@
 // Lights that cannot reach an object are not shaded for it.
 #include "render/light_lists.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "gpu_fixture.h"
-#include "render/unreached_lights.h"
+#include "render/light_kinds.h"
+#include "render/object_rows.h"
+#include "render/scene_depth.h"
+#include "shading/program_source.h"
 
 namespace patina {
 namespace {
@@ -40,6 +45,20 @@ class LightListsTest : public GpuTest {
         return made;
     }
 
+    std::optional<EffectRow> row(const Scene& scene, std::size_t object,
+                                 const std::string& effect) {
+        for (const EffectRow& each : objectRows(scene, object, *catalog, meshSource())) {
+            if (each.line.effect == effect) {
+                return each;
+            }
+        }
+        return std::nullopt;
+    }
+
+    bool isInTheFrame(const std::string& effect) const {
+        return std::ranges::count(renderer->report().effects, effect) > 0;
+    }
+
     /// Two spheres side by side, and a lamp whose range ends between them.
     Scene twoSpheres() const {
         Scene scene = simpleScene();
@@ -51,6 +70,29 @@ class LightListsTest : public GpuTest {
         return scene;
     }
 };
+
+TEST_F(LightListsTest, HiddenObject_HasNothingIn) {
+    Scene scene = twoSpheres();
+    scene.objects[0].visible = false;
+    scene.objects[1].material.opacity = 0.0;
+    for (const std::size_t object : {0u, 1u}) {
+        const auto model = row(scene, object, "models/lambert");
+        ASSERT_TRUE(model);
+        EXPECT_FALSE(model->in) << object;
+        EXPECT_FALSE(model->removable) << object;
+    }
+}
+
+TEST_F(LightListsTest, GroundUnderALampThatMissesTheObject_IsIn) {
+    Scene scene = twoSpheres();
+    scene.lights[0].shadow = block("shadows", "hard");
+    scene.ground.mode = GroundMode::Shadows;
+    for (const std::size_t object : {0u, 1u}) {
+        const auto ground = row(scene, object, "ground");
+        ASSERT_TRUE(ground);
+        EXPECT_TRUE(ground->in) << object << ": " << ground->line.reason;
+    }
+}
 
 TEST_F(LightListsTest, LampWithoutRange_ReachesEverything) {
     EXPECT_TRUE(reaches(lamp({0, 0, 0}, 0.0), {{1e5, 0, 0}, 1.0}));
@@ -134,17 +176,117 @@ TEST_F(LightListsTest, RangedLamp_LightsTheNearSphereOnly) {
 TEST_F(LightListsTest, LampThatDoesNotReachAnObject_SaysHowFarThatIs) {
     Scene scene = twoSpheres();
     scene.lights[1].name = "Lamp";
-    EXPECT_TRUE(unreachedRows(scene, 0, *catalog, meshSource()).empty());
-    const std::vector<EffectRow> rows = unreachedRows(scene, 1, *catalog, meshSource());
-    ASSERT_EQ(rows.size(), 1u);
-    EXPECT_EQ(rows[0].line.effect, "Lamp");
-    EXPECT_FALSE(rows[0].in);
+    EXPECT_FALSE(row(scene, 0, "Lamp"));
+    const std::optional<EffectRow> lamp = row(scene, 1, "Lamp");
+    ASSERT_TRUE(lamp);
+    EXPECT_FALSE(lamp->in);
     const double half = glm::length(glm::dvec3(mesh(scene.objects[1]).bounds.upper));
-    EXPECT_NE(rows[0].line.reason.find(fmt::format("{:.3g} m", std::sqrt(40.0) - half)),
+    EXPECT_NE(lamp->line.reason.find(fmt::format("{:.3g} m", std::sqrt(40.0) - half)),
               std::string::npos)
-        << rows[0].line.reason;
+        << lamp->line.reason;
     scene.lights[1].enabled = false;
-    EXPECT_TRUE(unreachedRows(scene, 1, *catalog, meshSource()).empty());
+    EXPECT_EQ(row(scene, 1, "Lamp")->line.reason, "It is switched off.");
+}
+
+TEST_F(LightListsTest, LampThatDoesNotReachAnObject_IsNotNamedAmongThoseThatShine) {
+    Scene scene = twoSpheres();
+    scene.lights[1].name = "Lamp";
+    EXPECT_EQ(row(scene, 0, "lights/point")->line.reason, "Lamp shines.");
+    EXPECT_FALSE(row(scene, 1, "lights/point"));
+    scene.lights.push_back(lamp({3.0, 0.0, 2.0}, 3.5));
+    scene.lights[2].name = "Other";
+    EXPECT_EQ(row(scene, 0, "lights/point")->line.reason, "Lamp shines.");
+    EXPECT_EQ(row(scene, 1, "lights/point")->line.reason, "Other shines.");
+}
+
+TEST_F(LightListsTest, KindThatDoesNotReachAnObject_IsNotInItsProgram) {
+    const Scene scene = twoSpheres();
+    for (const std::size_t object : {0u, 1u}) {
+        const EffectView view = objectView(scene, object, *catalog, meshSource());
+        const auto source = surfaceProgram(
+            effectSet(scene.objects[object].material, scene, *catalog, view), *catalog);
+        ASSERT_TRUE(source);
+        EXPECT_EQ(source->fragment.text.find("pointLight(") != std::string::npos, object == 0u);
+    }
+}
+
+TEST_F(LightListsTest, LampThatReachesOneSphere_MakesTwoPrograms) {
+    makeRenderer();
+    Scene scene = twoSpheres();
+    capture(scene);
+    EXPECT_EQ(renderer->report().programs, 2);
+    EXPECT_TRUE(isInTheFrame("lights/point"));
+    scene.lights[1].block.parameters["range"] = 0.0; // without end
+    capture(scene);
+    EXPECT_EQ(renderer->report().programs, 1);
+}
+
+TEST_F(LightListsTest, LampThatReachesNothing_IsInNoProgram) {
+    makeRenderer();
+    Scene scene = twoSpheres();
+    scene.lights[1].block.parameters["position"] = glm::dvec3(0.0, 50.0, 0.0);
+    const Image with = capture(scene);
+    EXPECT_FALSE(isInTheFrame("lights/point"));
+    scene.lights.pop_back();
+    EXPECT_EQ(capture(scene).pixels, with.pixels);
+}
+
+/// While it is dragged the program has it, wherever it is.
+TEST_F(LightListsTest, HeldLamp_IsInAllPrograms) {
+    makeRenderer();
+    Scene scene = twoSpheres();
+    const Scene held = scene;
+    View view = viewOf(scene);
+    view.effects = &held;
+    ASSERT_TRUE(renderer->capture(scene, view, meshSource(), false));
+    EXPECT_EQ(renderer->report().programs, 1);
+    for (const double x : {0.0, 30.0}) {
+        scene.lights[1].block.parameters["position"] = glm::dvec3(x, 0.0, 2.0);
+        ASSERT_TRUE(renderer->capture(scene, view, meshSource(), false));
+        EXPECT_EQ(renderer->report().compiled, 0);
+        EXPECT_TRUE(isInTheFrame("lights/point"));
+    }
+}
+
+TEST_F(LightListsTest, ForeseenScene_HasTheProgramsOfADragToo) {
+    makeRenderer();
+    const Scene scene = twoSpheres();
+    EXPECT_TRUE(renderer->foresee(scene, viewOf(scene), meshSource()));
+    EXPECT_FALSE(renderer->foresee(scene, viewOf(scene), meshSource()));
+    capture(scene);
+    EXPECT_EQ(renderer->report().compiled, 0);
+    const Scene held = scene;
+    View view = viewOf(scene);
+    view.effects = &held;
+    ASSERT_TRUE(renderer->capture(scene, view, meshSource(), false));
+    EXPECT_EQ(renderer->report().compiled, 0);
+}
+
+/// Lamps of one kind are one loop: it is needed while one of them is.
+TEST_F(LightListsTest, Kind_IsMissingWhereAllOfItsLightsAre) {
+    Scene scene;
+    scene.lights = {lamp({0, 0, 0}, 1.0), spot(30.0), lamp({10, 0, 0}, 1.0)};
+    LightLists lists;
+    lists.begin(scene, *catalog);
+    LightKinds kinds;
+    kinds.begin(scene, *catalog);
+    constexpr std::uint64_t lamps = 0b101;
+    constexpr std::uint64_t spots = 0b010;
+    EXPECT_EQ(kinds.unreached(lists, lists.listFor({{0, 0, 0}, 0.5})), 0u);
+    EXPECT_EQ(kinds.unreached(lists, lists.listFor({{5, 0, 0}, 0.5})), lamps);
+    EXPECT_EQ(kinds.unreached(lists, lists.listFor({{-5, 0, 0}, 0.5})), lamps | spots);
+    EXPECT_EQ(kinds.unreached(lists, 0), 0u);
+}
+
+/// There is no bit for the last one.
+TEST_F(LightListsTest, MoreLightsThanAreKnown_StayInThePrograms) {
+    Scene scene;
+    scene.lights.assign(EffectView::knownLights + 1, lamp({0, 0, 0}, 1.0));
+    LightLists lists;
+    lists.begin(scene, *catalog);
+    LightKinds kinds;
+    kinds.begin(scene, *catalog);
+    EXPECT_EQ(kinds.unreached(lists, lists.listFor({{50, 0, 0}, 0.5})), 0u);
 }
 
 TEST_F(LightListsTest, SecondFrameOfTwoLists_UploadsNothing) {

@@ -43,15 +43,6 @@ class OneSample : public GpuTest {
         GpuTest::SetUp();
         makeRenderer();
     }
-
-    /// A white plane that faces the camera and the light.
-    Scene plate() const {
-        Scene scene = simpleScene("lambert");
-        scene.objects[0].mesh = "builtin:plane";
-        scene.objects[0].rotation = {90.0, 0.0, 0.0};
-        scene.objects[0].material.model.parameters["diffuse.color"] = glm::dvec3(1.0);
-        return scene;
-    }
 };
 
 TEST_F(OneSample, Glow_MayBeBrighterThanWhite) {

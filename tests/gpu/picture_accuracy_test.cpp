@@ -213,6 +213,19 @@ TEST_F(PictureAccuracyTest, LayersOfTheScene_HaveTheWeightedMeanAsTheirLastLevel
     EXPECT_EQ(exact.scene.transparency->id, "peeled");
 }
 
+TEST_F(PictureAccuracyTest, DirectionsOfAnEnvironment_GoFrom4096To1) {
+    Scene scene = simpleScene();
+    scene.environment = block("environment", "studio");
+    const std::vector<Choice> choices = choicesOfPicture(scene, *catalog);
+    const auto directions = std::ranges::find(choices, "picture.environment", &Choice::id);
+    ASSERT_NE(directions, choices.end());
+    EXPECT_EQ(directions->levels.front().id, "4096");
+    EXPECT_EQ(directions->levels.back().id, "1");
+    ChosenFrame frame{scene, View()};
+    choose(frame, 0, choices, {{"picture.environment", "1"}}, *catalog);
+    EXPECT_EQ(frame.view.environmentSamples, 1);
+}
+
 TEST_F(PictureAccuracyTest, MoreDirectionsThanOneFrameHas_TakeTheirTime) {
     Scene scene = simpleScene();
     scene.environment = block("environment", "studio");

@@ -131,9 +131,9 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
     }
 
     void expectNamedBlocks(const Scene& scene) {
-        const EffectView view = effectView(scene, scene.camera, meshSource());
-        for (const Object& each : scene.objects) {
-            const EffectSet set = effectSet(each.material, scene, *catalog, view);
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            const EffectView view = objectView(scene, i, *catalog, meshSource());
+            const EffectSet set = effectSet(scene.objects[i].material, scene, *catalog, view);
             EXPECT_EQ(blocksIn(set), blocksNamed(set));
             EXPECT_EQ(set.textures.size(), texturesNamed(set));
         }

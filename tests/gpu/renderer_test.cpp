@@ -22,15 +22,6 @@ class RendererTest : public GpuTest {
         makeRenderer();
     }
 
-    /// A white matte plate that faces the camera and the light.
-    Scene plate() const {
-        Scene scene = simpleScene("lambert");
-        scene.objects[0].mesh = "builtin:plane";
-        scene.objects[0].rotation = {90.0, 0.0, 0.0};
-        scene.objects[0].material.model.parameters["diffuse.color"] = glm::dvec3(1.0);
-        return scene;
-    }
-
     static bool isLight(const Image& image) {
         return std::all_of(image.pixels.begin(), image.pixels.end(), [](float channel) {
             return std::isfinite(channel) && channel >= 0.0f && channel <= 65504.0f;

@@ -57,6 +57,20 @@ TEST(LawText, OfAnotherCountry_HasItsNumbers) {
     EXPECT_EQ(lawText(curve, withComma), "linear: 2 ms + 0,5 ms per light, R² 1,000");
 }
 
+TEST(LawText, OfLargeNumbers_HasNoExponents) {
+    ScalingCurve curve{Axis::Pixels, {sample(1e4, 96.0), sample(1e5, 951.0), sample(1e6, 9501.0)},
+                       {}};
+    curve.law = growthLaw(curve.samples);
+    EXPECT_EQ(lawText(curve), "linear: 1 ms + 9500 ms per million pixels, R² 1.000");
+}
+
+TEST(LawText, OfACurve_SaysWhatTwiceAsManyTake) {
+    ScalingCurve curve{Axis::Objects, {sample(1, 1.0), sample(4, 2.0), sample(16, 4.0)}, {}};
+    curve.law = growthLaw(curve.samples);
+    const std::string text = lawText(curve);
+    EXPECT_TRUE(text.starts_with("twice the objects take 1.41 times as long")) << text;
+}
+
 class ScalingSweepTest : public GpuTest {};
 
 TEST_F(ScalingSweepTest, Lights_AreThoseThatAreOnAgainAndAgain) {

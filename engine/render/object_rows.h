@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "render/renderer.h"
+#include "shading/effect_rows.h"
+
+namespace patina {
+
+/// The effects of one object of the scene as the scene's camera sees them, by what is known of its
+/// mesh too: lights that do not reach it are out, with the distance, and images say that the mesh
+/// has no texture coordinates. What only a mesh tells is not told while it is not there.
+std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
+                                  const MeshSource& meshes);
+
+} // namespace patina

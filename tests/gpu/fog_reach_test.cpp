@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fog in a box that nothing is seen through.
+#include "render/fog_reach.h"
+
+#include <algorithm>
+#include <random>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gpu_fixture.h"
+#include "render/object_rows.h"
+#include "render/scene_depth.h"
+
+namespace patina {
+namespace {
+
+class FogReachTest : public GpuTest {
+  protected:
+    Scene fogAt(const glm::dvec3& center, const glm::dvec3& size) const {
+        Scene scene = simpleScene();
+        scene.camera.distance = 4.0;
+        scene.fog = block("fog", "boxed");
+        scene.fog->parameters["density"] = 5.0;
+        scene.fog->parameters["center"] = center;
+        scene.fog->parameters["size"] = size;
+        return scene;
+    }
+
+    /// Whether it is missed by what is seen of a cube of two metres a side.
+    bool misses(const Scene& scene, const glm::dvec3& eye, const glm::dmat4& world) const {
+        FogReach reach(scene, *catalog, eye);
+        reach.add(cube(), world);
+        return reach.misses();
+    }
+
+    static Bounds cube() {
+        Bounds bounds;
+        bounds.add(glm::vec3(-1.0f));
+        bounds.add(glm::vec3(1.0f));
+        return bounds;
+    }
+
+    bool isInTheFrame() const {
+        return std::ranges::count(renderer->report().effects, "fog/boxed") > 0;
+    }
+};
+
+const glm::dvec3 small(0.5);
+const glm::dmat4 here(1.0);
+
+TEST_F(FogReachTest, BoxBetweenEyeAndObject_IsMet) {
+    EXPECT_FALSE(misses(fogAt({0, 0, 5}, small), {0, 0, 10}, here));
+}
+
+TEST_F(FogReachTest, BoxInTheObject_IsMet) {
+    EXPECT_FALSE(misses(fogAt({0, 0, 0}, small), {0, 0, 10}, here));
+}
+
+TEST_F(FogReachTest, BoxAroundTheEye_IsMet) {
+    EXPECT_FALSE(misses(fogAt({0, 0, 10}, small), {0, 0, 10}, here));
+}
+
+TEST_F(FogReachTest, BoxBesideBehindOrAtTheBack_IsMissed) {
+    EXPECT_TRUE(misses(fogAt({3, 0, 5}, small), {0, 0, 10}, here));
+    EXPECT_TRUE(misses(fogAt({0, 0, -2}, small), {0, 0, 10}, here));
+    EXPECT_TRUE(misses(fogAt({0, 0, 12}, small), {0, 0, 10}, here));
+}
+
+/// The ball around the turned cube would touch it.
+TEST_F(FogReachTest, BoxBesideATurnedObject_IsMissed) {
+    const glm::dmat4 turned =
+        glm::rotate(here, glm::radians(45.0), glm::normalize(glm::dvec3(0, 0, 1)));
+    EXPECT_TRUE(misses(fogAt({1.2, 1.2, 0}, small), {0, 0, 10}, turned));
+    EXPECT_FALSE(misses(fogAt({1.2, 1.2, 0}, small), {0, 0, 10}, here));
+}
+
+TEST_F(FogReachTest, OneOfTwoObjectsBehindIt_IsEnough) {
+    const Scene scene = fogAt({20, 0, 5}, small);
+    FogReach reach(scene, *catalog, {20, 0, 10});
+    reach.add(cube(), here);
+    EXPECT_TRUE(reach.misses());
+    reach.add(cube(), glm::translate(here, {20, 0, 0}));
+    EXPECT_FALSE(reach.misses());
+}
+
+TEST_F(FogReachTest, FogWithoutABox_IsNeverMissed) {
+    Scene scene = simpleScene();
+    scene.fog = block("fog", "exponential");
+    EXPECT_FALSE(misses(scene, {0, 0, 10}, here));
+}
+
+TEST_F(FogReachTest, EyeThatIsNowhere_MeetsIt) {
+    const double nothing = std::nan("");
+    EXPECT_FALSE(misses(fogAt({90, 0, 0}, small), {nothing, 0, 10}, here));
+    EXPECT_FALSE(misses(fogAt({90, 0, 0}, small), {0, 0, 10},
+                        glm::translate(here, {nothing, 0, 0})));
+}
+
+/// Whether the way from the eye to a point meets a box, as the fog's shader has it.
+bool meets(const FogBox& box, const glm::dvec3& eye, const glm::dvec3& point) {
+    double from = 0.0;
+    double to = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double middle = box.center[axis] - eye[axis];
+        const double way = point[axis] - eye[axis];
+        const double a = (middle - 0.5 * box.size[axis]) / way;
+        const double b = (middle + 0.5 * box.size[axis]) / way;
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+    return from < to;
+}
+
+/// Against rays to points of the object: none may meet a box that is missed, and most of the others
+/// are met by one.
+TEST_F(FogReachTest, RandomBoxes_AreMissedWhereNoRayMeetsThem) {
+    std::mt19937 random(4);
+    const auto within = [&random](double most) {
+        return std::uniform_real_distribution<double>(-most, most)(random);
+    };
+    const auto point = [&within](double most) {
+        return glm::dvec3(within(most), within(most), within(most));
+    };
+    int missed = 0;
+    int met = 0;
+    int metUnseen = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 eye = point(8.0);
+        const glm::dmat4 world =
+            glm::rotate(glm::translate(here, point(4.0)), within(3.0), glm::normalize(point(1.0)));
+        const glm::dvec3 between = glm::mix(eye, glm::dvec3(world[3]), 0.5 + within(0.5));
+        const FogBox box{between + point(3.0), glm::abs(point(2.0))};
+        bool isSeen = false;
+        for (int ray = 0; ray < 400 && !isSeen; ++ray) {
+            isSeen = meets(box, eye, glm::dvec3(world * glm::dvec4(point(1.0), 1.0)));
+        }
+        const bool isMissed = misses(fogAt(box.center, box.size), eye, world);
+        ASSERT_FALSE(isMissed && isSeen) << i;
+        missed += isMissed ? 1 : 0;
+        met += isSeen ? 1 : 0;
+        metUnseen += !isMissed && !isSeen ? 1 : 0;
+    }
+    EXPECT_GT(missed, 300);
+    EXPECT_GT(met, 300);
+    EXPECT_LT(metUnseen, 200); // the margin, and boxes that few rays meet
+}
+
+TEST_F(FogReachTest, BoxFarFromTheObjects_IsInNoProgram) {
+    makeRenderer();
+    Scene scene = fogAt({0.0, 0.0, 2.0}, small);
+    const Image with = capture(scene);
+    EXPECT_TRUE(isInTheFrame());
+    scene.fog->parameters["center"] = glm::dvec3(500.0, 0.0, 0.0);
+    const Image away = capture(scene);
+    EXPECT_FALSE(isInTheFrame());
+    EXPECT_TRUE(objectView(scene, 0, *catalog, meshSource()).missesFog);
+    scene.fog.reset();
+    EXPECT_EQ(capture(scene).pixels, away.pixels);
+    EXPECT_NE(with.pixels, away.pixels);
+}
+
+/// The ground lies behind it.
+TEST_F(FogReachTest, BoxOverTheGround_IsInThePrograms) {
+    makeRenderer();
+    Scene scene = fogAt({4.0, -0.4, 0.0}, small);
+    scene.camera.pitch = 20.0;
+    capture(scene);
+    EXPECT_FALSE(isInTheFrame());
+    scene.ground.mode = GroundMode::Plane;
+    capture(scene);
+    EXPECT_TRUE(isInTheFrame());
+    EXPECT_FALSE(objectView(scene, 0, *catalog, meshSource()).missesFog);
+}
+
+TEST_F(FogReachTest, RowOfABoxThatIsMissed_SaysSo) {
+    const Scene scene = fogAt({500.0, 0.0, 0.0}, small);
+    const auto rows = objectRows(scene, 0, *catalog, meshSource());
+    const auto fog = std::ranges::find_if(
+        rows, [](const EffectRow& row) { return row.line.effect == "fog"; });
+    ASSERT_NE(fog, rows.end());
+    EXPECT_FALSE(fog->in);
+    EXPECT_TRUE(fog->line.reason.ends_with("nothing that is drawn lies in its box or is seen "
+                                           "through it."))
+        << fog->line.reason;
+}
+
+} // namespace
+} // namespace patina
