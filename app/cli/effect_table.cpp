@@ -64,10 +64,11 @@ std::string totalText(const EffectTable& table) {
     return fmt::format("\neffects that are within none  {}\n"
                        "the rest, which is no effect  {}\n"
                        "the whole frame               {} ({:.3f} .. {:.3f})\n"
-                       "{} x {} pixels, {}; medians with intervals of 95 %\n",
+                       "{} x {} pixels, {} pairs of frames for each effect, {}; medians with "
+                       "intervals of 95 %\n",
                        timeText(sum, costs), timeText(costs.rest, costs),
                        timeText(costs.frame.median, costs), costs.frame.lower, costs.frame.upper,
-                       costs.size.x, costs.size.y, costs.method);
+                       costs.size.x, costs.size.y, costs.pairs, costs.method);
 }
 
 nlohmann::json intervalJson(const MedianInterval& interval) {
@@ -95,10 +96,16 @@ nlohmann::json costsJson(const EffectTable& table) {
             {"effects", sumOf(costs, table.rows)},
             {"rest", costs.rest},
             {"size", {costs.size.x, costs.size.y}},
+            {"pairs", costs.pairs},
             {"method", costs.method}};
 }
 
 } // namespace
+
+std::string objectText(const ShownObject& object) {
+    const std::string place = fmt::format("object {} of {}", object.number, object.count);
+    return object.name.empty() ? place : fmt::format("{}, {}", object.name, place);
+}
 
 std::string tableText(const EffectTable& table) {
     std::vector<std::string> names;
@@ -109,7 +116,7 @@ std::string tableText(const EffectTable& table) {
     }
     const std::size_t nameColumns = widest(names);
     const std::size_t timeColumns = table.costs ? widest(times) + 2 : 0;
-    std::string out;
+    std::string out = objectText(table.object) + '\n';
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         out += padded(names[i], nameColumns) + "  " + padded(times[i], timeColumns) +
                whyText(table.rows[i].line) + '\n';
@@ -118,7 +125,12 @@ std::string tableText(const EffectTable& table) {
 }
 
 nlohmann::json tableJson(const EffectTable& table) {
-    nlohmann::json json{{"effects", nlohmann::json::array()}, {"leftOut", nlohmann::json::array()}};
+    nlohmann::json json{{"object",
+                         {{"name", table.object.name},
+                          {"number", table.object.number},
+                          {"count", table.object.count}}},
+                        {"effects", nlohmann::json::array()},
+                        {"leftOut", nlohmann::json::array()}};
     for (const EffectRow& row : table.rows) {
         if (row.in) {
             json["effects"].push_back(rowJson(row, table.costs));

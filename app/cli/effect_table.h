@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,9 +12,20 @@
 
 namespace patina {
 
+/// Which object of a scene is shown.
+struct ShownObject {
+    std::string name;       ///< may be empty
+    std::size_t number = 1; ///< from 1
+    std::size_t count = 1;  ///< of the scene's objects
+};
+
+/// "Ball, object 1 of 3".
+std::string objectText(const ShownObject& object);
+
 /// What `patina effects` prints: the effects of one object, and what they cost where that was
 /// measured.
 struct EffectTable {
+    ShownObject object;
     std::vector<EffectRow> rows;
     std::optional<EffectCosts> costs;
 };

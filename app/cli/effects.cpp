@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
+#include <charconv>
 #include <iostream>
 #include <memory>
 
@@ -17,9 +18,9 @@
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "gl/headless_context.h"
+#include "render/object_rows.h"
 #include "render/scene_depth.h"
 #include "render/texture_loader.h"
-#include "render/unreached_lights.h"
 #include "shading/outline_source.h"
 #include "shading/program_source.h"
 
@@ -35,18 +36,81 @@ struct Options {
     bool source = false;
     bool json = false;
     bool noCost = false;
+    bool hasSize = false; ///< the size is the command line's
+    double seconds = 10.0;
+    std::string object; ///< its name, or its number from 1; empty: the first one
 };
 
 Errors oneError(Error error) {
     return {std::move(error)};
 }
 
+/// Of a scene: the object of the options, counted from 0.
+struct Subject {
+    const Scene& scene;
+    std::size_t object = 0;
+    const MeshSource& meshes;
+};
+
+std::string numbersText(const std::vector<std::size_t>& objects) {
+    std::string text;
+    for (const std::size_t object : objects) {
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", object + 1);
+    }
+    return text;
+}
+
+std::vector<std::size_t> objectsNamed(const Scene& scene, const std::string& name) {
+    std::vector<std::size_t> objects;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (scene.objects[i].name == name) {
+            objects.push_back(i);
+        }
+    }
+    return objects;
+}
+
+/// The number that a text is; 0 where it is none.
+std::size_t numberIn(const std::string& text) {
+    std::size_t number = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return status == std::errc() && end == text.data() + text.size() ? number : 0;
+}
+
+/// A name is taken before a number, so that an object called "2" can be had.
+Result<std::size_t> chosenObject(const Scene& scene, const std::string& wanted) {
+    if (wanted.empty()) {
+        return std::size_t(0);
+    }
+    const std::vector<std::size_t> named = objectsNamed(scene, wanted);
+    if (named.size() > 1) {
+        return failure(fmt::format("--object {}: {} objects are called so", wanted, named.size()),
+                       fmt::format("one of the numbers {}", numbersText(named)));
+    }
+    if (named.size() == 1) {
+        return named.front();
+    }
+    const std::size_t number = numberIn(wanted);
+    if (number >= 1 && number <= scene.objects.size()) {
+        return number - 1;
+    }
+    return failure(fmt::format("--object {}: the scene has no such object", wanted),
+                   scene.objects.size() == 1
+                       ? std::string("1")
+                       : fmt::format("a name, or a number from 1 to {}", scene.objects.size()));
+}
+
 /// The costs; nothing, and a remark, where there is no graphics driver.
-Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject, glm::ivec2 size) {
+Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject,
+                                             const Options& options) {
+    EffectCostMeter::Options wanted;
+    wanted.size = options.picture.size;
+    wanted.programCache = programCacheFolder();
+    wanted.seconds = options.seconds;
+    wanted.mayShrink = !options.hasSize;
     const auto context = gl::HeadlessContext::create();
-    auto meter = context
-                     ? EffectCostMeter::create(std::move(subject), {size, 15, programCacheFolder()})
-                     : tl::unexpected(context.error());
+    auto meter = context ? EffectCostMeter::create(std::move(subject), wanted)
+                         : tl::unexpected(context.error());
     if (!meter) {
         report(oneError({{}, 0, 0, "costs are not measured: " + meter.error().text(), {}}));
         return std::nullopt;
@@ -61,21 +125,17 @@ Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject, g
     return costs;
 }
 
-std::vector<EffectRow> rowsOf(const Scene& scene, const Catalog& catalog,
-                              const MeshSource& meshes) {
-    std::vector<EffectRow> rows =
-        effectRows(scene, 0, catalog, effectView(scene, scene.camera, meshes));
-    for (EffectRow& row : unreachedRows(scene, 0, catalog, meshes)) {
-        rows.push_back(std::move(row));
-    }
-    return rows;
+ShownObject shownObject(const Subject& subject) {
+    return {subject.scene.objects[subject.object].name, subject.object + 1,
+            subject.scene.objects.size()};
 }
 
-Checked<void> printTable(const Scene& scene, const Options& options,
-                         const std::shared_ptr<const Catalog>& catalog, const MeshSource& meshes,
-                         AssetClient& files) {
+Checked<void> printTable(const Subject& subject, const Options& options,
+                         const std::shared_ptr<const Catalog>& catalog, AssetClient& files) {
+    const auto& [scene, object, meshes] = subject;
     EffectTable table;
-    table.rows = rowsOf(scene, *catalog, meshes);
+    table.object = shownObject(subject);
+    table.rows = objectRows(scene, object, *catalog, meshes);
     if (!options.noCost) {
         TextureLoader textures(files);
         const auto environment = environmentPicture(scene, options.picture, *catalog, files);
@@ -84,7 +144,7 @@ Checked<void> printTable(const Scene& scene, const Options& options,
         }
         auto costs = measured({scene, scene.camera, meshes, table.rows, catalog, textures.source(),
                                *environment},
-                              options.picture.size);
+                              options);
         report(textures.takeProblems());
         if (!costs) {
             return tl::unexpected(costs.error());
@@ -129,16 +189,18 @@ void printStages(const std::string& name, const ProgramSource& program,
 }
 
 /// The program for what the table shows: seen from the scene's camera.
-Checked<void> printSource(const Scene& scene, const Options& options, const Catalog& catalog,
-                          const MeshSource& meshes) {
-    const EffectSet set = effectSet(scene.objects.front().material, scene, catalog,
-                                    effectView(scene, scene.camera, meshes));
+Checked<void> printSource(const Subject& subject, const Options& options,
+                          const Catalog& catalog) {
+    const auto& [scene, object, meshes] = subject;
+    const EffectSet set = effectSet(scene.objects[object].material, scene, catalog,
+                                    objectView(scene, object, catalog, meshes));
     const auto programs = programsOf(set, catalog);
     if (!programs) {
         return tl::unexpected(programs.error());
     }
     if (options.json) {
-        nlohmann::json json = tableJson({rowsOf(scene, catalog, meshes), {}});
+        nlohmann::json json = tableJson(
+            {shownObject(subject), objectRows(scene, object, catalog, meshes), {}});
         json.update(sourceJson(programs->front()));
         if (set.outline) {
             json["outline"] = sourceJson(programs->back());
@@ -147,6 +209,7 @@ Checked<void> printSource(const Scene& scene, const Options& options, const Cata
         return {};
     }
     const std::vector<EffectLine> lines = effectLines(set);
+    std::cout << "// " << objectText(shownObject(subject)) << '\n';
     printStages("", programs->front(), lines);
     if (set.outline) {
         printStages("outline: ", programs->back(), lines);
@@ -170,15 +233,20 @@ Checked<void> effects(const Options& options) {
         return tl::unexpected(oneError(
             failure("the scene is empty", "a preset, --model or --mesh beside it").value()));
     }
+    const auto object = chosenObject(setup->scene, options.object);
+    if (!object) {
+        return tl::unexpected(oneError(object.error()));
+    }
     AssetClient files;
     const auto loaded = SceneMeshes::load(setup->scene, files);
     if (!loaded) {
         return tl::unexpected(loaded.error());
     }
     report(loaded->remarks());
-    const auto meshes = [&loaded](const Object& object) { return loaded->view(object); };
-    return options.source ? printSource(setup->scene, options, *catalog, meshes)
-                          : printTable(setup->scene, options, catalog, meshes, files);
+    const MeshSource meshes = [&loaded](const Object& each) { return loaded->view(each); };
+    const Subject subject{setup->scene, *object, meshes};
+    return options.source ? printSource(subject, options, *catalog)
+                          : printTable(subject, options, catalog, files);
 }
 
 } // namespace
@@ -191,11 +259,21 @@ void addEffects(CLI::App& program, int& status) {
     command->add_option("preset", options->preset, "A preset (*.patina.json)");
     addSceneOptions(*command, options->picture);
     addSizeOption(*command, options->picture);
+    command->add_option("--object", options->object,
+                        "The object whose effects are listed: its name, or its number from 1; "
+                        "unless given the first one, which has the preset");
     command->add_flag("--source", options->source, "Print the shader instead, each block marked");
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--no-cost", options->noCost,
                       "Do not draw the frames that show what each effect costs");
-    command->callback([options, &status] {
+    command
+        ->add_option("--seconds", options->seconds,
+                     "About so long the frames for the costs are drawn; slow ones are drawn "
+                     "smaller unless --size is given, and less often")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->callback([options, command, &status] {
+        options->hasSize = command->count("--size") > 0;
         const auto done = effects(*options);
         status = done ? 0 : 1;
         if (!done) {

@@ -2,8 +2,11 @@
 #include "cli/marked_source.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,14 +24,27 @@ const std::string* fileStarting(std::string_view line, const ShaderSource& sourc
     return index < source.files.size() ? &source.files[index] : nullptr;
 }
 
+/// Effects whose code is in files of the passes that are called otherwise than these effects.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> effectsOfPasses{{
+    {"textures", "texture/"},
+    {"image_place", "texture/"},
+    {"normal_map", "texture/normal"},
+    {"height_map", "texture/height"},
+    {"shadow", "shadows/"},
+}};
+
 /// Whether a file, by its folder and its name without an ending, is that of an effect. Those of the
 /// passes begin with the name of an effect or of a kind of them: passes/fog.glsl.
 bool belongsTo(const std::string& folder, const std::string& stem, const std::string& effect) {
     if (folder != "passes") {
         return effect == folder + '/' + stem;
     }
-    const std::string first = stem.substr(0, stem.find('_'));
-    return effect.substr(0, effect.find('/')) == first;
+    for (const auto& [pass, effects] : effectsOfPasses) {
+        if (stem.starts_with(pass)) {
+            return effect.starts_with(effects);
+        }
+    }
+    return effect.substr(0, effect.find('/')) == stem.substr(0, stem.find('_'));
 }
 
 std::string markOf(const std::string& file, const std::vector<EffectLine>& effects) {

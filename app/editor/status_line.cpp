@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "effect_label.h"
 #include "short_text.h"
 
 namespace patina {
@@ -14,15 +15,6 @@ namespace {
 /// The line is written at most this often while frames follow each other.
 constexpr int settleMs = 100;
 constexpr int progressWidth = 200;
-
-/// What an artist calls an effect: a block's label, or a word such as "ambient" as it is.
-QString labelOf(const std::string& effect, const Catalog& catalog) {
-    const std::size_t slash = effect.find('/');
-    const Block* block = slash == std::string::npos
-                             ? nullptr
-                             : catalog.find(effect.substr(0, slash), effect.substr(slash + 1));
-    return QString::fromStdString(block ? block->label : effect);
-}
 
 } // namespace
 
@@ -126,7 +118,8 @@ void StatusLine::showFrame() {
     }
     QStringList effects;
     for (const std::string& effect : viewport_->report().effects) {
-        effects << labelOf(effect, document_.catalog());
+        effects << effectLabel(effect, material, document_.scene(document_.activeSide()),
+                               document_.catalog());
     }
     const QString list = effects.join(tr(", "));
     effects_->setText(tr("In the shader: %1").arg(list));

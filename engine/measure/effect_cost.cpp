@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
+
+#include <glm/common.hpp>
 
 #include "gl/driver.h"
 #include "measure/timed_frames.h"
@@ -16,6 +19,9 @@ constexpr glm::ivec2 sizeOnDevice{1024, 1024};
 
 /// The first round compiles and lets the driver prepare; its times count for nothing.
 constexpr int warmUpRounds = 1;
+
+/// Smaller frames say little of larger ones.
+constexpr glm::ivec2 leastSize{64, 64};
 
 /// An interval of 95 % needs 6 samples.
 constexpr int leastRounds = 7;
@@ -33,7 +39,7 @@ class EffectCostMeter::Implementation {
   public:
     Implementation(Subject subject, const Options& options, std::unique_ptr<TimedFrames> drawn)
         : subject_(std::move(subject)), rounds_(options.rounds + warmUpRounds),
-          seconds_(options.seconds), drawn_(std::move(drawn)) {
+          seconds_(options.seconds), mayShrink_(options.mayShrink), drawn_(std::move(drawn)) {
         view_.camera = subject_.camera;
         view_.environmentImage = subject_.environment;
         for (const EffectRow& row : subject_.rows) {
@@ -49,6 +55,9 @@ class EffectCostMeter::Implementation {
     void step() {
         if (finished()) {
             return;
+        }
+        if (done_ == 0 && mayShrink_) {
+            shrink();
         }
         const bool counts = done_ >= warmUpRounds * perRound();
         const auto began = Clock::now();
@@ -85,6 +94,7 @@ class EffectCostMeter::Implementation {
         }
         costs.rest = costs.frame.median - sumOf(costs, subject_.rows);
         costs.size = drawn_->size();
+        costs.pairs = static_cast<int>(frames_.size()) / perRound();
         costs.method = drawn_->method();
         costs.problems = drawn_->problems();
         return costs;
@@ -103,6 +113,18 @@ class EffectCostMeter::Implementation {
     int perRound() const { return std::max(static_cast<int>(tests_.size()), 1); }
     int total() const { return rounds_ * perRound(); }
 
+    /// So small that the fewest rounds end in time: a frame takes about as long as it has pixels.
+    /// The first one, which compiles, tells nothing.
+    void shrink() {
+        drawn_->timeOf(subject_.scene, view_);
+        const double frame = drawn_->timeOf(subject_.scene, view_) / 1000.0;
+        const double all = 2.0 * frame * perRound() * std::min(rounds_, leastRounds + warmUpRounds);
+        if (all > seconds_) {
+            const glm::dvec2 size = std::sqrt(seconds_ / all) * glm::dvec2(drawn_->size());
+            drawn_->resize(glm::min(drawn_->size(), glm::max(glm::ivec2(size), leastSize)));
+        }
+    }
+
     /// As many rounds as there is time for, now that one was timed.
     void fitRounds() {
         const double round = std::max(std::chrono::duration<double>(counted_).count(), 1e-6);
@@ -113,6 +135,7 @@ class EffectCostMeter::Implementation {
     Subject subject_;
     int rounds_;
     double seconds_;
+    bool mayShrink_;
     int done_ = 0;
     Clock::duration counted_{}; ///< what the rounds took that count
     std::unique_ptr<TimedFrames> drawn_;

@@ -32,6 +32,7 @@ struct EffectCosts {
     double rest = 0.0; ///< what no row accounts for: the frame less all rows that are within none
     std::vector<EffectCost> effects;
     glm::ivec2 size{0}; ///< pixels of the frames
+    int pairs = 0;      ///< of frames, for each effect
     std::string method; ///< how they were timed, for people
     Errors problems;    ///< what could not be drawn
 
@@ -51,6 +52,7 @@ class EffectCostMeter {
         int rounds = 15;    ///< pairs of frames for each effect
         std::filesystem::path programCache{}; ///< folder for program binaries; empty: none
         double seconds = 20.0; ///< slow frames get fewer rounds to be done then, but 7 at least
+        bool mayShrink = false; ///< frames too slow for 7 rounds in that time are drawn smaller
     };
 
     /// What is measured. The catalogue and the meshes must stay while it is.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -84,6 +85,99 @@ TEST(EffectsCommand, Source_HasNoFogThatTheTableSaysIsOut) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("#version"), std::string::npos);
     EXPECT_EQ(outcome.out.find("fog"), std::string::npos);
+}
+
+/// A scene of two objects: a Lambert ball and a Phong ball.
+class EffectsOfObjects : public testing::Test {
+  protected:
+    EffectsOfObjects() {
+        auto scene = nlohmann::json::parse(
+            readFile(shipped("presets/default.patina-scene.json")));
+        auto& objects = scene["objects"];
+        objects.push_back(objects[0]);
+        const std::array<const char*, 2> names{"Left", "Right"};
+        const std::array<const char*, 2> models{"lambert", "phong"};
+        for (std::size_t i = 0; i < 2; ++i) {
+            objects[i]["name"] = names[i];
+            objects[i]["preset"] = {
+                {"format", "patina.preset"}, {"version", 1}, {"model", {{"id", models[i]}}}};
+        }
+        writeFile(file(), scene.dump());
+    }
+
+    std::string file() const { return folder_ / "two.patina-scene.json"; }
+
+    Outcome effects(std::vector<std::string> more) const {
+        more.insert(more.begin(), {"effects", "--scene", file(), "--no-cost"});
+        return patina(more);
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(EffectsOfObjects, Unasked_AreThoseOfTheFirst) {
+    const Outcome outcome = effects({});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with("Left, object 1 of 2\n")) << outcome.out;
+    EXPECT_NE(outcome.out.find("models/lambert"), std::string::npos) << outcome.out;
+}
+
+TEST_F(EffectsOfObjects, NameOrNumber_ChoosesOne) {
+    for (const char* wanted : {"Right", "2"}) {
+        const Outcome outcome = effects({"--object", wanted});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_TRUE(outcome.out.starts_with("Right, object 2 of 2\n")) << outcome.out;
+        EXPECT_NE(outcome.out.find("models/phong"), std::string::npos) << outcome.out;
+    }
+    const Outcome source = effects({"--object", "Right", "--source"});
+    EXPECT_NE(source.out.find("phong("), std::string::npos);
+    EXPECT_TRUE(source.out.starts_with("// Right, object 2 of 2\n"));
+}
+
+TEST_F(EffectsOfObjects, Json_SaysWhichObjectItIs) {
+    const Outcome outcome = effects({"--object", "2", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["object"]["name"], "Right");
+    EXPECT_EQ(json["object"]["number"], 2);
+    EXPECT_EQ(json["object"]["count"], 2);
+}
+
+TEST_F(EffectsOfObjects, UnknownObject_IsAnError) {
+    for (const char* wanted : {"Middle", "0", "3", "-1", "2x", "99999999999999999999999"}) {
+        const Outcome outcome = effects({std::string("--object=") + wanted});
+        EXPECT_EQ(outcome.exitCode, 1) << wanted;
+        EXPECT_NE(outcome.err.find("the scene has no such object"), std::string::npos)
+            << outcome.err;
+        EXPECT_NE(outcome.err.find("a number from 1 to 2"), std::string::npos) << outcome.err;
+    }
+}
+
+TEST_F(EffectsOfObjects, NameThatTwoHave_AsksForANumber) {
+    auto scene = nlohmann::json::parse(readFile(file()));
+    scene["objects"][0]["name"] = "Right";
+    writeFile(file(), scene.dump());
+    const Outcome outcome = effects({"--object", "Right"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("2 objects are called so"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("1, 2"), std::string::npos) << outcome.err;
+}
+
+/// No frames are drawn in so short a time.
+TEST(EffectsCommand, SlowFrames_AreDrawnSmallerUnlessTheSizeIsGiven) {
+    const std::vector<std::string> slow{"effects", "--model",   "lambert",
+                                        "--json",  "--seconds", "0.001"};
+    const auto pixelsOf = [](const std::vector<std::string>& command) {
+        const Outcome outcome = patina(command);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        const auto costs = nlohmann::json::parse(outcome.out)["costs"];
+        EXPECT_EQ(costs["pairs"], 7);
+        return costs["size"][0].get<int>();
+    };
+    EXPECT_LT(pixelsOf(slow), 384);
+    std::vector<std::string> sized = slow;
+    sized.insert(sized.end(), {"--size", "80x80"});
+    EXPECT_EQ(pixelsOf(sized), 80);
 }
 
 TEST(EffectsCommand, List_NamesTheModel) {

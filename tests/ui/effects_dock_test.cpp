@@ -87,6 +87,40 @@ TEST_F(EffectsPanel, List_HasWhatIsNotIn) {
     EXPECT_FALSE(row("fog")->flags() & Qt::ItemIsUserCheckable);
 }
 
+/// The model calls it: without one of the material's it takes a default.
+TEST_F(EffectsPanel, FilledSlot_SaysWhyItHasNoSwitch) {
+    document().setModel(Side::A, "cook-torrance");
+    settle();
+    ASSERT_NE(row("fresnel/"), nullptr);
+    EXPECT_FALSE(row("fresnel/")->flags() & Qt::ItemIsUserCheckable);
+    const QString model = row("models/")->text(0);
+    EXPECT_TRUE(row("fresnel/")->text(3).endsWith(
+        "It cannot be switched off by itself, only with " + model + "."))
+        << row("fresnel/")->text(3).toStdString();
+}
+
+TEST_F(EffectsPanel, MaterialWithoutImages_HasALabelForThem) {
+    ASSERT_NE(row("texture"), nullptr);
+    EXPECT_EQ(row("texture")->text(0), "not in: Images");
+}
+
+/// In the panel and in the status line.
+TEST_F(EffectsPanel, Image_IsCalledByWhatItChanges) {
+    document().setModel(Side::A, "phong");
+    document().setTexture(document().currentPath(BlockPath::Part::Model), "diffuse.color",
+                          textureUse("diffuse.color", "/gone.png"));
+    settle();
+    newFrames();
+    settle();
+    ASSERT_NE(row("texture/"), nullptr);
+    const QString label = row("texture/")->text(0);
+    EXPECT_TRUE(label.startsWith("Image of ")) << label.toStdString();
+    EXPECT_FALSE(label.contains("diffuse.color"));
+    const QString line = window().findChild<QLabel*>("statusEffects")->text();
+    EXPECT_TRUE(line.contains(label)) << line.toStdString();
+    EXPECT_FALSE(line.contains('/')) << line.toStdString();
+}
+
 TEST_F(EffectsPanel, Shadows_AreNamedUnderTheirLight) {
     document().setShadow(0, "hard");
     settle();

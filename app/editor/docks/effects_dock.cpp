@@ -18,11 +18,10 @@
 #include "docks/panel.h"
 #include "docks/settling.h"
 #include "document.h"
+#include "effect_label.h"
 #include "effect_switches.h"
-#include "render/scene_depth.h"
-#include "render/unreached_lights.h"
+#include "render/object_rows.h"
 #include "session.h"
-#include "shading/texture_choice.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/mesh_snapshot.h"
@@ -43,42 +42,6 @@ constexpr std::pair<Column, int> columnWidths[] = {{Effect, 190}, {Time, 96}, {S
 
 QString asText(const std::string& text) {
     return QString::fromStdString(text);
-}
-
-/// What an artist calls an image of a material: by what it changes.
-QString labelOfImage(const std::string& id, const Material& material, const Catalog& catalog) {
-    const auto use = material.textures.find(id);
-    const TextureTarget target = use == material.textures.end()
-                                     ? TextureTarget()
-                                     : textureTarget(id, use->second, material, catalog);
-    switch (target.role) {
-    case TextureRole::Normal:
-        return EffectsDock::tr("Normal map");
-    case TextureRole::Height:
-        return EffectsDock::tr("Height map");
-    case TextureRole::Opacity:
-        return EffectsDock::tr("Image of the opacity");
-    default:
-        if (id.empty()) {
-            return EffectsDock::tr("Images");
-        }
-        return EffectsDock::tr("Image of %1")
-            .arg(asText(target.parameter != nullptr ? target.parameter->label : id));
-    }
-}
-
-/// What an artist calls an effect: a block's label, or a word such as "ambient" as it is.
-QString labelOf(const std::string& effect, const Material& material, const Catalog& catalog) {
-    const std::size_t slash = effect.find('/');
-    const std::string kind = effect.substr(0, slash);
-    const std::string id = slash == std::string::npos ? std::string() : effect.substr(slash + 1);
-    if (kind == "texture") {
-        return labelOfImage(id, material, catalog);
-    }
-    const Block* block = catalog.find(kind, id);
-    QString label = asText(block != nullptr ? block->label : effect);
-    label[0] = label[0].toUpper();
-    return label;
 }
 
 QString numberText(double number, int decimals) {
@@ -170,14 +133,9 @@ void EffectsDock::updateRows() {
     const Side side = document_.activeSide();
     std::vector<EffectRow> rows;
     if (object >= 0) {
-        const Scene& scene = document_.scene(side);
-        const auto source = [this](const Object& each) { return library_.view(each); };
-        rows = effectRows(scene, static_cast<std::size_t>(object), document_.catalog(),
-                          effectView(scene, scene.camera, source));
-        for (EffectRow& row : unreachedRows(scene, static_cast<std::size_t>(object),
-                                            document_.catalog(), source)) {
-            rows.push_back(std::move(row));
-        }
+        rows = objectRows(document_.scene(side), static_cast<std::size_t>(object),
+                          document_.catalog(),
+                          [this](const Object& each) { return library_.view(each); });
     }
     const bool isShown =
         rows == rows_ && shownOff_ == switches_.off() && costsAreFresh_ == !isStale();
@@ -230,15 +188,12 @@ QSize EffectsDock::sizeHint() const {
 
 void EffectsDock::fillRow(QTreeWidgetItem* item, const EffectRow& row) {
     const bool off = switches_.isOff(row.line.effect);
-    static const Material none;
-    const Material* material = document_.material(document_.activeSide());
-    const QString label =
-        labelOf(row.line.effect, material != nullptr ? *material : none, document_.catalog());
+    const QString label = labelOf(row.line.effect);
     item->setText(Effect, row.in ? label : tr("not in: %1").arg(label));
     item->setToolTip(Effect, label);
     item->setData(Effect, effectRole, asText(row.line.effect));
     const QString why = off ? tr("Switched off in the views. %1").arg(asText(row.line.reason))
-                            : asText(row.line.reason);
+                            : whyOf(row);
     item->setText(Why, why);
     item->setToolTip(Why, why);
     for (const Column column : {Time, Share}) {
@@ -255,6 +210,24 @@ void EffectsDock::fillRow(QTreeWidgetItem* item, const EffectRow& row) {
         }
     }
     fillCost(item, row);
+}
+
+QString EffectsDock::labelOf(const std::string& effect) const {
+    const Side side = document_.activeSide();
+    return effectLabel(effect, document_.material(side), document_.scene(side),
+                       document_.catalog());
+}
+
+/// A row without a switch says why it has none: the model calls what fills its slots.
+QString EffectsDock::whyOf(const EffectRow& row) const {
+    const QString why = asText(row.line.reason);
+    if (!row.in || row.removable) {
+        return why;
+    }
+    return row.within.empty()
+               ? tr("%1 It cannot be switched off.").arg(why)
+               : tr("%1 It cannot be switched off by itself, only with %2.")
+                     .arg(why, labelOf(row.within));
 }
 
 void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {

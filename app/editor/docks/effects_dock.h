@@ -50,6 +50,8 @@ class EffectsDock : public QWidget {
     void fill();
     void fillRow(QTreeWidgetItem* item, const EffectRow& row);
     void fillCost(QTreeWidgetItem* item, const EffectRow& row);
+    QString labelOf(const std::string& effect) const;
+    QString whyOf(const EffectRow& row) const;
     QTreeWidgetItem* parentOf(const EffectRow& row) const;
     void showState();
     QString totalText() const;
