@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene_meshes.h"
 
+#include <algorithm>
+
+#include "core/image_places.h"
 #include "scene/builtin_mesh.h"
 #include "scene/mesh_path.h"
 
@@ -24,7 +27,24 @@ Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, AssetClient& client) 
     if (!errors.empty()) {
         return tl::unexpected(errors);
     }
+    meshes.nameMissingPlaces(scene);
     return meshes;
+}
+
+void SceneMeshes::nameMissingPlaces(const Scene& scene) {
+    for (const Object& object : scene.objects) {
+        const bool hasImages = std::ranges::any_of(object.material.textures, [](const auto& use) {
+            return !use.second.file.empty() && use.second.strength != 0.0;
+        });
+        if (!object.visible || !hasImages || hasImagePlaces(view(object).vertices)) {
+            continue;
+        }
+        const Error remark{object.mesh, 0, 0,
+                           "the mesh has no texture coordinates: an image on it is one colour", {}};
+        if (std::ranges::find(placeless_, remark) == placeless_.end()) {
+            placeless_.push_back(remark);
+        }
+    }
 }
 
 Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
@@ -45,7 +65,7 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
 }
 
 Errors SceneMeshes::remarks() const {
-    Errors remarks;
+    Errors remarks = placeless_;
     for (const auto& [key, mesh] : read_) {
         if (!mesh->remarks().empty()) {
             remarks.push_back({std::get<std::string>(key), 0, 0, mesh->remarks(), {}});

@@ -21,7 +21,8 @@ class SceneMeshes {
 
     MeshView view(const Object& object) const;
 
-    /// What had to be left out of the meshes that were read.
+    /// What had to be left out of the meshes that were read, and which of those with images have
+    /// no texture coordinates.
     Errors remarks() const;
 
   private:
@@ -29,7 +30,9 @@ class SceneMeshes {
 
     static Key keyOf(const Object& object);
     Result<void> add(const Object& object, AssetClient& client);
+    void nameMissingPlaces(const Scene& scene);
 
+    Errors placeless_;
     std::map<Key, Mesh> made_;
     std::map<Key, std::shared_ptr<const SharedMesh>> read_;
 };

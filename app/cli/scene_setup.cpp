@@ -232,9 +232,6 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
     if (auto chosen = chooseBlocks(object.material, isPreset, options, catalog); !chosen) {
         return tl::unexpected(oneError(chosen.error()));
     }
-    if (auto model = knownBlock(catalog, "models", object.material.model.id); !model) {
-        return tl::unexpected(oneError(model.error()));
-    }
     for (const std::string& assignment : inOrder(options.sets, object.material, catalog)) {
         if (isForScene(assignment)) {
             continue;
@@ -276,6 +273,10 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
     }
     if (!setup->scene.objects.empty()) {
         Object& object = setup->scene.objects.front();
+        const bool isKnown = catalog.find("models", object.material.model.id) != nullptr;
+        if (!isKnown && options.model.empty()) {
+            return tl::unexpected(setup->notes); // they say where in the file it is named
+        }
         if (auto applied = applyOptions(object, !preset.empty(), options, catalog); !applied) {
             return tl::unexpected(applied.error());
         }

@@ -11,6 +11,7 @@
 #include "catalog/catalog.h"
 #include "catalog/descriptor.h"
 #include "catalog/descriptor_checks.h"
+#include "catalog/json_reader.h"
 #include "catalog/json_schema.h"
 #include "catalog/shader_names.h"
 #include "catalog/value_json.h"
@@ -70,16 +71,43 @@ bool isMissing(const std::string& mesh) {
     return !builtinName(mesh) && !fs::is_regular_file(mesh, absent);
 }
 
-Errors meshMistakes(const fs::path& file, const Scene& scene) {
+/// Images of a material, written at `place`, that are not there.
+void addImageMistakes(Errors& errors, const LocatedJson& document, const std::string& place,
+                      const Material& material) {
+    for (const auto& [key, use] : material.textures) {
+        std::error_code absent;
+        if (!use.outside && !fs::is_regular_file(use.file, absent)) {
+            errors.push_back(
+                document.error(fmt::format("{}/textures/{}/file", place, escapedToken(key)),
+                               fmt::format("there is no image \"{}\"", use.file),
+                               "a path from the folder of this file"));
+        }
+    }
+}
+
+/// Files that a scene names and that are not there.
+Errors absentFiles(const fs::path& file, const Scene& scene) {
     const Result<LocatedJson> document = readJson(file, sceneLimits);
     Errors errors;
     for (std::size_t i = 0; document && i < scene.objects.size(); ++i) {
-        const std::string& mesh = scene.objects[i].mesh;
-        if (isMissing(mesh)) {
+        const Object& object = scene.objects[i];
+        if (isMissing(object.mesh)) {
             errors.push_back(document->error(fmt::format("/objects/{}/mesh", i),
-                                             fmt::format("there is no file \"{}\"", mesh),
+                                             fmt::format("there is no file \"{}\"", object.mesh),
                                              "a path from the scene's folder, or builtin:<name>"));
         }
+        addImageMistakes(errors, *document, fmt::format("/objects/{}/preset", i),
+                         object.material);
+    }
+    return errors;
+}
+
+Errors presetMistakesIn(const fs::path& file, const Catalog& catalog) {
+    const auto reading = readPreset(file, catalog);
+    Errors errors = mistakesOf(reading);
+    const Result<LocatedJson> document = readJson(file, sceneLimits);
+    if (reading && document) {
+        addImageMistakes(errors, *document, {}, reading->material);
     }
     return errors;
 }
@@ -88,8 +116,8 @@ Errors sceneMistakesIn(const fs::path& file, const Catalog& catalog) {
     const auto reading = readScene(file, catalog);
     Errors errors = mistakesOf(reading);
     if (reading) {
-        const Errors meshes = meshMistakes(file, reading->scene);
-        errors.insert(errors.end(), meshes.begin(), meshes.end());
+        const Errors absent = absentFiles(file, reading->scene);
+        errors.insert(errors.end(), absent.begin(), absent.end());
     }
     return errors;
 }
@@ -119,7 +147,7 @@ Errors mistakesIn(const fs::path& file, const Catalog& catalog) {
         return sceneMistakesIn(file, catalog);
     }
     return format.empty() ? descriptorMistakesIn(file, catalog)
-                          : mistakesOf(readPreset(file, catalog));
+                          : presetMistakesIn(file, catalog);
 }
 
 nlohmann::json toJson(const Error& error) {

@@ -94,6 +94,8 @@ TEST(BadInput, UnknownModel_IsNamed) {
         patina({"render", folder / "a.patina.json", "--size", "16x16", "-o", folder / "a.png"});
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.err.find("\"nonesuch\""), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("a.patina.json:"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
 /// Runs patina without the right to read or write what its mode forbids, which root has.

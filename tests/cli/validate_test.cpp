@@ -113,6 +113,19 @@ TEST(ValidateCommand, SceneWithAMissingMesh_IsNotValid) {
         << outcome.err;
 }
 
+TEST(ValidateCommand, PresetWithAMissingImage_IsNotValid) {
+    const TemporaryFolder folder;
+    std::string text = soundPreset;
+    text.insert(1, "\"textures\": {\n\"diffuse.color\": {\"file\": \"gone.png\"}},");
+    writeFile(folder / "a.patina.json", text);
+    const Outcome outcome = validate({(folder / "a.patina.json").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("there is no image"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("a.patina.json:2:27: "), std::string::npos) << outcome.err;
+    writeFile(folder / "gone.png", "");
+    EXPECT_EQ(validate({(folder / "a.patina.json").string()}).exitCode, 0);
+}
+
 TEST(ValidateCommand, SceneWithAnUnknownBuiltinMesh_IsNotValid) {
     const Outcome outcome = validateSceneWith("builtin:spher");
     EXPECT_EQ(outcome.exitCode, 1);
