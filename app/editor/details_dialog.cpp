@@ -50,7 +50,6 @@ DetailsDialog::DetailsDialog(const Material& material, QWidget* parent)
                                  2 * description_->frameWidth() + fontMetrics().leading());
     tags_->setText(joined(material.tags));
     tags_->setPlaceholderText(tr("metal, rough, worn"));
-    license_->setPlaceholderText(tr("MIT-0"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -159,6 +159,8 @@ class Document : public QObject {
     bool applyPreset(const std::filesystem::path& path, Side side);
     bool saveScene(const std::filesystem::path& path);
     bool savePreset(const std::filesystem::path& path, Side side);
+    /// Saves under a name: the preset that is the document is then called so itself.
+    bool savePreset(const std::filesystem::path& path, Side side, const std::string& name);
     /// Saves to file(), by its kind; false when there is none or it is read-only.
     bool save();
 
@@ -202,8 +204,9 @@ class Document : public QObject {
     void keepCurrentInside();
     std::optional<Errors> takeScene(const std::filesystem::path& path);
     void replaceState(DocumentState state, DocumentFile file, int object = 0);
-    bool savePreset(const std::filesystem::path& path, const BlockPath& of);
+    bool savePreset(const std::filesystem::path& path, const BlockPath& of, Material saved);
     void tell(const Errors& messages);
+    bool isOwnFile(const std::filesystem::path& path) const;
     bool mayOverwrite(const std::filesystem::path& path);
     void setFile(DocumentFile file);
     void markPresetSaved(Side side);

@@ -2,6 +2,7 @@
 // Opening and saving.
 #include <algorithm>
 
+#include "commands/material_command.h"
 #include "document.h"
 #include "material/texture_path.h"
 #include "scene/scene_file.h"
@@ -196,11 +197,13 @@ Scene Document::sceneToSave() const {
     return withSecond(state_.scene, state_.second, currentObject_);
 }
 
-bool Document::mayOverwrite(const std::filesystem::path& path) {
+bool Document::isOwnFile(const std::filesystem::path& path) const {
     std::error_code ignored; // it is no file yet
-    const bool isSame =
-        path == file_.path || std::filesystem::equivalent(path, file_.path, ignored);
-    if (file_.readOnly && isSame) {
+    return path == file_.path || std::filesystem::equivalent(path, file_.path, ignored);
+}
+
+bool Document::mayOverwrite(const std::filesystem::path& path) {
+    if (file_.readOnly && isOwnFile(path)) {
         Q_EMIT message({path.string(), 0, 0, "the file was written by a newer version of Patina",
                         "another file name, so that nothing in it is lost"});
         return false;
@@ -212,11 +215,17 @@ bool Document::saveScene(const std::filesystem::path& path) {
     if (!mayOverwrite(path)) {
         return false;
     }
-    const Result<void> written = writeScene(path, sceneToSave());
+    Scene saved = sceneToSave();
+    if (!isOwnFile(path)) { // under another name it is another scene
+        saved.name = path.stem().stem().string(); // without .patina-scene.json
+    }
+    const Result<void> written = writeScene(path, saved);
     if (!written) {
         Q_EMIT message(written.error());
         return false;
     }
+    state_.scene.name = saved.name;
+    secondScene_.reset(); // it has the name too
     for (const Object& object : state_.scene.objects) {
         tell(imagesOutside(object.material, path));
     }
@@ -228,24 +237,40 @@ bool Document::saveScene(const std::filesystem::path& path) {
 }
 
 bool Document::savePreset(const std::filesystem::path& path, Side side) {
-    return material(side) &&
-           savePreset(path, {BlockPath::Part::Material, currentObject_, side});
+    const Material* held = material(side);
+    return held && savePreset(path, side, held->name);
 }
 
-bool Document::savePreset(const std::filesystem::path& path, const BlockPath& of) {
-    const Material* held = materialAt(state_, of.index, of.side);
-    if (!held || !mayOverwrite(path)) {
+bool Document::savePreset(const std::filesystem::path& path, Side side, const std::string& name) {
+    const Material* held = material(side);
+    if (!held) {
         return false;
     }
-    const Result<void> written = writePreset(path, *held);
+    Material saved = *held;
+    saved.name = name;
+    return savePreset(path, {BlockPath::Part::Material, currentObject_, side}, std::move(saved));
+}
+
+/// Nothing is called otherwise before its file is written.
+bool Document::savePreset(const std::filesystem::path& path, const BlockPath& of, Material saved) {
+    if (!mayOverwrite(path)) {
+        return false;
+    }
+    const Result<void> written = writePreset(path, saved);
     if (!written) {
         Q_EMIT message(written.error());
         return false;
     }
-    tell(imagesOutside(*held, path));
-    if (of.side == Side::A && file_.kind != DocumentFile::Kind::Scene) {
-        presetObject_ = of.index;
-        setFile({DocumentFile::Kind::Preset, path, false});
+    tell(imagesOutside(saved, path));
+    if (file_.kind != DocumentFile::Kind::Scene) {
+        if (!(*materialAt(state_, of.index, of.side) == saved)) {
+            const QString label = tr("Name %1").arg(QString::fromStdString(saved.name));
+            undoStack_.push(new MaterialCommand(*this, {of.index, of.side}, saved, label));
+        }
+        if (of.side == Side::A) {
+            presetObject_ = of.index;
+            setFile({DocumentFile::Kind::Preset, path, false});
+        }
     }
     markPresetSaved(of.side);
     return true;
@@ -282,7 +307,11 @@ void Document::markPresetSaved(Side side) {
 bool Document::save() {
     switch (file_.kind) {
     case DocumentFile::Kind::Preset:
-        return savePreset(file_.path, {BlockPath::Part::Material, presetObject_, Side::A});
+        if (const Material* held = materialAt(state_, presetObject_, Side::A)) {
+            return savePreset(file_.path, {BlockPath::Part::Material, presetObject_, Side::A},
+                              *held);
+        }
+        return false;
     case DocumentFile::Kind::Scene:
         return saveScene(file_.path);
     default:

@@ -148,16 +148,17 @@ void FileActions::exportPreset() {
 bool FileActions::writePreset(const QString& file) {
     const Side side = document_.activeSide();
     const Material* material = document_.material(side);
+    if (!material) {
+        return false;
+    }
+    const QString held = QString::fromStdString(material->name);
     const QString name = QFileInfo(file).fileName().chopped(presetSuffix.size());
     const bool isSameFile = document_.file().path == file.toStdString();
-    const auto held = [&] { return QString::fromStdString(material->name); };
-    if (material && !isSameFile && name.compare(held(), Qt::CaseInsensitive) != 0 &&
-        name != asFileName(held())) {
-        Material renamed = *material;
-        renamed.name = name.toStdString();
-        document_.replaceMaterial(side, renamed, tr("Name %1").arg(name));
-    }
-    return document_.savePreset(file.toStdString(), side);
+    const bool staysCalled = !held.isEmpty() &&
+                             (isSameFile || name == asFileName(held) ||
+                              name.compare(held, Qt::CaseInsensitive) == 0);
+    return document_.savePreset(file.toStdString(), side,
+                                (staysCalled ? held : name).toStdString());
 }
 
 void FileActions::editDetails() {

@@ -44,8 +44,8 @@ TEST_F(DocumentFile_, SavedScene_OpensAsItWas) {
     document.setValue(fixture.model(), "roughness", 0.75);
     document.setComparing(true);
     document.setValue({BlockPath::Part::Model, 0, Side::B}, "roughness", 0.25);
-    const std::string saved = written(document.state());
     ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    const std::string saved = written(document.state());
     document.startFrom(Scene());
     ASSERT_TRUE(document.openScene(folder / "a.patina-scene.json"));
     EXPECT_EQ(written(document.state()), saved);
@@ -56,8 +56,9 @@ TEST_F(DocumentFile_, SideB_StaysOnItsObject) {
     document.addObject(document.scene().objects.front());
     document.setComparing(true);
     document.setValue({BlockPath::Part::Model, 1, Side::B}, "roughness", 0.25);
-    const Scene shown = document.scene(Side::B);
     ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    Scene shown = document.scene(Side::B);
+    shown.name = "a"; // as the file
     document.startFrom(Scene());
     ASSERT_TRUE(document.openScene(folder / "a.patina-scene.json"));
     EXPECT_EQ(document.currentObject(), 1);
@@ -120,6 +121,41 @@ TEST_F(DocumentFile_, SecondSave_WritesTheSameFile) {
 
 TEST_F(DocumentFile_, UntitledDocument_DoesNotSave) {
     EXPECT_FALSE(document.save());
+}
+
+TEST_F(DocumentFile_, SceneSavedUnderAnotherName_IsCalledAsItsFile) {
+    ASSERT_TRUE(document.saveScene(folder / "v1.2 night.patina-scene.json"));
+    EXPECT_EQ(document.scene().name, "v1.2 night");
+    document.setValue(fixture.model(), "roughness", 0.75);
+    ASSERT_TRUE(document.save());
+    document.startFrom(Scene());
+    ASSERT_TRUE(document.openScene(folder / "v1.2 night.patina-scene.json"));
+    EXPECT_EQ(document.scene().name, "v1.2 night");
+}
+
+TEST_F(DocumentFile_, SceneSavedWhereItCannotBe_KeepsItsName) {
+    const std::string name = document.scene().name;
+    EXPECT_FALSE(document.saveScene(folder / "missing" / "b.patina-scene.json"));
+    EXPECT_EQ(document.scene().name, name);
+}
+
+TEST_F(DocumentFile_, PresetSavedWhereItCannotBe_KeepsItsName) {
+    const Material before = *document.material(Side::A);
+    const int steps = fixture.steps();
+    EXPECT_FALSE(document.savePreset(folder / "missing" / "b.patina.json", Side::A, "b"));
+    EXPECT_EQ(*document.material(Side::A), before);
+    EXPECT_EQ(fixture.steps(), steps);
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST_F(DocumentFile_, MaterialExportedOutOfAScene_IsNotCalledOtherwiseThere) {
+    ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    const Material before = *document.material(Side::A);
+    ASSERT_TRUE(document.savePreset(folder / "b.patina.json", Side::A, "b"));
+    EXPECT_EQ(*document.material(Side::A), before);
+    EXPECT_FALSE(document.isModified());
+    ASSERT_TRUE(document.openPreset(folder / "b.patina.json"));
+    EXPECT_EQ(document.material(Side::A)->name, "b");
 }
 
 TEST_F(DocumentFile_, DroppedPreset_IsOneStep) {

@@ -39,6 +39,16 @@ TEST_F(Naming, PresetExportedUnderAnotherName_IsCalledAsItsFile) {
     EXPECT_EQ(document().material(Side::A)->name, "my blue");
 }
 
+TEST_F(Naming, PresetOfAMaterialWithoutAName_IsCalledAsItsFile) {
+    Material nameless = *document().material(Side::A);
+    nameless.name.clear();
+    document().replaceMaterial(Side::A, nameless, "Name");
+    const std::filesystem::path file = home("untitled.patina.json");
+    const ChosenFile chosen(file);
+    window().files().exportPreset();
+    EXPECT_EQ(readPreset(file, document().catalog())->material.name, "untitled");
+}
+
 TEST_F(Naming, MaterialDetails_AreOneStep) {
     const int steps = document().undoStack().count();
     QTimer timer;

@@ -44,6 +44,21 @@ TEST(ShippedPresets, EveryOne_IsWrittenAsPatinaWritesIt) {
     }
 }
 
+/// Repeated squaring was a level of this choice until nothing was found that it is better for.
+TEST(ShippedModels, LevelThatIsGone_OpensExactAndSaysSo) {
+    const nlohmann::json preset{{"format", "patina.preset"},
+                                {"version", 1},
+                                {"model", {{"id", "phong"}, {"version", 1}}},
+                                {"accuracy", {{"power", "squaring"}}}};
+    const auto reading =
+        materialFromJson(parseJson(writeJson(preset), "old").value(), "", catalog());
+    ASSERT_TRUE(reading) << text(reading.error());
+    EXPECT_EQ(reading->material.accuracy.at("power"), "exact");
+    EXPECT_NE(text(reading->notes).find("\"squaring\" is no level of \"power\""),
+              std::string::npos)
+        << text(reading->notes);
+}
+
 TEST(ShippedPresets, EveryOne_LiesInItsModelsFolder) {
     for (const auto& file : shippedPresets()) {
         const Material material = readPreset(file, catalog())->material;
