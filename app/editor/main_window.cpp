@@ -207,6 +207,12 @@ void MainWindow::restoreWindow() {
     }
     hideBottom();
     arranged_ = restoreState(session_.windowLayout(), layoutVersion);
+    const QStringList opened = session_.openedDocks();
+    for (const auto& [name, dock] : docks_) {
+        if (arranged_ && opened.contains(name)) {
+            dock->keepHeight();
+        }
+    }
     theme_.setLook(session_.look());
 }
 
@@ -312,6 +318,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     autosave_.giveUp();
     session_.setWindow(saveGeometry(), saveState(layoutVersion));
+    QStringList opened = session_.openedDocks();
+    for (const auto& [name, dock] : docks_) {
+        if (dock->isBuilt() && !opened.contains(name)) {
+            opened << name;
+        }
+    }
+    session_.setOpenedDocks(opened);
     session_.sync();
     event->accept();
 }

@@ -28,6 +28,8 @@ class QMenu;
 
 namespace patina {
 
+class LazyDock;
+
 /// The editor's window. It owns the parts and connects them; what they do is theirs.
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -100,7 +102,7 @@ class MainWindow : public QMainWindow {
     CompareArea* views_;
     StatusLine* status_;
     QMenu* recent_ = nullptr;
-    std::map<QString, QDockWidget*> docks_;
+    std::map<QString, LazyDock*> docks_;
     std::map<DockPlace, QDockWidget*> firstDocks_; ///< the one that is on top at each place
     QAction* compare_ = nullptr;
     QAction* link_ = nullptr;

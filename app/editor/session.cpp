@@ -28,6 +28,14 @@ QByteArray Session::windowLayout() const {
     return settings_.value("window/layout").toByteArray();
 }
 
+QStringList Session::openedDocks() const {
+    return settings_.value("window/openedDocks").toStringList();
+}
+
+void Session::setOpenedDocks(const QStringList& names) {
+    settings_.setValue("window/openedDocks", names);
+}
+
 void Session::setWindow(const QByteArray& geometry, const QByteArray& layout) {
     settings_.setValue("window/geometry", geometry);
     settings_.setValue("window/layout", layout);

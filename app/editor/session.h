@@ -19,7 +19,9 @@ class Session {
 
     QByteArray windowGeometry() const;
     QByteArray windowLayout() const;
+    QStringList openedDocks() const; ///< by name, those that were open once
     void setWindow(const QByteArray& geometry, const QByteArray& layout);
+    void setOpenedDocks(const QStringList& names);
 
     QStringList recentFiles() const; ///< newest first, only those that exist
     void addRecentFile(const QString& file);

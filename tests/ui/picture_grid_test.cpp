@@ -45,6 +45,23 @@ TEST(Grid, NewEntries_KeepThePlace) {
     EXPECT_EQ(grid.verticalScrollBar()->value(), 500);
 }
 
+TEST(Grid, ChosenItem_IsInSightWhenTheGridIsFirstShownAndResized) {
+    PictureGrid grid(72);
+    grid.setEntries(entries(60));
+    grid.setCurrentRow(40);
+    grid.scrollToItem(grid.item(40));
+    const auto isInSight = [&grid] {
+        QTest::qWait(50); // a layout that was put off
+        return grid.viewport()->rect().contains(grid.visualItemRect(grid.item(40)).center());
+    };
+    grid.resize(300, 300);
+    grid.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&grid));
+    EXPECT_TRUE(isInSight());
+    grid.resize(140, 260);
+    EXPECT_TRUE(isInSight());
+}
+
 TEST(Grid, NullPicture_TakesTheOneThatIsThereAway) {
     PictureGrid grid(72);
     grid.setEntries(entries(1));

@@ -215,6 +215,14 @@ TEST_F(Viewports, WhileComparing_MoveTogether) {
     EXPECT_EQ(secondView().camera(), camera());
 }
 
+TEST_F(Viewports, ViewsBesideEachOther_AreOfOneSize) {
+    document().setComparing(true);
+    QTest::qWait(200); // layouts that were put off
+    ASSERT_TRUE(secondView().isVisible());
+    EXPECT_EQ(view().height(), secondView().height());
+    EXPECT_NEAR(view().width(), secondView().width(), 1);
+}
+
 TEST_F(Viewports, Unlinked_MoveAlone) {
     document().setComparing(true);
     window().views().setCamerasLinked(false);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include <QDockWidget>
 #include <QFileDialog>
@@ -66,6 +67,31 @@ TEST_F(Window, DocksOpenAtTheEnd_AreOpenAtTheNextStart) {
     EXPECT_FALSE(window().findChild<QDockWidget*>("stability")->isVisible());
 }
 
+TEST_F(Window, AccuracyDock_OpensHighEnoughToRead) {
+    const int room = window().centralWidget()->height();
+    QDockWidget& dock = *window().dock("accuracy");
+    dock.show();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dock.height() > std::min(350, room * 2 / 5); }))
+        << dock.height() << " of " << room;
+    EXPECT_LT(dock.height(), room / 2);
+}
+
+TEST_F(Window, HeightOfADock_IsKeptForTheNextStart) {
+    constexpr int chosen = 290;
+    constexpr int lowest = 300; ///< at which it opens
+    window().dock("accuracy")->show();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window().dock("accuracy")->height() > lowest; }));
+    window().resizeDocks({window().dock("accuracy")}, {chosen}, Qt::Vertical);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window().dock("accuracy")->height() == chosen; }));
+    window().dock("accuracy")->hide();
+    window().close();
+    close();
+    open();
+    window().dock("accuracy")->show();
+    QTest::qWait(1000); // as long as it would take to grow
+    EXPECT_NEAR(window().dock("accuracy")->height(), chosen, 2);
+}
+
 TEST_F(Window, Edit_MarksTheTitle) {
     edit(document());
     EXPECT_TRUE(window().isWindowModified());
@@ -119,7 +145,12 @@ TEST_F(Window, MeshDroppedOnAnEditedDocument_StandsBesideTheOthers) {
     drop("triangle.obj");
     ASSERT_TRUE(waitUntil([&] { return document().scene().objects.size() == 2; }));
     EXPECT_EQ(document().currentObject(), 1);
-    EXPECT_GT(document().scene().objects[1].translation.x, 1.0);
+    const glm::dvec3& place = document().scene().objects[1].translation;
+    EXPECT_GT(place.x, 1.0);
+    for (const double steps : {1e5 * place.x, 1e5 * place.y, 1e5 * place.z}) {
+        EXPECT_NEAR(steps, std::round(steps), 1e-6); // no noise of single precision in the form
+        EXPECT_FALSE(steps == 0.0 && std::signbit(steps));
+    }
 }
 
 TEST_F(Window, DroppedMesh_IsFramed) {
@@ -318,7 +349,6 @@ TEST_F(Window, SaveOfAPresetWithMoreThanItsMaterial_OffersAScene) {
 
 TEST_F(Window, AddedBuiltinMesh_StandsBesideTheOthers) {
     Object cube;
-    cube.name = "Cube";
     cube.mesh = "builtin:cube";
     window().files().addBeside(cube);
     ASSERT_EQ(document().scene().objects.size(), 2u);

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/lazy_dock.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <QMainWindow>
 
 namespace patina {
+namespace {
+
+constexpr double mostShare = 0.45; ///< of the height that the views and a dock below them have
+
+} // namespace
 
 LazyDock::LazyDock(DockEntry entry, const DockContext& context, QWidget* parent)
     : QDockWidget(entry.title, parent), entry_(std::move(entry)), context_(context) {
@@ -18,17 +25,24 @@ void LazyDock::build() {
         QWidget* placeholder = widget();
         setWidget(std::exchange(entry_.make, nullptr)(context_));
         delete placeholder;
-        QMetaObject::invokeMethod(this, &LazyDock::growToHint, Qt::QueuedConnection);
+        if (isNew_) {
+            QMetaObject::invokeMethod(this, &LazyDock::growToHint, Qt::QueuedConnection);
+        }
     }
 }
 
-/// A dock below the views begins with the height it wishes for, where most stays for the views.
+/// A dock below the views begins with the height it wishes for, where half stays for the views.
 void LazyDock::growToHint() {
     auto* window = qobject_cast<QMainWindow*>(parentWidget());
-    const int wished = sizeHint().height();
     const bool isBelow =
         window && !isFloating() && window->dockWidgetArea(this) == Qt::BottomDockWidgetArea;
-    if (isBelow && height() < wished && window->centralWidget()->height() > 2 * wished) {
+    if (!isBelow) {
+        return;
+    }
+    const int room = height() + window->centralWidget()->height();
+    const int wished =
+        std::min(sizeHint().height(), static_cast<int>(std::lround(mostShare * room)));
+    if (height() < wished) {
         window->resizeDocks({this}, {wished}, Qt::Vertical);
     }
 }

@@ -16,6 +16,10 @@ class LazyDock : public QDockWidget {
 
     /// Makes the widget now.
     void build();
+    bool isBuilt() const { return !entry_.make; }
+
+    /// It was open before: its height is the user's, and stays as it is.
+    void keepHeight() { isNew_ = false; }
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -25,6 +29,7 @@ class LazyDock : public QDockWidget {
 
     DockEntry entry_;
     DockContext context_;
+    bool isNew_ = true;
 };
 
 } // namespace patina

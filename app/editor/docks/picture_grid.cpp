@@ -153,9 +153,14 @@ QItemSelectionModel::SelectionFlags PictureGrid::selectionCommand(const QModelIn
                                       : QItemSelectionModel::NoUpdate;
 }
 
+/// The items move to other rows: the chosen one stays in sight.
 void PictureGrid::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
     fitColumns();
+    if (const QListWidgetItem* chosen = currentItem()) {
+        doItemsLayout(); // otherwise the places are still those of the old size
+        scrollToItem(chosen);
+    }
 }
 
 void PictureGrid::changeEvent(QEvent* event) {

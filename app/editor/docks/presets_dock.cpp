@@ -60,6 +60,17 @@ QString nameOf(const PresetEntry& entry) {
                                        : QString::fromStdString(entry.material.name);
 }
 
+/// "red" is looked for in "Dark red" and "reddish", not in "scattered".
+bool beginsAWord(const QString& text, const QString& searched) {
+    for (qsizetype at = text.indexOf(searched, 0, Qt::CaseInsensitive); at >= 0;
+         at = text.indexOf(searched, at + 1, Qt::CaseInsensitive)) {
+        if (at == 0 || !text[at - 1].isLetterOrNumber() || !searched[0].isLetterOrNumber()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 PresetsDock::PresetsDock(const DockContext& context)
@@ -167,13 +178,11 @@ void PresetsDock::moveToTrash(const QString& file) {
 }
 
 bool matches(const PresetEntry& entry, const QString& modelLabel, const QString& search) {
-    const QString text = QString::fromStdString(entry.material.name + ' ' +
-                                                entry.material.description + ' ') +
-                         joined(entry.material.tags) + ' ' + modelLabel;
+    const QString text = nameOf(entry) + ' ' + QString::fromStdString(entry.material.description) +
+                         ' ' + joined(entry.material.tags) + ' ' + modelLabel;
     const QStringList words = search.split(' ', Qt::SkipEmptyParts);
-    return std::all_of(words.begin(), words.end(), [&](const QString& word) {
-        return text.contains(word, Qt::CaseInsensitive);
-    });
+    return std::all_of(words.begin(), words.end(),
+                       [&](const QString& word) { return beginsAWord(text, word); });
 }
 
 } // namespace patina

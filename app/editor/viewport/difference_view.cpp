@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <QSlider>
 
+#include "number_text.h"
 #include "viewport/mesh_snapshot.h"
 #include "viewport/texture_library.h"
 
@@ -28,7 +29,7 @@ int stepOf(double gain) {
 }
 
 QString gainText(double gain) {
-    return QStringLiteral("× %1").arg(gain, 0, 'g', 3);
+    return QStringLiteral("× %1").arg(roundText(gain));
 }
 
 } // namespace
@@ -68,7 +69,7 @@ void DifferenceView::layOut() {
     slider_->setMinimumWidth(40);
     slider_->setAccessibleName(tr("Gain of the difference"));
     slider_->setToolTip(tr("The difference is shown so many times brighter"));
-    number_->setMinimumWidth(fontMetrics().horizontalAdvance(gainText(888.0)));
+    number_->setMinimumWidth(fontMetrics().horizontalAdvance(gainText(mostGain)));
     auto* row = new QHBoxLayout(head_);
     row->setContentsMargins(4, 1, 6, 1);
     row->setSpacing(6);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/placement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -12,6 +14,10 @@ namespace {
 
 /// Space left between two objects, as a share of the new one's width.
 constexpr double gap = 0.1;
+
+/// Boxes of meshes have the precision of a float: a place is told in steps of this share, at most,
+/// of the new object's size, as a power of ten.
+constexpr double finest = 1e-5;
 
 /// A box in world space, in metres.
 struct Box {
@@ -36,6 +42,11 @@ struct Box {
     }
 };
 
+glm::dvec3 rounded(const glm::dvec3& place, double size) {
+    const double step = std::pow(10.0, std::floor(std::log10(finest * size)));
+    return glm::round(place / step) * step + 0.0; // no negative zero
+}
+
 } // namespace
 
 Object placedBeside(const Scene& scene, const Object& object, MeshLibrary& meshes) {
@@ -50,10 +61,16 @@ Object placedBeside(const Scene& scene, const Object& object, MeshLibrary& meshe
     if (there.isEmpty() || own.isEmpty()) {
         return object;
     }
+    const glm::dvec3 extent = own.upper - own.lower;
+    const double size = std::max({extent.x, extent.y, extent.z});
+    if (!(size > 0.0)) {
+        return object;
+    }
+    const glm::dvec3 way{there.upper.x - own.lower.x + gap * extent.x,
+                         there.lower.y - own.lower.y,
+                         0.5 * (there.lower.z + there.upper.z - own.lower.z - own.upper.z)};
     Object placed = object;
-    placed.translation.x += there.upper.x - own.lower.x + gap * (own.upper.x - own.lower.x);
-    placed.translation.y += there.lower.y - own.lower.y;
-    placed.translation.z += 0.5 * (there.lower.z + there.upper.z - own.lower.z - own.upper.z);
+    placed.translation = rounded(object.translation + way, size);
     return placed;
 }
 

@@ -18,6 +18,7 @@ namespace patina {
 namespace {
 
 constexpr int edge = 2; ///< pixels around a view
+constexpr int titlePadding = 8;
 
 /// Every value of a light that turning changed, as one edit each of the same interaction.
 void storeTurned(Document& document, const BlockPath& path, const Values& before,
@@ -57,7 +58,6 @@ SideView::SideView(const ViewSources& sources, Side side,
     layout->setSpacing(0);
     layout->addWidget(title_);
     layout->addWidget(viewport_, 1);
-    title_->setContentsMargins(8, 3, 8, 3);
     title_->setTextFormat(Qt::RichText);
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     viewport_->setAccessibleName(tr("View %1").arg(letterOf(side)));
@@ -94,6 +94,11 @@ void SideView::paintEvent(QPaintEvent* event) {
     if (focusShown_) {
         QPainter(this).fillRect(rect(), palette().highlight());
     }
+}
+
+void SideView::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    updateTitle(); // what does not fit ends in an ellipsis
 }
 
 void SideView::setTitleVisible(bool visible) {
@@ -213,16 +218,24 @@ void SideView::updateTitle() {
                                          : tr("nothing selected");
     const QString name = material ? QString::fromStdString(material->name) : QString();
     const bool active = document_.activeSide() == side_;
-    const QString text = QStringLiteral("<b>&nbsp;%1&nbsp;</b>&nbsp; %2%3%4")
-                             .arg(letterOf(side_), modelName.toHtmlEscaped(),
-                                  name.isEmpty() ? QString() : " &ndash; " + name.toHtmlEscaped(),
-                                  active ? tr(" (being edited)") : QString());
+    const QString state = active ? tr(" (being edited)") : QString();
+    const QString called = name.isEmpty() ? modelName : modelName + tr(" \u2013 ") + name;
+    const QFontMetrics font = title_->fontMetrics();
+    const int room = title_->width() - 2 * titlePadding -
+                     font.horizontalAdvance(QStringLiteral("   WW ") + state);
+    const QString text =
+        QStringLiteral("<b>&nbsp;%1&nbsp;</b>&nbsp; %2%3")
+            .arg(letterOf(side_), font.elidedText(called, Qt::ElideRight, room).toHtmlEscaped(),
+                 state);
+    title_->setToolTip(called.toHtmlEscaped());
     if (text != title_->text()) {
         title_->setText(text);
-        title_->setStyleSheet(QStringLiteral("color: %1; background: %2;")
+        // A style sheet takes margins away, but not in each case.
+        title_->setStyleSheet(QStringLiteral("color: %1; background: %2; padding: 3px %3px;")
                                   .arg(active ? "#101010" : "#f0f0f0",
                                        active ? colourOf(side_).name()
-                                              : colourOf(side_).darker(260).name()));
+                                              : colourOf(side_).darker(260).name())
+                                  .arg(titlePadding));
         viewport_->setAccessibleDescription(tr("Shows %1 %2").arg(modelName, name));
     }
 }

@@ -52,6 +52,7 @@ class SideView : public QFrame {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void connectNavigation();
