@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/label.h"
+#include "cli/plot_labels.h"
 
 namespace patina {
 namespace {
@@ -64,6 +66,13 @@ Axes axesOf(const CostChart& chart, glm::ivec2 size) {
              marginTop}};
 }
 
+/// A power of ten as a share: "0.01 %".
+std::string percentText(int power) {
+    constexpr int ofHundred = 2;
+    return fmt::format("{:.{}f} %", std::pow(10.0, power + ofHundred),
+                       std::max(-power - ofHundred, 0));
+}
+
 void addGrid(Shapes& shapes, const Axes& axes) {
     for (double e = axes.time.low; e <= axes.time.high; ++e) {
         const double x = axes.time.place(e);
@@ -76,7 +85,7 @@ void addGrid(Shapes& shapes, const Axes& axes) {
         const double y = axes.error.place(e);
         shapes.push_back({PlotShape::Kind::Line, {axes.time.from, y}, {axes.time.to, y}, grid, {}});
         shapes.push_back({PlotShape::Kind::Text, {8.0, y - 8.0}, {}, ink,
-                          fmt::format("{:.0e}", std::pow(10.0, e))});
+                          percentText(static_cast<int>(e))});
     }
     shapes.push_back({PlotShape::Kind::Text, {8.0, 10.0}, {}, ink, "error of 99 of 100 pixels"});
     shapes.push_back({PlotShape::Kind::Text, {axes.time.from, axes.error.from + 28.0}, {}, ink,
@@ -100,9 +109,19 @@ void addPoint(Shapes& shapes, const CostPoint& point, const Axes& axes, bool isO
     const glm::dvec2 right = axes.place(std::max(point.cost.ratio.upper, 1e-3), errorOf(point));
     shapes.push_back({PlotShape::Kind::Line, left, right, color, {}});
     shapes.push_back({PlotShape::Kind::Dot, at, {}, color, {}});
-    if (isOnFront) {
-        shapes.push_back({PlotShape::Kind::Text, at + glm::dvec2(8.0, -16.0), {}, color,
-                          levelsText(point.levels)});
+}
+
+/// The fastest first: its label has the first choice of where it stands.
+void addLabels(Shapes& shapes, const CostChart& chart, const Axes& axes,
+               const std::vector<std::size_t>& front, glm::ivec2 size) {
+    std::vector<NamedPoint> named;
+    for (const std::size_t i : front) {
+        const CostPoint& point = chart.points[i];
+        named.push_back({axes.place(point.cost.ratio.median, errorOf(point)),
+                         levelsText(point.levels), point.isExact()});
+    }
+    for (PlotShape& label : labelsOf(named, size, onFront)) {
+        shapes.push_back(std::move(label));
     }
 }
 
@@ -188,6 +207,7 @@ std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size) {
         addPoint(shapes, chart.points[i], axes,
                  std::ranges::find(front, i) != front.end());
     }
+    addLabels(shapes, chart, axes, front, size);
     return shapes;
 }
 

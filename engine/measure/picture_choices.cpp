@@ -41,9 +41,9 @@ std::vector<ChoiceLevel> environmentLevels(const Scene& scene, const Catalog& ca
     const Block* block = environmentChoice(scene, catalog).block;
     const Parameter* directions = block == nullptr ? nullptr : directionsParameter(*block);
     std::vector<ChoiceLevel> levels;
-    for (const int count : {4096, 1024, 256, 64, 16, 4}) {
+    for (const int count : {4096, 1024, 256, 64, 16, 4, 1}) {
         if (directions != nullptr && count >= directions->min && count <= directions->max) {
-            levels.push_back(counted(count, "directions"));
+            levels.push_back(counted(count, count == 1 ? "direction" : "directions"));
         }
     }
     return levels;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/scaling_curve.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -59,8 +60,17 @@ std::string axisText(ScalingCurve::Axis axis) {
 }
 
 std::string plainNumber(double number, char format, int digits) {
-    return format == 'f' ? fmt::format("{:.{}f}", number, digits)
-                         : fmt::format("{:.{}g}", number, digits);
+    const bool isFixed = format == 'f' || number == 0.0 || !std::isfinite(number);
+    const int before =
+        isFixed ? 0 : static_cast<int>(std::floor(std::log10(std::abs(number)))) + 1;
+    std::string text = fmt::format("{:.{}f}", number, std::max(digits - before, 0));
+    if (format != 'f' && text.find('.') != std::string::npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.back() == '.') {
+            text.pop_back();
+        }
+    }
+    return text;
 }
 
 std::string lawText(const ScalingCurve& curve, const NumberText& number) {
@@ -69,19 +79,20 @@ std::string lawText(const ScalingCurve& curve, const NumberText& number) {
     }
     const GrowthLaw& law = *curve.law;
     const Unit unit = unitOf(curve.axis);
-    const std::string base = number(law.base, 'g', 3);
+    const std::string base = number(std::abs(law.base), 'g', 3);
+    const std::string each = number(std::abs(law.each) * unit.count, 'g', 3);
     const std::string fit = number(law.fit, 'f', 3);
     switch (law.shape()) {
     case GrowthLaw::Shape::Constant:
         return fmt::format("constant: within {} %", number(100.0 * (law.spread - 1.0), 'f', 0));
     case GrowthLaw::Shape::Linear:
-        return fmt::format("linear: {} ms {} {} ms per {}, R² {}", base,
-                           law.each < 0.0 ? "-" : "+",
-                           number(std::abs(law.each) * unit.count, 'g', 3), unit.name, fit);
+        return law.base < 0.0
+                   ? fmt::format("linear: {} ms per {} - {} ms, R² {}", each, unit.name, base, fit)
+                   : fmt::format("linear: {} ms {} {} ms per {}, R² {}", base,
+                                 law.each < 0.0 ? "-" : "+", each, unit.name, fit);
     default:
-        return fmt::format("about n^{}; a line from {} ms with {} ms per {} has R² {}",
-                           number(law.exponent, 'f', 2), base,
-                           number(law.each * unit.count, 'g', 3), unit.name, fit);
+        return fmt::format("twice the {} take {} times as long; a straight line has R² {}",
+                           axisText(curve.axis), number(std::exp2(law.exponent), 'g', 3), fit);
     }
 }
 

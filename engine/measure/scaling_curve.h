@@ -26,13 +26,15 @@ struct ScalingCurve {
 /// "pixels", "lights", "objects".
 std::string axisText(ScalingCurve::Axis axis);
 
-/// How a number is written: with so many digits, after the point for 'f', in all for 'g'.
+/// How a number is written: with so many digits, after the point for 'f', that count for 'g', which
+/// has no exponent and no zeros at its end.
 using NumberText = std::function<std::string(double number, char format, int digits)>;
 
 /// As programs write it, with a point.
 std::string plainNumber(double number, char format, int digits);
 
-/// The law in words: "linear: 1.2 ms + 34.5 ms per million pixels, R² 0.998".
+/// The law in words: "linear: 1.2 ms + 34.5 ms per million pixels, R² 0.998", or "twice the pixels
+/// take 1.79 times as long; a straight line has R² 0.95".
 std::string lawText(const ScalingCurve& curve, const NumberText& number = plainNumber);
 
 /// For people, as lines with a line of names before them, and for programs.

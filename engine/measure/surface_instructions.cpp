@@ -11,7 +11,7 @@ std::optional<InstructionCount> surfaceInstructions(const Scene& scene, std::siz
                                                     const TimedFrames::Supplies& supplies) {
     const EffectSet effects =
         effectSet(scene.objects[object].material, scene, *supplies.catalog,
-                  effectView(scene, camera, supplies.meshes));
+                  effectView(scene, camera, *supplies.catalog, supplies.meshes));
     const auto source = surfaceProgram(effects, *supplies.catalog);
     if (!source) {
         return std::nullopt;

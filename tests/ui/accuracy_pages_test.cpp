@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages beside the chart: all models, and how the time grows.
+#include "accuracy/axis_ticks.h"
 #include "accuracy/cost_text.h"
 #include "accuracy/growth_plot.h"
+#include "accuracy/long_line.h"
 #include "accuracy/model_list.h"
 #include "accuracy/models_page.h"
 #include "accuracy/scaling_page.h"
@@ -16,6 +18,61 @@ TEST(CostText, Shares_AreWrittenWithoutExponents) {
     EXPECT_EQ(shareText(0.99e-8), "under 0.00001 %");
     EXPECT_EQ(shareText(0.031), "3.1 %");
     EXPECT_EQ(shareText(0.17), "17 %");
+}
+
+TEST(NumberText, MeasuredNumbers_AreWrittenWithoutExponents) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+    EXPECT_EQ(digitsText(63457.0), "63,457");
+    EXPECT_EQ(digitsText(0.03171), "0.0317");
+    EXPECT_EQ(likeText(0.0704, 1.0), "0.07");
+    EXPECT_EQ(ratioText({0.953, 0.917, 0.989}), "0.953 ± 0.036");
+    EXPECT_EQ(roundText(1000.0), "1,000");
+    EXPECT_EQ(roundText(2.5), "2.5");
+    EXPECT_EQ(shortText(5e4), "50 k");
+    EXPECT_EQ(shortText(2.5e6), "2.5 M");
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    EXPECT_EQ(roundText(2.5), "2,5");
+    EXPECT_EQ(digitsText(9346.0), "9.346");
+    QLocale::setDefault(before);
+}
+
+TEST(LongLine, WithoutRoom_EndsInDotsAndTellsAllInItsTooltip) {
+    const QString text = "256 × 256 pixels, 31,447 of them shaded; errors against the same frame";
+    LongLine line;
+    line.tell(text);
+    line.resize(1000, 20);
+    EXPECT_EQ(line.shown(), text);
+    line.resize(100, 20);
+    EXPECT_TRUE(line.shown().endsWith("…")) << line.shown().toStdString();
+    EXPECT_EQ(line.toolTip(), text);
+    EXPECT_EQ(line.text(), text);
+}
+
+/// What a plot of some size writes beside a log axis.
+std::vector<QString> marksOf(int width, double from, double to) {
+    QCustomPlot plot;
+    plot.setViewport(QRect(0, 0, width, 200));
+    plot.xAxis->setScaleType(QCPAxis::stLogarithmic);
+    plot.xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot.xAxis, shortText)));
+    plot.xAxis->setRange(from, to);
+    plot.replot();
+    const QVector<QString> labels = plot.xAxis->tickVectorLabels();
+    return {labels.begin(), labels.end()};
+}
+
+TEST(AxisTicks, WhereThereIsRoom_AreAtOneTwoAndFive) {
+    EXPECT_EQ(marksOf(800, 900.0, 110000.0),
+              (std::vector<QString>{"1 k", "2 k", "5 k", "10 k", "20 k", "50 k", "100 k"}));
+}
+
+TEST(AxisTicks, WhereThereIsLittle_KeepTheirLabelsApart) {
+    EXPECT_EQ(marksOf(240, 900.0, 110000.0), (std::vector<QString>{"1 k", "10 k", "100 k"}));
+}
+
+TEST(AxisTicks, OfAShortAxis_AreEven) {
+    EXPECT_EQ(marksOf(500, 390.0, 810.0),
+              (std::vector<QString>{"400", "500", "600", "700", "800"}));
 }
 
 class ModelsPanel : public AccuracyPanel {
@@ -106,6 +163,17 @@ class ScalingPanel : public AccuracyPanel {
 
     ScalingPage& page() { return *pages().findChild<ScalingPage*>(); }
 
+    /// Of the menu View > Look.
+    QAction& lookAction(const QString& text) {
+        const QList<QAction*> all = window().findChildren<QAction*>();
+        return **std::ranges::find(all, text, &QAction::text);
+    }
+
+    QToolButton& startButton() {
+        const QList<QToolButton*> all = page().findChildren<QToolButton*>();
+        return **std::ranges::find(all, "Measure", &QToolButton::text);
+    }
+
     bool measureSmall() {
         ScalingSweep::Options options;
         options.edges = {16, 32, 64};
@@ -137,6 +205,35 @@ TEST_F(ScalingPanel, Laws_AreWrittenAsTheLanguageHasThem) {
     plot.setCurve(curve, false);
     QLocale::setDefault(before);
     EXPECT_EQ(plot.law(), "linear: 2 ms + 0,5 ms per light, R² 1,000");
+}
+
+TEST_F(ScalingPanel, WhileAnotherPageMeasures_WaitsAndSaysWhy) {
+    document().setModel(Side::A, "burning");
+    pages().setCurrentWidget(&dock());
+    settle();
+    start();
+    ASSERT_TRUE(dock().isMeasuring());
+    pages().setCurrentWidget(&page());
+    EXPECT_FALSE(startButton().isEnabled());
+    EXPECT_TRUE(startButton().toolTip().contains("This Material"));
+    EXPECT_TRUE(page().state().contains("This Material")) << page().state().toStdString();
+    page().measure({});
+    EXPECT_FALSE(page().isMeasuring());
+    ASSERT_TRUE(waitForEnd());
+    EXPECT_TRUE(startButton().isEnabled());
+    EXPECT_EQ(page().state(), "Nothing is measured yet.");
+}
+
+TEST_F(ScalingPanel, OtherLook_PaintsThePlotsInIt) {
+    const auto paper = [this] {
+        return page().findChild<GrowthPlot*>()->grab().toImage().pixelColor(2, 2).lightness();
+    };
+    lookAction("&Dark").trigger();
+    settle();
+    EXPECT_LT(paper(), 100);
+    lookAction("&Light").trigger();
+    settle();
+    EXPECT_GT(paper(), 200);
 }
 
 TEST_F(ScalingPanel, SceneThatIsBack_HasItsNumbersAgain) {

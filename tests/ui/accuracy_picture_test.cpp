@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The chart of what the scene's own choices cost.
+#include <memory>
+
 #include <QCheckBox>
 #include <QSpinBox>
 
@@ -10,11 +12,65 @@
 namespace patina::tests {
 namespace {
 
-class PicturePanel : public AccuracyPanel {
-  protected:
-    PicturePanel() { pages().setCurrentWidget(&dock()); }
+/// The panel with the chart of a picture. That has many levels and takes long: one is measured for
+/// all tests.
+class MeasuredPicture : public AccuracyPanel {
+  public:
+    MeasuredPicture() {
+        pages().setCurrentWidget(&dock());
+        isMeasured_ = measure();
+        start_ = document().undoStack().index();
+    }
+
+    bool isMeasured() const { return isMeasured_; }
+
+    /// As it was when all was measured.
+    void goBack() {
+        document().undoStack().setIndex(start_);
+        for (QCheckBox* asked : budget().findChildren<QCheckBox*>()) {
+            asked->setChecked(false);
+        }
+        pages().setCurrentWidget(&dock());
+        settle();
+    }
 
     AccuracyPage& dock() override { return *pages().findChild<AccuracyPage*>("picture"); }
+
+    using AccuracyPanel::budget;
+    using AccuracyPanel::document;
+    using AccuracyPanel::list;
+    using AccuracyPanel::pages;
+    using AccuracyPanel::plot;
+    using AccuracyPanel::press;
+    using AccuracyPanel::settle;
+    using AccuracyPanel::state;
+
+  private:
+    void TestBody() override {}
+
+    bool isMeasured_ = false;
+    int start_ = 0;
+};
+
+class PicturePanel : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { shared() = std::make_unique<MeasuredPicture>(); }
+    static void TearDownTestSuite() { shared().reset(); }
+
+    void SetUp() override {
+        ASSERT_TRUE(panel().isMeasured()) << panel().state().toStdString();
+        panel().goBack();
+    }
+
+    AccuracyPage& dock() { return panel().dock(); }
+    AccuracyDock& pages() { return panel().pages(); }
+    BudgetRow& budget() { return panel().budget(); }
+    CostList& list() { return panel().list(); }
+    CostPlot& plot() { return panel().plot(); }
+    Document& document() { return panel().document(); }
+    void press(const QString& text) { panel().press(text); }
+    void settle() { panel().settle(); }
+    int steps() { return document().undoStack().index(); }
 
     /// The point that takes these levels alone; -1: none.
     int pointOf(const ChosenLevels& levels) {
@@ -32,17 +88,22 @@ class PicturePanel : public AccuracyPanel {
         }
         return {};
     }
+
+  private:
+    static std::unique_ptr<MeasuredPicture>& shared() {
+        static std::unique_ptr<MeasuredPicture> made;
+        return made;
+    }
+    MeasuredPicture& panel() { return *shared(); }
 };
 
 TEST_F(PicturePanel, Measured_HasEveryLevelAndWhatTheSceneHas) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     EXPECT_GE(pointOf({{"picture.scale", "half"}}), 0);
     EXPECT_GE(pointOf({{"picture.normals", "interpolated"}}), 0);
     EXPECT_GE(pointOf({{"picture.samples", "4"}, {"picture.numbers", "half"}}), 0);
 }
 
 TEST_F(PicturePanel, EnterInTheTable_GivesTheSceneThatLevelInOneStep) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     const Scene before = document().scene();
     const int count = steps();
     list().select(pointOf({{"picture.scale", "half"}}));
@@ -56,7 +117,6 @@ TEST_F(PicturePanel, EnterInTheTable_GivesTheSceneThatLevelInOneStep) {
 }
 
 TEST_F(PicturePanel, ClickOnAPoint_GivesTheSceneThatLevel) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     settle();
     const QPoint place = plot().placeOf(pointOf({{"picture.scale", "half"}}));
     QWidget* target = plot().childAt(place);
@@ -66,7 +126,6 @@ TEST_F(PicturePanel, ClickOnAPoint_GivesTheSceneThatLevel) {
 }
 
 TEST_F(PicturePanel, AppliedPoint_LeavesTheChartFreshAndIsTheCurrentOne) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     dock().apply(pointOf({{"picture.scale", "half"}}));
     settle();
     EXPECT_FALSE(dock().isStale());
@@ -76,14 +135,12 @@ TEST_F(PicturePanel, AppliedPoint_LeavesTheChartFreshAndIsTheCurrentOne) {
 }
 
 TEST_F(PicturePanel, ChangedScene_PutsTheChartOutOfDate) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     document().setFog("exponential");
     settle();
     EXPECT_TRUE(dock().isStale());
 }
 
 TEST_F(PicturePanel, ErrorBudget_PicksAWayWithinItAndTheSceneTakesIt) {
-    ASSERT_TRUE(measure()) << state().toStdString();
     budget().findChildren<QCheckBox*>().last()->setChecked(true);
     budget().findChild<QSpinBox*>()->setValue(2);
     ASSERT_TRUE(budget().answer().has_value());

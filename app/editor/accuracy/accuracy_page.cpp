@@ -6,7 +6,6 @@
 
 #include <QEvent>
 #include <QFileInfo>
-#include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
 #include <QSplitter>
@@ -19,6 +18,8 @@
 #include "accuracy/cost_plot.h"
 #include "accuracy/cost_subject.h"
 #include "accuracy/cost_text.h"
+#include "accuracy/long_line.h"
+#include "accuracy/measure_turn.h"
 #include "catalog/json_text.h"
 #include "docks/panel.h"
 #include "docks/settling.h"
@@ -37,9 +38,10 @@ constexpr QSize usualSize{720, 320};
 
 } // namespace
 
-AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target)
+AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target,
+                           std::shared_ptr<MeasureTurn> turn)
     : document_(context.document), library_(context.meshes), environments_(context.environments),
-      messages_(context.messages), target_(std::move(target)),
+      messages_(context.messages), target_(std::move(target)), turn_(std::move(turn)),
       start_(textButton(tr("Measure"), target_->measureText(), this)),
       cancel_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
       compare_(textButton(tr("Compare with exact"),
@@ -47,7 +49,7 @@ AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarg
                              "apart in C"),
                           this)),
       export_(textButton(tr("Export"), tr("Write what was measured to a file"), this)),
-      progress_(new QProgressBar(this)), state_(new QLabel(this)), plot_(new CostPlot(this)),
+      progress_(new QProgressBar(this)), state_(new LongLine(this)), plot_(new CostPlot(this)),
       list_(new CostList(this)), budget_(new BudgetRow(this)) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
@@ -62,8 +64,6 @@ void AccuracyPage::layOut() {
     progress_->setMaximumWidth(200);
     progress_->setAccessibleName(tr("Progress of the measurement"));
     state_->setObjectName("state");
-    state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // never widens the dock
     auto* row = new QHBoxLayout;
     for (QWidget* widget : std::initializer_list<QWidget*>{start_, cancel_, progress_}) {
         row->addWidget(widget);
@@ -121,6 +121,7 @@ void AccuracyPage::connectParts() {
         }
     });
     connect(&measurement_, &CostMeasurement::finished, this, &AccuracyPage::take);
+    connect(turn_.get(), &MeasureTurn::changed, this, &AccuracyPage::showState);
     connect(&settle_, &QTimer::timeout, this, &AccuracyPage::follow);
     startWhenChanged(settle_, document_, library_);
     connect(&document_, &Document::fileChanged, &settle_, qOverload<>(&QTimer::start));
@@ -179,7 +180,7 @@ void AccuracyPage::measure() {
 
 void AccuracyPage::measure(CostSweep::Options options) {
     const int object = document_.currentObject();
-    if (measurement_.isRunning() || object < 0) {
+    if (measurement_.isRunning() || object < 0 || !turn_->take(*this)) {
         return;
     }
     running_ = KeptChart{target_->subject(), file(), document_.scene().camera, {}, false, {}};
@@ -193,6 +194,7 @@ void AccuracyPage::measure(CostSweep::Options options) {
 }
 
 void AccuracyPage::take(const CostMeasurement::Outcome& outcome) {
+    turn_->giveBack(*this);
     if (!running_) {
         return;
     }
@@ -268,7 +270,8 @@ QString AccuracyPage::stateText() const {
         return target_->noChoicesText();
     }
     if (shown_ == nullptr) {
-        return tr("Nothing is measured yet.");
+        const QString whyNot = turn_->whyNot(*this);
+        return whyNot.isEmpty() ? tr("Nothing is measured yet.") : whyNot;
     }
     if (!shown_->problem.empty()) {
         return tr("Could not be measured: %1").arg(QString::fromStdString(shown_->problem));
@@ -289,14 +292,15 @@ QString AccuracyPage::measuredText() const {
 void AccuracyPage::showState() {
     const bool running = measurement_.isRunning();
     const bool hasPoints = shown_ != nullptr && !shown_->chart.points.empty();
-    start_->setEnabled(!choices_.empty());
+    const QString whyNot = turn_->whyNot(*this);
+    start_->setEnabled(!choices_.empty() && whyNot.isEmpty());
+    start_->setToolTip(whyNot.isEmpty() ? target_->measureText() : whyNot);
     start_->setVisible(!running);
     cancel_->setVisible(running);
     progress_->setVisible(running);
     compare_->setEnabled(pointAt(list_->selected()) != nullptr);
     export_->setEnabled(hasPoints);
-    state_->setText(stateText());
-    state_->setToolTip(state_->text());
+    state_->tell(stateText());
 }
 
 } // namespace patina

@@ -13,7 +13,6 @@
 #include "check/cost_measurement.h"
 #include "docks/dock_context.h"
 
-class QLabel;
 class QProgressBar;
 class QToolButton;
 
@@ -22,6 +21,8 @@ namespace patina {
 class BudgetRow;
 class CostList;
 class CostPlot;
+class LongLine;
+class MeasureTurn;
 
 /// What accuracy costs: every way to compute a material or to draw the picture, in time and error,
 /// measured on demand; one of them is taken by a click, or by a budget.
@@ -29,9 +30,11 @@ class AccuracyPage : public QWidget {
     Q_OBJECT
 
   public:
-    AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target);
+    AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target,
+                 std::shared_ptr<MeasureTurn> turn);
 
-    /// Nothing happens while that is going on, or where nothing can be measured.
+    /// Nothing happens while that is going on here or on another page, or where nothing can be
+    /// measured.
     void measure(CostSweep::Options options);
     void measure();
     bool isMeasuring() const { return measurement_.isRunning(); }
@@ -77,6 +80,7 @@ class AccuracyPage : public QWidget {
     EnvironmentLibrary& environments_;
     MessageLog& messages_;
     std::unique_ptr<ChartTarget> target_;
+    std::shared_ptr<MeasureTurn> turn_;
     CostMeasurement measurement_;
     KeptResults<KeptChart> charts_;
     std::optional<KeptChart> running_; ///< what is being measured
@@ -89,7 +93,7 @@ class AccuracyPage : public QWidget {
     QToolButton* compare_;
     QToolButton* export_;
     QProgressBar* progress_;
-    QLabel* state_;
+    LongLine* state_;
     CostPlot* plot_;
     CostList* list_;
     BudgetRow* budget_;

@@ -19,7 +19,7 @@ constexpr int pointRole = Qt::UserRole;
 constexpr int markSize = 12;
 
 enum Column { Way, Time, Ratio, P99, Mean, Rms, Worst, Steps, Perceived, Count, Columns };
-constexpr std::array<int, Columns> widths{170, 66, 104, 66, 66, 66, 66, 66, 66, 84};
+constexpr std::array<int, Columns> widths{170, 70, 116, 84, 84, 84, 84, 70, 66, 90};
 
 /// As in the chart: a disc on the front, a circle elsewhere, and one round the current point.
 QIcon markOf(bool onFront, bool isCurrent, const QPalette& palette) {

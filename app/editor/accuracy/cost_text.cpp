@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/cost_text.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
@@ -11,32 +8,12 @@
 namespace patina {
 namespace {
 
-constexpr int digits = 3;
-
-/// What is less than this share of the light is said to be so, not how much.
-constexpr double leastShare = 1e-7;
-
 QString tr(const char* text) {
     return QCoreApplication::translate("CostText", text);
 }
 
 QString asText(const std::string& text) {
     return QString::fromStdString(text);
-}
-
-/// Two digits that count, never with an exponent: "17", "0.031", "0.00001".
-QString twoDigits(double number) {
-    constexpr double most = 9.95; // above it whole numbers have as many
-    if (number >= most) {
-        return QLocale().toString(number, 'f', 0);
-    }
-    constexpr double least = 1e-4; // below it an exponent would be written
-    if (number >= least || number <= 0.0) {
-        return QLocale().toString(number, 'g', 2);
-    }
-    const int places = 1 - static_cast<int>(std::floor(std::log10(number)));
-    QString text = QLocale().toString(number, 'f', places);
-    return text.endsWith('0') ? text.chopped(1) : text;
 }
 
 /// A level that a point takes, with its choice; null where the chart does not know it.
@@ -60,21 +37,6 @@ std::vector<TakenLevel> takenLevels(const CostPoint& point, const CostChart& cha
 
 } // namespace
 
-QString digitsText(double number) {
-    if (number == 0.0 || !std::isfinite(number)) {
-        return QLocale().toString(number, 'f', 0);
-    }
-    const int before = static_cast<int>(std::floor(std::log10(std::abs(number)))) + 1;
-    return QLocale().toString(number, 'f', std::clamp(digits - before, 0, 9));
-}
-
-QString shareText(double share) {
-    if (share > 0.0 && share < leastShare) {
-        return tr("under %1 %").arg(twoDigits(100.0 * leastShare));
-    }
-    return tr("%1 %").arg(twoDigits(100.0 * share));
-}
-
 QString wayName(const CostPoint& point, const CostChart& chart) {
     QStringList names;
     for (const TakenLevel& taken : takenLevels(point, chart)) {
@@ -97,8 +59,8 @@ QString ratioText(const MedianInterval& ratio) {
     if (ratio.upper - ratio.lower > 2.0 * ratio.median) {
         return tr("%1, not settled").arg(digitsText(ratio.median));
     }
-    return QStringLiteral("%1 ± %2").arg(digitsText(ratio.median),
-                                         digitsText(0.5 * (ratio.upper - ratio.lower)));
+    return QStringLiteral("%1 ± %2").arg(
+        digitsText(ratio.median), likeText(0.5 * (ratio.upper - ratio.lower), ratio.median));
 }
 
 QString countText(const std::optional<InstructionCount>& count) {

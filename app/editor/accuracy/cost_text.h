@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "measure/cost_chart.h"
+#include "number_text.h"
 
 namespace patina {
 
@@ -13,12 +14,6 @@ QString wayName(const CostPoint& point, const CostChart& chart);
 
 /// The same in full: which choice has which level, and what that means, line by line.
 QString wayDescription(const CostPoint& point, const CostChart& chart);
-
-/// "0.39 %" of a share, with as many digits as tell something.
-QString shareText(double share);
-
-/// Three digits: "23.4", "0.0317".
-QString digitsText(double number);
 
 /// "1.23 ± 0.02" of a ratio; a busy machine may leave an interval that says nothing.
 QString ratioText(const MedianInterval& ratio);

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "accuracy/axis_ticks.h"
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
+#include "number_text.h"
 
 namespace patina {
 namespace {
@@ -30,37 +33,11 @@ QString nameOf(ScalingCurve::Axis axis) {
     }
 }
 
-QString plainNumber(double number) {
-    return QLocale().toString(number, 'g', 3);
-}
-
 /// As lawText() asks for it.
 std::string localNumber(double number, char format, int digits) {
-    return QLocale().toString(number, format, digits).toStdString();
-}
-
-/// Short names of large numbers: "50 k", "1 M".
-QString shortNumber(double number) {
-    if (number >= 1e6) {
-        return GrowthPlot::tr("%1 M").arg(plainNumber(number * 1e-6));
-    }
-    return number >= 1e4 ? GrowthPlot::tr("%1 k").arg(plainNumber(number * 1e-3))
-                         : QLocale().toString(number, 'f', 0);
-}
-
-/// Decades, and where there are few of them 2 and 5 times those.
-QSharedPointer<QCPAxisTicker> ticks(double from, double to, QString (*text)(double)) {
-    QSharedPointer<QCPAxisTickerText> made(new QCPAxisTickerText);
-    const double decades = std::log10(to / from);
-    for (double decade = std::pow(10.0, std::floor(std::log10(from))); decade < to;
-         decade *= 10.0) {
-        for (const double step : {1.0, 2.0, 5.0}) {
-            if (step == 1.0 || decades < 1.6 || (step == 2.0 && decades < 2.4)) {
-                made->addTick(step * decade, text(step * decade));
-            }
-        }
-    }
-    return made;
+    const QString text =
+        format == 'g' ? roundText(number) : QLocale().toString(number, format, digits);
+    return text.toStdString();
 }
 
 } // namespace
@@ -81,6 +58,10 @@ GrowthPlot::GrowthPlot(ScalingCurve::Axis axis, QWidget* parent)
         each->setScaleType(QCPAxis::stLogarithmic);
         each->setSubTicks(false);
     }
+    plot_->xAxis->setTicker(
+        QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot_->xAxis, shortText)));
+    plot_->yAxis->setTicker(
+        QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot_->yAxis, roundText)));
     plot_->xAxis->setLabel(nameOf(axis));
     plot_->yAxis->setLabel(tr("ms"));
     law_->setWordWrap(true);
@@ -103,6 +84,14 @@ void GrowthPlot::setCurve(const std::optional<ScalingCurve>& curve, bool stale) 
 
 QString GrowthPlot::law() const {
     return law_->text();
+}
+
+/// The page hears of another look before its plots have the new palette.
+void GrowthPlot::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        draw();
+    }
 }
 
 void GrowthPlot::draw() {
@@ -155,10 +144,11 @@ void GrowthPlot::scaleAxes() {
     const double right = isEmpty ? 100.0 : curve_.samples.back().count * margin;
     const double bottom = isEmpty ? 1.0 : shortest / margin;
     const double top = isEmpty ? 100.0 : longest * margin;
+    for (QCPAxis* each : {plot_->xAxis, plot_->yAxis}) {
+        each->setTickLabels(!isEmpty);
+    }
     plot_->xAxis->setRange(left, right);
-    plot_->xAxis->setTicker(ticks(left, right, shortNumber));
     plot_->yAxis->setRange(bottom, top);
-    plot_->yAxis->setTicker(ticks(bottom, top, plainNumber));
 }
 
 void GrowthPlot::colour() {

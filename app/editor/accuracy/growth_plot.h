@@ -27,6 +27,9 @@ class GrowthPlot : public QWidget {
 
     QString law() const;
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     void draw();
     void drawLaw();

@@ -65,10 +65,9 @@ MeasuredSubject MaterialTarget::subject() const {
         material.license.clear();
         material.tags.clear();
     }
-    scene.camera = {};
     scene.ground.mode = GroundMode::Off; // a measurement is made without it
     forgetPicture(scene, document_.catalog());
-    return {std::move(scene), object, document_.sharedCatalog()};
+    return subjectOf(std::move(scene), object, document_.sharedCatalog());
 }
 
 void MaterialTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,

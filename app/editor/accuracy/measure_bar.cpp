@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "accuracy/long_line.h"
 #include "docks/panel.h"
 
 namespace patina {
@@ -20,15 +20,13 @@ constexpr int progressWidth = 200;
 } // namespace
 
 MeasureBar::MeasureBar(const QString& what, const QStringList& endings, QWidget* parent)
-    : QWidget(parent), start_(textButton(tr("Measure"), what, this)),
+    : QWidget(parent), what_(what), start_(textButton(tr("Measure"), what, this)),
       stop_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
-      progress_(new QProgressBar(this)), text_(new QLabel(this)),
+      progress_(new QProgressBar(this)), text_(new LongLine(this)),
       export_(textButton(tr("Export"), tr("Write what was measured to a file"), this)) {
     progress_->setRange(0, progressSteps);
     progress_->setMaximumWidth(progressWidth);
     progress_->setAccessibleName(tr("Progress of the measurement"));
-    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // never widens the dock
     auto* menu = new QMenu(export_);
     for (const QString& ending : endings) {
         menu->addAction(tr("As %1…").arg(ending.toUpper()), this,
@@ -59,8 +57,9 @@ void MeasureBar::setRunning(bool running) {
     progress_->setVisible(running);
 }
 
-void MeasureBar::setStartable(bool startable) {
-    start_->setEnabled(startable);
+void MeasureBar::setStartable(bool startable, const QString& whyNot) {
+    start_->setEnabled(startable && whyNot.isEmpty());
+    start_->setToolTip(whyNot.isEmpty() ? what_ : whyNot);
 }
 
 void MeasureBar::setExportable(bool exportable) {
@@ -68,8 +67,7 @@ void MeasureBar::setExportable(bool exportable) {
 }
 
 void MeasureBar::setText(const QString& text) {
-    text_->setText(text);
-    text_->setToolTip(text);
+    text_->tell(text);
 }
 
 QString MeasureBar::text() const {

@@ -3,11 +3,12 @@
 
 #include <QWidget>
 
-class QLabel;
 class QProgressBar;
 class QToolButton;
 
 namespace patina {
+
+class LongLine;
 
 /// The row above what is measured: start, stop, progress, a sentence, export.
 class MeasureBar : public QWidget {
@@ -19,7 +20,8 @@ class MeasureBar : public QWidget {
 
     void setProgress(double share); ///< 0 .. 1
     void setRunning(bool running);
-    void setStartable(bool startable);
+    /// `whyNot`: what has to end before it can be started; empty: nothing.
+    void setStartable(bool startable, const QString& whyNot);
     void setExportable(bool exportable);
     void setText(const QString& text);
     QString text() const;
@@ -30,10 +32,11 @@ class MeasureBar : public QWidget {
     void exportWished(QString ending);
 
   private:
+    QString what_; ///< starting measures
     QToolButton* start_;
     QToolButton* stop_;
     QProgressBar* progress_;
-    QLabel* text_;
+    LongLine* text_;
     QToolButton* export_;
 };
 

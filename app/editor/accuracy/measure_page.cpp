@@ -9,6 +9,7 @@
 #include "accuracy/chart_export.h"
 #include "accuracy/cost_subject.h"
 #include "accuracy/measure_bar.h"
+#include "accuracy/measure_turn.h"
 #include "docks/settling.h"
 #include "document.h"
 #include "message_log.h"
@@ -20,10 +21,11 @@ constexpr int settleMs = 100;
 
 } // namespace
 
-MeasurePage::MeasurePage(const DockContext& context, const QString& what,
-                         const QStringList& endings)
+MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
+                         const QString& what, const QStringList& endings)
     : document_(context.document), meshes_(context.meshes), environments_(context.environments),
-      messages_(context.messages), bar_(new MeasureBar(what, endings, this)) {
+      messages_(context.messages), turn_(std::move(turn)),
+      bar_(new MeasureBar(what, endings, this)) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     connectParts();
@@ -40,6 +42,7 @@ void MeasurePage::connectParts() {
     });
     connect(&work_, &SteppedWork::progressed, bar_, &MeasureBar::setProgress);
     connect(&work_, &SteppedWork::finished, this, &MeasurePage::finish);
+    connect(turn_.get(), &MeasureTurn::changed, this, &MeasurePage::showState);
     connect(&settle_, &QTimer::timeout, this, &MeasurePage::follow);
     startWhenChanged(settle_, document_, meshes_);
     connect(&document_, &Document::fileChanged, &settle_, qOverload<>(&QTimer::start));
@@ -59,9 +62,8 @@ void MeasurePage::changeEvent(QEvent* event) {
 
 MeasuredSubject MeasurePage::subject() const {
     const int object = document_.currentObject();
-    Scene scene = measuredPart(document_.scene(document_.activeSide()), object);
-    scene.camera = {};
-    return {std::move(scene), object, document_.sharedCatalog()};
+    return subjectOf(measuredPart(document_.scene(document_.activeSide()), object), object,
+                     document_.sharedCatalog());
 }
 
 std::string MeasurePage::file() const {
@@ -87,8 +89,12 @@ CostSweep::Subject MeasurePage::costSubject() {
     return patina::costSubject(document_, meshes_, environments_);
 }
 
+bool MeasurePage::canStart() const {
+    return !isMeasuring() && document_.currentObject() >= 0 && turn_->whyNot(*this).isEmpty();
+}
+
 void MeasurePage::start(SteppedWork::Maker make) {
-    if (isMeasuring() || document_.currentObject() < 0) {
+    if (!canStart() || !turn_->take(*this)) {
         return;
     }
     running_ = PageResult{subject(), file(), {}, {}, false, {}};
@@ -106,6 +112,7 @@ void MeasurePage::take(std::any numbers, const QString& method) {
 }
 
 void MeasurePage::finish(bool complete, const QString& problem) {
+    turn_->giveBack(*this);
     if (running_) {
         running_->complete = complete;
         running_->problem = problem;
@@ -139,7 +146,8 @@ QString MeasurePage::stateText() const {
         return tr("Could not be measured: %1").arg(shown_->problem);
     }
     if (!hasNumbers()) {
-        return tr("Nothing is measured yet.");
+        const QString whyNot = turn_->whyNot(*this);
+        return whyNot.isEmpty() ? tr("Nothing is measured yet.") : whyNot;
     }
     if (stale_) {
         return tr("Out of date: the scene has changed since.");
@@ -149,7 +157,7 @@ QString MeasurePage::stateText() const {
 
 void MeasurePage::showState() {
     bar_->setRunning(isMeasuring());
-    bar_->setStartable(document_.currentObject() >= 0);
+    bar_->setStartable(document_.currentObject() >= 0, turn_->whyNot(*this));
     bar_->setExportable(hasNumbers());
     bar_->setText(stateText());
 }

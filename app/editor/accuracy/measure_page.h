@@ -2,6 +2,7 @@
 #pragma once
 
 #include <any>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,7 @@
 namespace patina {
 
 class MeasureBar;
+class MeasureTurn;
 
 /// What a page measured, perhaps not to the end.
 struct PageResult {
@@ -44,7 +46,8 @@ class MeasurePage : public QWidget {
 
   protected:
     /// See MeasureBar.
-    MeasurePage(const DockContext& context, const QString& what, const QStringList& endings);
+    MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn, const QString& what,
+                const QStringList& endings);
 
     virtual void startMeasuring() = 0;
     /// The scene without what makes no difference to the numbers.
@@ -52,8 +55,9 @@ class MeasurePage : public QWidget {
     virtual void showNumbers(bool stale) = 0;
     virtual QByteArray bytesFor(const QString& ending) const = 0;
 
-    /// Begins with what costSubject() is now. Nothing happens while that is going on, or without an
-    /// object.
+    /// False while that or another page's measurement is going on, or without an object.
+    bool canStart() const;
+    /// Begins with what costSubject() is now, where it can.
     void start(SteppedWork::Maker make);
     CostSweep::Subject costSubject();
 
@@ -91,6 +95,7 @@ class MeasurePage : public QWidget {
     MeshLibrary& meshes_;
     EnvironmentLibrary& environments_;
     MessageLog& messages_;
+    std::shared_ptr<MeasureTurn> turn_;
     KeptResults<PageResult> results_;
     std::optional<PageResult> running_;   ///< what is being measured
     const PageResult* shown_ = nullptr;

@@ -43,7 +43,7 @@ void fillCounts(NumberRow& row, const std::optional<InstructionCount>& count) {
                                             {Branches, count->branch},
                                             {Memory, count->memory}};
     for (const auto& [column, number] : kinds) {
-        row.setNumber(column, QString::number(number), number);
+        row.setNumber(column, QLocale().toString(number), number);
     }
 }
 

@@ -43,8 +43,9 @@ class ModelsPage::Job : public SteppedWork::Job {
     std::size_t told_ = 0;
 };
 
-ModelsPage::ModelsPage(const DockContext& context)
-    : MeasurePage(context, tr("Measure every model on this scene"), {"csv", "json"}),
+ModelsPage::ModelsPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
+    : MeasurePage(context, std::move(turn), tr("Measure every model on this scene"),
+                  {"csv", "json"}),
       list_(new ModelList(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 0);
@@ -62,7 +63,7 @@ void ModelsPage::startMeasuring() {
 }
 
 void ModelsPage::measure(CostSweep::Options options) {
-    if (isMeasuring() || document().currentObject() < 0) {
+    if (!canStart()) {
         return;
     }
     options.programCache = cacheFolder() / "programs";

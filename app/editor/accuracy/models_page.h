@@ -16,9 +16,9 @@ class ModelsPage : public MeasurePage {
     Q_OBJECT
 
   public:
-    explicit ModelsPage(const DockContext& context);
+    ModelsPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn);
 
-    /// Nothing happens while that is going on.
+    /// Nothing happens while that is going on here or on another page.
     void measure(CostSweep::Options options);
 
     const std::vector<ModelCost>& costs() const { return numbers<std::vector<ModelCost>>(); }

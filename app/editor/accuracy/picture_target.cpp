@@ -69,9 +69,8 @@ ChosenLevels PictureTarget::levels(const std::vector<Choice>& choices) const {
 }
 
 MeasuredSubject PictureTarget::subject() const {
-    Scene scene = withLevels(choices(), {});
-    scene.camera = {};
-    return {std::move(scene), document_.currentObject(), document_.sharedCatalog()};
+    return subjectOf(withLevels(choices(), {}), document_.currentObject(),
+                     document_.sharedCatalog());
 }
 
 void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,

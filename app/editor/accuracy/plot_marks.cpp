@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include "accuracy/axis_ticks.h"
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
@@ -22,8 +23,6 @@ constexpr double leastError = 1e-6;
 constexpr double timeMargin = 1.12;
 constexpr double errorMargin = 2.5;
 constexpr double leastErrorRange = 1e3; ///< of the axis, also where nothing errs
-constexpr double decadesFrom = 8.0;     ///< a range so wide is marked at 1, 2, 5, 10, ...
-constexpr double plainFrom = 200.0;     ///< and one so wide at 1, 10, 100, ...
 constexpr double longestBar = 2.0;      ///< times a point's time; what is longer runs off the chart
 constexpr double pointSize = 7.0;
 constexpr double ringSize = 13.0;
@@ -63,33 +62,6 @@ QPointF shownAt(const CostPoint& point, const CostChart& chart) {
     return {shownTime(point), shownError(point, chart)};
 }
 
-QSharedPointer<QCPAxisTicker> timeTicks(double from, double to) {
-    if (to < decadesFrom * from) {
-        return QSharedPointer<QCPAxisTicker>(new QCPAxisTicker);
-    }
-    QSharedPointer<QCPAxisTickerText> ticks(new QCPAxisTickerText);
-    for (double decade = std::pow(10.0, std::floor(std::log10(from))); decade < to;
-         decade *= 10.0) {
-        for (const double step : {1.0, 2.0, 5.0}) {
-            if (step == 1.0 || to < plainFrom * from) {
-                ticks->addTick(step * decade, digitsText(step * decade));
-            }
-        }
-    }
-    return ticks;
-}
-
-/// The floor by its name, and decades above it.
-QSharedPointer<QCPAxisTicker> errorTicks(double floor, double to) {
-    QSharedPointer<QCPAxisTickerText> ticks(new QCPAxisTickerText);
-    ticks->addTick(floor, QCoreApplication::translate("PlotMarks", "exact"));
-    for (int power = static_cast<int>(std::ceil(std::log10(2.5 * floor)));
-         std::pow(10.0, power) < to; ++power) {
-        ticks->addTick(std::pow(10.0, power), shareText(std::pow(10.0, power)));
-    }
-    return ticks;
-}
-
 } // namespace
 
 PlotMarks::PlotMarks(QCustomPlot& plot)
@@ -97,7 +69,8 @@ PlotMarks::PlotMarks(QCustomPlot& plot)
       intervals_(new QCPErrorBars(plot.xAxis, plot.yAxis)),
       line_(makeGraph(plot, QCPGraph::lsLine)), others_(makeGraph(plot, QCPGraph::lsNone)),
       front_(makeGraph(plot, QCPGraph::lsNone)), current_(makeGraph(plot, QCPGraph::lsNone)),
-      selected_(makeGraph(plot, QCPGraph::lsNone)) {
+      selected_(makeGraph(plot, QCPGraph::lsNone)),
+      errors_(new AxisTicks(*plot.yAxis, shareText)) {
     intervals_->setErrorType(QCPErrorBars::etKeyError);
     intervals_->setDataPlottable(all_);
     intervals_->setWhiskerWidth(5.0);
@@ -105,10 +78,11 @@ PlotMarks::PlotMarks(QCustomPlot& plot)
     intervals_->setSelectable(QCP::stNone);
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
         axis->setScaleType(QCPAxis::stLogarithmic);
-        axis->setNumberFormat(QStringLiteral("g"));
-        axis->setNumberPrecision(4);
         axis->setSubTicks(false);
     }
+    plot.xAxis->setTicker(
+        QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot.xAxis, roundText)));
+    plot.yAxis->setTicker(errors_);
     plot.xAxis->setLabel(QCoreApplication::translate("PlotMarks", "ns per pixel"));
     plot.yAxis->setLabel(QCoreApplication::translate("PlotMarks", "error"));
 }
@@ -185,9 +159,8 @@ void PlotMarks::scaleAxes(const CostChart& chart) {
     from = to > 0.0 ? from / timeMargin : 1.0;
     to = to > 0.0 ? to * timeMargin : 100.0;
     plot_.xAxis->setRange(from, to);
-    plot_.xAxis->setTicker(timeTicks(from, to));
     plot_.yAxis->setRange(floor / errorMargin, worst * errorMargin);
-    plot_.yAxis->setTicker(errorTicks(floor, worst * errorMargin));
+    errors_->begin(floor, QCoreApplication::translate("PlotMarks", "exact"));
 }
 
 void PlotMarks::colour(const QPalette& palette, bool stale) {

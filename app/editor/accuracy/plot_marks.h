@@ -5,6 +5,7 @@
 
 #include <QPalette>
 #include <QPointF>
+#include <QSharedPointer>
 
 #include "measure/cost_chart.h"
 
@@ -13,6 +14,8 @@ class QCPGraph;
 class QCustomPlot;
 
 namespace patina {
+
+class AxisTicks;
 
 /// What is drawn of a chart of costs in a plot: points, their intervals, the front, rings, axes.
 class PlotMarks {
@@ -47,6 +50,7 @@ class PlotMarks {
     QCPGraph* front_;
     QCPGraph* current_;
     QCPGraph* selected_;
+    QSharedPointer<AxisTicks> errors_;
 };
 
 } // namespace patina

@@ -45,8 +45,9 @@ class ScalingPage::Job : public SteppedWork::Job {
     int told_ = 0;
 };
 
-ScalingPage::ScalingPage(const DockContext& context)
-    : MeasurePage(context, tr("Measure the time of more pixels, lights and objects"),
+ScalingPage::ScalingPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
+    : MeasurePage(context, std::move(turn),
+                  tr("Measure the time of more pixels, lights and objects"),
                   {"csv", "json", "png"}),
       plots_(new QWidget(this)) {
     auto* row = new QHBoxLayout(plots_);
@@ -69,7 +70,7 @@ void ScalingPage::startMeasuring() {
 }
 
 void ScalingPage::measure(ScalingSweep::Options options) {
-    if (isMeasuring() || document().currentObject() < 0) {
+    if (!canStart()) {
         return;
     }
     options.programCache = cacheFolder() / "programs";

@@ -17,9 +17,9 @@ class ScalingPage : public MeasurePage {
     Q_OBJECT
 
   public:
-    explicit ScalingPage(const DockContext& context);
+    ScalingPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn);
 
-    /// Nothing happens while that is going on.
+    /// Nothing happens while that is going on here or on another page.
     void measure(ScalingSweep::Options options);
 
     const std::vector<ScalingCurve>& curves() const {

@@ -5,6 +5,7 @@
 
 #include "accuracy/accuracy_page.h"
 #include "accuracy/material_target.h"
+#include "accuracy/measure_turn.h"
 #include "accuracy/models_page.h"
 #include "accuracy/picture_target.h"
 #include "accuracy/scaling_page.h"
@@ -13,21 +14,24 @@ namespace patina {
 
 AccuracyDock::AccuracyDock(const DockContext& context) {
     setDocumentMode(true);
+    const auto turn = std::make_shared<MeasureTurn>();
     auto* material = new AccuracyPage(
-        context, std::make_unique<MaterialTarget>(context.document, context.views));
+        context, std::make_unique<MaterialTarget>(context.document, context.views), turn);
     auto* picture =
-        new AccuracyPage(context, std::make_unique<PictureTarget>(context.document));
+        new AccuracyPage(context, std::make_unique<PictureTarget>(context.document), turn);
     material->setObjectName("material");
     picture->setObjectName("picture");
     const auto add = [this](QWidget* page, const QString& title, const QString& what) {
+        page->setWindowTitle(title);
         setTabToolTip(addTab(page, title), what);
     };
     add(material, tr("This Material"),
         tr("Every way to compute the material: time against error"));
     add(picture, tr("This Picture"), tr("Every way to draw the picture: time against error"));
-    add(new ModelsPage(context), tr("All Models"),
+    add(new ModelsPage(context, turn), tr("All Models"),
         tr("Every model on this scene: time, instructions, lost light"));
-    add(new ScalingPage(context), tr("Scaling"), tr("Time against pixels, lights and objects"));
+    add(new ScalingPage(context, turn), tr("Scaling"),
+        tr("Time against pixels, lights and objects"));
 }
 
 } // namespace patina

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/cost_plot.h"
+
+namespace patina {
+
+/// A point of a drawing that wants a name.
+struct NamedPoint {
+    glm::dvec2 at{0.0}; ///< pixels from the top left
+    std::string name;
+    bool isMain = false; ///< names the place where points lie upon each other
+};
+
+/// One text for each place ("exact and 4 more"), beside its points and beside each other, in a
+/// drawing of this size.
+std::vector<PlotShape> labelsOf(const std::vector<NamedPoint>& points, glm::ivec2 size,
+                                const glm::dvec3& color);
+
+} // namespace patina

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measured numbers as people read them, in the user's language, never with an exponent.
+#pragma once
+
+#include <QString>
+
+namespace patina {
+
+/// Three digits that count, and all of those before the point: "23.4", "0.0317", "9,346".
+QString digitsText(double number);
+
+/// With as many digits after the point as digitsText() gives another number.
+QString likeText(double number, double other);
+
+/// As digitsText() without zeros that say nothing: "2", "0.5".
+QString roundText(double number);
+
+/// Large numbers in short: "2.5 k", "50 k", "1 M"; below a thousand as roundText().
+QString shortText(double number);
+
+/// "0.39 %" of a share, with as many digits as tell something.
+QString shareText(double share);
+
+} // namespace patina
