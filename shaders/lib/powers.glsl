@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// (1 - d)^e with c = 1 - d, the power that most highlights are, exactly and in three cheaper ways.
+// (1 - d)^e with c = 1 - d, the power that most highlights are, exactly and in two cheaper ways.
 // d and c are both known without cancellation; e >= 0; 0 where c is not positive, also for e = 0.
 #include "lib/directions.glsl"
 #include "lib/elementary.glsl"
@@ -7,28 +7,8 @@
 
 // The levels of an accuracy choice "power", in the order in which every descriptor lists them: the
 // exact power is the one before these.
-const int POWER_SQUARING = 1;
-const int POWER_RATIONAL = 2;
-const int POWER_GAUSSIAN = 3;
-
-// Repeated squaring, exact for whole exponents; for the fraction f of others c^f is taken as
-// 1 - f d, which is exact for f = 0 and 1, and the error is below 0.071 / e^2 from exponent 1 on.
-// While a square is above a half it is made of 1 - x, which there has more digits than x.
-float squaredPower(float d, float c, float e) {
-    if (!(c > 0.0)) {
-        return 0.0;
-    }
-    float x = 1.0 - fract(e) * d;
-    float lack = d;
-    float square = c;
-    for (int n = int(min(e, 1e9)); n > 0; n >>= 1) {
-        int last = n & 1;
-        x *= mix(1.0, square, float(last));
-        lack *= 2.0 - lack;
-        square = lack < 0.5 ? 1.0 - lack : square * square;
-    }
-    return x;
-}
+const int POWER_RATIONAL = 1;
+const int POWER_GAUSSIAN = 2;
 
 // A Gaussian on the sphere, e^(-e d): the power for small angles. The error is 0.27 / e at most
 // where e > 5. J. Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance,
@@ -40,9 +20,6 @@ float gaussianPower(float d, float c, float e) {
 // The power by the level of the choice. With r.v it is the lobe of B. T. Phong, Illumination for
 // Computer Generated Pictures, CACM 18(6), 1975.
 float powerLobe(int level, float d, float c, float e) {
-    if (level == POWER_SQUARING) {
-        return squaredPower(d, c, e);
-    }
     if (level == POWER_RATIONAL) {
         return schlickLobe(d, c, e);
     }
@@ -54,7 +31,7 @@ float powerLobe(int level, float d, float c, float e) {
 
 // (n.h)^e by the level of the choice.
 float halfPowerLobe(int level, Directions d, float e) {
-    if (level == POWER_SQUARING || level == POWER_RATIONAL || level == POWER_GAUSSIAN) {
+    if (level == POWER_RATIONAL || level == POWER_GAUSSIAN) {
         return powerLobe(level, halfVersine(d), d.nh, e);
     }
     return blinnLobe(d.sin2h, d.cos2h, d.nH, e);

@@ -78,7 +78,8 @@ float waveSeries(float g, float x, float nodes, float reach, float spare) {
 // else the logarithm of the sum, the mean of e^(-x / m) / m over a Poisson distribution of m, to
 // second order in 1 / g, which is positive and falls with y = x / g everywhere:
 //   -y + (1 - 2 y + y^2 / 2) / g + (3 / 2 - 7 y + 5 y^2 - 5 y^3 / 6) / g^2 - ln g^2
-// Within 1.4 % of the largest value at that g, and within 0.02 % from g = 30 on. g, x >= 0.
+// Within 1.4 % of the largest value at that g, and within 0.02 % from g = 30 on; of the value itself
+// within 2.2 % down to a tenth of the largest, and 5.7 % down to a hundredth. g, x >= 0.
 float waveLimit(float g, float x) {
     float few = min(g, 8.0);
     float weight = 1.0;

@@ -40,7 +40,7 @@ TEST(SetOption, AccuracyOfAPart_ChangesThePicture) {
 TEST(SetOption, AccuracyLevelThatIsNone_NamesThoseThereAre) {
     const Outcome outcome = rendered({"--model", "phong", "--set", "power=guess"});
     EXPECT_NE(outcome.exitCode, 0);
-    EXPECT_NE(outcome.err.find("squaring"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("gaussian"), std::string::npos) << outcome.err;
 }
 
 TEST(SetOption, AccuracyOfThePicture_ChangesIt) {

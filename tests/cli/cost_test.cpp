@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What accuracy costs, from the command line.
+#include <cmath>
 #include <fstream>
+#include <regex>
 #include <sstream>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -68,6 +71,44 @@ TEST(Cost, Plot_IsDrawn) {
     text << std::ifstream(file).rdbuf();
     EXPECT_TRUE(text.str().starts_with("<svg"));
     EXPECT_NE(text.str().find("exact"), std::string::npos);
+}
+
+/// The texts of a chart where several levels draw the exact picture, with their corners.
+std::vector<std::tuple<double, double, std::string>> labelsOfAChart() {
+    const TemporaryFolder folder;
+    const auto file = folder / "chart.svg";
+    const Outcome outcome = patina({"cost", "--model", "cook-torrance", "--fresnel", "dielectric",
+                                    "--size", "32x32", "--seconds", "3", "--singles", "--plot",
+                                    file.string()});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    std::stringstream bytes;
+    bytes << std::ifstream(file).rdbuf();
+    const std::string svg = bytes.str();
+    const std::regex form("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\"[^>]*>([^<]*)<");
+    std::vector<std::tuple<double, double, std::string>> labels;
+    for (std::sregex_iterator i(svg.begin(), svg.end(), form), end; i != end; ++i) {
+        labels.emplace_back(std::stod((*i)[1]), std::stod((*i)[2]), (*i)[3]);
+    }
+    return labels;
+}
+
+TEST(Cost, PointsUponEachOther_ShareALabel) {
+    constexpr double lineHeight = 12.0;
+    constexpr double letterWidth = 6.0;
+    const auto labels = labelsOfAChart();
+    bool isShared = false;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const auto& [x, y, name] = labels[i];
+        isShared = isShared || name.find(" more") != std::string::npos;
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto& [otherX, otherY, other] = labels[k];
+            const bool meet = std::abs(y - otherY) < lineHeight &&
+                              x < otherX + letterWidth * double(other.size()) &&
+                              otherX < x + letterWidth * double(name.size());
+            EXPECT_FALSE(meet) << name << " over " << other;
+        }
+    }
+    EXPECT_TRUE(isShared);
 }
 
 TEST(Cost, ErrorMap_IsAPicture) {

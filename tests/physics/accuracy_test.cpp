@@ -62,23 +62,6 @@ TEST(SphericalGaussian, OfAPower_ErrsTheLessTheSharperItIs) {
     expectAbout(powerError("gaussian", 200.0), 1.4e-3);
 }
 
-TEST(RepeatedSquaring, OfWholeExponents_IsExact) {
-    for (const double exponent : {0.0, 1.0, 2.0, 3.0, 5.0, 10.0, 48.0, 64.0, 777.0, 1024.0}) {
-        EXPECT_LE(powerError("squaring", exponent), 1e-12) << exponent;
-    }
-}
-
-TEST(RepeatedSquaring, OfOtherExponents_KeepsItsBound) {
-    for (const double exponent : {1.2, 1.5, 1.9, 2.5, 5.25, 10.5, 99.5, 777.7}) {
-        EXPECT_LE(powerError("squaring", exponent), 0.071 / (exponent * exponent)) << exponent;
-    }
-}
-
-TEST(RepeatedSquaring, OfAMillion_IsExact) {
-    const double c = 1.0 - 1e-6;
-    EXPECT_NEAR(highlight(power("squaring", 1e6), c), highlight(power("exact", 1e6), c), 1e-9);
-}
-
 /// Of h, which lies halfway between the light and the viewer, or on both.
 double halfHighlight(const Subject& model, double c) {
     const glm::dvec3 both{std::sqrt((1.0 - c) * (1.0 + c)), 0.0, c};
@@ -96,7 +79,6 @@ double halfError(const std::string& id, const Values& values, const AccuracyLeve
 TEST(BlinnPhongPower, ByEachLevel_ErrsAsOfPhong) {
     expectAbout(halfError("blinn-phong", {{"shininess", 32.0}}, {{"power", "gaussian"}}), 8.6e-3);
     expectAbout(halfError("blinn-phong", {{"shininess", 32.0}}, {{"power", "rational"}}), 0.196);
-    EXPECT_LE(halfError("blinn-phong", {{"shininess", 32.0}}, {{"power", "squaring"}}), 1e-12);
 }
 
 TEST(GaussianAngle, ByThePolynomial_ErrsLittle) {
@@ -382,6 +364,26 @@ TEST(WaveLimit, OfRoughSurfaces_IsTheSeries) {
     for (const double g : {30.0, 100.0, 1000.0, 1e5}) {
         EXPECT_LE(limitError(g), 2e-4 * (30.0 / g)) << g;
     }
+}
+
+/// The largest share of the series by which the limit is off, where `least` of the peak is left.
+double limitShareError(double g, double least) {
+    const double peak = call("wave_series", {g, 0.0, 20.0, 8.0, 8.0})[0];
+    return largest([&](double u) {
+        const double value = call("wave_series", {g, 30.0 * g * u, 20.0, 8.0, 8.0})[0];
+        return value < least * peak ? 0.0 : call("wave_limit", {g, 30.0 * g * u})[0] / value - 1.0;
+    });
+}
+
+TEST(WaveLimit, WhereAHighlightIsSeen_IsCloseToItsOwnValue) {
+    for (const double g : {0.01, 0.5, 2.0, 4.0, 5.0, 6.0, 6.75, 7.0, 7.25, 8.0, 15.0, 100.0}) {
+        EXPECT_LE(limitShareError(g, 0.1), 0.0215) << g;
+        EXPECT_LE(limitShareError(g, 0.01), 0.0565) << g;
+    }
+}
+
+TEST(WaveLimit, InTheDarkAroundAHighlight_LosesWhatIsLeft) {
+    EXPECT_GT(limitShareError(8.0, 1e-4), 0.9);
 }
 
 TEST(CoatedBase, AsLambert_LosesTheEighthOfThePaper) {
