@@ -30,7 +30,6 @@ class EffectsPanel : public WindowFixture {
     EffectsDock& dock() { return *window().dock("effects")->findChild<EffectsDock*>(); }
     QTreeWidget& list() { return *dock().findChild<QTreeWidget*>(); }
     QString total() { return dock().findChild<QLabel*>("total")->text(); }
-    void settle() { QTest::qWait(200); }
 
     /// The row of an effect whose name begins so; null where there is none.
     QTreeWidgetItem* row(const QString& effect) {

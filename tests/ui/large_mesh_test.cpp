@@ -53,7 +53,7 @@ class LargeMesh : public WindowFixture {
     }
 
     /// Waits until nothing more is drawn.
-    bool settle() {
+    bool rests() {
         return QTest::qWaitFor([this] { return newFrames() == 0 && !view().isDrawing(); }, limitMs);
     }
 
@@ -89,7 +89,7 @@ TEST_F(LargeMesh, NotYetDrawn_LeavesTheLastPicture) {
 TEST_F(LargeMesh, Drawn_ChangesThePicture) {
     const QImage before = view().grabFramebuffer();
     ASSERT_TRUE(dropAndWait());
-    ASSERT_TRUE(settle());
+    ASSERT_TRUE(rests());
     EXPECT_NE(view().grabFramebuffer(), before);
 }
 
@@ -98,19 +98,19 @@ TEST_F(LargeMesh, UndoneWhileItIsDrawn_IsGone) {
     ASSERT_TRUE(dropAndWait());
     const int frames = view().frameCount();
     document().undoStack().undo();
-    ASSERT_TRUE(settle());
+    ASSERT_TRUE(rests());
     EXPECT_EQ(document().scene().objects, before);
     EXPECT_GT(view().frameCount(), frames); // of what is there again
 }
 
 TEST_F(LargeMesh, CameraMovedWhileItIsDrawn_IsDrawnFromThere) {
     ASSERT_TRUE(dropAndWait());
-    ASSERT_TRUE(settle());
+    ASSERT_TRUE(rests());
     const QImage before = view().grabFramebuffer();
     drag(Qt::LeftButton, Qt::NoModifier, {200, 0});
     ASSERT_TRUE(QTest::qWaitFor([this] { return view().isDrawing(); }, limitMs));
     drag(Qt::LeftButton, Qt::NoModifier, {-200, 0});
-    ASSERT_TRUE(settle());
+    ASSERT_TRUE(rests());
     EXPECT_EQ(view().grabFramebuffer(), before);
 }
 
@@ -188,7 +188,7 @@ TEST_F(LargeMeshExport, Cancelled_WritesNothingAndSaysNothing) {
     auto* dialog = window().findChild<QProgressDialog*>();
     ASSERT_NE(dialog, nullptr);
     dialog->cancel();
-    ASSERT_TRUE(settle());
+    ASSERT_TRUE(rests());
     EXPECT_FALSE(isThere());
     EXPECT_EQ(window().messages().count(), 0);
 }
@@ -202,7 +202,7 @@ TEST_F(LargeMeshExport, Done_TakesItsDialogAway) {
 
 TEST_F(LargeMesh, DoubleClicked_PutsThePivotOnItsSurface) {
     ASSERT_TRUE(dropAndWait());
-    ASSERT_TRUE(settle());
+    ASSERT_TRUE(rests());
     const glm::dvec3 before = camera().pivot;
     QTest::mouseDClick(&view(), Qt::LeftButton, Qt::NoModifier, view().rect().center());
     EXPECT_NE(camera().pivot, before);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window_fixture.h"
 
+#include <QEventLoop>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 
 #include "material/preset_file.h"
 
@@ -10,6 +12,7 @@ namespace patina::tests {
 namespace {
 
 constexpr int settleMs = 60;
+constexpr int panelsMs = 200;
 constexpr int frameLimitMs = 20000;
 
 } // namespace
@@ -53,6 +56,12 @@ int WindowFixture::newFrames() {
     const int before = framesBefore_;
     framesBefore_ = view().frameCount();
     return framesBefore_ - before;
+}
+
+void WindowFixture::settle() {
+    QEventLoop panels;
+    QTimer::singleShot(panelsMs, &panels, &QEventLoop::quit);
+    panels.exec();
 }
 
 void WindowFixture::drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint by) {

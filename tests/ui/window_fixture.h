@@ -28,6 +28,10 @@ class WindowFixture : public testing::Test {
     /// Frames drawn by the first view since the last call, after what was going on has settled.
     int newFrames();
 
+    /// Lets every panel follow what changed: their timers are shorter than this one, so they have
+    /// fired however long a frame in between took.
+    void settle();
+
     /// A left, middle or right drag over the middle of the first view.
     void drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint by);
 
