@@ -10,6 +10,7 @@ bool sliderTick();
 bool modelSwap();
 bool largeMesh();
 bool meshLoading();
+bool programMaking();
 bool modelCost();
 bool accuracyCost();
 bool manyObjects();

@@ -1,85 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The editor's window at work on large meshes, with a heartbeat on its event loop.
-// patina-loading-editor MESH...: prints a line per step: the longest gap between two beats and how
-// long the step took, in milliseconds, and the step's name.
+// patina-loading-editor MESH...: prints a line per step.
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 
 #include <QApplication>
 #include <QMouseEvent>
 #include <QTemporaryDir>
 
-#include "heartbeat.h"
+#include "editor_course.h"
 #include "main_window.h"
 
 namespace {
 
 using namespace patina;
+using benchmarks::EditorCourse;
 
-constexpr int limitMs = 60000;
-constexpr int restMs = 600;
 constexpr int settleMs = 4000;
 constexpr int orbitMoves = 20;
 constexpr int orbitIntervalMs = 50;
-
-/// Does the steps one after the other and prints what each took.
-class Course {
-  public:
-    explicit Course(MainWindow& window) : view_(window.views().first().viewport()) {
-        QObject::connect(&view_, &QOpenGLWidget::frameSwapped, &window, [this] { ++swaps_; });
-    }
-
-    /// From `begin` until `done` and a picture drawn after that is on the screen.
-    bool step(const char* name, const std::function<void()>& begin,
-              const std::function<bool()>& done) {
-        rest(restMs);
-        heart_.start();
-        QElapsedTimer time;
-        time.start();
-        begin();
-        if (!waitUntil(done) || !waitForPicture()) {
-            std::fprintf(stderr, "%s: not done in time\n", name);
-            return false;
-        }
-        const double milliseconds = 1e-6 * double(time.nsecsElapsed());
-        std::printf("%.1f %.1f %s\n", heart_.longestGap(), milliseconds, name);
-        return true;
-    }
-
-    void rest(int milliseconds) {
-        QElapsedTimer time;
-        time.start();
-        waitUntil([&] { return time.elapsed() >= milliseconds; });
-    }
-
-    Viewport& view() { return view_; }
-
-  private:
-    bool waitUntil(const std::function<bool()>& done) {
-        QElapsedTimer time;
-        time.start();
-        while (!done() && time.elapsed() < limitMs) {
-            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        }
-        return done();
-    }
-
-    /// One more frame than was asked for until now, so that it shows all of it.
-    bool waitForPicture() {
-        const int drawn = view_.frameCount();
-        view_.refresh();
-        if (!waitUntil([&] { return view_.frameCount() > drawn; })) {
-            return false;
-        }
-        const int swapped = swaps_;
-        return waitUntil([&] { return swaps_ > swapped; });
-    }
-
-    Viewport& view_;
-    benchmarks::Heartbeat heart_;
-    int swaps_ = 0;
-};
 
 void doubleClickMiddle(Viewport& view) {
     const QPointF middle = view.rect().center();
@@ -89,7 +28,7 @@ void doubleClickMiddle(Viewport& view) {
 }
 
 /// Turns the camera as a drag does, at the pace of a slow mouse.
-bool orbit(Course& course) {
+bool orbit(EditorCourse& course) {
     int moves = 0;
     QTimer mouse;
     QObject::connect(&mouse, &QTimer::timeout, &mouse, [&] {
@@ -118,7 +57,7 @@ int indexOfLarge(Document& document) {
 
 bool runAll(MainWindow& window, const QStringList& meshes) {
     const auto always = [] { return true; };
-    Course course(window);
+    EditorCourse course(window);
     Document& document = window.document();
     QTemporaryDir folder;
     const std::string scene = folder.filePath("large.patina-scene.json").toStdString();

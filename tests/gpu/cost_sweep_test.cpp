@@ -115,7 +115,7 @@ TEST_F(CostSweepTest, OtherMaterial_TakesNoneOfTheTime) {
     scene_.objects[0].translation = glm::dvec3(-1.2, 0.0, 0.0);
     scene_.camera.distance = 4.5;
     // With the other object's time in both frames it would be (0.25 + 0.25) / (1 + 0.25).
-    const CostChart chart = measured(false, 9);
+    const CostChart chart = measured(false, 15);
     EXPECT_NEAR(chart.find({{"work", "quarter"}})->cost.ratio.median, 0.25, 0.08);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int waitMs = 20000;
+constexpr int waitMs = 120000;
 
 class WatchedFolders : public WindowFixture {
   protected:
