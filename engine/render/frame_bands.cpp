@@ -10,7 +10,7 @@ namespace {
 
 constexpr double longestMs = 100.0; ///< that a window may stand still
 constexpr double bandMs = 15.0;
-constexpr double firstRows = 16.0; ///< before it is known how long they take
+constexpr double firstRows = 4.0; ///< before it is known how long they take
 constexpr int fewestRows = 4;      ///< and a multiple of it: no quad of pixels is cut
 constexpr double mostRows = 65536.0;
 constexpr double mostGrowth = 4.0; ///< from band to band: what is below may take longer

@@ -114,6 +114,7 @@ bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& 
             return fail(fitting.error());
         }
     }
+    pace_.begin(isLarge());
     bands_.begin(sources_, target_.drawnSize(), triangles_, environment_.rounds());
     clear(scene, view);
     return true;
@@ -147,8 +148,12 @@ bool FrameDrawer::proceed(const Scene& scene, const View& view, Deadline deadlin
     effects_ = &effectsOf(view, scene); // both may have moved since the last turn
     const bool quick = !isLarge() && pace() == FrameBands::Pace::Quick;
     const Deadline limit = quick ? never : deadline;
-    if (!deviceIsDone(limit) || !uploadMeshes(limit) || !drawShadows(limit) ||
-        !drawBands(scene, limit) || !resolve(limit)) {
+    if (!deviceIsDone(limit)) {
+        return false;
+    }
+    pace_.passed(Clock::now()); // what the last step did not wait for
+    if (!uploadMeshes(limit) || !drawShadows(limit) || !drawBands(scene, limit) ||
+        !resolve(limit)) {
         return false;
     }
     meshes_.endFrame();

@@ -30,6 +30,7 @@
 #include "render/refraction_pass.h"
 #include "render/renderer.h"
 #include "render/shadow_maps.h"
+#include "render/slice_pace.h"
 #include "render/table_store.h"
 #include "render/transparency_pass.h"
 #include "render/uniform_buffer.h"
@@ -115,9 +116,9 @@ class FrameDrawer {
         std::size_t batch = 0;
         int pass = 0;
         DrawSlices slices; ///< of the batch
-        std::int64_t triangles = 0; ///< since the clock was asked
         bool hasGround = false;
         bool hasLayers = false;
+        std::size_t layered = 0; ///< of the transparent batches, drawn into the layer at work
         bool hasBack = false; ///< the farthest surface of the batch, where it bends light
         bool hasSurface = false; ///< the batch's, while its lines remain
         std::size_t outlined = 0; ///< batches of solid objects whose outlines are drawn
@@ -168,8 +169,8 @@ class FrameDrawer {
     bool isLayered(const DrawMaterial& material) const;
     std::span<const DrawBatch> transparentBatches() const;
     void packLayersOf(const Scene& scene, const DrawMaterial& material, std::span<glm::vec4> data);
-    void drawLayers(const Scene& scene);
-    void drawLayer(const Scene& scene, const DrawBatch& batch, TransparencyPass::Stage stage);
+    bool drawLayers(const Scene& scene, Deadline deadline);
+    bool drawLayer(const Scene& scene, TransparencyPass::Stage stage, Deadline deadline);
     static bool refracts(const DrawMaterial& material);
     Result<void> beginRefraction();
     bool drawRefracting(const Scene& scene, const DrawBatch& batch, Deadline deadline);
@@ -240,6 +241,7 @@ class FrameDrawer {
     DepthRange depths_;
     Cursor cursor_;
     FrameBands bands_;
+    SlicePace pace_;
     gl::Fence fence_; ///< behind the last commands of a frame that is drawn in steps
     std::int64_t triangles_ = 0;
     std::int64_t edges_ = 0; ///< about so many that may have lines

@@ -16,9 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Triangles that a software driver does in a few milliseconds.
-constexpr int drawnAtOnce = 16384;
-
 enum class Pass { opaque, depths, blended };
 constexpr std::array opaquePasses{Pass::opaque};
 constexpr std::array transparentPasses{Pass::depths, Pass::blended};
@@ -34,7 +31,8 @@ void setPass(Pass pass) {
 } // namespace
 
 /// Of few triangles it is the pixels that take long: all solid objects, band by band. What blends
-/// comes at once behind them: a software driver covers the rows where bands meet twice.
+/// comes behind them, some triangles at a time: a software driver covers the rows where bands meet
+/// twice.
 bool FrameDrawer::drawBands(const Scene& scene, Deadline deadline) {
     if (isLarge() || deadline == never) {
         return drawItems(scene, deadline);
@@ -55,7 +53,7 @@ bool FrameDrawer::drawBands(const Scene& scene, Deadline deadline) {
             break;
         }
     }
-    return bands_.isDone() && drawItems(scene, never);
+    return bands_.isDone() && drawItems(scene, deadline);
 }
 
 bool FrameDrawer::hasDrawnItems() const {
@@ -105,10 +103,9 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
     bool isDone = cursor_.batch == list_.batches().size();
     if (isDone) {
         drawGround(scene);
-        isDone = drawOutlines(scene, deadline);
+        isDone = drawOutlines(scene, deadline) && drawLayers(scene, deadline);
     }
     if (isDone) {
-        drawLayers(scene);
         drawLayerOutlines(scene);
     }
     setPass(Pass::opaque);
@@ -162,13 +159,15 @@ bool FrameDrawer::drawTriangles(const DrawBatch& batch, Deadline deadline) {
 /// Of `triangles` of each of the batch's objects, or as many edges.
 bool FrameDrawer::drawSlices(const DrawBatch& batch, int triangles, Deadline deadline,
                              const std::function<void(const DrawRange&)>& draw) {
-    const std::int64_t most = deadline == never ? std::numeric_limits<std::int64_t>::max()
-                                                : std::int64_t(drawnAtOnce);
     while (!cursor_.slices.isDone(batch.count)) {
+        const std::int64_t most =
+            deadline == never ? std::numeric_limits<std::int64_t>::max() : pace_.most();
         const DrawRange range = cursor_.slices.next(triangles, batch.first, batch.count, most);
         draw(range);
         ++report_.drawCalls;
-        cursor_.triangles += range.total();
+        if (deadline != never) {
+            pace_.add(range.total(), Clock::now());
+        }
         if (!cursor_.slices.isDone(batch.count) && isDue(deadline)) {
             return false;
         }
@@ -179,11 +178,7 @@ bool FrameDrawer::drawSlices(const DrawBatch& batch, int triangles, Deadline dea
 
 /// Whether so much was drawn that it is time to look at the clock, and that says so.
 bool FrameDrawer::isDue(Deadline deadline) {
-    if (deadline == never || cursor_.triangles < drawnAtOnce) {
-        return false;
-    }
-    cursor_.triangles = 0;
-    return mustStop(deadline);
+    return deadline != never && pace_.isDue() && mustStop(deadline);
 }
 
 /// A device that is the CPU itself works in the background, and what the window draws has to wait
@@ -192,7 +187,11 @@ bool FrameDrawer::mustStop(Deadline deadline) {
     if (isSoftware_ && deadline != never) {
         fence_ = gl::Fence::afterCommandsSoFar();
     }
-    return !deviceIsDone(deadline) || Clock::now() >= deadline;
+    if (!deviceIsDone(deadline)) {
+        return true;
+    }
+    pace_.passed(Clock::now());
+    return Clock::now() >= deadline;
 }
 
 } // namespace patina

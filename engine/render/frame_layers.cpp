@@ -79,34 +79,45 @@ void FrameDrawer::packLayersOf(const Scene& scene, const DrawMaterial& material,
                cameras_.cameraToWorld);
 }
 
-/// At once, however long it takes.
-void FrameDrawer::drawLayers(const Scene& scene) {
+bool FrameDrawer::drawLayers(const Scene& scene, Deadline deadline) {
     if (!transparency_.isIn() || cursor_.hasLayers) {
-        return;
+        return true;
     }
-    cursor_.hasLayers = true;
-    transparency_.draw(target_, [this, &scene](TransparencyPass::Stage stage) {
-        for (const DrawBatch& batch : transparentBatches()) {
-            if (isLayered(materials_[batch.material])) {
-                drawLayer(scene, batch, stage);
-            }
-        }
-    });
-    report_.drawnObjects += static_cast<int>(
-        std::ranges::count_if(transparentBatches(), [this](const DrawBatch& batch) {
-            return isLayered(materials_[batch.material]);
-        }));
+    cursor_.hasLayers =
+        transparency_.draw(target_, [this, &scene, deadline](TransparencyPass::Stage stage) {
+            const bool isQuick = stage == TransparencyPass::Stage::Depths;
+            return drawLayer(scene, stage, isQuick ? never : deadline);
+        });
+    if (cursor_.hasLayers) {
+        report_.drawnObjects += static_cast<int>(
+            std::ranges::count_if(transparentBatches(), [this](const DrawBatch& batch) {
+                return isLayered(materials_[batch.material]);
+            }));
+    }
+    return cursor_.hasLayers;
 }
 
-void FrameDrawer::drawLayer(const Scene& scene, const DrawBatch& batch,
-                            TransparencyPass::Stage stage) {
-    feed(scene, batch);
-    if (stage == TransparencyPass::Stage::Depths) {
-        transparency_.useDepths(materials_[batch.material].pipeline);
-        fedMaterial_.reset(); // its program is no longer in use
+/// All that is in layers; false where it goes on with the batch at the cursor.
+bool FrameDrawer::drawLayer(const Scene& scene, TransparencyPass::Stage stage, Deadline deadline) {
+    const std::span<const DrawBatch> batches = transparentBatches();
+    while (cursor_.layered < batches.size()) {
+        const DrawBatch& batch = batches[cursor_.layered];
+        if (isLayered(materials_[batch.material])) {
+            feed(scene, batch);
+            if (stage == TransparencyPass::Stage::Depths) {
+                transparency_.useDepths(materials_[batch.material].pipeline);
+                fedMaterial_.reset(); // its program is no longer in use
+            }
+            if (!drawTriangles(batch, deadline)) {
+                return false;
+            }
+        }
+        if (++cursor_.layered < batches.size() && isDue(deadline)) {
+            return false;
+        }
     }
-    batch.mesh->draw(instances_, {0, batch.mesh->triangles(), batch.first, batch.count});
-    ++report_.drawCalls;
+    cursor_.layered = 0;
+    return true;
 }
 
 } // namespace patina

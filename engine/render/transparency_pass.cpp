@@ -53,6 +53,7 @@ Result<void> TransparencyPass::begin(const HdrTarget& target, int layers, const 
         }
     }
     layers_ = layers;
+    progress_ = Progress();
     isIn_ = true;
     return composition_ ? Result<void>() : makeComposition(catalog, cache);
 }
@@ -139,77 +140,98 @@ void TransparencyPass::useDepths(const std::shared_ptr<const Pipeline>& pipeline
     depthPrograms_.at(pipeline)->use();
 }
 
-void TransparencyPass::draw(const HdrTarget& target, const DrawObjects& drawObjects) {
-    if (shape_.isPeeled) {
-        drawInOrder(target, drawObjects);
-    } else {
-        drawMixed(target, drawObjects);
+bool TransparencyPass::draw(const HdrTarget& target, const DrawObjects& drawObjects) {
+    const bool isDone = shape_.isPeeled ? drawInOrder(target, drawObjects)
+                                        : drawMixed(target, drawObjects);
+    glDepthMask(GL_TRUE);
+    if (isDone) {
+        compose(target);
     }
-    compose(target);
+    return isDone;
 }
 
 /// C. Everitt, Interactive order-independent transparency, 2001. Each layer is blended under those
 /// before it: their alpha is what they let through. Once no sample has another layer, the device
 /// draws nothing any more.
-void TransparencyPass::drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects) {
+bool TransparencyPass::drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects) {
+    if (!std::exchange(progress_.isCleared, true)) {
+        clearLayers();
+    }
+    for (; progress_.layer < layers_; ++progress_.layer) {
+        if (!std::exchange(progress_.hasDepths, true)) {
+            drawDepths(target, drawObjects);
+        }
+        if (!drawLayer(drawObjects)) {
+            return false;
+        }
+        progress_.hasDepths = false;
+    }
+    return true;
+}
+
+/// Before the first layer lies one at the eye.
+void TransparencyPass::clearLayers() const {
     static constexpr float nearest = 0.0f;
-    glBindFramebuffer(GL_FRAMEBUFFER, (*sides_)[1].framebuffer.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, side(1).framebuffer.name());
     maskColors(GL_TRUE);
     glDepthMask(GL_TRUE);
     clearColor(0, {0.0f, 0.0f, 0.0f, 1.0f});
     glClearBufferfv(GL_DEPTH, 0, &nearest);
-    glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-    for (int layer = 0; layer < layers_; ++layer) {
-        const Side& side = (*sides_)[static_cast<std::size_t>(layer % 2)];
-        const Side& nearer = (*sides_)[static_cast<std::size_t>((layer + 1) % 2)];
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, side.framebuffer.name());
-        glBlitFramebuffer(0, 0, shape_.size.x, shape_.size.y, 0, 0, shape_.size.x, shape_.size.y,
-                          GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-        glBindFramebuffer(GL_FRAMEBUFFER, side.framebuffer.name());
-        if (layer > 0) {
-            nearer.isAnySeen.beginCondition();
-        }
-        drawDepths(side, nearer, drawObjects);
-        if (layer > 0) {
-            gl::SampleQuery::endCondition();
-        }
-        side.isAnySeen.beginCondition();
-        maskColors(GL_TRUE);
-        glEnable(GL_BLEND);
-        glDepthFunc(GL_EQUAL);
-        glDepthMask(GL_FALSE);
-        drawObjects(Stage::Layers);
-        gl::SampleQuery::endCondition();
-        glDepthMask(GL_TRUE);
-    }
 }
 
 /// The nearest that is behind the layer before and in front of what is solid.
-void TransparencyPass::drawDepths(const Side& side, const Side& nearer,
-                                  const DrawObjects& drawObjects) const {
+void TransparencyPass::drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const {
+    const Side& at = side(progress_.layer);
+    const Side& nearer = side(progress_.layer + 1);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, at.framebuffer.name());
+    glDepthMask(GL_TRUE);
+    glBlitFramebuffer(0, 0, shape_.size.x, shape_.size.y, 0, 0, shape_.size.x, shape_.size.y,
+                      GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, at.framebuffer.name());
+    if (progress_.layer > 0) {
+        nearer.isAnySeen.beginCondition();
+    }
     maskColors(GL_FALSE);
     glDisable(GL_BLEND);
     glDepthFunc(GL_LESS);
     nearer.depths.bind(binding::nearerLayer);
-    side.isAnySeen.begin();
+    at.isAnySeen.begin();
     drawObjects(Stage::Depths);
     gl::SampleQuery::end();
+    if (progress_.layer > 0) {
+        gl::SampleQuery::endCondition();
+    }
+}
+
+bool TransparencyPass::drawLayer(const DrawObjects& drawObjects) const {
+    const Side& at = side(progress_.layer);
+    glBindFramebuffer(GL_FRAMEBUFFER, at.framebuffer.name());
+    at.isAnySeen.beginCondition();
+    maskColors(GL_TRUE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    const bool isDone = drawObjects(Stage::Layers);
+    gl::SampleQuery::endCondition();
+    return isDone;
 }
 
 /// McGuire and Bavoil 2013: a weighted sum, and the product of what the surfaces let through.
-void TransparencyPass::drawMixed(const HdrTarget& target, const DrawObjects& drawObjects) {
+bool TransparencyPass::drawMixed(const HdrTarget& target, const DrawObjects& drawObjects) {
     mixed_.attachDepth(target.depth()); // it may be another one than in the last frame
     maskColors(GL_TRUE);
-    clearColor(0, {0.0f, 0.0f, 0.0f, 0.0f});
-    clearColor(1, {1.0f, 1.0f, 1.0f, 1.0f});
+    if (!std::exchange(progress_.isCleared, true)) {
+        clearColor(0, {0.0f, 0.0f, 0.0f, 0.0f});
+        clearColor(1, {1.0f, 1.0f, 1.0f, 1.0f});
+    }
     glEnable(GL_BLEND);
     glBlendFunci(0, GL_ONE, GL_ONE);
     glBlendFunci(1, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_FALSE);
-    drawObjects(Stage::Layers);
-    glDepthMask(GL_TRUE);
+    return drawObjects(Stage::Layers);
 }
 
 void TransparencyPass::compose(const HdrTarget& target) const {

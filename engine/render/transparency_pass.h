@@ -28,7 +28,8 @@ class TransparencyPass {
         Depths, ///< with useDepths()
         Layers  ///< with their own programs
     };
-    using DrawObjects = std::function<void(Stage)>;
+    /// False where not all of them are drawn yet, which Depths always are: the next call goes on.
+    using DrawObjects = std::function<bool(Stage)>;
 
     /// `layers`: so many are put in order; 0: all are mixed. The target has been fitted.
     Result<void> begin(const HdrTarget& target, int layers, const Catalog& catalog,
@@ -46,8 +47,9 @@ class TransparencyPass {
     Result<void> addPipeline(const std::shared_ptr<const Pipeline>& pipeline, ProgramCache& cache);
     void useDepths(const std::shared_ptr<const Pipeline>& pipeline) const;
 
-    /// Draws the objects as often as it takes, over what is in the target.
-    void draw(const HdrTarget& target, const DrawObjects& drawObjects);
+    /// Draws the objects as often as it takes, over what is in the target. False where they were
+    /// not all drawn: the next call goes on there.
+    bool draw(const HdrTarget& target, const DrawObjects& drawObjects);
 
     /// The shader files may have changed.
     void forget();
@@ -66,17 +68,28 @@ class TransparencyPass {
         gl::SampleQuery isAnySeen;
     };
 
+    /// What of the frame is drawn.
+    struct Progress {
+        bool isCleared = false;
+        int layer = 0;
+        bool hasDepths = false; ///< of the layer
+    };
+
     Result<void> build(const Shape& shape);
     Result<void> buildSides();
     Result<void> makeComposition(const Catalog& catalog, ProgramCache& cache);
-    void drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects);
-    void drawDepths(const Side& side, const Side& nearer, const DrawObjects& drawObjects) const;
-    void drawMixed(const HdrTarget& target, const DrawObjects& drawObjects);
+    bool drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects);
+    void clearLayers() const;
+    void drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const;
+    bool drawLayer(const DrawObjects& drawObjects) const;
+    bool drawMixed(const HdrTarget& target, const DrawObjects& drawObjects);
+    const Side& side(int layer) const { return (*sides_)[static_cast<std::size_t>(layer % 2)]; }
     void compose(const HdrTarget& target) const;
     bool isMultisampled() const { return shape_.samples > 1; }
 
     bool isIn_ = false;
     int layers_ = 0;
+    Progress progress_;
     Shape shape_;
     gl::TargetTexture sum_;
     gl::TargetTexture share_; ///< of mixed layers: what they let through

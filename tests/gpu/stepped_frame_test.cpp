@@ -237,6 +237,46 @@ TEST_F(SteppedFrame, ThatTookLongAndBlends_IsThePictureDrawnAtOnce) {
     EXPECT_EQ(stepped, drawnAtOnce(scene));
 }
 
+/// Each layer takes slices of its own.
+TEST_F(SteppedFrame, ThatTookLongAndIsPeeled_IsThePictureDrawnAtOnce) {
+    Scene scene = costlyScene(simpleScene("phong"), object("lambert"));
+    scene.objects[0].material.opacity = 0.5;
+    scene.objects[1].material.opacity = 0.7;
+    scene.transparency = block("transparency", "peeled");
+    drawFrame(scene, 5000.0);
+    ASSERT_FALSE(beginFrame(scene));
+    EXPECT_GT(finishFrame(), 12);
+    EXPECT_EQ(renderer->report().drawnObjects, 2);
+    const auto stepped = picture();
+    EXPECT_EQ(stepped, drawnAtOnce(scene));
+}
+
+TEST_F(SteppedFrame, ThatTookLongAndIsMixed_IsThePictureDrawnAtOnce) {
+    Scene scene = costlyScene(simpleScene("phong"), object("lambert"));
+    scene.objects[0].material.opacity = 0.5;
+    scene.transparency = block("transparency", "weighted");
+    drawFrame(scene, 5000.0);
+    ASSERT_FALSE(beginFrame(scene));
+    EXPECT_GT(finishFrame(), 4);
+    const auto stepped = picture();
+    EXPECT_EQ(stepped, drawnAtOnce(scene));
+}
+
+TEST_F(SteppedFrame, GivenUpInMidLayer_IsCompleteTheNextTime) {
+    Scene scene = costlyScene(simpleScene("phong"), object("lambert"));
+    scene.objects[0].material.opacity = 0.5;
+    scene.transparency = block("transparency", "peeled");
+    const auto expected = drawnAtOnce(scene);
+    for (int given = 1; given < 12; ++given) {
+        drawFrame(scene, 5000.0);
+        ASSERT_FALSE(beginFrame(scene));
+        for (int step = 0; step < given; ++step) {
+            renderer->proceed(noPatience);
+        }
+        ASSERT_EQ(drawnAtOnce(scene), expected) << given;
+    }
+}
+
 TEST_F(SteppedFrame, ThatTookLittleTheLastTime_IsDrawnAtOnce) {
     const Scene scene = simpleScene("phong");
     drawFrame(scene, 5000.0);
