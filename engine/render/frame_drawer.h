@@ -249,6 +249,7 @@ class FrameDrawer {
     bool isSoftware_;
     std::vector<const Pipeline*> fedScenes_; ///< by list of lights: who reads what is in it now
     bool heldEffects_ = false; ///< they are not the scene's own, and a drag must not compile
+    bool isUnseen_ = false; ///< what is drawn is drawn for its programs alone
     bool foreseesHeld_ = false; ///< the programs of a drag are made ahead
     int lostLights_ = 0;
     std::vector<const void*> programs_;

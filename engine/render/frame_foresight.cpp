@@ -86,7 +86,9 @@ void FrameDrawer::drawUnseen(const Scene& scene, const View& view, const MeshSou
     if (begin(scene, view, meshes, Purpose::Foresight) && !isLarge() && uploadMeshes(never)) {
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, 0, 0);
+        isUnseen_ = true;
         drawItems(scene, never);
+        isUnseen_ = false;
         glDisable(GL_SCISSOR_TEST);
         leaveState();
     }

@@ -83,11 +83,14 @@ bool FrameDrawer::drawLayers(const Scene& scene, Deadline deadline) {
     if (!transparency_.isIn() || cursor_.hasLayers) {
         return true;
     }
-    cursor_.hasLayers =
-        transparency_.draw(target_, [this, &scene, deadline](TransparencyPass::Stage stage) {
-            const bool isQuick = stage == TransparencyPass::Stage::Depths;
-            return drawLayer(scene, stage, isQuick ? never : deadline);
-        });
+    const auto drawObjects = [this, &scene, deadline](TransparencyPass::Stage stage) {
+        const bool isQuick = stage == TransparencyPass::Stage::Depths;
+        return drawLayer(scene, stage, isQuick ? never : deadline);
+    };
+    if (isUnseen_) {
+        transparency_.drawUnseen(target_, drawObjects);
+    }
+    cursor_.hasLayers = isUnseen_ || transparency_.draw(target_, drawObjects);
     if (cursor_.hasLayers) {
         report_.drawnObjects += static_cast<int>(
             std::ranges::count_if(transparentBatches(), [this](const DrawBatch& batch) {

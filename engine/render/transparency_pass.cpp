@@ -150,6 +150,23 @@ bool TransparencyPass::draw(const HdrTarget& target, const DrawObjects& drawObje
     return isDone;
 }
 
+void TransparencyPass::drawUnseen(const HdrTarget& target, const DrawObjects& drawObjects) {
+    progress_.isUnseen = true;
+    draw(target, drawObjects);
+}
+
+void TransparencyPass::beginConditionOf(const Side& side) const {
+    if (!progress_.isUnseen) {
+        side.isAnySeen.beginCondition();
+    }
+}
+
+void TransparencyPass::endCondition() const {
+    if (!progress_.isUnseen) {
+        gl::SampleQuery::endCondition();
+    }
+}
+
 /// C. Everitt, Interactive order-independent transparency, 2001. Each layer is blended under those
 /// before it: their alpha is what they let through. Once no sample has another layer, the device
 /// draws nothing any more.
@@ -190,7 +207,7 @@ void TransparencyPass::drawDepths(const HdrTarget& target, const DrawObjects& dr
                       GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, at.framebuffer.name());
     if (progress_.layer > 0) {
-        nearer.isAnySeen.beginCondition();
+        beginConditionOf(nearer);
     }
     maskColors(GL_FALSE);
     glDisable(GL_BLEND);
@@ -200,21 +217,21 @@ void TransparencyPass::drawDepths(const HdrTarget& target, const DrawObjects& dr
     drawObjects(Stage::Depths);
     gl::SampleQuery::end();
     if (progress_.layer > 0) {
-        gl::SampleQuery::endCondition();
+        endCondition();
     }
 }
 
 bool TransparencyPass::drawLayer(const DrawObjects& drawObjects) const {
     const Side& at = side(progress_.layer);
     glBindFramebuffer(GL_FRAMEBUFFER, at.framebuffer.name());
-    at.isAnySeen.beginCondition();
+    beginConditionOf(at);
     maskColors(GL_TRUE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
     const bool isDone = drawObjects(Stage::Layers);
-    gl::SampleQuery::endCondition();
+    endCondition();
     return isDone;
 }
 

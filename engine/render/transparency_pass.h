@@ -51,6 +51,10 @@ class TransparencyPass {
     /// not all drawn: the next call goes on there.
     bool draw(const HdrTarget& target, const DrawObjects& drawObjects);
 
+    /// Uses all programs that draw() may, those of layers that nobody sees too: drivers compile
+    /// when something is drawn.
+    void drawUnseen(const HdrTarget& target, const DrawObjects& drawObjects);
+
     /// The shader files may have changed.
     void forget();
 
@@ -73,6 +77,7 @@ class TransparencyPass {
         bool isCleared = false;
         int layer = 0;
         bool hasDepths = false; ///< of the layer
+        bool isUnseen = false;
     };
 
     Result<void> build(const Shape& shape);
@@ -82,6 +87,8 @@ class TransparencyPass {
     void clearLayers() const;
     void drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const;
     bool drawLayer(const DrawObjects& drawObjects) const;
+    void beginConditionOf(const Side& side) const;
+    void endCondition() const;
     bool drawMixed(const HdrTarget& target, const DrawObjects& drawObjects);
     const Side& side(int layer) const { return (*sides_)[static_cast<std::size_t>(layer % 2)]; }
     void compose(const HdrTarget& target) const;
