@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include "ui/accuracy_fixture.h"
+#include "viewport/side_view.h"
 
 namespace patina::tests {
 namespace {
@@ -225,3 +226,10 @@ TEST_F(AccuracyPanel, WhileMeasuring_TheWindowAnswers) {
 
 } // namespace
 } // namespace patina::tests
+    for (SideView* view : window().findChildren<SideView*>()) {
+        const QLabel& title = *view->findChild<QLabel*>("title");
+        const QString what = view->side() == Side::A ? "Exact" : "Work: Far";
+        EXPECT_TRUE(title.toolTip().startsWith(what + " – Burning"))
+            << title.toolTip().toStdString();
+        EXPECT_TRUE(title.text().contains(what.left(5))) << title.text().toStdString();
+    }

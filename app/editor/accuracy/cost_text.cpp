@@ -35,12 +35,17 @@ std::vector<TakenLevel> takenLevels(const CostPoint& point, const CostChart& cha
     return taken;
 }
 
+/// "Half" says nothing without what it is half of.
+QString levelName(const TakenLevel& taken) {
+    return QStringLiteral("%1: %2").arg(asText(taken.choice->label), asText(taken.level->label));
+}
+
 } // namespace
 
 QString wayName(const CostPoint& point, const CostChart& chart) {
     QStringList names;
     for (const TakenLevel& taken : takenLevels(point, chart)) {
-        names << asText(taken.level->label);
+        names << levelName(taken);
     }
     return names.isEmpty() ? tr("Exact") : names.join(QStringLiteral(" + "));
 }
@@ -48,9 +53,7 @@ QString wayName(const CostPoint& point, const CostChart& chart) {
 QString wayDescription(const CostPoint& point, const CostChart& chart) {
     QStringList lines;
     for (const TakenLevel& taken : takenLevels(point, chart)) {
-        lines << QStringLiteral("%1: %2. %3")
-                     .arg(asText(taken.choice->label), asText(taken.level->label),
-                          asText(taken.level->doc));
+        lines << QStringLiteral("%1. %2").arg(levelName(taken), asText(taken.level->doc));
     }
     return lines.isEmpty() ? tr("Every choice is exact.") : lines.join('\n');
 }

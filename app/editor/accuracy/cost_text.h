@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// "Schlick's fraction + Reduced"; "Exact" where every choice is.
+/// "Render scale: Half + Fog: Per vertex"; "Exact" where every choice is.
 QString wayName(const CostPoint& point, const CostChart& chart);
 
 /// The same in full: which choice has which level, and what that means, line by line.

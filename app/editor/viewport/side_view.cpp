@@ -11,6 +11,7 @@
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
 #include "viewport/ray_cast.h"
+#include "viewport/side_accuracy.h"
 #include "viewport/texture_library.h"
 #include "viewport/turning.h"
 
@@ -58,6 +59,7 @@ SideView::SideView(const ViewSources& sources, Side side,
     layout->setSpacing(0);
     layout->addWidget(title_);
     layout->addWidget(viewport_, 1);
+    title_->setObjectName("title");
     title_->setTextFormat(Qt::RichText);
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     viewport_->setAccessibleName(tr("View %1").arg(letterOf(side)));
@@ -74,6 +76,7 @@ SideView::SideView(const ViewSources& sources, Side side,
     connect(&document_, &Document::changed, this, &SideView::updateTitle);
     connect(&document_, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
     connect(&document_, &Document::currentChanged, this, &SideView::updateTitle);
+    connect(&document_, &Document::comparingChanged, this, &SideView::updateTitle);
     connect(&document_, &Document::catalogChanged, this,
             [this] { viewport_->setCatalog(document_.sharedCatalog()); });
     connect(&switches_, &EffectSwitches::changed, viewport_, &Viewport::refresh);
@@ -219,7 +222,10 @@ void SideView::updateTitle() {
     const QString name = material ? QString::fromStdString(material->name) : QString();
     const bool active = document_.activeSide() == side_;
     const QString state = active ? tr(" (being edited)") : QString();
-    const QString called = name.isEmpty() ? modelName : modelName + tr(" \u2013 ") + name;
+    const QString dash = tr(" \u2013 ");
+    const QString accuracy = accuracyOfSide(document_, side_);
+    const QString called = (accuracy.isEmpty() ? modelName : accuracy + dash + modelName) +
+                           (name.isEmpty() ? name : dash + name);
     const QFontMetrics font = title_->fontMetrics();
     const int room = title_->width() - 2 * titlePadding -
                      font.horizontalAdvance(QStringLiteral("   WW ") + state);
@@ -236,7 +242,7 @@ void SideView::updateTitle() {
                                        active ? colourOf(side_).name()
                                               : colourOf(side_).darker(260).name())
                                   .arg(titlePadding));
-        viewport_->setAccessibleDescription(tr("Shows %1 %2").arg(modelName, name));
+        viewport_->setAccessibleDescription(tr("Shows %1").arg(called));
     }
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "document.h"
+
+namespace patina {
+
+/// How exactly a side is computed while the sides differ in nothing else: "Exact", or what is not
+/// ("Grazing terms: Table"). Empty in any other case.
+QString accuracyOfSide(const Document& document, Side side);
+
+} // namespace patina
