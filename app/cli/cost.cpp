@@ -23,6 +23,7 @@
 #include "measure/error_colors.h"
 #include "measure/ranking_table.h"
 #include "measure/scaling_sweep.h"
+#include "render/hdr_target.h"
 #include "render/texture_loader.h"
 
 namespace patina {
@@ -105,6 +106,7 @@ Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const Cost
         wanted.edges = edgesUpTo(edge);
     }
     wanted.programCache = programCacheFolder();
+    wanted.seconds = options.seconds;
     auto sweep = ScalingSweep::create(std::move(subject), wanted);
     if (!sweep) {
         return tl::unexpected(oneError(sweep.error()));
@@ -179,7 +181,7 @@ Result<void> writeShown(const Image& image, const std::string& file) {
 
 Result<void> writePlot(const CostChart& chart, const std::string& file) {
     const std::vector<PlotShape> shapes = costPlot(chart, plotSize);
-    return file.ends_with(".svg") ? writeFileAtomically(file, plotSvg(shapes, plotSize))
+    return endingOf(file) == ".svg" ? writeFileAtomically(file, plotSvg(shapes, plotSize))
                                   : writeShown(plotImage(shapes, plotSize), file);
 }
 
@@ -335,6 +337,10 @@ Checked<bool> cost(const CostRequest& options) {
         return tl::unexpected(oneError(context.error()));
     }
     if (options.allModels) {
+    const glm::ivec2 size = options.picture.size;
+    if (const auto checked = size.x > 0 ? checkPictureSize(size) : Result<void>(); !checked) {
+        return tl::unexpected(oneError(checked.error()));
+    }
         return rankModels(options, catalog);
     }
     if (options.scaling) {

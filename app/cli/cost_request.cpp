@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/cost_request.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <initializer_list>
+
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,6 +17,8 @@
 
 namespace patina {
 namespace {
+
+namespace fs = std::filesystem;
 
 Errors oneError(Error error) {
     return {std::move(error)};
@@ -24,10 +31,33 @@ struct Combination {
     const char* expected = "";
 };
 
-bool canBeWritten(const std::string& file) {
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+/// Rights alone do not tell: the system may be read-only, or not have files in that folder.
+bool canBeMade(const std::string& file) {
+    const bool isMade = std::ofstream(file, std::ios::app).is_open();
     std::error_code none;
-    return file.empty() || folder.empty() || std::filesystem::is_directory(folder, none);
+    return isMade && fs::remove(file, none);
+}
+
+/// Why a file cannot be written, or null. A name of no file, which is not asked for, can.
+const char* whyUnwritable(const std::string& file) {
+    if (file.empty()) {
+        return nullptr;
+    }
+    const fs::path folder = fs::absolute(file).parent_path();
+    std::error_code none;
+    if (!fs::is_directory(folder, none)) {
+        return "there is no folder for the picture";
+    }
+    if (fs::is_directory(file, none)) {
+        return "the picture's name is that of a folder";
+    }
+    const bool isThere = fs::exists(file, none);
+    const bool canWrite = isThere ? ::access(file.c_str(), W_OK) == 0 : canBeMade(file);
+    return canWrite ? nullptr : "the picture may not be written there";
+}
+
+bool isOneOf(const std::string& ending, std::initializer_list<std::string_view> known) {
+    return std::ranges::find(known, ending) != known.end();
 }
 
 /// What would be left out silently is a mistake, and so is, before anything is measured, what could
@@ -37,8 +67,13 @@ Errors checkCombinations(const CostRequest& request) {
     const bool isChart = request.hasBudget() || !request.plot.empty() ||
                          !request.errorMap.empty() || request.ofPicture || request.singles;
     const glm::ivec2 size = request.picture.size;
-    const bool hasEnding = request.plot.empty() || request.plot.ends_with(".svg") ||
-                           request.plot.ends_with(".png");
+    const bool isPlot =
+        request.plot.empty() || isOneOf(endingOf(request.plot), {".svg", ".png"});
+    const bool isMap = request.errorMap.empty() ||
+                       isOneOf(endingOf(request.errorMap), {".png", ".jpg", ".jpeg"});
+    const char* plotProblem = whyUnwritable(request.plot);
+    const char* mapProblem = whyUnwritable(request.errorMap);
+    const char* place = "a file in a folder that exists and may be written to";
     const std::array wrong{
         Combination{isOther && isChart,
                     "budgets, --plot, --error-map, --picture and --singles are of charts of "
@@ -50,9 +85,10 @@ Errors checkCombinations(const CostRequest& request) {
                     "no preset and no --model beside it"},
         Combination{request.scaling && size.x != size.y, "--scaling draws square pictures",
                     "a --size such as 256x256"},
-        Combination{!hasEnding, "a chart is drawn as .svg or .png", "such a file"},
-        Combination{!canBeWritten(request.plot) || !canBeWritten(request.errorMap),
-                    "there is no folder for the picture", "a file in a folder that exists"},
+        Combination{!isPlot, "a chart is drawn as .svg or .png", "such a file"},
+        Combination{!isMap, "an error map is drawn as .png or .jpg", "such a file"},
+        Combination{plotProblem != nullptr, plotProblem, place},
+        Combination{mapProblem != nullptr, mapProblem, place},
     };
     for (const Combination& each : wrong) {
         if (each.isWrong) {
@@ -85,6 +121,16 @@ double budgetIn(const char* option, const std::string& text, bool canBeNothing) 
     return *budget;
 }
 
+double secondsIn(const std::string& text) {
+    const std::optional<double> seconds = parseNumber(text);
+    if (!seconds || *seconds <= 0.0) {
+        throw CLI::ValidationError(
+            "--seconds",
+            fmt::format("not a time: \"{}\"; expected seconds above 0 such as 30", text));
+    }
+    return *seconds;
+}
+
 void addBudgets(CLI::App& command, CostRequest& request) {
     auto* time = command.add_option_function<std::string>(
         "--budget-ms",
@@ -105,6 +151,14 @@ void addBudgets(CLI::App& command, CostRequest& request) {
 
 } // namespace
 
+std::string endingOf(const std::string& file) {
+    std::string ending = fs::path(file).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) {
+        return static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter - 'A' + 'a' : letter);
+    });
+    return ending;
+}
+
 void addCostOptions(CLI::App& command, CostRequest& request) {
     request.picture.size = glm::ivec2(0);
     command.add_option("presets", request.presets, "Presets (*.patina.json)");
@@ -116,10 +170,11 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
                      "The picture's own choices, such as samples, instead of the material's");
     command.add_flag("--singles", request.singles, "Each choice by itself, no combinations");
     command
-        .add_option("--seconds", request.seconds,
-                    "No combination is begun after so long; slow frames are drawn less often")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+        .add_option_function<std::string>(
+            "--seconds",
+            [&request](const std::string& text) { request.seconds = secondsIn(text); },
+            "No combination and no round is begun after so long; slow frames are drawn less often")
+        ->default_str(fmt::format("{}", request.seconds));
     auto* all = command.add_flag("--all-models", request.allModels,
                                  "Rank all models with their defaults on one scene instead");
     command
@@ -129,7 +184,7 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
     command.add_option("--plot", request.plot, "Draw the chart into a file: .svg or .png");
     command.add_option("--error-map", request.errorMap,
                        "Draw where the way that the budget buys, or else the fastest one, is "
-                       "wrong: .png");
+                       "wrong: .png or .jpg");
     auto* json = command.add_flag("--json", request.json, "Print an array of charts as JSON");
     command.add_flag("--csv", request.csv, "Print comma-separated values")->excludes(json);
 }

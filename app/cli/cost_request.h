@@ -32,6 +32,9 @@ struct CostRequest {
 /// All options of the command.
 void addCostOptions(CLI::App& command, CostRequest& request);
 
+/// ".png" of "Errors.PNG"; empty where a name has none.
+std::string endingOf(const std::string& file);
+
 /// What is wrong with the request, before anything is measured: what would be left out silently and
 /// what could not be written afterwards are mistakes.
 Errors checkRequest(const CostRequest& request);

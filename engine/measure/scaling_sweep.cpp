@@ -2,6 +2,7 @@
 #include "measure/scaling_sweep.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "gl/driver.h"
@@ -12,6 +13,7 @@ namespace patina {
 namespace {
 
 using Axis = ScalingCurve::Axis;
+using Clock = std::chrono::steady_clock;
 
 const std::vector<int> edgesOnCpu{64, 96, 128, 192, 256, 384, 512};
 const std::vector<int> edgesOnDevice{256, 512, 724, 1024, 1448, 2048};
@@ -116,6 +118,11 @@ class ScalingSweep::Implementation {
         std::erase_if(ladders_, [](const Ladder& ladder) { return ladder.rungs.empty(); });
     }
 
+    bool isLate() const {
+        const std::chrono::duration<double> spent = Clock::now() - ladderBegan_;
+        return round_ > 0 && 3.0 * spent.count() > options_.seconds;
+    }
+
     void advance() {
         if (++rung_ < ladders_[ladder_].rungs.size()) {
             return;
@@ -124,9 +131,13 @@ class ScalingSweep::Implementation {
         if (round_ > 0) {
             tell();
         }
-        if (++round_ > options_.rounds) {
+        const bool late = isLate();
+        if (++round_ > options_.rounds || late) {
+            const int left = options_.rounds + 1 - round_;
+            steps_ += std::size_t(left) * ladders_[ladder_].rungs.size();
             round_ = 0;
             ++ladder_;
+            ladderBegan_ = Clock::now();
         }
     }
 
@@ -152,7 +163,8 @@ class ScalingSweep::Implementation {
     std::size_t ladder_ = 0;
     int round_ = 0; ///< of the ladder; 0 only warms up
     std::size_t rung_ = 0;
-    std::size_t steps_ = 0;
+    Clock::time_point ladderBegan_ = Clock::now();
+    std::size_t steps_ = 0; ///< that are done, or were left out
     int rounds_ = 0; ///< that were told
     std::vector<ScalingCurve> curves_;
     Errors problems_;

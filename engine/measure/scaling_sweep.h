@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ class ScalingSweep {
         std::vector<int> objects{1, 4, 16, 64, 256};
         int edge = 256;             ///< of the picture with more lights or objects
         int rounds = 7;             ///< an interval of 95 % needs 6 samples
+        /// After a third of that no further round over an axis is begun.
+        double seconds = std::numeric_limits<double>::infinity();
         std::filesystem::path programCache{};
     };
 

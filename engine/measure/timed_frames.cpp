@@ -5,10 +5,15 @@
 
 #include <epoxy/gl.h>
 
+#include "render/hdr_target.h"
+
 namespace patina {
 
 Result<std::unique_ptr<TimedFrames>> TimedFrames::create(Supplies supplies, glm::ivec2 size,
                                                          std::filesystem::path programCache) {
+    if (auto checked = checkPictureSize(size); !checked) {
+        return tl::unexpected(checked.error());
+    }
     auto renderer = Renderer::create({std::move(programCache)});
     if (!renderer) {
         return tl::unexpected(renderer.error());

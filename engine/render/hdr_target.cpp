@@ -20,19 +20,6 @@ int driverLimit(GLenum name) {
     return limit;
 }
 
-Result<void> checkSize(glm::ivec2 size) {
-    const int most =
-        std::min(driverLimit(GL_MAX_TEXTURE_SIZE), driverLimit(GL_MAX_RENDERBUFFER_SIZE));
-    const bool fits = size.x >= 1 && size.y >= 1 && size.x <= most && size.y <= most &&
-                      std::int64_t(size.x) * size.y <= mostPixels;
-    if (fits) {
-        return {};
-    }
-    return failure(fmt::format("an image of {}x{} pixels cannot be drawn", size.x, size.y),
-                   fmt::format("1 to {} pixels a side and at most {} million in all", most,
-                               mostPixels / 1000000));
-}
-
 void forgetErrors() {
     while (glGetError() != GL_NO_ERROR) {
     }
@@ -57,6 +44,19 @@ gl::Texture linearImage(glm::ivec2 size, HdrNumbers numbers) {
 
 } // namespace
 
+Result<void> checkPictureSize(glm::ivec2 size) {
+    const int most =
+        std::min(driverLimit(GL_MAX_TEXTURE_SIZE), driverLimit(GL_MAX_RENDERBUFFER_SIZE));
+    const bool fits = size.x >= 1 && size.y >= 1 && size.x <= most && size.y <= most &&
+                      std::int64_t(size.x) * size.y <= mostPixels;
+    if (fits) {
+        return {};
+    }
+    return failure(fmt::format("an image of {}x{} pixels cannot be drawn", size.x, size.y),
+                   fmt::format("1 to {} pixels a side and at most {} million in all", most,
+                               mostPixels / 1000000));
+}
+
 Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers numbers,
                             double scale, bool isReadBetween) {
     const glm::ivec2 scaled = scaledSize(size, scale);
@@ -64,7 +64,7 @@ Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers
     if (wanted == wanted_) {
         return {};
     }
-    if (auto checked = checkSize(size); !checked) {
+    if (auto checked = checkPictureSize(size); !checked) {
         return checked;
     }
     *this = HdrTarget();

@@ -10,6 +10,9 @@
 namespace patina {
 
 /// Where a frame is summed up: RGBA16F (or RGBA32F) with several samples per pixel and depth, and
+/// Whether the device of the current context draws pictures of this size; else the sizes it does.
+Result<void> checkPictureSize(glm::ivec2 size);
+
 /// its resolved image, which may be drawn smaller than it is and stretched.
 class HdrTarget {
   public:

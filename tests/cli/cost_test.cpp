@@ -165,6 +165,36 @@ TEST(Cost, PictureThatCannotBeWritten_IsSaidBeforeMeasuring) {
     expectMistake({"--model", "phong", "--plot", "/no/such/folder/chart.svg"}, "no folder");
 }
 
+TEST(Cost, PictureOfAnUnknownKindOrInTheWrongPlace_IsSaidBeforeMeasuring) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "taken.png");
+    expectMistake({"--model", "phong", "--error-map", "map.tga"}, ".png or .jpg");
+    expectMistake({"--model", "phong", "--error-map", (folder / "taken.png").string()},
+                  "that of a folder");
+    expectMistake({"--model", "phong", "--error-map", "/proc/map.png"}, "may not be written");
+}
+
+TEST(Cost, ErrorMap_MayBeAJpeg) {
+    const TemporaryFolder folder;
+    const auto file = folder / "errors.JPG";
+    const Outcome outcome = cost({"--error-map", file.string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_GT(std::filesystem::file_size(file), 100u);
+}
+
+TEST(Cost, SizeThatTheDeviceCannotDraw_IsSaidBeforeMeasuring) {
+    expectMistake({"--model", "phong", "--size", "99999x99999"},
+                  "an image of 99999x99999 pixels cannot be drawn; expected 1 to");
+    expectMistake({"--all-models", "--size", "99999x99999"}, "cannot be drawn");
+    expectMistake({"--model", "phong", "--scaling", "--size", "99999x99999"}, "cannot be drawn");
+}
+
+TEST(Cost, Seconds_AreANumberAboveNothing) {
+    for (const char* text : {"nan", "inf", "0", "-1", "soon"}) {
+        expectMistake({"--model", "phong", "--seconds", text}, "expected seconds above 0");
+    }
+}
+
 TEST(Cost, BadPresetAfterAGoodOne_IsSaidBeforeMeasuring) {
     const std::string good = std::string(PATINA_SOURCE_DIR) + "/presets/strauss/brass.patina.json";
     expectMistake({good, "/no/such/preset.patina.json"}, "preset.patina.json");

@@ -103,6 +103,24 @@ TEST_F(ScalingSweepTest, Copies_CoverAboutAsMuchOfThePicture) {
     EXPECT_NEAR(covered(withCopies(scene, 0, 16)) / one, 1.0, 0.35);
 }
 
+TEST_F(ScalingSweepTest, WithoutTime_EndsAfterARoundOfEachAxis) {
+    const Scene scene = simpleScene();
+    ScalingSweep::Options options;
+    options.edges = {16, 32};
+    options.lights = {1, 4};
+    options.objects = {1, 4};
+    options.edge = 16;
+    options.seconds = 1e-9;
+    auto sweep = ScalingSweep::create({scene, 0, scene.camera, meshSource(), catalog}, options);
+    ASSERT_TRUE(sweep);
+    while (!(*sweep)->finished()) {
+        (*sweep)->step();
+        EXPECT_LE((*sweep)->progress(), 1.0);
+    }
+    EXPECT_EQ((*sweep)->rounds(), 3);
+    EXPECT_EQ((*sweep)->curves().size(), 3u);
+}
+
 TEST_F(ScalingSweepTest, EveryAxis_HasATimeForEachCount) {
     const Scene scene = simpleScene();
     ScalingSweep::Options options;
