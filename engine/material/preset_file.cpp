@@ -124,10 +124,49 @@ class PresetReader {
         for (const auto& [choice, level] : all.items()) {
             levels.read(choice, material().accuracy[choice]);
         }
+        noteChoices(all);
         completeLevels("models", material().model.id);
         for (const auto& [kind, values] : material().parts) {
             completeLevels(kind, values.id);
         }
+    }
+
+    /// A choice of another block is kept for the day when that comes back; one of no block at all
+    /// is a slip, unless a block is missing that may know it.
+    void noteChoices(const Json& levels) {
+        std::vector<std::string> known;
+        bool isAllThere = addChoices("models", material().model.id, known);
+        for (const auto& [kind, values] : material().parts) {
+            isAllThere = addChoices(kind, values.id, known) && isAllThere;
+        }
+        for (const auto& item : levels.items()) {
+            const std::string& choice = item.key();
+            if (isAllThere && !isChoiceOfAny(choice)) {
+                note(reader_.pointer("accuracy") + '/' + escapedToken(choice),
+                     fmt::format("\"{}\" is no accuracy choice", choice),
+                     known.empty() ? "nothing: this material has no such choice"
+                                   : oneOf(choice, known));
+            }
+        }
+    }
+
+    /// False where the catalogue lacks the block.
+    bool addChoices(const std::string& kind, const std::string& id,
+                    std::vector<std::string>& known) const {
+        const Block* block = blocks_.catalog.find(kind, id);
+        if (block == nullptr) {
+            return false;
+        }
+        for (const AccuracyChoice& choice : block->accuracy) {
+            known.push_back(choice.id);
+        }
+        return true;
+    }
+
+    bool isChoiceOfAny(const std::string& choice) const {
+        return std::ranges::any_of(blocks_.catalog.blocks, [&choice](const Block& block) {
+            return block.accuracyChoice(choice) != nullptr;
+        });
     }
 
     void completeLevels(const std::string& kind, const std::string& id) {

@@ -24,6 +24,16 @@ Error unknownLevel(const JsonReader& reader, const PictureChoiceText& text,
         fmt::format("\"{}\" is no level of it; the default is used", word), oneOf(word, known));
 }
 
+Error unknownChoice(const JsonReader& reader, const std::string& word) {
+    std::vector<std::string> known;
+    for (const PictureChoiceText& text : pictureChoiceTexts()) {
+        known.emplace_back(text.id);
+    }
+    return reader.document().error(
+        reader.pointer(word), fmt::format("\"{}\" is no accuracy choice of the picture", word),
+        oneOf(word, known));
+}
+
 } // namespace
 
 void readPictureAccuracy(JsonReader& file, Scene& scene, Errors& notes) {
@@ -38,6 +48,9 @@ void readPictureAccuracy(JsonReader& file, Scene& scene, Errors& notes) {
         }
     }
     const nlohmann::json unknown = reader.unknown();
+    for (const auto& item : unknown.items()) {
+        notes.push_back(unknownChoice(reader, item.key()));
+    }
     if (unknown.empty()) {
         scene.unknown.erase(key);
     } else {

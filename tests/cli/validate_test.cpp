@@ -188,6 +188,36 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"binary", "\"name\"", std::string("\0\1\2", 3)}),
     [](const testing::TestParamInfo<Damage>& damage) { return damage.param.name; });
 
+TEST(ValidateCommand, MisspeltAccuracyChoice_IsAMistakeWithTheKnownOnes) {
+    const TemporaryFolder folder;
+    std::string preset = soundPreset;
+    preset.insert(preset.find("  \"fresnel\""), "  \"accuracy\": {\"shadowin\": \"schlick\"},\n");
+    writeFile(folder / "a.patina.json", preset);
+    writeFile(folder / "a.patina-scene.json", R"({"format": "patina.scene", "version": 1,
+  "accuracy": {"scal": "half"}})");
+    const Outcome ofPreset = validate({(folder / "a.patina.json").string()});
+    EXPECT_EQ(ofPreset.exitCode, 1);
+    EXPECT_NE(ofPreset.err.find("a.patina.json:3:28: \"shadowin\" is no accuracy choice; expected "
+                                "'shadowing', or one of facets, shadowing"),
+              std::string::npos)
+        << ofPreset.err;
+    const Outcome ofScene = validate({(folder / "a.patina-scene.json").string()});
+    EXPECT_EQ(ofScene.exitCode, 1);
+    EXPECT_NE(ofScene.err.find("a.patina-scene.json:2:24: \"scal\" is no accuracy choice of the "
+                               "picture; expected 'scale', or one of samples"),
+              std::string::npos)
+        << ofScene.err;
+}
+
+/// What a model kept of another one's is no slip.
+TEST(ValidateCommand, AccuracyChoiceOfAnotherModel_IsValid) {
+    const TemporaryFolder folder;
+    std::string preset = soundPreset;
+    preset.insert(preset.find("  \"fresnel\""), "  \"accuracy\": {\"matte\": \"fujii\"},\n");
+    writeFile(folder / "a.patina.json", preset);
+    EXPECT_EQ(validate({(folder / "a.patina.json").string()}).err, "");
+}
+
 TEST(ValidateCommand, DeeplyNestedFile_IsRefusedQuickly) {
     const TemporaryFolder folder;
     writeFile(folder / "a.patina.json", std::string(1'000'000, '['));
