@@ -83,6 +83,61 @@ TEST_F(AccuracyPanel, ChangedScene_PutsTheChartOutOfDate) {
     EXPECT_TRUE(state().startsWith("Out of date")) << state().toStdString();
 }
 
+QColor middleOf(const QIcon& icon, QIcon::Mode mode) {
+    const QImage image = icon.pixmap(QSize(12, 12), mode).toImage();
+    return image.pixelColor(image.width() / 2, image.height() / 2);
+}
+
+TEST_F(AccuracyPanel, StaleTable_HasFaintDiscsAndSelectedRowsHaveTheirs) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    const QPalette colors = list().palette();
+    const auto disc = [this](QIcon::Mode mode) {
+        list().select(0); // the exact way is always on the front
+        return middleOf(list().currentItem()->icon(0), mode);
+    };
+    EXPECT_EQ(disc(QIcon::Normal), colors.color(QPalette::Highlight));
+    EXPECT_EQ(disc(QIcon::Selected), colors.color(QPalette::HighlightedText));
+    document().setFog("exponential");
+    settle();
+    EXPECT_NE(disc(QIcon::Normal), colors.color(QPalette::Highlight));
+    EXPECT_EQ(disc(QIcon::Selected), colors.color(QPalette::HighlightedText));
+}
+
+TEST_F(AccuracyPanel, ClickOnAStalePoint_ChoosesAndSaysThatNumbersAreOld) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    document().setFog("exponential");
+    settle();
+    const int before = steps();
+    const QPoint place = plot().placeOf(pointOf("far"));
+    QWidget* target = plot().childAt(place);
+    ASSERT_NE(target, nullptr);
+    QTest::mouseClick(target, Qt::LeftButton, {}, target->mapFrom(&plot(), place));
+    settle();
+    EXPECT_EQ(level(), "far");
+    EXPECT_EQ(steps(), before + 1);
+    EXPECT_TRUE(dock().isStale());
+    EXPECT_TRUE(state().startsWith("Out of date")) << state().toStdString();
+    EXPECT_TRUE(state().contains("Chosen now: Work: Far.")) << state().toStdString();
+    const QString told = plot().accessibleDescription();
+    EXPECT_TRUE(told.contains("from before a change")) << told.toStdString();
+    EXPECT_FALSE(told.contains("ns per pixel")) << told.toStdString();
+}
+
+TEST_F(AccuracyPanel, BlocksThatAreReadAgain_PutTheChartOutOfDateWhenTheyDiffer) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    const auto readAgain = [this] {
+        document().setCatalog(
+            std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+        settle();
+    };
+    readAgain();
+    EXPECT_FALSE(dock().isStale());
+    const std::filesystem::path models = home("XDG_DATA_HOME") / "patina/shaders/models";
+    writeFile(models / "burning.glsl", std::string(burningShader) + "// another\n");
+    readAgain();
+    EXPECT_TRUE(dock().isStale());
+}
+
 TEST_F(AccuracyPanel, MovedCamera_LeavesTheChartFreshAndSaysSo) {
     ASSERT_TRUE(measure()) << state().toStdString();
     Camera moved = document().scene().camera;
@@ -173,6 +228,13 @@ TEST_F(AccuracyPanel, Compared_HasTheExactWayInAAndTheChosenInB) {
     EXPECT_EQ(steps(), before + 1);
     EXPECT_EQ(level(Side::A), "");
     EXPECT_EQ(level(Side::B), "far");
+    for (SideView* view : window().findChildren<SideView*>()) {
+        const QLabel& title = *view->findChild<QLabel*>("title");
+        const QString what = view->side() == Side::A ? "Exact" : "Work: Far";
+        EXPECT_TRUE(title.toolTip().startsWith(what + " – Burning"))
+            << title.toolTip().toStdString();
+        EXPECT_TRUE(title.text().contains(what.left(5))) << title.text().toStdString();
+    }
 }
 
 TEST_F(AccuracyPanel, ExportedTable_HasALineForEveryPoint) {
@@ -226,10 +288,3 @@ TEST_F(AccuracyPanel, WhileMeasuring_TheWindowAnswers) {
 
 } // namespace
 } // namespace patina::tests
-    for (SideView* view : window().findChildren<SideView*>()) {
-        const QLabel& title = *view->findChild<QLabel*>("title");
-        const QString what = view->side() == Side::A ? "Exact" : "Work: Far";
-        EXPECT_TRUE(title.toolTip().startsWith(what + " – Burning"))
-            << title.toolTip().toStdString();
-        EXPECT_TRUE(title.text().contains(what.left(5))) << title.text().toStdString();
-    }

@@ -277,13 +277,22 @@ QString AccuracyPage::stateText() const {
         return tr("Could not be measured: %1").arg(QString::fromStdString(shown_->problem));
     }
     if (stale_) {
-        return tr("Out of date: the material or the scene has changed since.");
+        return staleStateText();
     }
     return shown_->complete ? measuredText() : tr("Stopped. %1").arg(measuredText());
 }
 
 QString AccuracyPage::measuredText() const {
     const QString method = methodText(shown_->chart);
+/// What is chosen by an old point is chosen, whatever the numbers are by now.
+QString AccuracyPage::staleStateText() const {
+    const QString why = tr("Out of date: the material or the scene has changed since.");
+    const CostPoint* now = shown_->chart.choices == choices_
+                               ? shown_->chart.find(target_->levels(choices_))
+                               : nullptr;
+    return now != nullptr ? tr("%1 Chosen now: %2.").arg(why, wayName(*now, shown_->chart)) : why;
+}
+
     return shown_->camera == document_.scene().camera
                ? method
                : tr("Measured from another view. %1").arg(method);

@@ -69,6 +69,7 @@ class AccuracyPage : public QWidget {
     void select(int point);
     void take(const CostMeasurement::Outcome& outcome);
     QString stateText() const;
+    QString staleStateText() const;
     QString measuredText() const;
     std::string file() const; ///< the document's
     /// A point of the chart; null where the target has not the chart's choices.

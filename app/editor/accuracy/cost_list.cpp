@@ -19,27 +19,44 @@ constexpr int pointRole = Qt::UserRole;
 constexpr int markSize = 12;
 
 enum Column { Way, Time, Ratio, P99, Mean, Rms, Worst, Steps, Perceived, Count, Columns };
-constexpr std::array<int, Columns> widths{170, 70, 116, 84, 84, 84, 84, 70, 66, 90};
+constexpr std::array<int, Columns> widths{220, 70, 110, 80, 84, 84, 84, 70, 66, 90};
+
+struct MarkColors {
+    QColor front;
+    QColor other;
+    QColor ring;
+};
 
 /// As in the chart: a disc on the front, a circle elsewhere, and one round the current point.
-QIcon markOf(bool onFront, bool isCurrent, const QPalette& palette) {
+QPixmap markOf(bool onFront, bool isCurrent, const MarkColors& colors) {
     QPixmap pixmap(2 * markSize, 2 * markSize);
     pixmap.setDevicePixelRatio(2.0);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     const QPointF middle(0.5 * markSize, 0.5 * markSize);
-    const QColor color = onFront ? palette.color(QPalette::Highlight)
-                                 : palette.color(QPalette::PlaceholderText);
-    painter.setPen(QPen(color, 1.2));
-    painter.setBrush(onFront ? QBrush(color) : QBrush(Qt::NoBrush));
+    painter.setPen(QPen(onFront ? colors.front : colors.other, 1.2));
+    painter.setBrush(onFront ? QBrush(colors.front) : QBrush(Qt::NoBrush));
     painter.drawEllipse(middle, 2.6, 2.6);
     if (isCurrent) {
-        painter.setPen(QPen(palette.color(QPalette::Text), 1.2));
+        painter.setPen(QPen(colors.ring, 1.2));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(middle, 5.2, 5.2);
     }
-    return QIcon(pixmap);
+    return pixmap;
+}
+
+/// Old points are no front to choose from: their discs are as faint as their numbers. On a selected
+/// row the highlight is the ground.
+QIcon iconOf(bool onFront, bool isCurrent, bool stale, const QPalette& palette) {
+    const QColor faint = palette.color(QPalette::PlaceholderText);
+    const QColor selected = palette.color(QPalette::HighlightedText);
+    QIcon icon;
+    icon.addPixmap(markOf(onFront, isCurrent,
+                          {stale ? faint : palette.color(QPalette::Highlight), faint,
+                           palette.color(QPalette::Text)}));
+    icon.addPixmap(markOf(onFront, isCurrent, {selected, selected, selected}), QIcon::Selected);
+    return icon;
 }
 
 /// What nobody can tell from the exact time is said to be about as long.
@@ -120,6 +137,7 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
     const int kept = selected();
     const int scrolled = verticalScrollBar()->value();
     const std::vector<std::size_t> front = costFront(chart.points);
+    const CostPoint* now = chart.find(current);
     setSortingEnabled(false);
     clear();
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
@@ -127,8 +145,11 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
         auto* row = new NumberRow;
         row->setData(Way, pointRole, static_cast<int>(i));
         fillRow(*row, point, chart);
-        row->setIcon(Way, markOf(std::ranges::find(front, i) != front.end(),
-                                 !stale && point.levels == current, palette()));
+        if (stale) {
+            row->setToolTip(Way, staleText() + '\n' + row->toolTip(Way));
+        }
+        row->setIcon(Way, iconOf(std::ranges::find(front, i) != front.end(), &point == now, stale,
+                                 palette()));
         for (int column = 0; stale && column < Columns; ++column) {
             row->setForeground(column, palette().placeholderText());
         }

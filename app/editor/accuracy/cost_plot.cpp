@@ -59,13 +59,18 @@ void CostPlot::setChart(const CostChart& chart, const ChosenLevels& current, boo
 void CostPlot::select(int point) {
     const bool isThere = point >= 0 && point < static_cast<int>(chart_.points.size());
     selected_ = isThere ? point : -1;
-    setAccessibleDescription(
-        isThere ? pointText(chart_.points[static_cast<std::size_t>(point)], chart_) : QString());
+    setAccessibleDescription(isThere ? textOf(point) : QString());
     draw();
 }
 
+/// Of a point of old only its name is worth anything.
+QString CostPlot::textOf(int point) const {
+    const CostPoint& it = chart_.points[static_cast<std::size_t>(point)];
+    return stale_ ? wayName(it, chart_) + '\n' + staleText() : pointText(it, chart_);
+}
+
 void CostPlot::draw() {
-    const CostPoint* current = stale_ ? nullptr : chart_.find(current_);
+    const CostPoint* current = chart_.find(current_);
     const int index =
         current != nullptr ? static_cast<int>(current - chart_.points.data()) : -1;
     marks_->draw({chart_, index, selected_, stale_}, palette());
@@ -119,9 +124,7 @@ void CostPlot::hover(QPoint place, QPoint global) {
     const int point = pointAt(place);
     plot_->setCursor(point >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     if (point >= 0) {
-        QToolTip::showText(global,
-                           pointText(chart_.points[static_cast<std::size_t>(point)], chart_),
-                           plot_);
+        QToolTip::showText(global, textOf(point), plot_);
     } else {
         QToolTip::hideText();
     }

@@ -56,6 +56,7 @@ class CostPlot : public QWidget {
     void hover(QPoint place, QPoint global);
     void moveSelection(int steps);
     int pointAt(QPoint place) const;
+    QString textOf(int point) const;
 
     CostChart chart_;
     ChosenLevels current_;

@@ -121,6 +121,10 @@ QString pointText(const CostPoint& point, const CostChart& chart) {
     return lines.join('\n');
 }
 
+QString staleText() {
+    return tr("It can still be chosen, but its numbers are from before a change.");
+}
+
 QString methodText(const CostChart& chart) {
     return tr("%1 × %2 pixels, %3 of them shaded; %4; errors against %5.")
         .arg(chart.size.x)

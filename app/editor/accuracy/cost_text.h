@@ -30,6 +30,9 @@ QString tieText(const CostPoint& point, const CostChart& chart);
 QString pointText(const CostPoint& point, const CostChart& chart);
 
 /// How it was measured: pixels, timer, what errors are against.
+/// What is said beside points that were measured before something changed.
+QString staleText();
+
 QString methodText(const CostChart& chart);
 
 } // namespace patina

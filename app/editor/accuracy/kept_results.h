@@ -4,30 +4,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <memory>
 #include <string>
 #include <utility>
 
-#include "catalog/catalog.h"
-#include "scene/scene.h"
+#include "accuracy/measured_subject.h"
 
 namespace patina {
-
-/// What numbers were measured of, wherever it was seen from.
-struct MeasuredSubject {
-    Scene scene; ///< without what makes no difference to the numbers
-    int object = -1;
-    std::shared_ptr<const Catalog> catalog;
-
-    friend bool operator==(const MeasuredSubject&, const MeasuredSubject&) = default;
-};
-
-/// The numbers are the same whatever a scene is called and wherever its camera stands.
-inline MeasuredSubject subjectOf(Scene scene, int object, std::shared_ptr<const Catalog> catalog) {
-    scene.name.clear();
-    scene.camera = {};
-    return {std::move(scene), object, std::move(catalog)};
-}
 
 /// What was measured in this session, so that who comes back to a document finds it. A `Result` has
 /// a `subject` and the `file` of its document, empty where it has none yet.

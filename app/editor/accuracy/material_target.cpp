@@ -67,7 +67,7 @@ MeasuredSubject MaterialTarget::subject() const {
     }
     scene.ground.mode = GroundMode::Off; // a measurement is made without it
     forgetPicture(scene, document_.catalog());
-    return subjectOf(std::move(scene), object, document_.sharedCatalog());
+    return subjectOf(std::move(scene), object, document_.catalog());
 }
 
 void MaterialTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,

@@ -63,7 +63,7 @@ void MeasurePage::changeEvent(QEvent* event) {
 MeasuredSubject MeasurePage::subject() const {
     const int object = document_.currentObject();
     return subjectOf(measuredPart(document_.scene(document_.activeSide()), object), object,
-                     document_.sharedCatalog());
+                     document_.catalog(), measuredBlocks());
 }
 
 std::string MeasurePage::file() const {

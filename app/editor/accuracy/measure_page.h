@@ -52,6 +52,8 @@ class MeasurePage : public QWidget {
     virtual void startMeasuring() = 0;
     /// The scene without what makes no difference to the numbers.
     virtual Scene measuredPart(Scene scene, int object) const = 0;
+    /// The blocks that the numbers are of.
+    virtual SubjectBlocks measuredBlocks() const { return SubjectBlocks::OfScene; }
     virtual void showNumbers(bool stale) = 0;
     virtual QByteArray bytesFor(const QString& ending) const = 0;
 

@@ -69,8 +69,7 @@ ChosenLevels PictureTarget::levels(const std::vector<Choice>& choices) const {
 }
 
 MeasuredSubject PictureTarget::subject() const {
-    return subjectOf(withLevels(choices(), {}), document_.currentObject(),
-                     document_.sharedCatalog());
+    return subjectOf(withLevels(choices(), {}), document_.currentObject(), document_.catalog());
 }
 
 void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,

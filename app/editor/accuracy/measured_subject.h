@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// What numbers were measured of, wherever it was seen from.
+struct MeasuredSubject {
+    Scene scene; ///< without what makes no difference to the numbers
+    int object = -1;
+    std::vector<Block> blocks;        ///< that the numbers depend on
+    std::vector<std::uint64_t> texts; ///< prints of their shaders, the last one of all they share
+
+    friend bool operator==(const MeasuredSubject&, const MeasuredSubject&) = default;
+};
+
+/// Which blocks the numbers depend on.
+enum class SubjectBlocks { OfScene, All };
+
+/// The numbers are the same whatever a scene is called and wherever its camera stands, and however
+/// often its blocks were read.
+MeasuredSubject subjectOf(Scene scene, int object, const Catalog& catalog,
+                          SubjectBlocks which = SubjectBlocks::OfScene);
+
+} // namespace patina
