@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace patina {
 namespace {
 
@@ -16,6 +18,19 @@ constexpr double errorNoise = 0.02;
 
 double timeOf(const CostPoint& point) {
     return point.cost.ratio.median;
+}
+
+/// What is drawn as this level is, by name.
+std::string namesOfSame(const std::vector<SameLevel>& same, const Choice& choice,
+                        const ChoiceLevel& level) {
+    std::string names;
+    for (const SameLevel& each : same) {
+        const ChoiceLevel* other = choice.level(each.level);
+        if (each.choice == choice.id && each.as == level.id && other != nullptr) {
+            names += (names.empty() ? "" : ", ") + other->label;
+        }
+    }
+    return names;
 }
 
 double knownError(const CostPoint& point) {
@@ -62,10 +77,40 @@ bool isPreferred(const CostBudget& budget, const CostPoint& a, const CostPoint& 
 
 } // namespace
 
+ChosenLevels CostChart::distinct(ChosenLevels levels) const {
+    for (const SameLevel& each : same) {
+        const auto chosen = levels.find(each.choice);
+        if (chosen == levels.end() || chosen->second != each.level) {
+            continue;
+        }
+        const auto choice = std::ranges::find(choices, each.choice, &Choice::id);
+        const bool isExact = choice != choices.end() && choice->levels.front().id == each.as;
+        if (isExact) {
+            levels.erase(chosen);
+        } else {
+            chosen->second = each.as;
+        }
+    }
+    return levels;
+}
+
 const CostPoint* CostChart::find(const ChosenLevels& levels) const {
-    const auto found = std::ranges::find_if(
-        points, [&levels](const CostPoint& point) { return point.levels == levels; });
+    const auto found = std::ranges::find(points, distinct(levels), &CostPoint::levels);
     return found == points.end() ? nullptr : &*found;
+}
+
+std::string sameText(const CostChart& chart) {
+    std::string text;
+    for (const Choice& choice : chart.choices) {
+        for (const ChoiceLevel& level : choice.levels) {
+            const std::string names = namesOfSame(chart.same, choice, level);
+            if (!names.empty()) {
+                text += fmt::format("{}{}: {} are drawn as {}", text.empty() ? "" : "; ",
+                                    choice.label, names, level.label);
+            }
+        }
+    }
+    return text;
 }
 
 double errorOf(const CostPoint& point) {

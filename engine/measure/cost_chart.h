@@ -26,6 +26,15 @@ struct CostPoint {
     friend bool operator==(const CostPoint&, const CostPoint&) = default;
 };
 
+/// A level that the device draws as it draws another one of the same choice.
+struct SameLevel {
+    std::string choice; ///< Choice::id
+    std::string level;
+    std::string as;
+
+    friend bool operator==(const SameLevel&, const SameLevel&) = default;
+};
+
 /// What was measured of a material in a scene.
 struct CostChart {
     std::vector<Choice> choices;
@@ -36,11 +45,19 @@ struct CostChart {
     double emptyMilliseconds = 0.0; ///< what a frame takes of which nothing is shaded
     std::string timer;             ///< how frames were timed, for people
     std::string right;             ///< what errors are measured against, for people
+    std::vector<SameLevel> same;   ///< which have no points of their own
 
+    /// The levels by which the points go: in place of one that is the same as another, that one.
+    ChosenLevels distinct(ChosenLevels levels) const;
+
+    /// The point of these levels, or of those that are the same; null: it was not measured.
     const CostPoint* find(const ChosenLevels& levels) const;
 
     friend bool operator==(const CostChart&, const CostChart&) = default;
 };
+
+/// "Samples per pixel: 4 samples, 2 samples are drawn as 8 samples"; empty where all levels differ.
+std::string sameText(const CostChart& chart);
 
 /// The error by which points are compared: the relative error that 99 of 100 pixels keep.
 double errorOf(const CostPoint& point);

@@ -7,6 +7,7 @@
 
 #include "gl/driver.h"
 #include "measure/right_frame.h"
+#include "measure/same_levels.h"
 #include "measure/surface_instructions.h"
 #include "measure/sweep_plan.h"
 #include "measure/timed_frames.h"
@@ -183,6 +184,17 @@ class CostSweep::Implementation {
         }
         chart_.pixels = right_->pixels();
         chart_.right = right_->method();
+        if (*done && !isOfMaterial()) {
+            foldLevels();
+        }
+    }
+
+    void foldLevels() {
+        const bool dense = isDense(subject_.scene, subject_.meshes, chart_.size);
+        chart_.same = sameSampleLevels(chart_.choices, chart_.size, dense);
+        plan_ = SweepPlan(withoutSame(chart_.choices, chart_.same), options_.combinations,
+                          chart_.distinct(options_.present));
+        singles_ = plan_.waiting();
     }
 
     /// What is left when nothing of what counts is shaded.

@@ -68,6 +68,14 @@ nlohmann::json choiceJson(const Choice& choice) {
             {"block", choice.block}, {"levels", levels}};
 }
 
+nlohmann::json sameJson(const std::vector<SameLevel>& same) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const SameLevel& each : same) {
+        all.push_back({{"choice", each.choice}, {"level", each.level}, {"as", each.as}});
+    }
+    return all;
+}
+
 } // namespace
 
 std::string costText(const CostChart& chart) {
@@ -78,6 +86,9 @@ std::string costText(const CostChart& chart) {
         const CostPoint& point = chart.points[i];
         text += fmt::format("{} {:<{}}  {}\n", isOnFront(front, i) ? '*' : ' ',
                             levelsText(point.levels), columns, pointText(point));
+    }
+    if (const std::string same = sameText(chart); !same.empty()) {
+        text += same + '\n';
     }
     return text + fmt::format("* nothing measured is better in time or in error and no worse in "
                               "the other; ? still unsure of 3 %\n"
@@ -124,7 +135,8 @@ nlohmann::json costJson(const CostChart& chart) {
             {"exactMilliseconds", chart.exactMilliseconds},
             {"emptyMilliseconds", chart.emptyMilliseconds},
             {"timer", chart.timer},
-            {"right", chart.right}};
+            {"right", chart.right},
+            {"same", sameJson(chart.same)}};
 }
 
 std::string csvText(std::string_view text) {

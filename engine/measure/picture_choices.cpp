@@ -249,6 +249,11 @@ ChosenLevels levelsOfPicture(const Scene& scene, const std::vector<Choice>& choi
     return levels;
 }
 
+bool isOfSamples(const Choice& choice) {
+    const PictureChoiceText* text = textOf(choice);
+    return text != nullptr && text->choice == PictureChoice::Samples;
+}
+
 void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& level,
                    const Catalog& catalog) {
     for (const PictureRow& row : rows) {

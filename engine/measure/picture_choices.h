@@ -11,4 +11,7 @@ namespace patina {
 void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& level,
                    const Catalog& catalog);
 
+/// Whether its levels are numbers of samples per pixel.
+bool isOfSamples(const Choice& choice);
+
 } // namespace patina

@@ -126,6 +126,13 @@ Result<void> HdrTarget::buildStretched() {
     return drawable ? stretchedFramebuffer_.check() : drawable;
 }
 
+PixelSampling HdrTarget::sampling() const {
+    GLint samples = 0;
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &samples);
+    return {std::max(samples, 1), built_.fineness};
+}
+
 void HdrTarget::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glViewport(0, 0, drawnSize().x, drawnSize().y);

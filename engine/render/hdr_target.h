@@ -6,13 +6,14 @@
 #include "core/error.h"
 #include "gl/framebuffer.h"
 #include "render/hdr_numbers.h"
+#include "render/pixel_sampling.h"
 
 namespace patina {
 
-/// Where a frame is summed up: RGBA16F (or RGBA32F) with several samples per pixel and depth, and
 /// Whether the device of the current context draws pictures of this size; else the sizes it does.
 Result<void> checkPictureSize(glm::ivec2 size);
 
+/// Where a frame is summed up: RGBA16F (or RGBA32F) with several samples per pixel and depth, and
 /// its resolved image, which may be drawn smaller than it is and stretched.
 class HdrTarget {
   public:
@@ -38,6 +39,9 @@ class HdrTarget {
 
     /// The size of the image that is drawn.
     glm::ivec2 drawnSize() const { return built_.fineness * built_.scaled; }
+
+    /// What the device made of what was asked for.
+    PixelSampling sampling() const;
 
     /// Averages the samples into averaged(): what has been drawn until now, not yet stretched.
     void resolve() const;

@@ -192,6 +192,9 @@ std::string rowsOf(const Job& job, const std::shared_ptr<const Catalog>& catalog
     for (const CostPoint& point : chart.points) {
         rows += row(&point == &chart.points.front() ? job.name : std::string(), point);
     }
+    if (const std::string same = sameText(chart); !same.empty()) {
+        rows += fmt::format("|  | {} | | | | | | | |\n", same);
+    }
     fmt::print("{}", rows);
     std::fflush(stdout);
     return rows;

@@ -126,11 +126,13 @@ QString staleText() {
 }
 
 QString methodText(const CostChart& chart) {
-    return tr("%1 × %2 pixels, %3 of them shaded; %4; errors against %5.")
-        .arg(chart.size.x)
-        .arg(chart.size.y)
-        .arg(QLocale().toString(static_cast<qulonglong>(chart.pixels)))
-        .arg(asText(chart.timer), asText(chart.right));
+    const QString method = tr("%1 × %2 pixels, %3 of them shaded; %4; errors against %5.")
+                               .arg(chart.size.x)
+                               .arg(chart.size.y)
+                               .arg(QLocale().toString(static_cast<qulonglong>(chart.pixels)))
+                               .arg(asText(chart.timer), asText(chart.right));
+    const std::string same = sameText(chart);
+    return same.empty() ? method : QStringLiteral("%1 %2.").arg(method, asText(same));
 }
 
 } // namespace patina
