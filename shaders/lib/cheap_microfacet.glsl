@@ -24,7 +24,10 @@ float walterUnmasked(float c, float s2, float alpha) {
 
 // Smith's masking of a GGX surface by height, over 4 n.v, in one division:
 // n.l / (2 mix(2 (n.l)(n.v), n.l + n.v, alpha)). E. Hammon, PBR Diffuse Lighting for GGX+Smith
-// Microsurfaces, GDC 2017. nl, nv > 0.
+// Microsurfaces, GDC 2017. It is what schlickUnmasked() with k = alpha / 2 gives for two directions
+// that are put together by height: with S = c (1 - k) + k,
+//   S_l n.v + S_v n.l - (n.l)(n.v) = (1 - alpha) (n.l)(n.v) + alpha / 2 (n.l + n.v).
+// nl, nv > 0.
 float hammonVisibility(float nl, float nv, float alpha) {
     return 0.5 * nl / max(2.0 * nl * nv * (1.0 - alpha) + (nl + nv) * alpha, 1e-30);
 }

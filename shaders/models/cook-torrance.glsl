@@ -108,7 +108,7 @@ float cookTorranceVisibility(Directions d, CookTorrance p) {
     if (p.masking == COOK_TORRANCE_MASKING_V_CAVITY) {
         return vCavityVisibility(d.nl, d.nv, d.nH, d.HH);
     }
-    if (p.shadowing == COOK_TORRANCE_SHADOWING_HAMMON && cookTorranceIsGgx(p)
+    if (p.shadowing == COOK_TORRANCE_SHADOWING_SCHLICK && cookTorranceIsGgx(p)
         && p.masking == COOK_TORRANCE_MASKING_SMITH_CORRELATED) {
         return hammonVisibility(d.nl, d.nv, cookTorranceWidth(p));
     }

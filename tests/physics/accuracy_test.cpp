@@ -206,14 +206,14 @@ TEST(SmithMasking, ByWalter_IsWithinAHundredthForBothDirections) {
     EXPECT_LT(error, 2.1 * 0.0063);
 }
 
-TEST(SmithMasking, ByHammon_ErrsAtFlatAngles) {
-    const auto error = [](double width) {
-        return maskingError(
-            {{"distribution", "ggx"}, {"masking", "smith-correlated"}, {"roughness", width}},
-            "hammon");
+TEST(SmithMasking, OfGgxBySchlick_ErrsLessByHeightAsHammonDoes) {
+    const auto error = [](const std::string& masking, double width) {
+        return maskingError({{"distribution", "ggx"}, {"masking", masking}, {"roughness", width}},
+                            "schlick");
     };
-    expectAbout(error(0.3), 0.19);
-    expectAbout(error(0.7), 0.08);
+    expectAbout(error("smith-correlated", 0.3), 0.19);
+    expectAbout(error("smith-correlated", 0.7), 0.08);
+    expectAbout(error("smith", 0.3), 0.25);
 }
 
 TEST(SmithMasking, LeftOut_IsRightFacingTheSurface) {

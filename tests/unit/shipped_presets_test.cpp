@@ -44,19 +44,27 @@ TEST(ShippedPresets, EveryOne_IsWrittenAsPatinaWritesIt) {
     }
 }
 
-/// Repeated squaring was a level of this choice until nothing was found that it is better for.
+/// Levels that were there until nothing was found that they are better for.
 TEST(ShippedModels, LevelThatIsGone_OpensExactAndSaysSo) {
-    const nlohmann::json preset{{"format", "patina.preset"},
-                                {"version", 1},
-                                {"model", {{"id", "phong"}, {"version", 1}}},
-                                {"accuracy", {{"power", "squaring"}}}};
-    const auto reading =
-        materialFromJson(parseJson(writeJson(preset), "old").value(), "", catalog());
-    ASSERT_TRUE(reading) << text(reading.error());
-    EXPECT_EQ(reading->material.accuracy.at("power"), "exact");
-    EXPECT_NE(text(reading->notes).find("\"squaring\" is no level of \"power\""),
-              std::string::npos)
-        << text(reading->notes);
+    struct Gone {
+        const char* model;
+        const char* choice;
+        const char* level;
+    };
+    for (const Gone& gone : {Gone{"phong", "power", "squaring"},
+                             Gone{"cook-torrance", "shadowing", "hammon"}}) {
+        const nlohmann::json preset{{"format", "patina.preset"},
+                                    {"version", 1},
+                                    {"model", {{"id", gone.model}, {"version", 1}}},
+                                    {"accuracy", {{gone.choice, gone.level}}}};
+        const auto reading =
+            materialFromJson(parseJson(writeJson(preset), "old").value(), "", catalog());
+        ASSERT_TRUE(reading) << text(reading.error());
+        EXPECT_EQ(reading->material.accuracy.at(gone.choice), "exact");
+        EXPECT_NE(text(reading->notes).find(std::string(gone.level) + "\" is no level of"),
+                  std::string::npos)
+            << text(reading->notes);
+    }
 }
 
 TEST(ShippedPresets, EveryOne_LiesInItsModelsFolder) {
