@@ -194,7 +194,8 @@ Result<void> writePictures(const Measured& measured, const CostRequest& options)
         }
         std::cerr << options.errorMap << " shows where "
                   << levelsText(mappedPoint(measured.chart, options).levels)
-                  << " is wrong: black 1e-6 of the light or less, each colour ten times more\n";
+                  << " is wrong, against " << measured.chart.right
+                  << ": black 1e-6 of the light or less, each colour ten times more\n";
     }
     return options.plot.empty() ? Result<void>() : writePlot(measured.chart, options.plot);
 }
@@ -336,11 +337,11 @@ Checked<bool> cost(const CostRequest& options) {
     if (!context) {
         return tl::unexpected(oneError(context.error()));
     }
-    if (options.allModels) {
     const glm::ivec2 size = options.picture.size;
     if (const auto checked = size.x > 0 ? checkPictureSize(size) : Result<void>(); !checked) {
         return tl::unexpected(oneError(checked.error()));
     }
+    if (options.allModels) {
         return rankModels(options, catalog);
     }
     if (options.scaling) {

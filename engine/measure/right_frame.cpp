@@ -78,6 +78,11 @@ Result<void> RightFrame::takeDrawn() {
     if (!drawn) {
         return tl::unexpected(drawn.error());
     }
+    if (const int directions = wish_.renderer.environmentSamples(); !computed_ && directions > 0) {
+        method_ = fmt::format("{}, with {} directions of the environment per pixel",
+                              wish_.inDoubles ? method_ : "a converged render: " + method_,
+                              directions);
+    }
     for (std::size_t i = 0; computed_ && i < counts_.size(); ++i) {
         if (counts_[i] != 0) {
             drawn->colors[i] = computed_->colors[i];

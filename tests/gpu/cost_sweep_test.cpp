@@ -3,6 +3,7 @@
 #include "measure/cost_sweep.h"
 
 #include "gpu_fixture.h"
+#include "material/block_values.h"
 #include "support/program.h"
 
 namespace patina {
@@ -126,6 +127,56 @@ TEST_F(CostSweepTest, NothingInView_IsAnError) {
     (*sweep)->step(std::chrono::milliseconds(1));
     EXPECT_TRUE((*sweep)->finished());
     EXPECT_EQ((*sweep)->problems().size(), 1u);
+}
+
+/// What errors are measured against, in words.
+std::string rightOf(const CostSweep::Subject& subject, Choice::Scope scope) {
+    CostSweep::Options options;
+    options.size = {4, 4}; // with thousands of directions for each
+    options.scope = scope;
+    auto sweep = CostSweep::create(subject, options);
+    while (sweep && (*sweep)->right() == nullptr && !(*sweep)->finished()) {
+        (*sweep)->step(std::chrono::milliseconds(1));
+    }
+    return sweep ? (*sweep)->chart().right : sweep.error().text();
+}
+
+TEST_F(CostSweepTest, UnderAnEnvironment_TheRightFrameSaysItsDirections) {
+    Scene scene = simpleScene("lambert");
+    scene.environment = defaultBlockValues(*catalog->find("environment", "studio"));
+    const CostSweep::Subject subject{scene, 0, scene.camera, meshSource(), catalog};
+    EXPECT_EQ(rightOf(subject, Choice::Scope::Material),
+              "the exact frame as the device draws it, because the light of the environment is "
+              "sampled, with 64 directions of the environment per pixel");
+    EXPECT_EQ(rightOf(subject, Choice::Scope::Picture),
+              "a converged render: the finest frame that the device draws, with 4096 directions of "
+              "the environment per pixel");
+}
+
+/// llvmpipe has one count of samples besides 1, other devices have more.
+TEST_F(CostSweepTest, LevelsThatTheDeviceDrawsAlike_ShareAPoint) {
+    Scene scene = simpleScene("lambert");
+    CostSweep::Options options;
+    options.size = {64, 64};
+    options.scope = Choice::Scope::Picture;
+    options.only = {"picture.samples"};
+    options.pairs.fewest = 2;
+    options.pairs.most = 2;
+    options.combinations = false;
+    options.present = {{"picture.samples", "4"}};
+    auto sweep = CostSweep::create({scene, 0, scene.camera, meshSource(), catalog}, options);
+    ASSERT_TRUE(sweep);
+    while (!(*sweep)->finished()) {
+        (*sweep)->step(std::chrono::milliseconds(20));
+    }
+    const CostChart chart = (*sweep)->chart();
+    EXPECT_EQ(chart.points.size() + chart.same.size(), 4u);
+    for (const SameLevel& each : chart.same) {
+        EXPECT_NE(chart.find({{each.choice, each.level}}), nullptr);
+        EXPECT_NE(sameText(chart).find("are drawn as"), std::string::npos);
+    }
+    EXPECT_NE(chart.find(options.present), nullptr);
+    EXPECT_NE(chart.find({{"picture.samples", "1"}}), nullptr);
 }
 
 TEST_F(CostSweepTest, ErrorMap_ShowsWhereItIsWrong) {
