@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages beside the chart: all models, and how the time grows.
+#include <cmath>
+
+#include <QHeaderView>
+#include <QRegularExpression>
+
 #include "accuracy/axis_ticks.h"
 #include "accuracy/cost_text.h"
 #include "accuracy/growth_plot.h"
@@ -27,6 +32,7 @@ TEST(NumberText, MeasuredNumbers_AreWrittenWithoutExponents) {
     EXPECT_EQ(digitsText(0.03171), "0.0317");
     EXPECT_EQ(likeText(0.0704, 1.0), "0.07");
     EXPECT_EQ(ratioText({0.953, 0.917, 0.989}), "0.953 ± 0.036");
+    EXPECT_EQ(ratioText({1.0, 0.2, 9.0}), "1.00 ± ?");
     EXPECT_EQ(roundText(1000.0), "1,000");
     EXPECT_EQ(roundText(2.5), "2.5");
     EXPECT_EQ(shortText(5e4), "50 k");
@@ -47,6 +53,45 @@ TEST(LongLine, WithoutRoom_EndsInDotsAndTellsAllInItsTooltip) {
     EXPECT_TRUE(line.shown().endsWith("…")) << line.shown().toStdString();
     EXPECT_EQ(line.toolTip(), text);
     EXPECT_EQ(line.text(), text);
+}
+
+/// How far to the left a chart's lines go in a file.
+double leftmostOf(const MedianInterval& ratio) {
+    CostChart chart;
+    chart.points.resize(2);
+    for (CostPoint& point : chart.points) {
+        point.cost.nanosecondsPerPixel = 100.0;
+    }
+    chart.points[1].levels = {{"a", "b"}};
+    chart.points[1].error.p99 = 0.01;
+    chart.points[1].cost.ratio = ratio;
+    CostPlot plot;
+    plot.setChart(chart, {}, false);
+    const QString svg = QString::fromUtf8(plot.svg());
+    static const QRegularExpression points("<polyline[^>]* points=\"([^\"]*)\"");
+    double leftmost = HUGE_VAL;
+    for (const QRegularExpressionMatch& line : points.globalMatch(svg)) {
+        for (const QString& point : line.captured(1).split(' ', Qt::SkipEmptyParts)) {
+            leftmost = std::min(leftmost, point.section(',', 0, 0).toDouble());
+        }
+    }
+    return leftmost;
+}
+
+TEST(CostPlot, WideIntervals_EndWithTheChartInAFileToo) {
+    EXPECT_GT(leftmostOf({1.0, 0.99, 1.01}), 10.0);
+    EXPECT_EQ(leftmostOf({1.0, 0.001, 50.0}), leftmostOf({1.0, 0.5, 2.0}));
+}
+
+TEST(CostText, WayName_SaysWhatIsChosenOfWhat) {
+    CostChart chart;
+    chart.choices = {{Choice::Scope::Picture, "picture.scale", "picture.scale", "Render scale", "",
+                      "Picture", {{"full", "Full size", ""}, {"half", "Half", "1 of 4."}}}};
+    CostPoint point;
+    EXPECT_EQ(wayName(point, chart), "Exact");
+    point.levels = {{"picture.scale", "half"}};
+    EXPECT_EQ(wayName(point, chart), "Render scale: Half");
+    EXPECT_EQ(wayDescription(point, chart), "Render scale: Half. 1 of 4.");
 }
 
 /// What a plot of some size writes beside a log axis.
@@ -135,6 +180,11 @@ TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {
     settle();
     EXPECT_FALSE(page().isStale()) << first;
     EXPECT_EQ(models().topLevelItemCount(), static_cast<int>(page().costs().size()));
+}
+
+TEST_F(ModelsPanel, Columns_FitBesideEachOtherInADockOfUsualWidth) {
+    constexpr int dockOf1600 = 846; // pixels between the docks at the sides, less a scroll bar
+    EXPECT_LE(models().header()->length(), dockOf1600);
 }
 
 TEST_F(ModelsPanel, Enter_GivesTheObjectThatModel) {

@@ -35,6 +35,7 @@ namespace {
 constexpr int progressSteps = 1000;
 constexpr int settleMs = 100;
 constexpr QSize usualSize{720, 320};
+const QList<int> partSizes{2000, 3000}; ///< of chart and table, as shares
 
 } // namespace
 
@@ -78,6 +79,7 @@ void AccuracyPage::layOut() {
     parts->addWidget(list_);
     parts->setStretchFactor(0, 2);
     parts->setStretchFactor(1, 3);
+    parts->setSizes(partSizes);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 0);
     layout->setSpacing(4);
@@ -282,8 +284,6 @@ QString AccuracyPage::stateText() const {
     return shown_->complete ? measuredText() : tr("Stopped. %1").arg(measuredText());
 }
 
-QString AccuracyPage::measuredText() const {
-    const QString method = methodText(shown_->chart);
 /// What is chosen by an old point is chosen, whatever the numbers are by now.
 QString AccuracyPage::staleStateText() const {
     const QString why = tr("Out of date: the material or the scene has changed since.");
@@ -293,6 +293,8 @@ QString AccuracyPage::staleStateText() const {
     return now != nullptr ? tr("%1 Chosen now: %2.").arg(why, wayName(*now, shown_->chart)) : why;
 }
 
+QString AccuracyPage::measuredText() const {
+    const QString method = methodText(shown_->chart);
     return shown_->camera == document_.scene().camera
                ? method
                : tr("Measured from another view. %1").arg(method);

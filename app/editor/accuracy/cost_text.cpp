@@ -60,7 +60,7 @@ QString wayDescription(const CostPoint& point, const CostChart& chart) {
 
 QString ratioText(const MedianInterval& ratio) {
     if (ratio.upper - ratio.lower > 2.0 * ratio.median) {
-        return tr("%1, not settled").arg(digitsText(ratio.median));
+        return QStringLiteral("%1 ± ?").arg(digitsText(ratio.median));
     }
     return QStringLiteral("%1 ± %2").arg(
         digitsText(ratio.median), likeText(0.5 * (ratio.upper - ratio.lower), ratio.median));

@@ -15,7 +15,8 @@ QString wayName(const CostPoint& point, const CostChart& chart);
 /// The same in full: which choice has which level, and what that means, line by line.
 QString wayDescription(const CostPoint& point, const CostChart& chart);
 
-/// "1.23 ± 0.02" of a ratio; a busy machine may leave an interval that says nothing.
+/// "1.23 ± 0.02" of a ratio; "1.23 ± ?" where a busy machine left an
+/// interval that says nothing.
 QString ratioText(const MedianInterval& ratio);
 
 /// The number of instructions ("–": not known), their kinds line by line, and a number to sort by.
@@ -29,10 +30,10 @@ QString tieText(const CostPoint& point, const CostChart& chart);
 /// The name and the numbers of a point, line by line.
 QString pointText(const CostPoint& point, const CostChart& chart);
 
-/// How it was measured: pixels, timer, what errors are against.
 /// What is said beside points that were measured before something changed.
 QString staleText();
 
+/// How it was measured: pixels, timer, what errors are against.
 QString methodText(const CostChart& chart);
 
 } // namespace patina

@@ -17,7 +17,7 @@ namespace {
 constexpr int modelRole = Qt::UserRole;
 
 enum Column { Model, Ratio, Time, Total, Sums, Roots, Images, Branches, Memory, Loss, Columns };
-constexpr std::array<int, Columns> widths{190, 110, 110, 90, 70, 70, 70, 74, 70, 90};
+constexpr std::array<int, Columns> widths{170, 96, 104, 84, 56, 56, 60, 70, 66, 80};
 
 /// Nanoseconds, as sure as the ratio is.
 QString nanosecondsText(const ChoiceCost& cost) {
@@ -50,8 +50,9 @@ void fillCounts(NumberRow& row, const std::optional<InstructionCount>& count) {
 void fillRow(NumberRow& row, const ModelCost& each) {
     row.setText(Model, QString::fromStdString(each.label));
     row.setData(Model, modelRole, QString::fromStdString(each.model));
-    row.setToolTip(Model, ModelList::tr("Enter or a double click gives the selected object this "
-                                        "model"));
+    row.setToolTip(Model, ModelList::tr("%1. Enter or a double click gives the selected object "
+                                        "this model")
+                              .arg(row.text(Model)));
     row.setNumber(Ratio, ratioText(each.cost.ratio), each.cost.ratio.median);
     row.setToolTip(Ratio, ModelList::tr("Between %1 and %2 with a probability of 95 %, by %3 pairs "
                                         "of frames")

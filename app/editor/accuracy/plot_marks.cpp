@@ -23,7 +23,7 @@ constexpr double leastError = 1e-6;
 constexpr double timeMargin = 1.12;
 constexpr double errorMargin = 2.5;
 constexpr double leastErrorRange = 1e3; ///< of the axis, also where nothing errs
-constexpr double longestBar = 2.0;      ///< times a point's time; what is longer runs off the chart
+constexpr double longestBar = 2.0; ///< times a point's time; a longer one ends with the chart
 constexpr double pointSize = 7.0;
 constexpr double ringSize = 13.0;
 
@@ -88,8 +88,8 @@ PlotMarks::PlotMarks(QCustomPlot& plot)
 }
 
 void PlotMarks::draw(const Content& content, const QPalette& palette) {
-    drawPoints(content);
     scaleAxes(content.chart);
+    drawPoints(content);
     colour(palette, content.stale);
     plot_.replot(QCustomPlot::rpQueuedReplot);
 }
@@ -127,19 +127,21 @@ void PlotMarks::drawLine(const CostChart& chart, const std::vector<std::size_t>&
     }
 }
 
-/// They belong to points in the order in which the graph keeps those.
+/// They belong to points in the order in which the graph keeps those. None goes past the chart:
+/// SVG files are not clipped.
 void PlotMarks::drawIntervals(const CostChart& chart) {
     std::vector<CostPoint> points = chart.points;
     std::ranges::stable_sort(
         points, {}, [](const CostPoint& point) { return shownTime(point); });
+    const QCPRange chartTimes = plot_.xAxis->range();
     QVector<double> below;
     QVector<double> above;
     for (const CostPoint& point : points) {
         const QPointF place = shownAt(point, chart);
         const MedianInterval interval = timeInterval(point);
         all_->addData(place.x(), place.y());
-        below << place.x() - interval.lower;
-        above << interval.upper - place.x();
+        below << place.x() - std::max(interval.lower, chartTimes.lower);
+        above << std::min(interval.upper, chartTimes.upper) - place.x();
     }
     intervals_->setData(below, above);
 }
