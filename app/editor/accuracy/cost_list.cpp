@@ -19,7 +19,7 @@ constexpr int pointRole = Qt::UserRole;
 constexpr int markSize = 12;
 
 enum Column { Way, Time, Ratio, P99, Mean, Rms, Worst, Steps, Perceived, Count, Columns };
-constexpr std::array<int, Columns> widths{220, 70, 110, 80, 84, 84, 84, 70, 66, 90};
+constexpr std::array<int, Columns> widths{244, 70, 108, 80, 84, 84, 84, 70, 66, 90};
 
 struct MarkColors {
     QColor front;
