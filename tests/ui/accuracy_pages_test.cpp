@@ -163,10 +163,15 @@ TEST_F(ModelsPanel, OtherScene_PutsItOutOfDate) {
 TEST_F(ModelsPanel, LightLost_IsWrittenAsTheLanguageHasIt) {
     const QLocale before;
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
-    models().setCosts({{"matte", "Matte", {}, std::nullopt, 0.255}}, false);
-    const QString text = models().topLevelItem(0)->text(models().columnCount() - 1);
+    const auto textOf = [this](double loss) {
+        models().setCosts({{"matte", "Matte", {}, std::nullopt, loss}}, false);
+        return models().topLevelItem(0)->text(models().columnCount() - 1);
+    };
+    const QString text = textOf(0.255);
+    const QString nothing = textOf(-1e-7);
     QLocale::setDefault(before);
     EXPECT_EQ(text, "25,5 %");
+    EXPECT_EQ(nothing, "0,0 %");
 }
 
 TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {

@@ -2,6 +2,7 @@
 #include "accuracy/model_list.h"
 
 #include <array>
+#include <cmath>
 
 #include <QHeaderView>
 #include <QLocale>
@@ -26,8 +27,10 @@ QString nanosecondsText(const ChoiceCost& cost) {
     return ratioText({cost.nanosecondsPerPixel, each * ratio.lower, each * ratio.upper});
 }
 
+/// Rounded first: nobody loses minus nothing.
 QString lossText(const std::optional<double>& loss) {
-    return loss ? ModelList::tr("%1 %").arg(QLocale().toString(100.0 * *loss, 'f', 1))
+    return loss ? ModelList::tr("%1 %").arg(
+                      QLocale().toString(std::round(1000.0 * *loss) / 10.0 + 0.0, 'f', 1))
                 : QStringLiteral("–");
 }
 
