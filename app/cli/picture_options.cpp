@@ -48,7 +48,7 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
         command.add_option_function<std::string>(
             fmt::format("--{}", kind),
             [&options, key = std::string(kind)](const std::string& id) { options.parts[key] = id; },
-            fmt::format("A {} block's id", kind));
+            fmt::format("The {} block's id", kind));
     }
     command.add_option("--set", options.sets, "A parameter's value, as id=value; repeatable")
         ->type_size(1)
