@@ -96,14 +96,17 @@ std::size_t compiledState(const Block& block, const Parameter& parameter, const 
 }
 
 const Parameter* neutralParameter(const Block& block, const Values& values) {
+    const auto isNeutral = [&values](const Parameter* parameter) {
+        return parameter != nullptr && parameter->min >= 0.0 &&
+               notPositive(givenValue(*parameter, values));
+    };
     for (const std::string_view id : decisiveIds(block.kind)) {
-        const Parameter* parameter = block.parameter(id);
-        if (parameter != nullptr && parameter->min >= 0.0 &&
-            notPositive(givenValue(*parameter, values))) {
-            return parameter;
+        if (isNeutral(block.parameter(id))) {
+            return block.parameter(id);
         }
     }
-    return nullptr;
+    const Parameter* angle = block.reach ? block.parameter(block.reach->angle) : nullptr;
+    return isNeutral(angle) ? angle : nullptr;
 }
 
 bool canShine(const Light& light, const Block& block) {
@@ -119,7 +122,7 @@ bool hasAmbient(const Scene& scene) {
     return scene.ambient.x > 0.0 || scene.ambient.y > 0.0 || scene.ambient.z > 0.0;
 }
 
-double passedShare(const Material& material, const Catalog& catalog) {
+double saidShare(const Material& material, const Catalog& catalog) {
     const Block* model = catalog.find("models", material.model.id);
     double kept = 1.0;
     for (const Parameter& parameter : model ? std::span(model->parameters)
@@ -132,7 +135,11 @@ double passedShare(const Material& material, const Catalog& catalog) {
             kept *= 1.0 - std::min(*share, 1.0);
         }
     }
-    return 1.0 - std::max(kept, leastKept);
+    return 1.0 - kept;
+}
+
+double passedShare(const Material& material, const Catalog& catalog) {
+    return std::min(saidShare(material, catalog), 1.0 - leastKept);
 }
 
 double opacityOf(const Material& material, const Catalog& catalog) {

@@ -33,15 +33,19 @@ bool canShine(const Light& light, const Block& block);
 bool canHide(const Scene& scene, const Block& block, const EffectView& view);
 
 /// The parameter because of which a light or an environment of the block sends nothing, or fog of
-/// it hides nothing wherever it is; null when there is none. By what shared parameter ids mean.
+/// it hides nothing wherever it is; null when there is none. By what shared parameter ids mean, and
+/// by the angle of a light's cone.
 const Parameter* neutralParameter(const Block& block, const Values& values);
 
 /// Whether the scene has an ambient colour that is not black.
 bool hasAmbient(const Scene& scene);
 
-/// The share of the light that the material's model itself says to pass, 0 .. 1 - 2^-10: by its
-/// parameters with the key `transparency`. 0 where it has none or is not known. Never all of it,
-/// since what the surface still gives back is divided by the rest (see ObjectLayout::surface).
+/// The share of the light that the material's model itself says to pass, 0 .. 1: by its parameters
+/// with the key `transparency`. 0 where it has none or is not known.
+double saidShare(const Material& material, const Catalog& catalog);
+
+/// The share that is taken to pass, at most 1 - 2^-10: what the surface still gives back is divided
+/// by the rest (see ObjectLayout::surface).
 double passedShare(const Material& material, const Catalog& catalog);
 
 /// How much of what is behind the material it hides, 0 .. 1: its opacity and its model's share

@@ -200,7 +200,7 @@ void addOpacity(EffectSet& set, const Material& material, const Catalog& catalog
     if (!set.opacity) {
         return;
     }
-    const double passed = passedShare(material, catalog);
+    const double passed = saidShare(material, catalog);
     std::string& reason = set.reasons["opacity"];
     reason = fmt::format("The material's opacity is {:.3g}", material.opacity);
     if (passed > 0.0) {

@@ -145,6 +145,17 @@ TEST_F(EffectRowsTest, LightsThatDoNotShine_SayWhy) {
     EXPECT_EQ(row("Dim").line.reason, "Its intensity is 0.");
 }
 
+TEST_F(EffectRowsTest, ConeWithoutAnyWidth_DoesNotShine) {
+    scene_.lights = {light("spot")};
+    scene_.lights[0].name = "Spot";
+    EXPECT_EQ(row("lights/spot").line.reason, "Spot shines.");
+    const std::uint64_t shining = EffectKey().ofScene(scene_, catalog());
+    scene_.lights[0].block.parameters["angle.outer"] = 0.0;
+    EXPECT_FALSE(isIn("lights/spot"));
+    EXPECT_EQ(row("Spot").line.reason, "Its outer angle is 0.");
+    EXPECT_NE(EffectKey().ofScene(scene_, catalog()), shining);
+}
+
 TEST_F(EffectRowsTest, EqualRoughness_SaysHowMuchItIs) {
     scene_.objects[0].material = material("ward");
     Values& values = scene_.objects[0].material.model.parameters;

@@ -89,6 +89,9 @@ TEST_F(ModelTransparencyTest, EffectSet_NamesIt) {
     EXPECT_EQ(set.reasons.at("opacity"),
               "The material's opacity is 1, and its model lets 40 % of the light pass.");
     EXPECT_FALSE(letsThrough(effectSet(solid.objects[0].material, solid, *catalog)));
+    const Scene whole = ball(1.0);
+    EXPECT_EQ(effectSet(whole.objects[0].material, whole, *catalog).reasons.at("opacity"),
+              "The material's opacity is 1, and its model lets 100 % of the light pass.");
     EXPECT_NE(EffectKey::ofMaterial(clear.objects[0].material, *catalog),
               EffectKey::ofMaterial(solid.objects[0].material, *catalog));
     EXPECT_EQ(countLettingThrough(clear, *catalog), 1);
