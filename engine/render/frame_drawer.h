@@ -117,6 +117,7 @@ class FrameDrawer {
         int pass = 0;
         DrawSlices slices; ///< of the batch
         bool hasGround = false;
+        bool hasLayerLines = false;
         bool hasLayers = false;
         std::size_t layered = 0; ///< of the transparent batches, drawn into the layer at work
         bool hasBack = false; ///< the farthest surface of the batch, where it bends light

@@ -105,9 +105,6 @@ bool FrameDrawer::drawItems(const Scene& scene, Deadline deadline) {
         drawGround(scene);
         isDone = drawOutlines(scene, deadline) && drawLayers(scene, deadline);
     }
-    if (isDone) {
-        drawLayerOutlines(scene);
-    }
     setPass(Pass::opaque);
     if (deadline != never) {
         fence_ = gl::Fence::afterCommandsSoFar();

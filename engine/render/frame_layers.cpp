@@ -2,6 +2,7 @@
 // The part of FrameDrawer that draws what shines through in no order of its objects.
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include <epoxy/gl.h>
 
@@ -82,6 +83,9 @@ void FrameDrawer::packLayersOf(const Scene& scene, const DrawMaterial& material,
 bool FrameDrawer::drawLayers(const Scene& scene, Deadline deadline) {
     if (!transparency_.isIn() || cursor_.hasLayers) {
         return true;
+    }
+    if (!std::exchange(cursor_.hasLayerLines, true)) {
+        drawLayerOutlines(scene);
     }
     const auto drawObjects = [this, &scene, deadline](TransparencyPass::Stage stage) {
         const bool isQuick = stage == TransparencyPass::Stage::Depths;

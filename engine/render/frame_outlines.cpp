@@ -79,7 +79,7 @@ bool FrameDrawer::drawOutline(const Scene& scene, const DrawBatch& batch, Deadli
     });
 }
 
-/// Over the layers, however many of them lie in front.
+/// Before the layers, of which those in front are put over them and those behind are hidden.
 void FrameDrawer::drawLayerOutlines(const Scene& scene) {
     for (const DrawBatch& batch : transparentBatches()) {
         if (isLayered(materials_[batch.material])) {

@@ -253,7 +253,32 @@ TEST_F(Outlines, Veil_LiesOverTheLinesBehindIt) {
     const double distance = scene.camera.distance;
     const double radius = 0.5 * pixelsPerMetre(scene, distance) * distance /
                           std::sqrt(distance * distance - 0.25);
-    EXPECT_NEAR(redness(picture(scene), radius + 4.0), 0.5, 0.05);
+    for (const char* way : {"", "weighted", "peeled"}) {
+        scene.transparency.reset();
+        if (*way != '\0') {
+            scene.transparency = block("transparency", way);
+        }
+        EXPECT_NEAR(redness(picture(scene), radius + 4.0), 0.5, 0.05) << way;
+    }
+}
+
+/// The veil behind a line does not shine through it, whatever puts the layers together.
+TEST_F(Outlines, LinesBeforeAVeil_HideIt) {
+    Scene scene = lined("sphere", 8.0, 0.0);
+    scene.objects[0].scale = glm::dvec3(0.5);
+    scene.objects[0].material.opacity = 0.5;
+    Object veil = object("lambert", "plane");
+    veil.rotation = {90.0, 0.0, 0.0};
+    veil.translation = {0.0, 0.0, -1.0};
+    veil.material.opacity = 0.5;
+    scene.objects.push_back(veil);
+    const double distance = scene.camera.distance;
+    const double radius = 0.5 * pixelsPerMetre(scene, distance) * distance /
+                          std::sqrt(distance * distance - 0.25);
+    for (const char* way : {"weighted", "peeled"}) {
+        scene.transparency = block("transparency", way);
+        EXPECT_NEAR(redness(picture(scene), radius + 4.0), 1.0, 0.01) << way;
+    }
 }
 
 TEST_F(Outlines, ObjectAroundTheEye_IsDrawn) {
