@@ -130,22 +130,26 @@ ShownObject shownObject(const Subject& subject) {
             subject.scene.objects.size()};
 }
 
+/// The images of a scene.
+struct Images {
+    TextureLoader textures;
+    std::shared_ptr<const EnvironmentImage> environment;
+
+    KnownImages known() {
+        return {textures.source(), environment != nullptr && environment->isMissing};
+    }
+};
+
 Checked<void> printTable(const Subject& subject, const Options& options,
-                         const std::shared_ptr<const Catalog>& catalog, AssetClient& files) {
+                         const std::shared_ptr<const Catalog>& catalog, Images& images) {
     const auto& [scene, object, meshes] = subject;
     EffectTable table;
     table.object = shownObject(subject);
-    table.rows = objectRows(scene, object, *catalog, meshes);
+    table.rows = objectRows(scene, object, *catalog, meshes, images.known());
     if (!options.noCost) {
-        TextureLoader textures(files);
-        const auto environment = environmentPicture(scene, options.picture, *catalog, files);
-        if (!environment) {
-            return tl::unexpected(oneError(environment.error()));
-        }
-        auto costs = measured({scene, scene.camera, meshes, table.rows, catalog, textures.source(),
-                               *environment},
+        auto costs = measured({scene, scene.camera, meshes, table.rows, catalog,
+                               images.textures.source(), images.environment},
                               options);
-        report(textures.takeProblems());
         if (!costs) {
             return tl::unexpected(costs.error());
         }
@@ -189,8 +193,8 @@ void printStages(const std::string& name, const ProgramSource& program,
 }
 
 /// The program for what the table shows: seen from the scene's camera.
-Checked<void> printSource(const Subject& subject, const Options& options,
-                          const Catalog& catalog) {
+Checked<void> printSource(const Subject& subject, const Options& options, const Catalog& catalog,
+                          Images& images) {
     const auto& [scene, object, meshes] = subject;
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog,
                                     objectView(scene, object, catalog, meshes));
@@ -199,8 +203,9 @@ Checked<void> printSource(const Subject& subject, const Options& options,
         return tl::unexpected(programs.error());
     }
     if (options.json) {
-        nlohmann::json json = tableJson(
-            {shownObject(subject), objectRows(scene, object, catalog, meshes), {}});
+        nlohmann::json json =
+            tableJson({shownObject(subject),
+                       objectRows(scene, object, catalog, meshes, images.known()), {}});
         json.update(sourceJson(programs->front()));
         if (set.outline) {
             json["outline"] = sourceJson(programs->back());
@@ -245,8 +250,15 @@ Checked<void> effects(const Options& options) {
     report(loaded->remarks());
     const MeshSource meshes = [&loaded](const Object& each) { return loaded->view(each); };
     const Subject subject{setup->scene, *object, meshes};
-    return options.source ? printSource(subject, options, *catalog)
-                          : printTable(subject, options, catalog, files);
+    const auto environment = environmentPicture(setup->scene, options.picture, *catalog, files);
+    if (!environment) {
+        return tl::unexpected(oneError(environment.error()));
+    }
+    Images images{TextureLoader(files), *environment};
+    auto done = options.source ? printSource(subject, options, *catalog, images)
+                               : printTable(subject, options, catalog, images);
+    report(images.textures.takeProblems());
+    return done;
 }
 
 } // namespace

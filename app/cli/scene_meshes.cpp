@@ -39,8 +39,9 @@ void SceneMeshes::nameMissingPlaces(const Scene& scene) {
         if (!object.visible || !hasImages || hasImagePlaces(view(object).vertices)) {
             continue;
         }
-        const Error remark{object.mesh, 0, 0,
-                           "the mesh has no texture coordinates: an image on it is one colour", {}};
+        const Error remark{
+            object.mesh, 0, 0,
+            "the mesh has no texture coordinates: an image is the same all over it", {}};
         if (std::ranges::find(placeless_, remark) == placeless_.end()) {
             placeless_.push_back(remark);
         }

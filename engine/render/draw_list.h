@@ -18,7 +18,7 @@ namespace patina {
 /// One of the different materials of a frame, however many objects have it.
 struct DrawMaterial {
     std::size_t object = 0; ///< the first one that has it
-    std::uint64_t unreached = 0; ///< EffectView::unreached of its objects
+    std::size_t lack = 0;   ///< of lights, LightKinds::lackOf() for its objects
     bool isTransparent = false;
     bool canShadow = true;
     bool isOutlined = false; ///< its objects' meshes have edges

@@ -108,7 +108,9 @@ std::shared_ptr<const EnvironmentImage> EnvironmentImage::missing() {
             checker.pixels.push_back((field.x + field.y) % 2 == 0 ? light : 0.1f);
         }
     }
-    return from(checker);
+    auto placeholder = std::make_shared<EnvironmentImage>(*from(checker));
+    placeholder->isMissing = true;
+    return placeholder;
 }
 
 } // namespace patina

@@ -23,6 +23,7 @@ struct EnvironmentTexels {
 struct EnvironmentImage {
     EnvironmentTexels whole; ///< at most 4096 wide
     EnvironmentTexels small; ///< means over equal parts of it, at most 512 wide: where it is bright
+    bool isMissing = false;  ///< a placeholder, see missing()
 
     /// Of a panorama of any size. What is not a number is black; what is beyond a half float's
     /// range is its largest number. Takes a while for a large one: not for a window's own thread.

@@ -224,33 +224,32 @@ void FrameDrawer::collect(const Scene& scene, const View& view, const MeshSource
         }
         items_.push_back({i, mesh, &meshes_.prepare(mesh), &place,
                           glm::distance(place.middle, origin), lights,
-                          materialOf(scene, i, unreachedFrom(lights)),
+                          materialOf(scene, i, lackOf(lights)),
                           purpose == Purpose::Foresight || !isOutside(place, worldToClip)});
     }
 }
 
 /// Which lights the objects of a list have no code for. While a value is dragged the lists are data
 /// alone.
-std::uint64_t FrameDrawer::unreachedFrom(std::size_t lights) const {
-    return heldEffects_ ? 0 : lightKinds_.unreached(lightLists_, lights);
+std::size_t FrameDrawer::lackOf(std::size_t lights) {
+    return heldEffects_ ? 0 : lightKinds_.lackOf(lightLists_, lights);
 }
 
 /// The number of an object's material. Two objects share one when both its values and the effects
 /// of their programs are the same.
-std::size_t FrameDrawer::materialOf(const Scene& scene, std::size_t object,
-                                    std::uint64_t unreached) {
+std::size_t FrameDrawer::materialOf(const Scene& scene, std::size_t object, std::size_t lack) {
     const Material& effects = effects_->objects[object].material;
     std::uint64_t print = materialPrint(effects);
     if (heldEffects_) {
         print = 31 * print + materialPrint(scene.objects[object].material);
     }
-    if (unreached != 0) {
-        print = 31 * print + unreached;
+    if (lack != 0) {
+        print = 31 * print + lack;
     }
     const std::size_t number = materialKeys_.find(print, materials_.size());
     if (number == materials_.size()) {
         const bool isOutlined = outlineChoice(effects, *catalog_).block != nullptr;
-        materials_.push_back({object, unreached, isTransparent(effects, *catalog_),
+        materials_.push_back({object, lack, isTransparent(effects, *catalog_),
                               canShadow(scene.objects[object].material, *catalog_), isOutlined,
                               nullptr, {}, {}});
     }

@@ -144,8 +144,8 @@ class FrameDrawer {
     void drawUnseen(const Scene& scene, const View& view, const MeshSource& meshes);
     bool fail(Error error);
     void collect(const Scene& scene, const View& view, const MeshSource& meshes, Purpose purpose);
-    std::size_t materialOf(const Scene& scene, std::size_t object, std::uint64_t unreached);
-    std::uint64_t unreachedFrom(std::size_t lights) const;
+    std::size_t materialOf(const Scene& scene, std::size_t object, std::size_t lack);
+    std::size_t lackOf(std::size_t lights);
     void makeRoomForLights();
     void count();
     Result<void> fitTarget(const PictureAccuracy& accuracy, const View& view,
@@ -158,7 +158,7 @@ class FrameDrawer {
     void fillTables(const Scene& scene);
     void beginSurroundings();
     FogReach fogReach() const;
-    PipelineStore::Surroundings surroundings(std::uint64_t unreached);
+    PipelineStore::Surroundings surroundings(std::size_t lack);
     void planShadows(const Scene& scene);
     bool drawShadows(Deadline deadline);
     void planGround(const Scene& scene, const View& view);
@@ -220,7 +220,7 @@ class FrameDrawer {
     LightLists lightLists_;
     LightKinds lightKinds_;
     EffectView effectView_; ///< what the view says to the frame's programs
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> sceneKeys_; ///< by EffectView::unreached
+    std::vector<std::pair<std::size_t, std::uint64_t>> sceneKeys_; ///< by DrawMaterial::lack
     ShadowMaps shadows_;
     std::optional<Error> shadowError_;
     GroundItem ground_;

@@ -43,14 +43,14 @@ std::uint64_t FrameDrawer::lackedPrograms(const Scene& scene, const View& view,
     for (const DrawMaterial& material : materials_) {
         const std::uint64_t key =
             EffectKey::ofMaterial(effects_->objects[material.object].material, *catalog_);
-        const std::uint64_t around = surroundings(material.unreached).key;
+        const std::uint64_t around = surroundings(material.lack).key;
         if (!pipelines_.has(key, around)) {
             boost::hash_combine(lacked, key);
             boost::hash_combine(lacked, around);
         }
     }
     if (ground_.isSeen) {
-        const std::uint64_t around = surroundings(unreachedFrom(ground_.lights)).key;
+        const std::uint64_t around = surroundings(lackOf(ground_.lights)).key;
         if (!pipelines_.hasGround(effects_->ground.mode, around)) {
             boost::hash_combine(lacked, 1);
             boost::hash_combine(lacked, around);

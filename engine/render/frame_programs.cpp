@@ -47,21 +47,21 @@ FogReach FrameDrawer::fogReach() const {
     return fog;
 }
 
-/// What is around objects that these lights do not reach.
-PipelineStore::Surroundings FrameDrawer::surroundings(std::uint64_t unreached) {
+/// What is around objects with this lack of lights.
+PipelineStore::Surroundings FrameDrawer::surroundings(std::size_t lack) {
     EffectView view = effectView_;
-    view.unreached = unreached;
-    auto known = std::ranges::find(sceneKeys_, unreached,
-                                   &std::pair<std::uint64_t, std::uint64_t>::first);
+    view.unreached = lightKinds_.lights(lack);
+    auto known =
+        std::ranges::find(sceneKeys_, lack, &std::pair<std::size_t, std::uint64_t>::first);
     if (known == sceneKeys_.end()) {
-        known = sceneKeys_.insert(known, {unreached, keys_.ofScene(*effects_, *catalog_, view)});
+        known = sceneKeys_.insert(known, {lack, keys_.ofScene(*effects_, *catalog_, view)});
     }
     return {*effects_, known->second, view};
 }
 
 /// A program that does not compile leaves the objects with the last good one.
 void FrameDrawer::choosePipeline(DrawMaterial& material) {
-    const PipelineStore::Surroundings around = surroundings(material.unreached);
+    const PipelineStore::Surroundings around = surroundings(material.lack);
     const Material& effects = effects_->objects[material.object].material;
     const std::uint64_t key = EffectKey::ofMaterial(effects, *catalog_);
     const PipelineStore::Entry& entry = pipelines_.get(effects, key, around);

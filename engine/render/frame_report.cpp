@@ -59,7 +59,7 @@ void FrameDrawer::describeEffects() {
     for (const DrawMaterial& used : materials_) {
         const Material& material = effects_->objects[used.object].material;
         const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
-        const PipelineStore::Surroundings around = surroundings(used.unreached);
+        const PipelineStore::Surroundings around = surroundings(used.lack);
         for (const Error& error : pipelines_.get(material, key, around).errors) {
             addOnce(report_.messages, error);
         }

@@ -95,7 +95,7 @@ void FrameDrawer::chooseGround() {
         return;
     }
     const PipelineStore::Entry& entry =
-        pipelines_.ground(surroundings(unreachedFrom(ground_.lights)));
+        pipelines_.ground(surroundings(lackOf(ground_.lights)));
     ground_.pipeline = entry.pipeline ? entry.pipeline : ground_.pipeline;
     ground_.isSeen = ground_.pipeline && ground_.pipeline->effects.ground != GroundMode::Off;
     if (!ground_.isSeen) {

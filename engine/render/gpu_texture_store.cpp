@@ -48,18 +48,6 @@ const std::shared_ptr<const TexturePicture>& placeholder(TextureRole role) {
     }
 }
 
-TextureDecoding decodingOf(const TextureUse& use, const TextureEffect& effect) {
-    switch (use.colorSpace) {
-    case TextureColorSpace::Srgb:
-        return TextureDecoding::Srgb;
-    case TextureColorSpace::Linear:
-        return TextureDecoding::Linear;
-    default:
-        return isColorUse(effect.role, effect.channel) ? TextureDecoding::Color
-                                                       : TextureDecoding::Linear;
-    }
-}
-
 /// Whether the alpha itself is meant, of an image that has none. Else its grey counts there.
 bool showsOpaque(const TexturePicture& picture, const TextureUse& use) {
     return !picture.hasAlpha && use.channel == TextureChannel::Alpha;

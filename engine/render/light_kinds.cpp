@@ -5,39 +5,71 @@
 
 #include "shading/effect_choice.h"
 #include "shading/effect_key.h"
-#include "shading/effect_view.h"
 
 namespace patina {
 
 void LightKinds::begin(const Scene& effects, const Catalog& catalog) {
-    kinds_.clear();
+    keys_.clear();
+    lackOf_.clear();
+    lacks_ = 0;
+    kindOf_.assign(effects.lights.size(), 0);
     const bool shadows = hasShadows(effects, catalog);
     for (std::size_t i = 0; i < effects.lights.size(); ++i) {
         const std::uint64_t key = EffectKey::ofLight(effects.lights[i], catalog, shadows);
         if (key == 0) {
             continue;
         }
-        auto kind = std::ranges::find(kinds_, key, &Kind::key);
-        if (kind == kinds_.end()) {
-            kind = kinds_.insert(kind, {key, 0, true});
-        }
-        if (i < EffectView::knownLights) {
-            kind->lights |= std::uint64_t(1) << i;
-        } else {
-            kind->isKnown = false;
+        const auto kind = std::ranges::find(keys_, key);
+        kindOf_[i] = static_cast<std::size_t>(kind - keys_.begin()) + 1;
+        if (kind == keys_.end()) {
+            keys_.push_back(key);
         }
     }
 }
 
-std::uint64_t LightKinds::unreached(const LightLists& lists, std::size_t list) const {
-    const std::uint64_t missing = lists.unreached(list);
-    std::uint64_t lights = 0;
-    for (const Kind& kind : kinds_) {
-        if (kind.isKnown && (kind.lights & ~missing) == 0) {
-            lights |= kind.lights;
+std::size_t LightKinds::lackOf(const LightLists& lists, std::size_t list) {
+    if (lackOf_.size() <= list) {
+        lackOf_.resize(list + 1, 0);
+    }
+    if (lackOf_[list] == 0) {
+        lackOf_[list] = find(lists, list) + 1;
+    }
+    return lackOf_[list] - 1;
+}
+
+std::size_t LightKinds::find(const LightLists& lists, std::size_t list) {
+    isThere_.assign(keys_.size(), 0);
+    for (std::size_t i = 0; i < kindOf_.size(); ++i) {
+        if (kindOf_[i] != 0 && lists.holds(list, i)) {
+            isThere_[kindOf_[i] - 1] = 1;
         }
     }
-    return lights;
+    found_.clear();
+    for (std::size_t i = 0; i < kindOf_.size(); ++i) {
+        if (kindOf_[i] != 0 && isThere_[kindOf_[i] - 1] == 0) {
+            found_.add(i);
+        }
+    }
+    std::size_t lack = found_.empty() ? 0 : 1;
+    while (lack != 0 && lack <= lacks_ && !(*lights_[lack - 1] == found_)) {
+        ++lack;
+    }
+    if (lack <= lacks_) {
+        return lack;
+    }
+    if (lights_.size() == lacks_) {
+        lights_.emplace_back();
+    }
+    std::shared_ptr<LightSet>& kept = lights_[lacks_++];
+    if (kept.use_count() != 1) {
+        kept = std::make_shared<LightSet>();
+    }
+    *kept = found_;
+    return lack;
+}
+
+std::shared_ptr<const LightSet> LightKinds::lights(std::size_t lack) const {
+    return lack == 0 ? nullptr : lights_[lack - 1];
 }
 
 } // namespace patina

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "catalog/catalog.h"
 #include "render/light_lists.h"
 #include "scene/scene.h"
+#include "shading/light_set.h"
 
 namespace patina {
 
@@ -18,18 +20,22 @@ class LightKinds {
     /// A new frame. `effects` has the effects that the programs are to have.
     void begin(const Scene& effects, const Catalog& catalog);
 
-    /// The lights of the kinds that the list lacks, as EffectView::unreached has them.
-    std::uint64_t unreached(const LightLists& lists, std::size_t list) const;
+    /// The number of what a list lacks, the same for lists that lack the same kinds; 0: nothing.
+    std::size_t lackOf(const LightLists& lists, std::size_t list);
+
+    /// The lights of the kinds that are lacking, as EffectView::unreached; null for 0.
+    std::shared_ptr<const LightSet> lights(std::size_t lack) const;
 
   private:
-    /// Lights that one loop of a program goes through.
-    struct Kind {
-        std::uint64_t key = 0;    ///< EffectKey::ofLight
-        std::uint64_t lights = 0; ///< as EffectView::unreached
-        bool isKnown = true;      ///< all of its lights are among these
-    };
+    std::size_t find(const LightLists& lists, std::size_t list);
 
-    std::vector<Kind> kinds_;
+    std::vector<std::uint64_t> keys_;  ///< by kind: EffectKey::ofLight of its lights
+    std::vector<std::size_t> kindOf_;  ///< by light: its kind + 1; 0: it is in no program
+    std::vector<std::size_t> lackOf_;  ///< by list: its lack + 1; 0: not known yet
+    std::vector<char> isThere_;        ///< by kind
+    LightSet found_;
+    std::size_t lacks_ = 0;
+    std::vector<std::shared_ptr<LightSet>> lights_; ///< by lack - 1; those from lacks_ on are spare
 };
 
 } // namespace patina

@@ -6,8 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "shading/effect_view.h"
-
 namespace patina {
 namespace {
 
@@ -105,11 +103,11 @@ bool LightLists::holds(std::size_t list, std::size_t light) const {
            ((bits_[list * words_ + (place - 1) / wordBits] >> ((place - 1) % wordBits)) & 1) != 0;
 }
 
-std::uint64_t LightLists::unreached(std::size_t list) const {
-    std::uint64_t lights = 0;
+LightSet LightLists::unreached(std::size_t list) const {
+    LightSet lights;
     for (const Bounded& bounded : bounded_) {
-        if (bounded.light < EffectView::knownLights && !holds(list, bounded.light)) {
-            lights |= std::uint64_t(1) << bounded.light;
+        if (!holds(list, bounded.light)) {
+            lights.add(bounded.light);
         }
     }
     return lights;

@@ -11,6 +11,7 @@
 #include "render/ground_place.h"
 #include "scene/scene.h"
 #include "shading/light_reach.h"
+#include "shading/light_set.h"
 
 namespace patina {
 
@@ -41,8 +42,11 @@ class LightLists {
 
     bool holds(std::size_t list, std::size_t light) const;
 
-    /// The lights that are not on the list, as EffectView::unreached has them.
-    std::uint64_t unreached(std::size_t list) const;
+    /// The lights that are not on the list.
+    LightSet unreached(std::size_t list) const;
+
+    /// Whether every object has all lights.
+    bool isOne() const { return bounded_.empty(); }
 
     std::size_t count() const { return words_ == 0 ? 1 : bits_.size() / words_; }
 

@@ -2,6 +2,7 @@
 #include "render/object_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -12,41 +13,52 @@
 #include "render/scene_depth.h"
 #include "shading/effect_choice.h"
 #include "shading/light_effects.h"
+#include "shading/light_reach.h"
 #include "shading/texture_choice.h"
+#include "shading/texture_effects.h"
 
 namespace patina {
 namespace {
 
 constexpr std::string_view textureKind = "texture/";
+constexpr std::string_view environmentKind = "environment/";
 
-/// Where a light with a reach is.
-glm::dvec3 placeOf(const Light& light, const Block& block) {
-    const Parameter* from = block.parameter(block.reach->from);
-    const auto* place = from == nullptr ? nullptr
-                                        : std::get_if<glm::dvec3>(
-                                              &givenValue(*from, light.block.parameters));
-    return place == nullptr ? glm::dvec3(0.0) : *place;
+/// From a point to a box of object space.
+double distanceTo(const Bounds& bounds, const glm::dmat4& world, const glm::dvec3& point) {
+    const glm::dvec3 way = point - ballAround(bounds, world).center;
+    glm::dvec3 outside(0.0);
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 edge(world[i]);
+        const double length = glm::length(edge);
+        const double half = 0.5 * length * double(bounds.upper[i] - bounds.lower[i]);
+        const double along = length > 0.0 ? std::abs(glm::dot(way, edge / length)) : 0.0;
+        outside[i] = std::max(along - half, 0.0);
+    }
+    return glm::length(outside);
 }
 
-std::string whyUnreached(const Light& light, const Block& block, const Ball& ball) {
-    const double away =
-        std::max(glm::distance(placeOf(light, block), ball.center) - ball.radius, 0.0);
-    return fmt::format("Its range or its cone ends before this object, which begins {:.3g} m away.",
-                       away);
+/// Why a light is not on an object's list, by the ball around it.
+std::string whyUnreached(const LightReach& reach, const Bounds& bounds, const glm::dmat4& world) {
+    const Ball ball = ballAround(bounds, world);
+    if (!(reach.range > 0.0) ||
+        glm::distance(reach.from, ball.center) - ball.radius <= reach.range) {
+        return "Its cone misses this object.";
+    }
+    return fmt::format("Its range of {:.3g} m ends before this object, which is at least {:.3g} m "
+                       "away.",
+                       reach.range, distanceTo(bounds, world, reach.from));
 }
 
 /// A row for each light that shines and does not reach the object.
 void addUnreached(std::vector<EffectRow>& rows, const Scene& scene, std::size_t object,
-                  const Catalog& catalog, const MeshView& mesh) {
-    LightLists lists;
-    lists.begin(scene, catalog);
-    const Ball ball = ballAround(mesh.bounds, worldMatrix(scene.objects[object]));
-    const std::size_t list = lists.listFor(ball);
+                  const Catalog& catalog, const EffectView& view, const MeshView& mesh) {
+    const glm::dmat4 world = worldMatrix(scene.objects[object]);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
         const Block* block = catalog.find("lights", light.block.id);
-        if (block != nullptr && canShine(light, *block) && !lists.holds(list, i)) {
-            rows.push_back({{lightName(scene, i), {}, whyUnreached(light, *block, ball)},
+        if (block != nullptr && canShine(light, *block) && !view.reaches(i)) {
+            rows.push_back({{lightName(scene, i), {},
+                             whyUnreached(reachOf(light, *block), mesh.bounds, world)},
                             false,
                             false,
                             {}});
@@ -54,20 +66,57 @@ void addUnreached(std::vector<EffectRow>& rows, const Scene& scene, std::size_t 
     }
 }
 
-bool isImage(const EffectRow& row) {
-    return row.in && row.line.effect.starts_with(textureKind);
+/// What an image does that is the same all over the object.
+const char* evenlyText(const TextureEffect& image) {
+    switch (image.role) {
+    case TextureRole::Normal:
+        return "it leans all of the surface the same way";
+    case TextureRole::Height:
+        return "it has no effect";
+    case TextureRole::Opacity:
+        return "it is one opacity";
+    default:
+        return image.isColor ? "it is one colour" : "it is one value";
+    }
 }
 
-/// An image is one colour on a mesh that does not say where it lies.
-void nameMissingPlaces(std::vector<EffectRow>& rows, const MeshView& mesh) {
-    if (std::ranges::none_of(rows, isImage) || hasImagePlaces(mesh.vertices)) {
-        return;
-    }
+bool isMissing(const TextureUse& use, const TextureEffect& image, const KnownImages& images) {
+    return images.textures && images.textures(use, decodingOf(use, image)).isMissing;
+}
+
+const char* missingText(const TextureUse& use) {
+    return use.outside ? " The image's file lies outside the preset's folder and is not "
+                         "read: a placeholder is shown."
+                       : " The image's file is missing or cannot be read: a placeholder is shown.";
+}
+
+/// What an image's own row does not know: whether there is one, and whether the mesh says where it
+/// lies.
+void describeImages(std::vector<EffectRow>& rows, const Material& material, const Catalog& catalog,
+                    const MeshView& mesh, const KnownImages& images) {
+    const bool isPlaceless = !mesh.indices.empty() && !hasImagePlaces(mesh.vertices);
     for (EffectRow& row : rows) {
-        if (isImage(row)) {
-            row.line.reason =
-                "An image is bound to it, but the mesh has no texture coordinates: it is one "
-                "colour.";
+        if (!row.in || !row.line.effect.starts_with(textureKind)) {
+            continue;
+        }
+        const auto use = material.textures.find(row.line.effect.substr(textureKind.size()));
+        const TextureEffect image = textureEffect(use->first, use->second, material, catalog);
+        if (isMissing(use->second, image, images)) {
+            row.line.reason += missingText(use->second);
+        }
+        if (isPlaceless) {
+            row.line.reason +=
+                fmt::format(" The mesh has no texture coordinates: {}.", evenlyText(image));
+        }
+    }
+}
+
+void describeEnvironment(std::vector<EffectRow>& rows, const KnownImages& images) {
+    for (EffectRow& row : rows) {
+        if (images.isEnvironmentMissing && row.in &&
+            row.line.effect.starts_with(environmentKind)) {
+            row.line.reason = "The file of the environment's picture is missing or cannot be read: "
+                              "a placeholder sends light.";
         }
     }
 }
@@ -91,23 +140,22 @@ void takeOut(std::vector<EffectRow>& rows, const std::string& reason) {
 } // namespace
 
 std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
-                                  const MeshSource& meshes) {
-    std::vector<EffectRow> rows =
-        effectRows(scene, object, catalog, objectView(scene, object, catalog, meshes));
+                                  const MeshSource& meshes, const KnownImages& images) {
+    const EffectView view = objectView(scene, object, catalog, meshes);
+    std::vector<EffectRow> rows = effectRows(scene, object, catalog, view);
+    const Material& material = scene.objects[object].material;
     if (!scene.objects[object].visible) {
         takeOut(rows, "The object is hidden.");
         return rows;
     }
-    if (!canBeSeen(scene.objects[object].material)) {
+    if (!canBeSeen(material)) {
         takeOut(rows, "Nothing of the object can be seen: its opacity is 0.");
         return rows;
     }
     const MeshView mesh = meshes(scene.objects[object]);
-    if (mesh.indices.empty()) {
-        return rows;
-    }
-    addUnreached(rows, scene, object, catalog, mesh);
-    nameMissingPlaces(rows, mesh);
+    addUnreached(rows, scene, object, catalog, view, mesh);
+    describeImages(rows, material, catalog, mesh, images);
+    describeEnvironment(rows, images);
     return rows;
 }
 

@@ -4,14 +4,22 @@
 #include <vector>
 
 #include "render/renderer.h"
+#include "render/texture_source.h"
 #include "shading/effect_rows.h"
 
 namespace patina {
 
+/// What is known of a scene's images.
+struct KnownImages {
+    TextureSource textures{};          ///< empty: nothing is known of those on surfaces
+    bool isEnvironmentMissing = false; ///< a placeholder is in its place
+};
+
 /// The effects of one object of the scene as the scene's camera sees them, by what is known of its
-/// mesh too: lights that do not reach it are out, with the distance, and images say that the mesh
-/// has no texture coordinates. What only a mesh tells is not told while it is not there.
+/// mesh and of images too: lights that do not reach it are out, with the distance, and images say
+/// that their file is missing or the mesh has no texture coordinates. What only a mesh tells is not
+/// told while it is not there.
 std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
-                                  const MeshSource& meshes);
+                                  const MeshSource& meshes, const KnownImages& images = {});
 
 } // namespace patina

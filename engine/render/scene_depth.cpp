@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/scene_depth.h"
 
+#include <memory>
+
 #include "render/fog_reach.h"
 #include "render/frustum.h"
 #include "render/ground_place.h"
@@ -8,6 +10,28 @@
 #include "shading/texture_choice.h"
 
 namespace patina {
+namespace {
+
+bool isDrawn(const Object& object) {
+    return object.visible && canBeSeen(object.material);
+}
+
+/// The number of an object's list. Those before it get theirs first, as in a frame, which may have
+/// none left.
+std::size_t listFor(std::size_t object, LightLists& lists, const Scene& scene,
+                    const MeshSource& meshes) {
+    std::size_t list = 0;
+    for (std::size_t i = 0; i <= object; ++i) {
+        const Object& each = scene.objects[i];
+        const MeshView mesh = i == object || isDrawn(each) ? meshes(each) : MeshView();
+        if (!mesh.indices.empty()) {
+            list = lists.listFor(ballAround(mesh.bounds, worldMatrix(each)));
+        }
+    }
+    return list;
+}
+
+} // namespace
 
 EffectView effectView(const Scene& scene, const Camera& camera, const Catalog& catalog,
                       const MeshSource& meshes) {
@@ -16,7 +40,7 @@ EffectView effectView(const Scene& scene, const Camera& camera, const Catalog& c
     GroundUnder under;
     FogReach fog(scene, catalog, eye(camera));
     for (const Object& object : scene.objects) {
-        if (!object.visible || !canBeSeen(object.material)) {
+        if (!isDrawn(object)) {
             continue;
         }
         const MeshView mesh = meshes(object);
@@ -37,12 +61,11 @@ EffectView effectView(const Scene& scene, const Camera& camera, const Catalog& c
 EffectView objectView(const Scene& scene, std::size_t object, const Catalog& catalog,
                       const MeshSource& meshes) {
     EffectView view = effectView(scene, scene.camera, catalog, meshes);
-    const MeshView mesh = meshes(scene.objects[object]);
-    if (!mesh.indices.empty()) {
-        LightLists lists;
-        lists.begin(scene, catalog);
-        view.unreached = lists.unreached(
-            lists.listFor(ballAround(mesh.bounds, worldMatrix(scene.objects[object]))));
+    LightLists lists;
+    lists.begin(scene, catalog);
+    if (!lists.isOne() && !meshes(scene.objects[object]).indices.empty()) {
+        view.unreached = std::make_shared<const LightSet>(
+            lists.unreached(listFor(object, lists, scene, meshes)));
     }
     return view;
 }

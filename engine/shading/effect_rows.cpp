@@ -66,7 +66,7 @@ Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
 
 /// The ground is lit by lights that do not reach the object.
 EffectSet groundOf(const Scene& scene, const Catalog& catalog, EffectView view) {
-    view.unreached = 0;
+    view.unreached.reset();
     return groundEffects(scene, catalog, view);
 }
 

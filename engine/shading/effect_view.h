@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <memory>
+
+#include "shading/light_set.h"
 
 namespace patina {
 
@@ -13,18 +14,13 @@ struct EffectView {
     /// that nothing is left out because of it.
     double farthest = std::numeric_limits<double>::infinity();
 
-    /// Bit i: the scene's light i ends before what is drawn. Of lights beyond these nobody knows.
-    std::uint64_t unreached = 0;
-    static constexpr std::size_t knownLights = 64;
+    /// The scene's lights that end before what is drawn; null: none.
+    std::shared_ptr<const LightSet> unreached = nullptr;
 
     /// No ray from the eye to what is drawn meets the box that the scene's fog fills.
     bool missesFog = false;
 
-    bool reaches(std::size_t light) const {
-        return light >= knownLights || ((unreached >> light) & 1) == 0;
-    }
-
-    friend bool operator==(const EffectView&, const EffectView&) = default;
+    bool reaches(std::size_t light) const { return unreached == nullptr || !unreached->has(light); }
 };
 
 } // namespace patina

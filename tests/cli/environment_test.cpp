@@ -67,6 +67,8 @@ TEST(EnvironmentOption, PictureOfASceneThatIsGone_IsAWarningAndAPlaceholder) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("gone.hdr"), std::string::npos) << outcome.err;
     EXPECT_FALSE(outcome.out.empty());
+    const Outcome effects = patina({"effects", "--scene", scene, "--no-cost"});
+    EXPECT_NE(effects.out.find("a placeholder sends light"), std::string::npos) << effects.out;
 }
 
 TEST(EnvironmentOption, Effects_NameIt) {

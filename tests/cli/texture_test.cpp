@@ -101,6 +101,10 @@ TEST_F(TextureOption, MissingFileInAPreset_IsAMessageAndAPicture) {
         {"render", folder_ / "a.patina.json", "--size", "16x16", "-o", folder_ / "out.png"});
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_NE(outcome.err.find("gone.png: no such file"), std::string::npos) << outcome.err;
+    const Outcome effects = patina({"effects", "--no-cost", folder_ / "a.patina.json"});
+    EXPECT_NE(effects.out.find("missing or cannot be read: a placeholder"), std::string::npos)
+        << effects.out;
+    EXPECT_NE(effects.err.find("gone.png: no such file"), std::string::npos) << effects.err;
 }
 
 TEST_F(TextureOption, MeshWithoutTextureCoordinates_IsSaid) {
@@ -113,7 +117,7 @@ TEST_F(TextureOption, MeshWithoutTextureCoordinates_IsSaid) {
         << picture.err;
     const Outcome effects = patina({"effects", "--no-cost", "--model", "phong", "--mesh", mesh,
                                     "--texture", "diffuse.color=" + image()});
-    EXPECT_NE(effects.out.find("bound to it, but the mesh has no texture coordinates"),
+    EXPECT_NE(effects.out.find("The mesh has no texture coordinates: it is one colour."),
               std::string::npos)
         << effects.out;
 }

@@ -55,6 +55,14 @@ class LightListsTest : public GpuTest {
         return std::nullopt;
     }
 
+    static LightSet lightSet(std::initializer_list<std::size_t> lights) {
+        LightSet set;
+        for (const std::size_t each : lights) {
+            set.add(each);
+        }
+        return set;
+    }
+
     bool isInTheFrame(const std::string& effect) const {
         return std::ranges::count(renderer->report().effects, effect) > 0;
     }
@@ -172,7 +180,7 @@ TEST_F(LightListsTest, RangedLamp_LightsTheNearSphereOnly) {
     EXPECT_EQ(pixel(with, 50, 32), pixel(without, 50, 32));
 }
 
-/// From the lamp to the middle of the second sphere, less half the diagonal of its box.
+/// From the lamp to the nearest edge of the second sphere's box.
 TEST_F(LightListsTest, LampThatDoesNotReachAnObject_SaysHowFarThatIs) {
     Scene scene = twoSpheres();
     scene.lights[1].name = "Lamp";
@@ -180,12 +188,39 @@ TEST_F(LightListsTest, LampThatDoesNotReachAnObject_SaysHowFarThatIs) {
     const std::optional<EffectRow> lamp = row(scene, 1, "Lamp");
     ASSERT_TRUE(lamp);
     EXPECT_FALSE(lamp->in);
-    const double half = glm::length(glm::dvec3(mesh(scene.objects[1]).bounds.upper));
-    EXPECT_NE(lamp->line.reason.find(fmt::format("{:.3g} m", std::sqrt(40.0) - half)),
-              std::string::npos)
-        << lamp->line.reason;
+    EXPECT_EQ(lamp->line.reason,
+              fmt::format("Its range of 3.5 m ends before this object, which is at least {:.3g} m "
+                          "away.",
+                          std::sqrt(26.0)));
     scene.lights[1].enabled = false;
     EXPECT_EQ(row(scene, 1, "Lamp")->line.reason, "It is switched off.");
+}
+
+/// A thin stick along z, turned: the ball around it would begin 3 m nearer.
+TEST_F(LightListsTest, DistanceOfATurnedObject_IsThatOfItsBox) {
+    Scene scene = twoSpheres();
+    scene.objects[0].mesh = "builtin:cube";
+    scene.objects[0].translation = {10.0, 0.0, 0.0};
+    scene.objects[0].scale = {0.5, 0.5, 4.0};
+    const double side = 0.5 * double(mesh(scene.objects[0]).bounds.upper.x);
+    scene.lights = {lamp({0.0, 0.0, 0.0}, 2.0)};
+    scene.lights[0].name = "Lamp";
+    EXPECT_NE(row(scene, 0, "Lamp")->line.reason.find(fmt::format("{:.3g} m away", 10.0 - side)),
+              std::string::npos)
+        << row(scene, 0, "Lamp")->line.reason;
+    scene.objects[0].rotation = {0.0, 0.0, 45.0};
+    EXPECT_NE(row(scene, 0, "Lamp")
+                  ->line.reason.find(fmt::format("{:.3g} m away", 10.0 - std::sqrt(2.0) * side)),
+              std::string::npos)
+        << row(scene, 0, "Lamp")->line.reason;
+}
+
+TEST_F(LightListsTest, ConeThatMissesAnObject_SaysSo) {
+    Scene scene = simpleScene();
+    scene.lights = {spot(10.0)};
+    scene.lights[0].name = "Spot";
+    scene.objects[0].translation = {0.0, 10.0, 0.0};
+    EXPECT_EQ(row(scene, 0, "Spot")->line.reason, "Its cone misses this object.");
 }
 
 TEST_F(LightListsTest, LampThatDoesNotReachAnObject_IsNotNamedAmongThoseThatShine) {
@@ -270,23 +305,62 @@ TEST_F(LightListsTest, Kind_IsMissingWhereAllOfItsLightsAre) {
     lists.begin(scene, *catalog);
     LightKinds kinds;
     kinds.begin(scene, *catalog);
-    constexpr std::uint64_t lamps = 0b101;
-    constexpr std::uint64_t spots = 0b010;
-    EXPECT_EQ(kinds.unreached(lists, lists.listFor({{0, 0, 0}, 0.5})), 0u);
-    EXPECT_EQ(kinds.unreached(lists, lists.listFor({{5, 0, 0}, 0.5})), lamps);
-    EXPECT_EQ(kinds.unreached(lists, lists.listFor({{-5, 0, 0}, 0.5})), lamps | spots);
-    EXPECT_EQ(kinds.unreached(lists, 0), 0u);
+    EXPECT_EQ(kinds.lackOf(lists, lists.listFor({{0, 0, 0}, 0.5})), 0u);
+    EXPECT_EQ(kinds.lackOf(lists, 0), 0u);
+    EXPECT_EQ(kinds.lights(0), nullptr);
+    const auto lamps = kinds.lackOf(lists, lists.listFor({{5, 0, 0}, 0.5}));
+    const auto both = kinds.lackOf(lists, lists.listFor({{-5, 0, 0}, 0.5}));
+    EXPECT_NE(lamps, both);
+    EXPECT_EQ(*kinds.lights(lamps), lightSet({0, 2}));
+    EXPECT_EQ(*kinds.lights(both), lightSet({0, 1, 2}));
 }
 
-/// There is no bit for the last one.
-TEST_F(LightListsTest, MoreLightsThanAreKnown_StayInThePrograms) {
+TEST_F(LightListsTest, ListsThatLackTheSameKinds_AreOneLack) {
     Scene scene;
-    scene.lights.assign(EffectView::knownLights + 1, lamp({0, 0, 0}, 1.0));
+    scene.lights = {spot(30.0), lamp({0, 0, 0}, 1.0), lamp({10, 0, 0}, 1.0)};
+    scene.lights[0].block.parameters["range"] = 1.0;
     LightLists lists;
     lists.begin(scene, *catalog);
     LightKinds kinds;
     kinds.begin(scene, *catalog);
-    EXPECT_EQ(kinds.unreached(lists, lists.listFor({{50, 0, 0}, 0.5})), 0u);
+    const std::size_t first = lists.listFor({{-1.2, 0, 0}, 0.5});
+    const std::size_t second = lists.listFor({{10, 0, 0}, 0.5});
+    EXPECT_NE(first, second);
+    EXPECT_EQ(kinds.lackOf(lists, first), 1u);
+    EXPECT_EQ(kinds.lackOf(lists, second), 1u);
+}
+
+/// A hundred lamps beside the first sphere and none that reaches the second.
+TEST_F(LightListsTest, HundredLamps_AreInNoProgramThatTheyDoNotReach) {
+    makeRenderer();
+    Scene scene = twoSpheres();
+    scene.lights.resize(1);
+    scene.lights.resize(101, lamp({-3.0, 0.0, 2.0}, 3.5));
+    capture(scene);
+    EXPECT_EQ(renderer->report().programs, 2);
+    EXPECT_TRUE(row(scene, 0, "lights/point")->in);
+    EXPECT_FALSE(row(scene, 1, "lights/point"));
+    EXPECT_FALSE(row(scene, 1, "light 101")->in);
+    scene.objects[0].visible = false;
+    capture(scene);
+    EXPECT_FALSE(isInTheFrame("lights/point"));
+}
+
+/// Each sphere has a lamp of its own, and there are more than there may be lists: the last ones are
+/// shaded by all lamps, and say so.
+TEST_F(LightListsTest, ObjectWithoutAListOfItsOwn_NamesAllLights) {
+    Scene scene;
+    for (int i = 0; i < 70; ++i) {
+        scene.objects.push_back(object("lambert"));
+        scene.objects.back().translation.x = 10.0 * i;
+        scene.lights.push_back(lamp({10.0 * i, 0, 0}, 2.0));
+    }
+    constexpr std::size_t last = LightLists::most - 2; // beside the list of all lights
+    EXPECT_EQ(row(scene, last, "lights/point")->line.reason,
+              fmt::format("light {} shines.", last + 1));
+    EXPECT_TRUE(row(scene, last, "light 1"));
+    EXPECT_EQ(row(scene, 69, "lights/point")->line.reason, "70 lights shine.");
+    EXPECT_FALSE(row(scene, 69, "light 1"));
 }
 
 TEST_F(LightListsTest, SecondFrameOfTwoLists_UploadsNothing) {
@@ -309,29 +383,6 @@ TEST_F(LightListsTest, MovingLamp_CompilesNothing) {
     }
     EXPECT_EQ(compiled, 0);
 }
-
-/// Where the roughnesses meet the program changes, and the picture must not.
-class EqualRoughness : public GpuTest, public testing::WithParamInterface<const char*> {};
-
-TEST_P(EqualRoughness, Picture_IsThatOfNearlyEqualOnes) {
-    makeRenderer();
-    Scene scene = simpleScene(GetParam());
-    Values& values = scene.objects[0].material.model.parameters;
-    const bool isWard = values.contains("roughness.x");
-    const std::string stem = isWard ? "roughness." : "shininess.";
-    const double value = isWard ? 0.25 : 50.0;
-    values[stem + "x"] = value;
-    values[stem + "y"] = value;
-    const Image equal = capture(scene);
-    values[stem + "y"] = value * (1.0 + 1e-6);
-    const Image nearly = capture(scene);
-    EXPECT_EQ(renderer->report().compiled, 1);
-    for (std::size_t i = 0; i < equal.pixels.size(); ++i) {
-        ASSERT_NEAR(equal.pixels[i], nearly.pixels[i], 2e-3 * (1.0 + nearly.pixels[i])) << i;
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Models, EqualRoughness, testing::Values("ward", "ashikhmin-shirley"));
 
 } // namespace
 } // namespace patina

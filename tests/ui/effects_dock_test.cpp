@@ -115,6 +115,8 @@ TEST_F(EffectsPanel, Image_IsCalledByWhatItChanges) {
     const QString label = row("texture/")->text(0);
     EXPECT_TRUE(label.startsWith("Image of ")) << label.toStdString();
     EXPECT_FALSE(label.contains("diffuse.color"));
+    const auto saysIt = [this] { return row("texture/")->text(3).contains("placeholder"); };
+    EXPECT_TRUE(QTest::qWaitFor(saysIt, waitMs)) << row("texture/")->text(3).toStdString();
     const QString line = window().findChild<QLabel*>("statusEffects")->text();
     EXPECT_TRUE(line.contains(label)) << line.toStdString();
     EXPECT_FALSE(line.contains('/')) << line.toStdString();
@@ -249,6 +251,17 @@ TEST_F(EffectsPanel, ChangedScene_PutsTheCostsOutOfDate) {
     document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient", glm::dvec3(0.7));
     settle();
     EXPECT_TRUE(total().startsWith("Out of date")) << total().toStdString();
+}
+
+TEST_F(EffectsPanel, CostsOfAnotherObject_AreNotCalledThoseOfAnotherScene) {
+    document().addObject(document().scene().objects.front());
+    document().setCurrentObject(0);
+    dock().measure();
+    press("Cancel");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
+    document().setCurrentObject(1);
+    settle();
+    EXPECT_EQ(total(), "Out of date: the costs were measured of another object.");
 }
 
 TEST_F(EffectsPanel, Keyboard_SwitchesTheCurrentRow) {

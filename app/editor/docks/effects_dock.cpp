@@ -20,7 +20,6 @@
 #include "document.h"
 #include "effect_label.h"
 #include "effect_switches.h"
-#include "render/object_rows.h"
 #include "session.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
@@ -114,6 +113,10 @@ void EffectsDock::connectParts() {
     connect(&measurement_, &EffectMeasurement::finished, this, &EffectsDock::showOutcome);
     connect(&settle_, &QTimer::timeout, this, &EffectsDock::updateRows);
     startWhenChanged(settle_, document_, library_);
+    const auto later = [this] { settle_.start(); };
+    connect(&document_, &Document::imagesArrived, this, later);
+    connect(&environments_, &EnvironmentLibrary::loaded, this, later);
+    connect(&environments_, &EnvironmentLibrary::failed, this, later);
     connect(&switches_, &EffectSwitches::changed, this, &EffectsDock::updateRows);
     connect(&document_, &Document::sceneReplaced, this, [this] {
         measurement_.cancel();
@@ -135,7 +138,7 @@ void EffectsDock::updateRows() {
     if (object >= 0) {
         rows = objectRows(document_.scene(side), static_cast<std::size_t>(object),
                           document_.catalog(),
-                          [this](const Object& each) { return library_.view(each); });
+                          [this](const Object& each) { return library_.view(each); }, images());
     }
     const bool isShown =
         rows == rows_ && shownOff_ == switches_.off() && costsAreFresh_ == !isStale();
@@ -144,6 +147,13 @@ void EffectsDock::updateRows() {
         fill();
     }
     showState();
+}
+
+/// What the views have of the images now; none is read for the list.
+KnownImages EffectsDock::images() const {
+    const TextureLibrary* textures = document_.textureLibrary();
+    return {textures != nullptr ? textures->snapshot() : TextureSource(),
+            environments_.isMissing(document_.environmentPicture())};
 }
 
 /// The current row stays, and the place where the list is scrolled to.
@@ -264,13 +274,12 @@ void EffectsDock::measure() {
     }
     updateRows();
     const Scene& scene = document_.scene(document_.activeSide());
-    measured_ = Measured{scene, document_.currentObject(), document_.sharedCatalog(), {}};
+    measured_ = Measured{scene, document_.currentObject(), document_.activeSide(),
+                         document_.sharedCatalog(), {}};
     progress_->setValue(0);
-    const TextureLibrary* textures = document_.textureLibrary();
     measurement_.start({scene, scene.camera, meshSnapshot(scene, library_), rows_,
                         measured_->catalog,
-                        textures != nullptr ? textures->snapshot() : TextureSource(),
-                        environments_.image(document_.environmentPicture())});
+                        images().textures, environments_.image(document_.environmentPicture())});
     fill();
     showState();
 }
@@ -288,6 +297,18 @@ bool EffectsDock::isStale() const {
     return !measured_ || measured_->object != document_.currentObject() ||
            measured_->catalog != document_.sharedCatalog() ||
            !(measured_->scene == document_.scene(document_.activeSide()));
+}
+
+QString EffectsDock::whyStale() const {
+    const bool hasSameObjects = measured_->scene.objects.size() ==
+                                document_.scene(document_.activeSide()).objects.size();
+    if (hasSameObjects && measured_->object != document_.currentObject()) {
+        return tr("Out of date: the costs were measured of another object.");
+    }
+    if (hasSameObjects && measured_->side != document_.activeSide()) {
+        return tr("Out of date: the costs were measured of the other side.");
+    }
+    return tr("Out of date: the scene has changed since the costs were measured.");
 }
 
 QString EffectsDock::totalText() const {
@@ -313,7 +334,7 @@ void EffectsDock::showState() {
     } else if (!measured_->outcome.problem.isEmpty()) {
         total_->setText(tr("Could not be measured: %1").arg(measured_->outcome.problem));
     } else if (isStale()) {
-        total_->setText(tr("Out of date: the scene has changed since the costs were measured."));
+        total_->setText(whyStale());
     } else {
         total_->setText(measured_->outcome.complete ? totalText()
                                                     : tr("Stopped. So far: %1").arg(totalText()));

@@ -9,6 +9,8 @@
 
 #include "check/effect_measurement.h"
 #include "docks/dock_context.h"
+#include "document_state.h"
+#include "render/object_rows.h"
 
 class QLabel;
 class QProgressBar;
@@ -40,6 +42,7 @@ class EffectsDock : public QWidget {
     struct Measured {
         Scene scene;
         int object = -1;
+        Side side = Side::A;
         std::shared_ptr<const Catalog> catalog;
         EffectMeasurement::Outcome outcome;
     };
@@ -56,6 +59,8 @@ class EffectsDock : public QWidget {
     void showState();
     QString totalText() const;
     bool isStale() const;
+    QString whyStale() const;
+    KnownImages images() const;
     void showOutcome(const EffectMeasurement::Outcome& outcome);
     void toggle(QTreeWidgetItem* item);
 

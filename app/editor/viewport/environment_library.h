@@ -30,6 +30,9 @@ class EnvironmentLibrary : public QObject {
     bool isLoading() const { return progress_ != nullptr; }
     const std::string& file() const { return file_; }
 
+    /// Whether the file was asked for last and could not be read.
+    bool isMissing(std::string_view file) const { return hasFailed_ && file == file_; }
+
     /// Gives up on what is loading.
     void cancel();
 
