@@ -5,14 +5,17 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <set>
 
+#include "bound_programs.h"
 #include "gpu/frames_examined.h"
 #include "gpu_fixture.h"
 #include "random_scenes.h"
+#include "render/ground_place.h"
 #include "render/scene_depth.h"
-#include "shading/outline_source.h"
-#include "shading/program_source.h"
+#include "shading/glsl_tokens.h"
+#include "shading/texture_writer.h"
 
 namespace patina {
 namespace {
@@ -82,60 +85,104 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
         return view;
     }
 
-    static void addFiles(std::vector<std::string>& files, const Checked<ProgramSource>& source) {
-        EXPECT_TRUE(source) << (source ? "" : text(source.error()));
-        if (source) {
-            for (const ShaderSource* stage : {&source->vertex, &source->fragment}) {
-                files.insert(files.end(), stage->files.begin(), stage->files.end());
-            }
-        }
-    }
+    /// What the rows of an object or of the ground name, and which meshes its programs draw.
+    struct Named {
+        std::set<std::string> blocks; ///< "texture/<id>" is none
+        std::size_t textures = 0;
+        GLsizei corners = 0;
+        bool hasLines = false;
+        bool mayLack = false; ///< of lights those that end before it
 
-    /// Which blocks the programs of a material have, as their text says.
-    std::set<std::string> blocksIn(const EffectSet& set) const {
-        std::set<std::string> blocks;
-        std::vector<std::string> files;
-        addFiles(files, surfaceProgram(set, *catalog));
-        if (set.outline) {
-            addFiles(files, outlineProgram(set, *catalog));
+        bool draws(const BoundPrograms::Drawing& drawing) const {
+            return drawing.first == GL_TRIANGLES ? drawing.second == corners : hasLines;
         }
-        for (const std::string& file : files) {
-            const std::filesystem::path path(file);
-            const std::string kind = path.parent_path().filename();
-            if (catalog->find(kind, path.stem().string()) != nullptr) {
-                blocks.insert(kind + '/' + path.stem().string());
-            }
-        }
-        return blocks;
-    }
+    };
 
-    /// Which blocks its rows name: "texture/<id>" is none.
-    std::set<std::string> blocksNamed(const EffectSet& set) const {
-        std::set<std::string> blocks;
+    Named namedBy(const EffectSet& set, GLsizei corners) const {
+        Named named{{}, set.textures.size(), corners, set.outline.has_value(), false};
+        std::size_t textures = 0;
         for (const EffectLine& line : effectLines(set)) {
             const auto slash = line.effect.find('/');
             const bool isBlock = slash != std::string::npos &&
                                  catalog->find(line.effect.substr(0, slash),
                                                line.effect.substr(slash + 1)) != nullptr;
             if (isBlock) {
-                blocks.insert(line.effect);
+                named.blocks.insert(line.effect);
+            }
+            textures += line.effect.starts_with("texture/") ? 1 : 0;
+        }
+        EXPECT_EQ(textures, set.textures.size());
+        return named;
+    }
+
+    std::vector<Named> namedIn(const Scene& scene) {
+        std::vector<Named> all;
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            const Object& each = scene.objects[i];
+            const EffectView view = objectView(scene, i, *catalog, meshSource());
+            all.push_back(namedBy(effectSet(each.material, scene, *catalog, view),
+                                  GLsizei(mesh(each).indices.size())));
+        }
+        const EffectSet ground = groundEffects(scene, *catalog);
+        if (ground.ground != GroundMode::Off) {
+            all.push_back(namedBy(ground, GLsizei(groundMesh().indices.size())));
+            all.back().mayLack = true;
+            std::erase_if(all.back().blocks, [](const std::string& each) {
+                return each.starts_with("environment/"); // its light is a number there
+            });
+        }
+        return all;
+    }
+
+    /// The blocks and the images of a program, by the names in its text.
+    Named heldBy(const BoundPrograms::Program& program) const {
+        const std::string text = withoutComments(program.text);
+        std::set<std::string_view> names;
+        for (const GlslToken& token : glslTokens(text)) {
+            names.insert(token.text);
+        }
+        Named held;
+        for (const Block& block : catalog->blocks) {
+            if (names.contains(functionName(block)) || names.contains(structName(block))) {
+                held.blocks.insert(block.kind + '/' + block.id);
             }
         }
+        while (names.contains(samplerName(held.textures))) {
+            ++held.textures;
+        }
+        return held;
+    }
+
+    static bool isWithin(const Named& held, const Named& named) {
+        return held.textures <= named.textures && std::ranges::includes(named.blocks, held.blocks);
+    }
+
+    static std::set<std::string> withoutOutlines(std::set<std::string> blocks) {
+        std::erase_if(blocks, [](const std::string& each) { return each.starts_with("outline/"); });
         return blocks;
     }
 
-    static std::size_t texturesNamed(const EffectSet& set) {
-        return std::size_t(std::ranges::count_if(effectLines(set), [](const EffectLine& line) {
-            return line.effect.starts_with("texture/");
-        }));
-    }
-
+    /// What was bound for a mesh has no block that the rows of what has that mesh do not name, and
+    /// where only one object has it they have all of them.
     void expectNamedBlocks(const Scene& scene) {
-        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-            const EffectView view = objectView(scene, i, *catalog, meshSource());
-            const EffectSet set = effectSet(scene.objects[i].material, scene, *catalog, view);
-            EXPECT_EQ(blocksIn(set), blocksNamed(set));
-            EXPECT_EQ(set.textures.size(), texturesNamed(set));
+        const std::vector<Named> all = namedIn(scene);
+        std::map<BoundPrograms::Drawing, std::set<std::string>> held;
+        for (const BoundPrograms::Program* program : bound_.drawn()) {
+            const Named has = heldBy(*program);
+            for (const BoundPrograms::Drawing& drawing : program->drawings) {
+                held[drawing].insert(has.blocks.begin(), has.blocks.end());
+                EXPECT_TRUE(std::ranges::any_of(all, [&](const Named& named) {
+                    return named.draws(drawing) && isWithin(has, named);
+                })) << testing::PrintToString(has.blocks);
+            }
+        }
+        for (const auto& [drawing, blocks] : held) {
+            const auto isOf = [&at = drawing](const Named& named) { return named.draws(at); };
+            const auto named = std::ranges::find_if(all, isOf);
+            const bool isOne = std::ranges::count_if(all, isOf) == 1;
+            if (isOne && !named->mayLack && drawing.first == GL_TRIANGLES && !blocks.empty()) {
+                EXPECT_EQ(blocks, withoutOutlines(named->blocks));
+            }
         }
     }
 
@@ -194,6 +241,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
     void draw(std::uint64_t number) {
         SCOPED_TRACE("scene " + std::to_string(number));
         const Scene scene = RandomScenes(*shipped_).scene(number);
+        bound_.begin();
         expectSound(captured(scene, number, false));
         expectSound(captured(scene, number, true));
         expectNamedBlocks(scene);
@@ -204,6 +252,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
     }
 
   private:
+    BoundPrograms bound_;
     std::shared_ptr<const Catalog> shipped_;
     std::shared_ptr<const Catalog> examining_;
     std::unique_ptr<ExaminedShaders> shaders_;
