@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gl/driver.h"
+#include "measure/measured_scene.h"
 #include "measure/right_frame.h"
 #include "measure/same_levels.h"
 #include "measure/surface_instructions.h"
@@ -17,6 +18,7 @@ namespace patina {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
 
 constexpr glm::ivec2 sizeOnCpu{256, 256};
 constexpr glm::ivec2 sizeOnDevice{1024, 1024};
@@ -48,10 +50,6 @@ MedianInterval besideItself(const MedianInterval& ratio) {
             std::max(ratio.upper / ratio.median, 1.0)};
 }
 
-double seconds(Clock::duration time) {
-    return std::chrono::duration<double>(time).count();
-}
-
 } // namespace
 
 class CostSweep::Implementation {
@@ -59,7 +57,7 @@ class CostSweep::Implementation {
     Implementation(Subject subject, const Options& options, std::unique_ptr<TimedFrames> drawn)
         : subject_(std::move(subject)), options_(options), drawn_(std::move(drawn)),
           plan_({}, false) {
-        subject_.scene.ground.mode = GroundMode::Off;
+        (isOfMaterial() ? leaveSurfaces : leaveGround)(subject_.scene);
         const Catalog& catalog = *subject_.catalog;
         subject_.scene.accuracy = PictureAccuracy(); // which has a chart of its own
         chart_.choices = isOfMaterial()
@@ -83,7 +81,7 @@ class CostSweep::Implementation {
         const Clock::time_point began = Clock::now();
         while (!finished()) {
             work(patience);
-            spent_ = seconds(spentUntilNow_ + (Clock::now() - began));
+            spent_ = Seconds(spentUntilNow_ + (Clock::now() - began)).count();
             if (Clock::now() - began >= patience) {
                 break;
             }
@@ -302,7 +300,7 @@ class CostSweep::Implementation {
             return;
         }
         const double allowed = shareOfPairs * options_.seconds / double(singles_);
-        const bool isLate = seconds(Clock::now() - pairsBegan_) > allowed &&
+        const bool isLate = Seconds(Clock::now() - pairsBegan_).count() > allowed &&
                             pairs_->cost().runs >= options_.pairs.fewest;
         if (pairs_->finished() || isLate) {
             point_.cost = pairs_->cost();

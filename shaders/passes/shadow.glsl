@@ -62,8 +62,22 @@ float pixelNoise() {
 vec3 shadowFace;
 vec3 shadowLift;
 
-// Lifted along the normal of the mesh by one and a half texels times the sine of the light's angle:
-// that is by how much a level surface differs from itself within the four texels that are read.
+// The sine of the angle between a normal and the way that depths are measured along: the light's own,
+// or of a light with a place that of the face of its map. There a surface that faces the light may
+// lie aslant all the same.
+float shadowSlant(vec3 n, vec3 l, vec3 way, ShadowView view, bool isParallel) {
+    float slant = safeSqrt(1.0 - sqr(dot(n, l)));
+    if (isParallel) {
+        return slant;
+    }
+    vec3 size = abs(vec3(dot(way, view.right), dot(way, view.up), dot(way, view.forward)));
+    vec3 axis = size.x >= size.y ? view.right : view.up;
+    axis = view.faces < 2.0 || size.z >= max(size.x, size.y) ? view.forward : axis;
+    return max(slant, safeSqrt(1.0 - sqr(dot(n, axis))));
+}
+
+// Lifted along the normal of the mesh by one and a half texels times that sine: that is by how much
+// a level surface differs from itself within the four texels that are read.
 ShadowPoint shadowPoint(Surface s, vec3 l, ShadowView view, bool isParallel) {
     ShadowPoint p;
     p.view = view;
@@ -73,10 +87,12 @@ ShadowPoint shadowPoint(Surface s, vec3 l, ShadowView view, bool isParallel) {
     p.l = l;
     p.across = isParallel ? view.right : tangentAlong(l, vec3(1.0, 0.0, 0.0));
     p.along = isParallel ? view.up : cross(l, p.across);
-    float range = max(length(view.origin - s.x), 1e-6);
+    vec3 way = s.x - view.origin;
+    float range = max(length(way), 1e-6);
     p.inverseRange = isParallel ? 0.0 : 1.0 / range;
     p.texel = isParallel ? view.texel : view.texel * range;
-    p.x = s.x + shadowLift * (p.texel * (0.25 + 1.5 * safeSqrt(1.0 - sqr(dot(p.n, l)))));
+    float slant = shadowSlant(p.n, l, way, view, isParallel);
+    p.x = s.x + shadowLift * (p.texel * (0.25 + 1.5 * slant));
     p.turn = 2.0 * PI * pixelNoise();
     return p;
 }

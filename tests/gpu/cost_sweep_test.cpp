@@ -120,6 +120,11 @@ TEST_F(CostSweepTest, OtherMaterial_TakesNoneOfTheTime) {
     EXPECT_NEAR(chart.find({{"work", "quarter"}})->cost.ratio.median, 0.25, 0.08);
 }
 
+TEST_F(CostSweepTest, LinesOfAnOutline_AreNoError) {
+    scene_.objects[0].material.parts["outline"] = block("outline", "ink-line");
+    EXPECT_EQ(measured(false, 7).find({})->error.max, 0.0);
+}
+
 TEST_F(CostSweepTest, NothingInView_IsAnError) {
     scene_.objects[0].visible = false;
     auto sweep = CostSweep::create({scene_, 0, scene_.camera, meshSource(), catalog}, {});

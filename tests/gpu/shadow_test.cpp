@@ -259,21 +259,41 @@ class UnshadedSurface : public ShadowTest, public testing::WithParamInterface<co
         return ways;
     }
 
-    /// Pixels that shadows make darker by more than a thousandth of white, over all ways.
+    /// Pixels that the light's shadows make darker by more than a thousandth of white.
+    int darkenedBy(const Light& light, const std::string& mesh, int size) {
+        Scene scene = simpleScene();
+        scene.objects[0].mesh = "builtin:" + mesh;
+        scene.camera.pitch = 35.0;
+        scene.camera.distance = 3.0;
+        scene.lights = {shadowed(light, GetParam())};
+        const Image with = capture(scene, false, size);
+        scene.lights[0].shadow.reset();
+        const Image without = capture(scene, false, size);
+        int wrong = 0;
+        for (std::size_t i = 0; i < with.pixels.size(); ++i) {
+            wrong += with.pixels[i] < without.pixels[i] - 1e-3f;
+        }
+        return wrong;
+    }
+
+    /// Over all ways of a sun.
     int darkened(const std::string& mesh) {
         int wrong = 0;
         for (const glm::dvec3& way : lightWays()) {
-            Scene scene = simpleScene();
-            scene.objects[0].mesh = "builtin:" + mesh;
-            scene.camera.pitch = 35.0;
-            scene.camera.distance = 3.0;
-            scene.lights = {shadowed(sun(way), GetParam())};
-            const Image with = capture(scene, false, 96);
-            scene.lights[0].shadow.reset();
-            const Image without = capture(scene, false, 96);
-            for (std::size_t i = 0; i < with.pixels.size(); ++i) {
-                wrong += with.pixels[i] < without.pixels[i] - 1e-3f;
-            }
+            wrong += darkenedBy(sun(way), mesh, 96);
+        }
+        return wrong;
+    }
+
+    /// Lights in the middle, at the edges and in the corners of the six faces of their maps.
+    int darkenedFromNearby(const std::string& mesh) {
+        int wrong = 0;
+        for (const glm::dvec3& place :
+             {glm::dvec3(2.0, 3.0, 2.0), glm::dvec3(1.5, 2.0, 1.5), glm::dvec3(1.5, 1.5, 1.5),
+              glm::dvec3(2.0, 0.0, 0.0), glm::dvec3(0.0, 2.5, 2.5), glm::dvec3(-4.0, 1.0, 3.0)}) {
+            Light lamp = light("point");
+            lamp.block.parameters["position"] = place;
+            wrong += darkenedBy(lamp, mesh, 240);
         }
         return wrong;
     }
@@ -289,6 +309,14 @@ TEST_P(UnshadedSurface, Plane_DoesNotShadeItself) {
 
 TEST_P(UnshadedSurface, Cube_DoesNotShadeItself) {
     EXPECT_EQ(darkened("cube"), 0);
+}
+
+TEST_P(UnshadedSurface, SphereByALamp_DoesNotShadeItself) {
+    EXPECT_EQ(darkenedFromNearby("sphere"), 0);
+}
+
+TEST_P(UnshadedSurface, PlaneByALamp_DoesNotShadeItself) {
+    EXPECT_EQ(darkenedFromNearby("plane"), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, UnshadedSurface, testing::Values("hard", "filtered", "soft"),

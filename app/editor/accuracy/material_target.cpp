@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "document.h"
+#include "measure/measured_scene.h"
 #include "scene/environment.h"
 #include "viewport/compare_area.h"
 
@@ -65,7 +66,7 @@ MeasuredSubject MaterialTarget::subject() const {
         material.license.clear();
         material.tags.clear();
     }
-    scene.ground.mode = GroundMode::Off; // a measurement is made without it
+    leaveSurfaces(scene); // a measurement is of them
     forgetPicture(scene, document_.catalog());
     return subjectOf(std::move(scene), object, document_.catalog());
 }
