@@ -62,9 +62,9 @@ float pixelNoise() {
 vec3 shadowFace;
 vec3 shadowLift;
 
-// The sine of the angle between a normal and the way that depths are measured along: the light's own,
-// or of a light with a place that of the face of its map. There a surface that faces the light may
-// lie aslant all the same.
+// The sine of the angle between a normal and the way that depths are measured along: the light's
+// own, or of a light with a place that of the face of its map. There a surface that faces the light
+// may lie aslant all the same.
 float shadowSlant(vec3 n, vec3 l, vec3 way, ShadowView view, bool isParallel) {
     float slant = safeSqrt(1.0 - sqr(dot(n, l)));
     if (isParallel) {
