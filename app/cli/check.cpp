@@ -21,7 +21,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct CheckOptions {
     std::string subject;
     std::size_t cases = 300000;
     bool json = false;
@@ -32,10 +32,6 @@ std::atomic<bool> interrupted{false};
 
 void interrupt(int) {
     interrupted = true;
-}
-
-Errors oneError(Error error) {
-    return {std::move(error)};
 }
 
 /// Blocks of that id, or of that "kind/id"; the same id may be a model and something else.
@@ -144,7 +140,7 @@ void printReport(const SweepReport& report) {
                              limitText(report), report.sound() ? "nothing breaks" : "see above");
 }
 
-void print(const StabilitySweep& sweep, const Options& options) {
+void print(const StabilitySweep& sweep, const CheckOptions& options) {
     if (!options.json) {
         printReport(sweep.report());
         return;
@@ -169,7 +165,7 @@ void remark(const StabilitySweep& sweep, const SweepOptions& how) {
     }
 }
 
-Checked<bool> check(const Options& options) {
+Checked<bool> check(const CheckOptions& options) {
     const Catalog catalog = loadCatalog(standardBlockRoots());
     report(catalog.errors);
     const auto variants = variantsOf(catalog, options.subject);
@@ -198,7 +194,7 @@ void addCheck(CLI::App& program, int& status) {
         "check", "Evaluate a preset or a block where formulas break, on the graphics device and\n"
                  "in double precision; the status is 1 when a value is not finite, negative or\n"
                  "inaccurate. Each finding comes as a line for `patina eval`");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CheckOptions>();
     command
         ->add_option("subject", options->subject, "A preset, or the id of a model or other block")
         ->required();

@@ -22,7 +22,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct CompareOptions {
     std::vector<std::string> presets;
     PictureOptions picture;
     PictureFile output;
@@ -41,11 +41,7 @@ struct Side {
     }
 };
 
-Errors oneError(Error error) {
-    return {std::move(error)};
-}
-
-Checked<std::vector<Side>> sidesFor(const Options& options, const Catalog& catalog) {
+Checked<std::vector<Side>> sidesFor(const CompareOptions& options, const Catalog& catalog) {
     std::vector<Side> sides;
     for (const std::string& preset : options.presets) {
         auto setup = sceneFor(preset, options.picture, catalog);
@@ -58,7 +54,7 @@ Checked<std::vector<Side>> sidesFor(const Options& options, const Catalog& catal
     return sides;
 }
 
-Checked<void> draw(std::vector<Side>& sides, const Options& options,
+Checked<void> draw(std::vector<Side>& sides, const CompareOptions& options,
                    const std::shared_ptr<const Catalog>& catalog) {
     auto maker = PictureMaker::create(catalog);
     if (!maker) {
@@ -124,7 +120,8 @@ void printMetrics(const std::vector<Side>& sides, std::ostream& out) {
     }
 }
 
-Checked<void> write(const Options& options, const std::vector<Side>& sides, AssetClient& client) {
+Checked<void> write(const CompareOptions& options, const std::vector<Side>& sides,
+                    AssetClient& client) {
     const Image image = linearFromDisplay(sideBySide(sides));
     if (!options.output.isStandardOutput()) {
         const auto saved = client.saveImage(options.output.name, image);
@@ -143,7 +140,7 @@ Checked<void> write(const Options& options, const std::vector<Side>& sides, Asse
     return {};
 }
 
-Checked<void> compare(const Options& options) {
+Checked<void> compare(const CompareOptions& options) {
     if (auto checked = options.output.check(); !checked) {
         return tl::unexpected(oneError(checked.error()));
     }
@@ -165,7 +162,7 @@ Checked<void> compare(const Options& options) {
 void addCompare(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "compare", "Draw two to four presets side by side and print how far they are apart");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareOptions>();
     command->add_option("presets", options->presets, "Two to four presets (*.patina.json)")
         ->required()
         ->expected(2, 4)

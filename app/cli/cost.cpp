@@ -48,10 +48,6 @@ struct Measured {
     std::vector<double> errors;
 };
 
-Errors oneError(Error error) {
-    return {std::move(error)};
-}
-
 CostSweep::Options sweepOptions(const CostRequest& options) {
     CostSweep::Options wanted;
     wanted.size = options.picture.size;

@@ -20,10 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Errors oneError(Error error) {
-    return {std::move(error)};
-}
-
 /// What goes with the option that is asked for, or else with charts.
 struct Combination {
     bool isWrong = false;

@@ -41,10 +41,6 @@ struct Options {
     std::string object; ///< its name, or its number from 1; empty: the first one
 };
 
-Errors oneError(Error error) {
-    return {std::move(error)};
-}
-
 /// Of a scene: the object of the options, counted from 0.
 struct Subject {
     const Scene& scene;

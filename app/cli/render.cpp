@@ -25,10 +25,6 @@ struct Options {
     PictureFile output;
 };
 
-Errors oneError(Error error) {
-    return {std::move(error)};
-}
-
 Checked<void> checkRequest(const Options& options) {
     if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
         return tl::unexpected(oneError(

@@ -23,10 +23,6 @@ namespace {
 
 constexpr std::string_view builtin = "builtin:";
 
-Errors oneError(Error error) {
-    return {std::move(error)};
-}
-
 std::filesystem::path defaultScene() {
     return dataFolder() / "presets" / "default.patina-scene.json";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -23,6 +24,10 @@ struct Error {
 };
 
 using Errors = std::vector<Error>;
+
+inline Errors oneError(Error error) {
+    return {std::move(error)};
+}
 
 /// Sorts errors of one file by their place; the order of those at one place stays.
 void sortByPlace(Errors& errors);

@@ -12,7 +12,7 @@ bool linked(GLuint program) {
     return status != 0;
 }
 
-std::string log(GLuint program) {
+std::string linkLog(GLuint program) {
     GLint length = 0;
     glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
     std::string text(static_cast<std::size_t>(length), '\0');
@@ -59,7 +59,7 @@ tl::expected<Program, std::string> Program::link(const Shader& vertex, const Sha
         glDetachShader(program.name(), geometry->name());
     }
     if (!linked(program.name())) {
-        return tl::unexpected(log(program.name()));
+        return tl::unexpected(linkLog(program.name()));
     }
     return program;
 }

@@ -6,7 +6,7 @@
 namespace patina::gl {
 namespace {
 
-std::string log(GLuint shader) {
+std::string compileLog(GLuint shader) {
     GLint length = 0;
     glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
     std::string text(static_cast<std::size_t>(length), '\0');
@@ -31,7 +31,7 @@ tl::expected<Shader, std::string> Shader::compile(unsigned stage, std::string_vi
     GLint compiled = 0;
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
     if (compiled == 0) {
-        return tl::unexpected(log(shader.name()));
+        return tl::unexpected(compileLog(shader.name()));
     }
     return shader;
 }

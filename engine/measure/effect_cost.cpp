@@ -14,8 +14,8 @@
 namespace patina {
 namespace {
 
-constexpr glm::ivec2 sizeOnCpu{256, 256};
-constexpr glm::ivec2 sizeOnDevice{1024, 1024};
+constexpr glm::ivec2 effectSizeOnCpu{256, 256};
+constexpr glm::ivec2 effectSizeOnDevice{1024, 1024};
 
 /// The first round compiles and lets the driver prepare; its times count for nothing.
 constexpr int warmUpRounds = 1;
@@ -26,11 +26,11 @@ constexpr glm::ivec2 leastSize{64, 64};
 /// An interval of 95 % needs 6 samples.
 constexpr int leastRounds = 7;
 
-glm::ivec2 chosenSize(glm::ivec2 wanted) {
+glm::ivec2 effectSize(glm::ivec2 wanted) {
     if (wanted.x > 0 && wanted.y > 0) {
         return wanted;
     }
-    return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
+    return gl::isSoftware() ? effectSizeOnCpu : effectSizeOnDevice;
 }
 
 } // namespace
@@ -152,7 +152,7 @@ EffectCostMeter::~EffectCostMeter() = default;
 Result<std::unique_ptr<EffectCostMeter>> EffectCostMeter::create(Subject subject,
                                                                  const Options& options) {
     auto drawn = TimedFrames::create({subject.catalog, subject.meshes, subject.textures},
-                                     chosenSize(options.size), options.programCache);
+                                     effectSize(options.size), options.programCache);
     if (!drawn) {
         return tl::unexpected(drawn.error());
     }

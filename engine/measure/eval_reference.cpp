@@ -11,7 +11,7 @@ namespace {
 using Subject = EvalCase::Subject;
 
 /// A model's value is cut at 0 from below, as lights are summed; a NaN stays one.
-double answerOf(const EvalCase& request, double x) {
+double rightAnswerOf(const EvalCase& request, double x) {
     return request.subject == Subject::Model && x < 0.0 ? 0.0 : x;
 }
 
@@ -49,7 +49,7 @@ Result<std::vector<double>> evaluatedInDouble(const EvalCase& request) {
     const ReferenceNumbers numbers = bound.evaluate(request);
     std::vector<double> answers;
     for (std::size_t i = 0; i < resultsOf(request.subject); ++i) {
-        answers.push_back(answerOf(request, numbers[i]));
+        answers.push_back(rightAnswerOf(request, numbers[i]));
     }
     return answers;
 }

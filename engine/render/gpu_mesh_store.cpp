@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-constexpr std::uint64_t framesKept = 120;
+constexpr std::uint64_t meshesKept = 120;
 constexpr std::size_t samples = 64;
 
 /// FNV-1a over 64 items spread evenly.
@@ -65,11 +65,11 @@ void GpuMeshStore::beginFrame() {
 void GpuMeshStore::endFrame() {
     lastEntry_ = nullptr;
     std::erase_if(meshes_, [this](const auto& entry) {
-        return frame_ - entry.second.lastFrame > framesKept;
+        return frame_ - entry.second.lastFrame > meshesKept;
     });
-    if (frame_ >= framesKept) {
+    if (frame_ >= meshesKept) {
         for (auto& [key, entry] : meshes_) {
-            entry.mesh.forgetEdges(frame_ - framesKept);
+            entry.mesh.forgetEdges(frame_ - meshesKept);
         }
     }
     ++frame_;

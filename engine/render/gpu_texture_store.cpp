@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-constexpr std::uint64_t framesKept = 120;
+constexpr std::uint64_t texturesKept = 120;
 
 /// A texel of four numbers.
 using Texel = std::array<float, 4>;
@@ -150,7 +150,7 @@ const gl::Sampler& GpuTextureStore::sampler(const TextureUse& use) {
 
 void GpuTextureStore::endFrame() {
     std::erase_if(entries_, [this](const auto& entry) {
-        return frame_ - entry.second.lastFrame > framesKept;
+        return frame_ - entry.second.lastFrame > texturesKept;
     });
     ++frame_;
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t wordBits = 64;
 
 /// Directions and distances are rounded in the shader: a light that just misses counts as a hit.
-constexpr double margin = 1e-4;
+constexpr double rangeMargin = 1e-4;
 
 } // namespace
 
@@ -61,14 +61,14 @@ bool LightLists::reaches(const LightReach& light, const Ball& ball) {
     if (!(distance > ball.radius)) {
         return true;
     }
-    if (light.range > 0.0 && distance - ball.radius > light.range * (1.0 + margin)) {
+    if (light.range > 0.0 && distance - ball.radius > light.range * (1.0 + rangeMargin)) {
         return false;
     }
     if (!(light.angle > 0.0)) {
         return true;
     }
     const double off = std::acos(std::clamp(glm::dot(way / distance, light.axis), -1.0, 1.0));
-    return off <= light.angle + std::asin(ball.radius / distance) + margin;
+    return off <= light.angle + std::asin(ball.radius / distance) + rangeMargin;
 }
 
 std::size_t LightLists::listFor(const Ball& ball) {

@@ -9,7 +9,7 @@ namespace patina {
 namespace {
 
 /// Places are rounded on their way to the screen.
-constexpr double margin = 1e-5;
+constexpr double planeMargin = 1e-5;
 
 } // namespace
 
@@ -32,7 +32,7 @@ bool isOutside(const Placement& placement, const glm::dmat4& worldToClip) {
     bool isBehind = true;
     for (const glm::dvec3& corner : placement.corners) {
         const glm::dvec4 x = worldToClip * glm::dvec4(corner, 1.0);
-        const double w = x.w + margin * std::abs(x.w);
+        const double w = x.w + planeMargin * std::abs(x.w);
         beyond.x = beyond.x && x.x < -w;
         beyond.y = beyond.y && x.x > w;
         beyond.z = beyond.z && x.y < -w;

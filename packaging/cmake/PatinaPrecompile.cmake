@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Headers of other projects that most files read, parsed once for many targets: a second of CPU less
 # for each file. Off in the release, clang and tidy presets, which see each file with its own
-# includes.
+# includes; the presets that have it compile six files at a time as well (CMAKE_UNITY_BUILD).
 option(PATINA_PRECOMPILE "Precompile the headers of the libraries" ON)
 
 set(PATINA_STANDARD_HEADERS <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional>

@@ -12,7 +12,7 @@
 namespace patina::tests {
 namespace {
 
-constexpr float tolerance = 1e-6f; // one rounding of a decimal number near one
+constexpr float objTolerance = 1e-6f; // one rounding of a decimal number near one
 
 constexpr const char* tent =
     "# a tent\nmtllib tent.mtl\no tent\ng sides\nusemtl cloth\ns off\n"
@@ -51,7 +51,7 @@ TEST(PlainObj, EqualsWhatTheGeneralReaderMakesOfIt) {
     ASSERT_EQ(expected.size(), 2u);
     for (std::size_t i = 0; i < 6; ++i) {
         for (std::size_t k = 0; k < 8; ++k) {
-            EXPECT_NEAR(triangles[i / 3][i % 3][k], expected[i / 3][i % 3][k], tolerance);
+            EXPECT_NEAR(triangles[i / 3][i % 3][k], expected[i / 3][i % 3][k], objTolerance);
         }
     }
 }

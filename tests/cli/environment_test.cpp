@@ -6,8 +6,6 @@
 namespace patina::tests {
 namespace {
 
-const std::string gold = shipped("presets/cook-torrance/gold.patina.json").string();
-
 std::vector<std::string> rendering(std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", gold, "--size", "32x32", "--samples", "16", "-o",
                                        "-"};

@@ -11,7 +11,6 @@
 namespace patina::tests {
 namespace {
 
-const std::string gold = shipped("presets/cook-torrance/gold.patina.json").string();
 const std::string plastic = shipped("presets/strauss/red-plastic.patina.json").string();
 
 Outcome eval(const std::string& lines) {

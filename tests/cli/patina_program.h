@@ -16,6 +16,8 @@ inline std::filesystem::path shipped(const std::string& path) {
     return std::filesystem::path(PATINA_SOURCE_DIR) / path;
 }
 
+inline const std::string gold = shipped("presets/cook-torrance/gold.patina.json").string();
+
 /// Folder with a compiled de_DE.UTF-8 locale (decimal comma), made when the tests are built.
 inline std::string localeFolder() {
     return (std::filesystem::path(PATINA_BINARY_DIR) / "locale").string();

@@ -7,7 +7,7 @@ namespace patina::tests {
 namespace {
 
 /// In surroundings that are not the same everywhere: else nothing is bent that could be seen.
-std::vector<std::string> rendering(std::vector<std::string> more) {
+std::vector<std::string> refracting(std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", "--model",     "lambert",       "--size",
                                        "32x32",  "--set",       "opacity=0.1",   "--environment",
                                        "studio", "-o",          "-"};
@@ -16,9 +16,9 @@ std::vector<std::string> rendering(std::vector<std::string> more) {
 }
 
 TEST(RefractionOption, EachKind_GivesAPictureOfItsOwn) {
-    const Outcome straight = patina(rendering({}));
-    const Outcome solid = patina(rendering({"--refraction", "solid-body"}));
-    const Outcome pane = patina(rendering({"--refraction", "thin-pane"}));
+    const Outcome straight = patina(refracting({}));
+    const Outcome solid = patina(refracting({"--refraction", "solid-body"}));
+    const Outcome pane = patina(refracting({"--refraction", "thin-pane"}));
     ASSERT_EQ(solid.exitCode, 0) << solid.err;
     ASSERT_EQ(pane.exitCode, 0) << pane.err;
     EXPECT_NE(solid.out, straight.out);
@@ -27,15 +27,15 @@ TEST(RefractionOption, EachKind_GivesAPictureOfItsOwn) {
 }
 
 TEST(RefractionOption, Values_AreSet) {
-    const Outcome usual = patina(rendering({"--refraction", "solid-body"}));
+    const Outcome usual = patina(refracting({"--refraction", "solid-body"}));
     const Outcome red =
-        patina(rendering({"--refraction", "solid-body", "--set", "refraction.tint=1,0.1,0.1"}));
+        patina(refracting({"--refraction", "solid-body", "--set", "refraction.tint=1,0.1,0.1"}));
     ASSERT_EQ(red.exitCode, 0) << red.err;
     EXPECT_NE(red.out, usual.out);
 }
 
 TEST(RefractionOption, UnknownName_IsAnError) {
-    EXPECT_NE(patina(rendering({"--refraction", "magic"})).exitCode, 0);
+    EXPECT_NE(patina(refracting({"--refraction", "magic"})).exitCode, 0);
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 namespace patina::tests {
 namespace {
 
-const std::string gold = shipped("presets/cook-torrance/gold.patina.json").string();
 const std::string pngSignature = "\x89PNG\r\n\x1a\n";
 const std::string exrSignature = "\x76\x2f\x31\x01";
 

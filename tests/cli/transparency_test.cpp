@@ -6,10 +6,8 @@
 namespace patina::tests {
 namespace {
 
-const std::string gold = shipped("presets/cook-torrance/gold.patina.json").string();
-
 /// Of a torus, of which several layers are seen through each other.
-std::vector<std::string> rendering(std::vector<std::string> more) {
+std::vector<std::string> blending(std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", gold,         "--size",      "32x32",
                                        "--mesh", "builtin:torus", "--set", "opacity=0.5",
                                        "-o",     "-"};
@@ -18,22 +16,22 @@ std::vector<std::string> rendering(std::vector<std::string> more) {
 }
 
 TEST(TransparencyOption, EachWay_GivesAPictureOfItsOwn) {
-    const Outcome sorted = patina(rendering({}));
-    const Outcome peeled = patina(rendering({"--transparency", "peeled"}));
-    const Outcome weighted = patina(rendering({"--transparency", "weighted"}));
+    const Outcome sorted = patina(blending({}));
+    const Outcome peeled = patina(blending({"--transparency", "peeled"}));
+    const Outcome weighted = patina(blending({"--transparency", "weighted"}));
     ASSERT_EQ(peeled.exitCode, 0) << peeled.err;
     ASSERT_EQ(weighted.exitCode, 0) << weighted.err;
     EXPECT_NE(peeled.out, sorted.out);
     EXPECT_NE(weighted.out, sorted.out);
     EXPECT_NE(weighted.out, peeled.out);
-    EXPECT_EQ(patina(rendering({"--transparency", "sorted"})).out, sorted.out);
+    EXPECT_EQ(patina(blending({"--transparency", "sorted"})).out, sorted.out);
 }
 
 TEST(TransparencyOption, Layers_AreSet) {
     const Outcome one =
-        patina(rendering({"--transparency", "peeled", "--set", "transparency.layers=1"}));
+        patina(blending({"--transparency", "peeled", "--set", "transparency.layers=1"}));
     ASSERT_EQ(one.exitCode, 0) << one.err;
-    EXPECT_NE(one.out, patina(rendering({"--transparency", "peeled"})).out);
+    EXPECT_NE(one.out, patina(blending({"--transparency", "peeled"})).out);
 }
 
 TEST(TransparencyOption, OfASolidObject_ChangesNothing) {
@@ -44,13 +42,13 @@ TEST(TransparencyOption, OfASolidObject_ChangesNothing) {
 }
 
 TEST(TransparencyOption, UnknownName_IsAnErrorWithTheNames) {
-    const Outcome outcome = patina(rendering({"--transparency", "magic"}));
+    const Outcome outcome = patina(blending({"--transparency", "magic"}));
     EXPECT_NE(outcome.exitCode, 0);
     EXPECT_NE(outcome.err.find("sorted, peeled, weighted"), std::string::npos) << outcome.err;
 }
 
 TEST(TransparencyOption, ValueWithoutAChoice_IsAnErrorThatNamesTheOption) {
-    const Outcome outcome = patina(rendering({"--set", "transparency.layers=1"}));
+    const Outcome outcome = patina(blending({"--set", "transparency.layers=1"}));
     EXPECT_NE(outcome.exitCode, 0);
     EXPECT_NE(outcome.err.find("--transparency"), std::string::npos) << outcome.err;
 }

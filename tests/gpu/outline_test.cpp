@@ -10,8 +10,8 @@
 namespace patina {
 namespace {
 
-constexpr int size = 200;
-constexpr double middlePixel = 0.5 * size;
+constexpr int outlineSize = 200;
+constexpr double middlePixel = 0.5 * outlineSize;
 const glm::vec3 lineColor(1.0f, 0.0f, 0.0f);
 
 class Outlines : public GpuTest {
@@ -44,7 +44,7 @@ class Outlines : public GpuTest {
     }
 
     Image picture(const Scene& scene) {
-        Image image = capture(scene, false, size);
+        Image image = capture(scene, false, outlineSize);
         EXPECT_TRUE(renderer->report().messages.empty()) << text(renderer->report().messages);
         return image;
     }
@@ -75,8 +75,8 @@ TEST_F(Outlines, SilhouetteOfASphere_IsARingOfItsWidthAroundIt) {
     const double radius = pixelsPerMetre(scene, distance) * distance /
                           std::sqrt(distance * distance - 1.0);
     int lines = 0;
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < outlineSize; ++y) {
+        for (int x = 0; x < outlineSize; ++x) {
             const double r = std::hypot(x + 0.5 - middlePixel, y + 0.5 - middlePixel);
             const glm::vec3 shown = pixel(image, x, y);
             const double red = shown.r - shown.g;
@@ -166,7 +166,7 @@ TEST_F(Outlines, LineOfAnObjectBehind_IsHidden) {
     scene.objects.push_back(object("lambert", "cube"));
     scene.objects.back().material.model.parameters["diffuse.color"] = glm::dvec3(1.0);
     const Image image = picture(scene);
-    for (int x = 20; x < size - 20; ++x) {
+    for (int x = 20; x < outlineSize - 20; ++x) {
         EXPECT_LT(redness(image, x - middlePixel), 0.01) << x;
     }
 }
@@ -220,7 +220,7 @@ TEST_F(Outlines, Fog_IsInFrontOfLinesToo) {
     const double range =
         front * std::hypot(1.0, (side + 4.0) / (pixelsPerMetre(scene, front) * front));
     const Image image = picture(scene);
-    const glm::vec3 shown = pixel(image, int(middlePixel + side + 4.0), size / 2);
+    const glm::vec3 shown = pixel(image, int(middlePixel + side + 4.0), outlineSize / 2);
     const double left = std::exp(-0.2 * range);
     EXPECT_NEAR(shown.r, left, 5e-3);
     EXPECT_NEAR(shown.b, 1.0 - left, 5e-3);

@@ -13,8 +13,8 @@
 namespace patina {
 namespace {
 
-constexpr int pixels = 128;
-constexpr double viewAngle = 12.0; // degrees
+constexpr int fieldPixels = 128;
+constexpr double fieldAngle = 12.0; // degrees
 constexpr double height = 2.0;     // of the square, as far as its shadow lies beside it
 constexpr double doubt = 0.03;     // metres: some texels of the map
 
@@ -39,7 +39,7 @@ class ShadowHolesTest : public GpuTest {
         scene.camera.yaw = 0.0;
         scene.camera.pitch = 90.0;
         scene.camera.distance = 8.0;
-        scene.camera.fieldOfView = viewAngle;
+        scene.camera.fieldOfView = fieldAngle;
         scene.toneMapping = ToneMapping::None;
     }
 
@@ -63,18 +63,18 @@ class ShadowHolesTest : public GpuTest {
 
     /// The shares of pixels that are dark, of the shadow of the left field and of the right one.
     glm::dvec2 darkShares() {
-        const Image image = capture(scene, false, pixels);
+        const Image image = capture(scene, false, fieldPixels);
         const double step = 2.0 * scene.camera.distance *
-                            std::tan(glm::radians(0.5 * viewAngle)) / pixels;
+                            std::tan(glm::radians(0.5 * fieldAngle)) / fieldPixels;
         glm::dvec2 dark(0.0);
         glm::dvec2 all(0.0);
-        for (int i = 0; i < pixels * pixels; ++i) {
-            const double x = (i % pixels + 0.5 - 0.5 * pixels) * step;
+        for (int i = 0; i < fieldPixels * fieldPixels; ++i) {
+            const double x = (i % fieldPixels + 0.5 - 0.5 * fieldPixels) * step;
             if (std::abs(x) < doubt) {
                 continue;
             }
             const int side = (x < 0.0) == isLeftAtNegativeX() ? 0 : 1;
-            dark[side] += pixel(image, i % pixels, i / pixels).r < 0.01f;
+            dark[side] += pixel(image, i % fieldPixels, i / fieldPixels).r < 0.01f;
             all[side] += 1.0;
         }
         return dark / all;

@@ -13,12 +13,12 @@
 namespace patina::physics {
 namespace {
 
-constexpr int steps = 4000;
+constexpr int tableSteps = 4000;
 
 double largest(const std::function<double(double)>& difference) {
     double worst = 0.0;
-    for (int i = 0; i <= steps; ++i) {
-        worst = std::max(worst, std::abs(difference(static_cast<double>(i) / steps)));
+    for (int i = 0; i <= tableSteps; ++i) {
+        worst = std::max(worst, std::abs(difference(static_cast<double>(i) / tableSteps)));
     }
     return worst;
 }

@@ -10,7 +10,7 @@
 namespace patina::tests {
 namespace {
 
-constexpr int limitMs = 20000;
+constexpr int readingMs = 20000;
 
 class OpenFiles : public WindowFixture {
   protected:
@@ -65,7 +65,7 @@ TEST_F(OpenFiles, MeshOnItsWayWhenAnotherDocumentCame_IsNotAddedToIt) {
     writeFile(home("late.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     window().files().open({QString::fromStdString(home("late.obj").string())}, Side::A);
     window().files().newDocument();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !window().meshes().isLoading(); }, limitMs));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !window().meshes().isLoading(); }, readingMs));
     newFrames();
     EXPECT_EQ(document().scene().objects.size(), 1u);
     EXPECT_FALSE(document().isModified());

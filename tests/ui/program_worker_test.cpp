@@ -9,7 +9,7 @@
 namespace patina::tests {
 namespace {
 
-constexpr int limitMs = 20000;
+constexpr int compilingMs = 20000;
 
 class ProgramsMadeElsewhere : public WindowFixture {
   protected:
@@ -39,17 +39,17 @@ TEST_F(ProgramsMadeElsewhere, WhileTheyAreMade_TheLastPictureStays) {
     QSignalSpy waited(&view(), &Viewport::frameDrawn);
     const int before = view().waitCount();
     changeModel();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, compilingMs));
     EXPECT_EQ(view().frameCount(), frames);
     EXPECT_TRUE(view().isDrawing());
-    EXPECT_TRUE(waited.wait(limitMs));
+    EXPECT_TRUE(waited.wait(compilingMs));
 }
 
 TEST_F(ProgramsMadeElsewhere, AnotherModelMeanwhile_IsTheOneThatIsShown) {
     const std::string first = document().material(Side::A)->model.id;
     const int before = view().waitCount();
     changeModel();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, compilingMs));
     document().setModel(Side::A, first);
     newFrames();
     EXPECT_TRUE(std::ranges::count(view().report().effects, "models/" + first) == 1);
@@ -58,7 +58,7 @@ TEST_F(ProgramsMadeElsewhere, AnotherModelMeanwhile_IsTheOneThatIsShown) {
 TEST_F(ProgramsMadeElsewhere, WindowClosedMeanwhile_LeavesNothingBehind) {
     const int before = view().waitCount();
     changeModel();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, compilingMs));
     close();
     open();
     EXPECT_EQ(view().frameCount(), 1);

@@ -20,7 +20,7 @@
 namespace patina::tests {
 namespace {
 
-constexpr int waitMs = 60000;
+constexpr int sweepMs = 60000;
 
 /// A model in the user's folder that is not a number at grazing angles.
 class Stability : public WindowFixture {
@@ -61,13 +61,13 @@ class Stability : public WindowFixture {
 
     bool check() {
         dock().start();
-        return QTest::qWaitFor([this] { return !dock().isRunning(); }, waitMs);
+        return QTest::qWaitFor([this] { return !dock().isRunning(); }, sweepMs);
     }
 
     void inspect(bool on) {
         QSignalSpy frames(&view(), &Viewport::frameDrawn);
         window().findChild<QAction*>("inspect")->setChecked(on);
-        EXPECT_TRUE(frames.wait(waitMs));
+        EXPECT_TRUE(frames.wait(sweepMs));
     }
 
     void pointAt(QPoint place) {
@@ -119,7 +119,7 @@ TEST_F(Stability, CopiedCase_IsJsonOfThatModel) {
 TEST_F(Stability, CancelledCheck_SaysThatItStopped) {
     dock().start();
     press("Cancel");
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isRunning(); }, waitMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isRunning(); }, sweepMs));
     EXPECT_TRUE(verdict().startsWith("Stopped")) << verdict().toStdString();
 }
 
@@ -158,7 +158,7 @@ TEST_F(Stability, NumericalCheckSwitchedOff_BringsThePictureBack) {
 TEST_F(Stability, PointerInTheNumericalCheck_ReadsThePixel) {
     inspect(true);
     pointAt(view().rect().center());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return numbers().contains("Colour"); }, waitMs));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return numbers().contains("Colour"); }, sweepMs));
 }
 
 TEST_F(Stability, PointerInTheNumericalCheck_DrawsNoFrame) {

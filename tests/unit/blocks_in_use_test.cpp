@@ -12,7 +12,7 @@ using nlohmann::json;
 using tests::BlockFolder;
 using tests::plainDescriptor;
 
-const Catalog& catalog() {
+const Catalog& usedCatalog() {
     static const Catalog made = [] {
         BlockFolder folder;
         json slotted = plainDescriptor("slotted");
@@ -28,16 +28,16 @@ const Catalog& catalog() {
 }
 
 Material made(const std::string& model) {
-    return defaultMaterial(*catalog().find("models", model));
+    return defaultMaterial(*usedCatalog().find("models", model));
 }
 
 Material with(const Material& material, const std::string& kind, const std::string& id) {
-    return withPart(material, kind, nullptr, catalog().find(kind, id));
+    return withPart(material, kind, nullptr, usedCatalog().find(kind, id));
 }
 
 std::string used(const Material& material) {
     std::string ids;
-    for (const Block* block : blocksInUse(material, catalog())) {
+    for (const Block* block : blocksInUse(material, usedCatalog())) {
         ids += block->id + ' ';
     }
     return ids;

@@ -11,14 +11,14 @@
 namespace patina {
 namespace {
 
-const Catalog& catalog() {
+const Catalog& fillCatalog() {
     static const Catalog shipped = loadCatalog(
         std::vector{BlockRoot{std::filesystem::path(PATINA_SOURCE_DIR) / "shaders", true}});
     return shipped;
 }
 
 const Block& conductor() {
-    return *catalog().find("fresnel", "conductor");
+    return *fillCatalog().find("fresnel", "conductor");
 }
 
 const Parameter& metal() {

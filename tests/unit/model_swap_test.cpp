@@ -14,7 +14,7 @@ using tests::BlockFolder;
 using tests::plainDescriptor;
 
 /// Two models that call a Fresnel block, two that do not, and two Fresnel blocks.
-Catalog testCatalog() {
+Catalog madeSwapCatalog() {
     BlockFolder folder;
     json slotted = plainDescriptor("slotted");
     slotted["slots"] = {{{"kind", "fresnel"}, {"default", "coat"}}};
@@ -28,27 +28,27 @@ Catalog testCatalog() {
     return folder.load();
 }
 
-const Catalog& catalog() {
-    static const Catalog made = testCatalog();
+const Catalog& swapCatalog() {
+    static const Catalog made = madeSwapCatalog();
     return made;
 }
 
 Material made(const std::string& model) {
-    return defaultMaterial(*catalog().find("models", model));
+    return defaultMaterial(*swapCatalog().find("models", model));
 }
 
 Material with(const Material& material, const std::string& fresnel, double gloss) {
-    Material next = withPart(material, "fresnel", nullptr, catalog().find("fresnel", fresnel));
+    Material next = withPart(material, "fresnel", nullptr, swapCatalog().find("fresnel", fresnel));
     next.parts.at("fresnel").parameters["gloss"] = gloss;
     return next;
 }
 
 Material swapped(const Material& material, const std::string& model) {
-    return swappedModel(material, *catalog().find("models", model), catalog());
+    return swappedModel(material, *swapCatalog().find("models", model), swapCatalog());
 }
 
 TEST(SwappedModel, TestCatalog_HasNoMistakes) {
-    EXPECT_EQ(catalog().errors, Errors());
+    EXPECT_EQ(swapCatalog().errors, Errors());
 }
 
 TEST(SwappedModel, SlotsFilling_RestsWhereThereIsNoSlot) {
@@ -63,7 +63,7 @@ TEST(SwappedModel, SlotsFilling_ComesBackWithTheSlot) {
 TEST(SwappedModel, SlotsFilling_ComesBackThroughAFile) {
     const Material before = with(made("slotted"), "film", 0.75);
     const LocatedJson file{"p", toJson(swapped(before, "plain")), {}};
-    const auto reading = materialFromJson(file, "", catalog());
+    const auto reading = materialFromJson(file, "", swapCatalog());
     ASSERT_TRUE(reading);
     EXPECT_EQ(swapped(reading->material, "slotted"), before);
 }
@@ -104,7 +104,7 @@ TEST(SwappedModel, EachWithItsOwn_KeepsBoth) {
 
 TEST(SwappedModel, TurnedOffInTheSlot_StaysOffThere) {
     Material material = swapped(with(made("plain"), "film", 0.75), "slotted");
-    material = withPart(material, "fresnel", catalog().find("fresnel", "film"), nullptr);
+    material = withPart(material, "fresnel", swapCatalog().find("fresnel", "film"), nullptr);
     EXPECT_EQ(swapped(swapped(material, "plain"), "slotted").part("fresnel"), nullptr);
 }
 

@@ -13,23 +13,23 @@ using nlohmann::json;
 using tests::BlockFolder;
 using tests::plainDescriptor;
 
-json parameter(const std::string& id, const std::string& type, const json& defaultValue) {
+json oneParameter(const std::string& id, const std::string& type, const json& defaultValue) {
     return {{"id", id}, {"label", id}, {"type", type}, {"default", defaultValue}};
 }
 
 /// A catalogue with one model that has a parameter of each interesting type.
-Catalog testCatalog() {
+Catalog madePresetCatalog() {
     BlockFolder folder;
     json model = plainDescriptor("velvet");
     model["version"] = 2;
-    json color = parameter("color", "color", {0.5, 0.5, 0.5});
+    json color = oneParameter("color", "color", {0.5, 0.5, 0.5});
     color["texture"] = {"rgb"};
-    json lobe = parameter("lobe", "enum", "wide");
+    json lobe = oneParameter("lobe", "enum", "wide");
     lobe["values"] = {{{"id", "wide"}, {"label", "W"}}, {{"id", "narrow"}, {"label", "N"}}};
-    json fuzz = parameter("fuzz", "float", 0.25);
+    json fuzz = oneParameter("fuzz", "float", 0.25);
     fuzz["migrations"] = {{{"from", "hair"}, {"until", 1}}};
     model["parameters"] = {color, lobe, fuzz,
-                           parameter("soft", "bool", true)};
+                           oneParameter("soft", "bool", true)};
     model["accuracy"] = {
         {{"id", "sum"},
          {"label", "Sum"},
@@ -40,8 +40,8 @@ Catalog testCatalog() {
     return folder.load();
 }
 
-const Catalog& catalog() {
-    static const Catalog made = testCatalog();
+const Catalog& presetCatalog() {
+    static const Catalog made = madePresetCatalog();
     return made;
 }
 
@@ -54,7 +54,7 @@ json plainPreset() {
 
 Checked<PresetReading> readingOf(const std::string& preset) {
     const auto document = parseJson(preset, "p");
-    return document ? materialFromJson(*document, "", catalog())
+    return document ? materialFromJson(*document, "", presetCatalog())
                     : Checked<PresetReading>(tl::unexpected(Errors{document.error()}));
 }
 
@@ -185,7 +185,7 @@ TEST(ReadPreset, UnknownModel_IsWrittenAsItCame) {
 TEST(ReadPreset, UnknownModelThatBecomesKnown_HasItsValues) {
     const Material unknown =
         materialFromJson(*parseJson(writeJson(plainPreset()), "p"), "", Catalog{})->material;
-    const Material known = withModel(unknown, nullptr, *catalog().find("models", "velvet"));
+    const Material known = withModel(unknown, nullptr, *presetCatalog().find("models", "velvet"));
     EXPECT_EQ(known.model.parameters.at("fuzz"), Value(0.75));
     EXPECT_EQ(known.model.parameters.at("lobe"), Value(std::string("narrow")));
 }
@@ -348,7 +348,7 @@ TEST(WritePreset, File_ReadsAsTheSameMaterial) {
     const tests::TemporaryFolder folder;
     const Material before = reading(json::object())->material;
     ASSERT_TRUE(writePreset(folder / "a.patina.json", before));
-    EXPECT_EQ(readPreset(folder / "a.patina.json", catalog())->material, before);
+    EXPECT_EQ(readPreset(folder / "a.patina.json", presetCatalog())->material, before);
 }
 
 TEST(WritePreset, Written_FollowsTheSchema) {

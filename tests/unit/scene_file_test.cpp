@@ -22,7 +22,7 @@ json panoramaDescriptor() {
     return descriptor;
 }
 
-const Catalog& catalog() {
+const Catalog& sceneCatalog() {
     static const Catalog made = [] {
         BlockFolder folder;
         folder.add("models", plainDescriptor("velvet"));
@@ -57,7 +57,7 @@ class SceneFile : public testing::Test {
 
     Checked<SceneReading> read(const json& scene) {
         tests::writeFile(file_, writeJson(scene));
-        return readScene(file_, catalog());
+        return readScene(file_, sceneCatalog());
     }
 
     Checked<SceneReading> readChanged(const json& changes) {
@@ -103,7 +103,7 @@ TEST_F(SceneFile, TenThousandObjects_AreReadAsTheyWereWritten) {
     }
     ASSERT_TRUE(writeScene(file_, scene));
     ASSERT_GT(std::filesystem::file_size(file_), JsonLimits().bytes);
-    const auto reading = readScene(file_, catalog());
+    const auto reading = readScene(file_, sceneCatalog());
     ASSERT_TRUE(reading) << text(reading.error());
     EXPECT_TRUE(reading->scene == scene);
 }
@@ -214,7 +214,8 @@ TEST_F(SceneFile, Mesh_FollowsASceneSavedElsewhere) {
     const auto deeper = folder_ / "deep/b.patina-scene.json";
     std::filesystem::create_directories(deeper.parent_path());
     ASSERT_TRUE(writeScene(deeper, scene));
-    EXPECT_EQ(readScene(deeper, catalog())->scene.objects[0].mesh, (folder_ / "m/x.obj").string());
+    EXPECT_EQ(readScene(deeper, sceneCatalog())->scene.objects[0].mesh,
+              (folder_ / "m/x.obj").string());
 }
 
 TEST_F(SceneFile, AbsoluteMesh_IsNotedAndKept) {
@@ -326,7 +327,7 @@ TEST_F(SceneFile, Hemisphere_ComesBack) {
 }
 
 TEST_F(SceneFile, MissingFile_IsAnError) {
-    EXPECT_FALSE(readScene(folder_ / "none.patina-scene.json", catalog()));
+    EXPECT_FALSE(readScene(folder_ / "none.patina-scene.json", sceneCatalog()));
 }
 
 TEST_F(SceneFile, UnknownKeysOfEveryObject_AreWrittenBackUntouched) {
@@ -345,7 +346,7 @@ TEST_F(SceneFile, Written_ReadsAsTheSameScene) {
     before.toneMapping = ToneMapping::None;
     before.objects[0].rotation = {10.0, 20.0, 30.0};
     ASSERT_TRUE(writeScene(file_, before));
-    EXPECT_EQ(readScene(file_, catalog())->scene, before);
+    EXPECT_EQ(readScene(file_, sceneCatalog())->scene, before);
 }
 
 TEST_F(SceneFile, NumbersThatAreNoFloats_AreWrittenAsTheyComeBack) {
@@ -361,7 +362,7 @@ TEST_F(SceneFile, NumbersThatAreNoFloats_AreWrittenAsTheyComeBack) {
     ASSERT_TRUE(writeScene(file_, scene));
     const std::string first = tests::readFile(file_);
     EXPECT_NE(first.find("\"yaw\": 28.6\n"), std::string::npos) << first;
-    ASSERT_TRUE(writeScene(file_, readScene(file_, catalog())->scene));
+    ASSERT_TRUE(writeScene(file_, readScene(file_, sceneCatalog())->scene));
     EXPECT_EQ(tests::readFile(file_), first);
 }
 

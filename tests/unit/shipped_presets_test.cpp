@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-const Catalog& catalog() {
+const Catalog& shippedCatalog() {
     static const Catalog shipped = loadCatalog(
         std::vector{BlockRoot{std::filesystem::path(PATINA_SOURCE_DIR) / "shaders", true}});
     return shipped;
@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> shippedPresets() {
 
 TEST(ShippedPresets, EveryOne_ReadsWithoutANote) {
     for (const auto& file : shippedPresets()) {
-        const auto reading = readPreset(file, catalog());
+        const auto reading = readPreset(file, shippedCatalog());
         ASSERT_TRUE(reading) << text(reading.error());
         EXPECT_EQ(text(reading->notes), "") << file;
     }
@@ -40,7 +40,8 @@ TEST(ShippedPresets, EveryOne_IsWrittenAsPatinaWritesIt) {
     for (const auto& file : shippedPresets()) {
         std::ostringstream bytes;
         bytes << std::ifstream(file).rdbuf();
-        EXPECT_EQ(bytes.str(), writeJson(toJson(readPreset(file, catalog())->material))) << file;
+        EXPECT_EQ(bytes.str(), writeJson(toJson(readPreset(file, shippedCatalog())->material)))
+            << file;
     }
 }
 
@@ -58,7 +59,7 @@ TEST(ShippedModels, LevelThatIsGone_OpensExactAndSaysSo) {
                                     {"model", {{"id", gone.model}, {"version", 1}}},
                                     {"accuracy", {{gone.choice, gone.level}}}};
         const auto reading =
-            materialFromJson(parseJson(writeJson(preset), "old").value(), "", catalog());
+            materialFromJson(parseJson(writeJson(preset), "old").value(), "", shippedCatalog());
         ASSERT_TRUE(reading) << text(reading.error());
         EXPECT_EQ(reading->material.accuracy.at(gone.choice), "exact");
         EXPECT_NE(text(reading->notes).find(std::string(gone.level) + "\" is no level of"),
@@ -69,14 +70,14 @@ TEST(ShippedModels, LevelThatIsGone_OpensExactAndSaysSo) {
 
 TEST(ShippedPresets, EveryOne_LiesInItsModelsFolder) {
     for (const auto& file : shippedPresets()) {
-        const Material material = readPreset(file, catalog())->material;
+        const Material material = readPreset(file, shippedCatalog())->material;
         EXPECT_EQ(file.parent_path().filename().string(), material.model.id) << file;
     }
 }
 
 TEST(ShippedPresets, EveryOne_GivesAReasonForItsValues) {
     for (const auto& file : shippedPresets()) {
-        EXPECT_GT(readPreset(file, catalog())->material.description.size(), 60u) << file;
+        EXPECT_GT(readPreset(file, shippedCatalog())->material.description.size(), 60u) << file;
     }
 }
 
@@ -85,7 +86,7 @@ TEST(ShippedPresets, EveryModel_HasAtLeastThree) {
     for (const auto& file : shippedPresets()) {
         ++count[file.parent_path().filename().string()];
     }
-    for (const Block* model : catalog().ofKind("models")) {
+    for (const Block* model : shippedCatalog().ofKind("models")) {
         EXPECT_GE(count[model->id], 3) << model->id;
     }
 }

@@ -34,7 +34,7 @@ namespace {
 
 constexpr int progressSteps = 1000;
 constexpr int settleMs = 100;
-constexpr QSize usualSize{720, 320};
+constexpr QSize usualPageSize{720, 320};
 const QList<int> partSizes{2000, 3000}; ///< of chart and table, as shares
 
 } // namespace
@@ -142,7 +142,7 @@ void AccuracyPage::changeEvent(QEvent* event) {
 }
 
 QSize AccuracyPage::sizeHint() const {
-    return usualSize;
+    return usualPageSize;
 }
 
 /// Finds the chart of what is on the screen now. Nobody sees it in a dock that is not open.

@@ -27,7 +27,7 @@ struct PictureSize {
 };
 constexpr PictureSize sizes[] = {
     {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"1440p", 2560, 1440}, {"2160p", 3840, 2160}};
-constexpr int usualSize = 1;
+constexpr int usualEntry = 1;
 
 QString millisecondsText(double milliseconds) {
     return BudgetRow::tr("%1 ms").arg(digitsText(milliseconds));
@@ -56,7 +56,7 @@ BudgetRow::BudgetRow(QWidget* parent)
                            tr("%1 × %2 pixels").arg(size.width).arg(size.height),
                            Qt::ToolTipRole);
     }
-    size_->setCurrentIndex(usualSize);
+    size_->setCurrentIndex(usualEntry);
     size_->setToolTip(tr("The picture's size, filled as the measured one is"));
     bounded_->setToolTip(tr("The fastest way of which 99 of 100 pixels are off by no more"));
     share_->setPrefix(QStringLiteral("1/"));

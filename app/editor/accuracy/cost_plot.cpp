@@ -21,7 +21,7 @@ namespace {
 
 constexpr double reach = 11.0; ///< pixels from a point that still mean it
 constexpr double pngScale = 2.0;
-constexpr QSize usualSize{380, 240};
+constexpr QSize usualPlotSize{380, 240};
 constexpr QSize leastSize{240, 130};
 constexpr QSize fileSize{720, 480};
 
@@ -215,7 +215,7 @@ QByteArray CostPlot::svg() const {
 }
 
 QSize CostPlot::sizeHint() const {
-    return usualSize;
+    return usualPlotSize;
 }
 
 QSize CostPlot::minimumSizeHint() const {

@@ -11,10 +11,6 @@
 namespace patina {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("MaterialTarget", text);
-}
-
 /// The exact level is written only over another: a material that names none is exact.
 Material withLevels(Material material, const std::vector<Choice>& choices,
                     const ChosenLevels& levels) {
@@ -92,7 +88,7 @@ void MaterialTarget::compare(const std::vector<Choice>& choices, const ChosenLev
     if (isSo) {
         return;
     }
-    const QString label = tr("Compare with exact");
+    const QString label = QCoreApplication::translate("MaterialTarget", "Compare with exact");
     document_.editAsOneStep(label, [&] {
         document_.replaceMaterial(Side::A, exact, label);
         document_.setSecondMaterial(chosen);
@@ -100,11 +96,13 @@ void MaterialTarget::compare(const std::vector<Choice>& choices, const ChosenLev
 }
 
 QString MaterialTarget::measureText() const {
-    return tr("Measure the time and the error of every way to compute this material");
+    return QCoreApplication::translate(
+        "MaterialTarget", "Measure the time and the error of every way to compute this material");
 }
 
 QString MaterialTarget::noChoicesText() const {
-    return tr("Nothing of this material can be computed more cheaply.");
+    return QCoreApplication::translate(
+        "MaterialTarget", "Nothing of this material can be computed more cheaply.");
 }
 
 } // namespace patina
