@@ -315,8 +315,9 @@ TEST_P(UnshadedSurface, SphereByALamp_DoesNotShadeItself) {
     EXPECT_EQ(darkenedFromNearby("sphere"), 0);
 }
 
-TEST_P(UnshadedSurface, PlaneByALamp_DoesNotShadeItself) {
+TEST_P(UnshadedSurface, FlatSidesByALamp_DoNotShadeThemselves) {
     EXPECT_EQ(darkenedFromNearby("plane"), 0);
+    EXPECT_EQ(darkenedFromNearby("cube"), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, UnshadedSurface, testing::Values("hard", "filtered", "soft"),
