@@ -35,16 +35,33 @@ struct Slot {
 
 /// What share of a surface a fog hides, said in its descriptor so that nobody has to run its shader
 /// to know: 1 - exp(-(rate x)^power) of what is x metres away, or none up to `from`, all behind
-/// `to` and evenly more between them. Ids of parameters.
+/// `to` and evenly more between them. With `base` and `thickness` the rate is that up to the height
+/// `base` and falls above it to 1/e with each `thickness`, and x stands for its mean over the way.
+/// Ids of parameters.
 struct Hiding {
     std::string rate; ///< empty: by `from` and `to`
     double power = 1.0;
     std::string from;
     std::string to;
+    std::string base; ///< empty: the rate is the same at every height
+    std::string thickness;
     bool atMost = false; ///< it hides so much or less
 
     friend bool operator==(const Hiding&, const Hiding&) = default;
 };
+
+/// A number, vector or colour that is 0 or less in every part, or is the same as another one; an
+/// enum or an accuracy choice.
+struct NeutralValue {
+    std::string id;
+    std::string word; ///< what is chosen, or the other parameter's id; empty: 0
+
+    friend bool operator==(const NeutralValue&, const NeutralValue&) = default;
+};
+
+/// All that must be so for the block to give exactly 0 everywhere, said in its descriptor so that
+/// it can be left out.
+using NeutralCase = std::vector<NeutralValue>;
 
 /// Which points a light cannot reach, said in its descriptor: those farther than `range` from the
 /// point `from` (a range of 0 has no end), and those outside of the cone with `angle` between its
@@ -78,6 +95,7 @@ struct Block {
     ShadowProjection shadowProjection = ShadowProjection::None; ///< lights only
     std::optional<Hiding> hides; ///< fog only
     std::optional<Reach> reach;  ///< lights only
+    std::vector<NeutralCase> neutral; ///< one of them is enough
     std::filesystem::path descriptorFile;
     std::filesystem::path shaderFile;
     bool shipped = true; ///< false: from the user's folder

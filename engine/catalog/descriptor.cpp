@@ -22,6 +22,15 @@ class Fields {
         const auto found = object_.is_object() ? object_.find(key) : object_.end();
         return found == object_.end() ? nullptr : &*found;
     }
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        if (object_.is_object()) {
+            for (const auto& [name, value] : object_.items()) {
+                all.push_back(name);
+            }
+        }
+        return all;
+    }
     bool has(const char* key) const { return find(key) != nullptr; }
 
     void read(const char* key, std::string& into) const {
@@ -242,8 +251,20 @@ std::optional<Hiding> hidingFrom(const Fields& fields) {
     Fields(*json).read("power", hiding.power);
     Fields(*json).read("from", hiding.from);
     Fields(*json).read("to", hiding.to);
+    Fields(*json).read("base", hiding.base);
+    Fields(*json).read("thickness", hiding.thickness);
     Fields(*json).read("atMost", hiding.atMost);
     return hiding;
+}
+
+/// A number, which boundMistakes() sees to be 0, leaves the word empty.
+NeutralCase neutralFrom(const Fields& fields) {
+    NeutralCase neutral;
+    for (const std::string& id : fields.names()) {
+        neutral.push_back({id, {}});
+        fields.read(id.c_str(), neutral.back().word);
+    }
+    return neutral;
 }
 
 std::optional<Reach> reachFrom(const Fields& fields) {
@@ -309,6 +330,7 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
     fields.read("shadowProjection", shadowProjectionWords, block.shadowProjection);
     block.hides = hidingFrom(fields);
     block.reach = reachFrom(fields);
+    fields.readEach("neutral", block.neutral, neutralFrom);
     return block;
 }
 

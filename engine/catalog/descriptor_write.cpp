@@ -123,8 +123,20 @@ Json parameterJson(const Parameter& parameter) {
 Json toJson(const Hiding& hiding) {
     Json json = hiding.rate.empty() ? Json{{"from", hiding.from}, {"to", hiding.to}}
                                     : Json{{"rate", hiding.rate}, {"power", hiding.power}};
+    if (!hiding.base.empty()) {
+        json["base"] = hiding.base;
+        json["thickness"] = hiding.thickness;
+    }
     if (hiding.atMost) {
         json["atMost"] = true;
+    }
+    return json;
+}
+
+Json neutralJson(const NeutralCase& neutral) {
+    Json json = Json::object();
+    for (const NeutralValue& value : neutral) {
+        json[value.id] = value.word.empty() ? Json(0) : Json(value.word);
     }
     return json;
 }
@@ -162,6 +174,9 @@ nlohmann::json toJson(const Block& block) {
                  {"shadowProjection", wordFor(shadowProjectionWords, block.shadowProjection)}};
     if (block.hides) {
         json["hides"] = toJson(*block.hides);
+    }
+    if (!block.neutral.empty()) {
+        json["neutral"] = arrayOf(block.neutral, neutralJson);
     }
     if (block.reach) {
         json["reach"] = toJson(*block.reach);

@@ -27,5 +27,27 @@ TEST(DescriptorBounds, ReachFromANumber_IsAMistake) {
               std::string::npos);
 }
 
+TEST(DescriptorBounds, RateWithABaseAlone_IsAMistake) {
+    const auto number = tests::plainDescriptor("a")["parameters"][0]["id"];
+    EXPECT_NE(mistakesWith("hides", {{"rate", number}, {"base", number}}).find("a thickness"),
+              std::string::npos);
+}
+
+TEST(DescriptorBounds, NeutralByWhatIsNotThere_IsAMistake) {
+    const nlohmann::json nothing{{"no/thing~", 0}};
+    EXPECT_NE(mistakesWith("neutral", nlohmann::json::array({nothing}))
+                  .find("\"no/thing~\" is not a parameter of the block"),
+              std::string::npos);
+}
+
+TEST(DescriptorBounds, NeutralAtOne_IsAMistake) {
+    const std::string number = tests::plainDescriptor("a")["parameters"][0]["id"];
+    nlohmann::json neutral;
+    neutral[number] = 1;
+    EXPECT_NE(mistakesWith("neutral", nlohmann::json::array({neutral}))
+                  .find("this does not say when the block does nothing"),
+              std::string::npos);
+}
+
 } // namespace
 } // namespace patina
