@@ -84,6 +84,7 @@ FogReach::FogReach(const Scene& scene, const Catalog& catalog, const glm::dvec3&
     const Block* block = scene.fog ? catalog.find("fog", scene.fog->id) : nullptr;
     if (block != nullptr && isFinite(eye)) {
         box_ = fogBox(*block, scene.fog->parameters);
+        layer_ = fogLayer(*block, scene.fog->parameters);
     }
 }
 
@@ -91,10 +92,13 @@ void FogReach::add(const Corners& corners) {
     if (box_ && !isMet_) {
         isMet_ = ++count_ > most || meets(corners);
     }
+    if (layer_) {
+        addHeights(corners);
+    }
 }
 
 void FogReach::add(const Bounds& bounds, const glm::dmat4& world) {
-    if (!box_ || bounds.empty()) {
+    if (!asks() || bounds.empty()) {
         return;
     }
     Corners corners;
@@ -102,6 +106,30 @@ void FogReach::add(const Bounds& bounds, const glm::dmat4& world) {
         corners[static_cast<std::size_t>(corner)] = glm::dvec3(world * cornerOf(bounds, corner));
     }
     add(corners);
+}
+
+void FogReach::addHeights(const Corners& corners) {
+    double lowest = std::numeric_limits<double>::infinity();
+    double farthest = 0.0;
+    for (const glm::dvec3& corner : corners) {
+        if (!isFinite(corner)) {
+            lowest_ = -std::numeric_limits<double>::infinity();
+            return;
+        }
+        lowest = std::min(lowest, corner.y);
+        farthest = std::max(farthest, glm::distance(corner, eye_));
+    }
+    lowest_ = std::min(lowest_, lowest - margin * farthest);
+}
+
+/// The density nowhere rises with height: a way that ends lower has more of it on the mean.
+double FogReach::thickness() const {
+    if (!layer_ || !std::isfinite(lowest_)) {
+        return 1.0;
+    }
+    const double rounding =
+        1e-6 * std::max({std::abs(eye_.y), std::abs(lowest_), std::abs(layer_->base)});
+    return layer_->between(eye_.y - rounding, lowest_ - rounding);
 }
 
 bool FogReach::meets(const Corners& corners) const {
@@ -124,6 +152,7 @@ EffectView effectView(const DepthRange& depths, const FogReach& fog) {
         view.farthest = depths.farthest();
     }
     view.missesFog = fog.misses();
+    view.fogThickness = fog.thickness();
     return view;
 }
 

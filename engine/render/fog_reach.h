@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include <glm/mat4x4.hpp>
@@ -16,8 +17,8 @@
 
 namespace patina {
 
-/// Whether rays from the eye to what is drawn may meet the box that a scene's fog fills. Where
-/// nobody knows they do.
+/// Whether rays from the eye to what is drawn may meet the box that a scene's fog fills, and how
+/// much of fog that gets thinner with height. Where nobody knows they meet all of it.
 class FogReach {
   public:
     /// The eight corners of a box, numbered as by cornerOf().
@@ -26,8 +27,8 @@ class FogReach {
     /// `eye` is in world space.
     FogReach(const Scene& scene, const Catalog& catalog, const glm::dvec3& eye);
 
-    /// Whether there is a box, so that what is drawn matters.
-    bool hasBox() const { return box_.has_value(); }
+    /// Whether it matters what is drawn.
+    bool asks() const { return box_ || layer_; }
 
     /// Adds a box of world space, which need not stand along its axes. Of more than `most` the rest
     /// counts as met. Allocates nothing.
@@ -38,13 +39,20 @@ class FogReach {
     /// No ray to what was added meets the box.
     bool misses() const { return box_ && !isMet_; }
 
+    /// See EffectView::fogThickness.
+    double thickness() const;
+
   private:
     bool meets(const Corners& corners) const;
 
+    void addHeights(const Corners& corners);
+
     std::optional<FogBox> box_;
+    std::optional<FogLayer> layer_;
     glm::dvec3 eye_;
     int count_ = 0;
     bool isMet_ = false;
+    double lowest_ = std::numeric_limits<double>::infinity(); ///< what is drawn
 };
 
 /// What depths and fog say to the choice of effects.

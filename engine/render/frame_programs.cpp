@@ -35,7 +35,7 @@ void FrameDrawer::beginSurroundings() {
 /// Whether the frame's objects and its ground lie behind the fog's box or in it.
 FogReach FrameDrawer::fogReach() const {
     FogReach fog(*effects_, *catalog_, glm::dvec3(cameras_.cameraToWorld[3]));
-    if (!fog.hasBox()) {
+    if (!fog.asks()) {
         return fog;
     }
     for (const DrawItem& item : items_) {

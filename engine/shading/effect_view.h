@@ -20,6 +20,10 @@ struct EffectView {
     /// No ray from the eye to what is drawn meets the box that the scene's fog fills.
     bool missesFog = false;
 
+    /// The greatest share that the fog has of its density on the mean of a way from the eye to what
+    /// is drawn, where it gets thinner with height.
+    double fogThickness = 1.0;
+
     bool reaches(std::size_t light) const { return unreached == nullptr || !unreached->has(light); }
 };
 

@@ -59,12 +59,11 @@ double longestWay(const Block& block, const Values& values) {
     return isFlat ? 0.0 : glm::length(*size);
 }
 
-/// The distance by which fog is decided about: the next power of two, so that a camera that moves
-/// seldom asks for other programs.
-double decisiveDistance(const EffectView& view) {
-    return std::isfinite(view.farthest) && view.farthest > 0.0
-               ? std::exp2(std::ceil(std::log2(view.farthest)))
-               : view.farthest;
+/// What fog is decided by: the next power of two, so that a camera that moves seldom asks for other
+/// programs.
+double decisive(double number) {
+    return std::isfinite(number) && number > 0.0 ? std::exp2(std::ceil(std::log2(number)))
+                                                 : number;
 }
 
 std::string named(const Block& block, const Values& values, const std::string& id) {
@@ -80,14 +79,20 @@ std::string percentText(double share) {
 
 std::string valuesText(const Block& block, const Values& values) {
     const Hiding& hides = *block.hides;
-    return hides.rate.empty()
-               ? named(block, values, hides.from) + ", " + named(block, values, hides.to)
-               : named(block, values, hides.rate);
+    std::string text;
+    for (const std::string* id :
+         {&hides.rate, &hides.from, &hides.to, &hides.base, &hides.thickness}) {
+        if (!id->empty()) {
+            text += (text.empty() ? "" : ", ") + named(block, values, *id);
+        }
+    }
+    return text;
 }
 
 } // namespace
 
-std::optional<double> hiddenShare(const Block& block, const Values& values, double distance) {
+std::optional<double> hiddenShare(const Block& block, const Values& values, double distance,
+                                  double thickness) {
     if (!block.hides) {
         return std::nullopt;
     }
@@ -96,7 +101,7 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
         return ramp(number(block, values, hides.from), number(block, values, hides.to), distance);
     }
     const double rate = number(block, values, hides.rate);
-    distance = std::min(distance, longestWay(block, values));
+    distance = std::min(distance, longestWay(block, values)) * thickness;
     const bool hidesAny = rate > 0.0 && distance > 0.0;
     return hidesAny ? -std::expm1(-std::pow(rate * distance, hides.power)) : 0.0;
 }
@@ -111,12 +116,35 @@ std::optional<FogBox> fogBox(const Block& block, const Values& values) {
     return isBox ? std::optional(FogBox{*center, *size}) : std::nullopt;
 }
 
+std::optional<FogLayer> fogLayer(const Block& block, const Values& values) {
+    const bool isLayer = block.hides && !block.hides->base.empty();
+    return isLayer ? std::optional(FogLayer{number(block, values, block.hides->base),
+                                            number(block, values, block.hides->thickness)})
+                   : std::nullopt;
+}
+
+/// Up to the base 1; above it the mean of exp(-y / thickness), a difference of two of them.
+double FogLayer::between(double one, double other) const {
+    const double low = std::min(one, other);
+    const double high = std::max(one, other);
+    const double scale = std::max(thickness, 1e-6); // as in the shader
+    const double from = std::max(low - base, 0.0) / scale;
+    const double to = std::max(high - base, 0.0) / scale;
+    if (!(to > from)) {
+        return std::exp(-from);
+    }
+    const double above = -std::exp(-from) * std::expm1(from - to) * scale;
+    const double below = std::max(base - low, 0.0);
+    return std::clamp((below + above) / (high - low), 0.0, 1.0);
+}
+
 /// With h the hidden share, a surface of S becomes S (1 - h) + F h. On a display that is, by the
 /// slope of the sRGB curve at black, at most 12.92 F h more, and at most 0.44 h less, since
 /// S times the curve's slope at S is never more than 0.44. Tone mapping subtracts a part of the
 /// least channel, which can double both.
 double mostChange(const Scene& scene, const Block& block, const EffectView& view) {
-    const auto hidden = hiddenShare(block, scene.fog->parameters, decisiveDistance(view));
+    const auto hidden = hiddenShare(block, scene.fog->parameters, decisive(view.farthest),
+                                    std::min(decisive(view.fogThickness), 1.0));
     if (!hidden) {
         return std::numeric_limits<double>::infinity();
     }
@@ -142,13 +170,22 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
     if (!std::isfinite(view.farthest)) {
         return text + ".";
     }
-    if (mostChange(scene, block, view) < halfStep) {
+    const double change = mostChange(scene, block, view);
+    EffectView even = view;
+    even.fogThickness = 1.0;
+    if (change < halfStep && !(mostChange(scene, block, even) < halfStep)) {
+        return fmt::format("{}: it thins out below what is drawn, and changes its pixels by at "
+                           "most {:.1g} %.",
+                           text, 100.0 * change);
+    }
+    if (change < halfStep) {
         return fmt::format("{}: at up to {:.3g} m it changes no pixel by half of an 8-bit step.",
                            text, view.farthest);
     }
     return fmt::format("{}: at up to {:.3g} m it hides {}{} %.", text, view.farthest,
                        block.hides->atMost ? "at most " : "",
-                       percentText(*hiddenShare(block, values, view.farthest)));
+                       percentText(*hiddenShare(block, values, view.farthest,
+                                                view.fogThickness)));
 }
 
 } // namespace patina

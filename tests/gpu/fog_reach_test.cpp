@@ -186,5 +186,146 @@ TEST_F(FogReachTest, RowOfABoxThatIsMissed_SaysSo) {
         << fog->line.reason;
 }
 
+/// Fog on the ground under a ball of one metre at y = 0, seen from 4 m away.
+class FogLayerTest : public FogReachTest {
+  protected:
+    Scene fogUpTo(double base, double thickness) const {
+        Scene scene = simpleScene();
+        scene.camera.distance = 4.0;
+        scene.fog = block("fog", "low-lying");
+        scene.fog->parameters["base"] = base;
+        scene.fog->parameters["thickness"] = thickness;
+        return scene;
+    }
+
+    bool isDrawn(const Scene& scene) {
+        capture(scene);
+        return std::ranges::count(renderer->report().effects, "fog/low-lying") > 0;
+    }
+
+    EffectRow row(const Scene& scene) {
+        for (const EffectRow& each : objectRows(scene, 0, *catalog, meshSource())) {
+            if (each.line.effect.starts_with("fog")) {
+                return each;
+            }
+        }
+        return {};
+    }
+};
+
+TEST_F(FogLayerTest, BelowTheObject_IsInNoProgramAndInNoPixel) {
+    makeRenderer();
+    Scene scene = fogUpTo(-1.5, 0.02);
+    EXPECT_FALSE(isDrawn(scene));
+    const Image with = capture(scene, true);
+    scene.fog.reset();
+    EXPECT_EQ(capture(scene, true).pixels, with.pixels);
+}
+
+/// What is left out could be seen nowhere: the bound against the fog in the frame.
+TEST_F(FogLayerTest, JustLeftOut_ChangesNoPixelByHalfAStep) {
+    makeRenderer();
+    const Block& fog = *catalog->find("fog", "low-lying");
+    double base = -0.9;
+    Scene scene = fogUpTo(base, 0.1);
+    while (isDrawn(scene)) {
+        base -= 0.05;
+        scene = fogUpTo(base, 0.1);
+    }
+    ASSERT_GT(base, -4.0);
+    const Image without = capture(scene, true, 65);
+    auto silent = std::make_shared<Catalog>(*catalog);
+    for (Block& each : silent->blocks) {
+        if (each.kind == "fog" && each.id == fog.id) {
+            each.hides.reset();
+        }
+    }
+    renderer->setCatalog(silent);
+    ASSERT_TRUE(isDrawn(scene));
+    const Image with = capture(scene, true, 65);
+    for (std::size_t i = 0; i < with.pixels.size(); ++i) {
+        ASSERT_NEAR(with.pixels[i], without.pixels[i], halfStep);
+    }
+}
+
+TEST_F(FogLayerTest, CameraInIt_KeepsIt) {
+    makeRenderer();
+    Scene scene = fogUpTo(-1.5, 0.02);
+    scene.camera.pitch = -60.0; // 3.5 m below the ball
+    EXPECT_TRUE(isDrawn(scene));
+}
+
+TEST_F(FogLayerTest, ObjectPartlyInIt_KeepsIt) {
+    makeRenderer();
+    EXPECT_TRUE(isDrawn(fogUpTo(-0.9, 0.02)));
+    EXPECT_TRUE(isDrawn(fogUpTo(-0.9, 0.0)));
+}
+
+TEST_F(FogLayerTest, SecondObjectInIt_KeepsIt) {
+    makeRenderer();
+    Scene scene = fogUpTo(-1.5, 0.02);
+    scene.objects.push_back(object("lambert"));
+    scene.objects[1].translation.y = -3.0;
+    EXPECT_TRUE(isDrawn(scene));
+}
+
+TEST_F(FogLayerTest, Ground_KeepsIt) {
+    makeRenderer();
+    Scene scene = fogUpTo(-0.99, 0.02);
+    scene.camera.pitch = 20.0;
+    scene.ground.mode = GroundMode::Plane;
+    EXPECT_TRUE(isDrawn(scene));
+}
+
+TEST_F(FogLayerTest, RowOfFogThatThinsOutBelow_SaysSo) {
+    const EffectRow out = row(fogUpTo(-1.5, 0.02));
+    EXPECT_FALSE(out.in);
+    EXPECT_TRUE(out.line.reason.starts_with(
+        "Density 0.4, Base -1.5 m, Thickness 0.02 m: it thins out below what is drawn, and "
+        "changes its pixels by at most "))
+        << out.line.reason;
+    EXPECT_TRUE(row(fogUpTo(-0.5, 0.5)).in);
+}
+
+TEST_F(FogLayerTest, MeanDensity_IsThatOfManySteps) {
+    for (const FogLayer layer : {FogLayer{0.0, 1.0}, FogLayer{1.0, 0.3}, FogLayer{-2.0, 5.0}}) {
+        for (const auto& [one, other] : {std::pair{-3.0, 4.0}, std::pair{2.5, 0.5},
+                                         std::pair{1.5, 3.0}, std::pair{-5.0, -4.0}}) {
+            double sum = 0.0;
+            const int steps = 20000;
+            for (int i = 0; i < steps; ++i) {
+                const double y = one + (other - one) * (i + 0.5) / steps;
+                sum += std::exp(-std::max(y - layer.base, 0.0) / layer.thickness);
+            }
+            EXPECT_NEAR(layer.between(one, other), sum / steps, 1e-6) << one << ' ' << other;
+        }
+        EXPECT_EQ(layer.between(layer.base, layer.base), 1.0);
+    }
+    EXPECT_EQ((FogLayer{0.0, 0.0}.between(0.5, 1.0)), 0.0);
+    EXPECT_NEAR((FogLayer{0.0, 0.0}.between(-1.0, 3.0)), 0.25, 1e-6);
+}
+
+/// The whole bound: the greatest thickness on the way to a corner, of many ways into a box.
+TEST_F(FogLayerTest, RandomWays_HaveNoMoreOfItThanIsSaid) {
+    std::mt19937 random(7);
+    const auto within = [&random](double most) {
+        return std::uniform_real_distribution<double>(-most, most)(random);
+    };
+    for (int i = 0; i < 300; ++i) {
+        Scene scene = fogUpTo(within(3.0), 1.0 + within(1.0));
+        const FogLayer layer =
+            *fogLayer(*catalog->find("fog", "low-lying"), scene.fog->parameters);
+        const glm::dvec3 eye(within(6.0), within(6.0), within(6.0));
+        const glm::dmat4 world = glm::translate(here, {within(4.0), within(4.0), within(4.0)});
+        FogReach reach(scene, *catalog, eye);
+        reach.add(cube(), world);
+        for (int ray = 0; ray < 20; ++ray) {
+            const glm::dvec3 point(world *
+                                   glm::dvec4(within(1.0), within(1.0), within(1.0), 1.0));
+            ASSERT_LE(layer.between(eye.y, point.y), reach.thickness()) << i;
+        }
+    }
+}
+
 } // namespace
 } // namespace patina

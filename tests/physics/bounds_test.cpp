@@ -21,6 +21,33 @@ TEST(FogBounds, EveryFog_HidesWhatItsDescriptorSays) {
     }
 }
 
+/// Its mean density on the way, by the descriptor's base and thickness, is the block's own.
+TEST(FogBounds, FogThatFallsWithHeight_HidesAsItsDescriptorSays) {
+    int layers = 0;
+    for (const Block* block : catalog().ofKind("fog")) {
+        const Values values{{"density", 0.7}};
+        const auto layer = fogLayer(*block, values);
+        if (!layer) {
+            continue;
+        }
+        ++layers;
+        const Subject fog("fog", block->id, values);
+        for (const double eye : {-4.0, -0.5, 0.0, 1.0}) {
+            for (const double rise : {-0.9, -0.1, 0.0, 0.4, 1.0}) {
+                const glm::dvec3 way(0.0, rise, -std::sqrt(1.0 - rise * rise));
+                const double hidden =
+                    1.0 - fog.code->fog({{0.0, eye, 0.0}, way, 3.0}, fog.parameters);
+                EXPECT_NEAR(hidden,
+                            *hiddenShare(*block, values, 3.0,
+                                         layer->between(eye, eye + 3.0 * rise)),
+                            1e-12)
+                    << block->id << ' ' << eye << ' ' << rise;
+            }
+        }
+    }
+    EXPECT_GT(layers, 0);
+}
+
 TEST(LightBounds, BeyondTheRange_NothingArrives) {
     for (const Block* block : catalog().ofKind("lights")) {
         if (!block->reach || block->reach->range.empty()) {
