@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/block_use.h"
 
-#include <cctype>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "shading/effect_choice.h"
 
 namespace patina {
 namespace {
-
-std::string lowered(std::string word) {
-    if (!word.empty()) {
-        word.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(word.front())));
-    }
-    return word;
-}
 
 std::string stateText(const Block& block, const Parameter& parameter, const Values& values) {
     const std::size_t state = compiledState(block, parameter, values);
@@ -53,16 +43,6 @@ std::vector<CompiledValue> compiledValues(const Block& block, const Values& valu
 BlockUse useOf(const Block& block, const Values& values, const AccuracyLevels& levels,
                std::string reason) {
     return {block.kind, block.id, compiledValues(block, values, levels), std::move(reason)};
-}
-
-std::string whyNeutral(const Block& block, const Values& values) {
-    const Parameter* neutral = neutralParameter(block, values);
-    if (neutral == nullptr) {
-        return {};
-    }
-    return neutral->type == ParameterType::Color
-               ? "It is black."
-               : fmt::format("Its {} is 0.", lowered(neutral->label));
 }
 
 } // namespace patina

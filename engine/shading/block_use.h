@@ -11,8 +11,4 @@ namespace patina {
 BlockUse useOf(const Block& block, const Values& values, const AccuracyLevels& levels,
                std::string reason);
 
-/// "It is black.", "Its density is 0.": why a block with these values does nothing; empty when it
-/// does something. See neutralParameter().
-std::string whyNeutral(const Block& block, const Values& values);
-
 } // namespace patina

@@ -2,13 +2,13 @@
 #include "shading/effect_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include <glm/common.hpp>
 
 #include "scene/environment.h"
 #include "shading/fog_depth.h"
+#include "shading/neutral_values.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -19,6 +19,14 @@ std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id) {
                                     [id](const EnumValue& value) { return value.id == id; });
     return found == values.end() ? 0 : static_cast<std::size_t>(found - values.begin());
 }
+
+/// The least that a model is taken to keep of the light: below half of an 8-bit step.
+constexpr double leastKept = 1.0 / 1024.0;
+
+/// What hides at least so much casts shadows.
+constexpr double leastShadowing = 0.5;
+
+} // namespace
 
 bool notPositive(const Value& value) {
     if (const auto* number = std::get_if<double>(&value)) {
@@ -32,25 +40,6 @@ bool notPositive(const Value& value) {
     }
     return false;
 }
-
-/// The least that a model is taken to keep of the light: below half of an 8-bit step.
-constexpr double leastKept = 1.0 / 1024.0;
-
-/// What hides at least so much casts shadows.
-constexpr double leastShadowing = 0.5;
-
-/// Parameters without which a block of a kind does nothing.
-std::span<const std::string_view> decisiveIds(std::string_view kind) {
-    static constexpr std::array<std::string_view, 2> ofLights{"color", "intensity"};
-    static constexpr std::array<std::string_view, 1> ofFog{"density"};
-    static constexpr std::array<std::string_view, 2> ofEnvironments{"intensity", "tint"};
-    if (kind == "lights") {
-        return ofLights;
-    }
-    return kind == "fog" ? std::span<const std::string_view>(ofFog) : ofEnvironments;
-}
-
-} // namespace
 
 const Value& givenValue(const Parameter& parameter, const Values& values) {
     const auto found = values.find(parameter.id);
@@ -95,26 +84,12 @@ std::size_t compiledState(const Block& block, const Parameter& parameter, const 
     return chosenIndex(parameter, values);
 }
 
-const Parameter* neutralParameter(const Block& block, const Values& values) {
-    const auto isNeutral = [&values](const Parameter* parameter) {
-        return parameter != nullptr && parameter->min >= 0.0 &&
-               notPositive(givenValue(*parameter, values));
-    };
-    for (const std::string_view id : decisiveIds(block.kind)) {
-        if (isNeutral(block.parameter(id))) {
-            return block.parameter(id);
-        }
-    }
-    const Parameter* angle = block.reach ? block.parameter(block.reach->angle) : nullptr;
-    return isNeutral(angle) ? angle : nullptr;
-}
-
 bool canShine(const Light& light, const Block& block) {
-    return light.enabled && neutralParameter(block, light.block.parameters) == nullptr;
+    return light.enabled && !isNeutral(block, light.block.parameters);
 }
 
 bool canHide(const Scene& scene, const Block& block, const EffectView& view) {
-    return neutralParameter(block, scene.fog->parameters) == nullptr &&
+    return !isNeutral(block, scene.fog->parameters) &&
            mostChange(scene, block, view) >= halfStep;
 }
 
@@ -206,7 +181,7 @@ EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog) 
     if (block == nullptr) {
         return {nullptr, "No environment of this kind is known."};
     }
-    if (neutralParameter(*block, scene.environment->parameters) != nullptr) {
+    if (isNeutral(*block, scene.environment->parameters)) {
         return {nullptr, "It is dark."};
     }
     if (pictureParameter(*block) != nullptr && pictureFile(*scene.environment, *block).empty()) {
@@ -228,6 +203,10 @@ SlotChoice slotChoice(const Slot& slot, const Material& material, const Catalog&
     }
     return {slot.defaultBlock.empty() ? nullptr : catalog.find(slot.kind, slot.defaultBlock), &none,
             false};
+}
+
+bool isNeutral(const SlotChoice& choice, const Material& material) {
+    return choice.block != nullptr && isNeutralPart(*choice.block, *choice.values, material);
 }
 
 OutlineChoice outlineChoice(const Material& material, const Catalog& catalog) {

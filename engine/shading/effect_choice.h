@@ -17,6 +17,9 @@ namespace patina {
 /// default. Points into one of the arguments.
 const Value& givenValue(const Parameter& parameter, const Values& values);
 
+/// Whether no part of a number, a vector or a colour is above 0.
+bool notPositive(const Value& value);
+
 /// Index of the chosen enum value or accuracy level; 0 where the choice is not known.
 std::size_t chosenIndex(const Parameter& parameter, const Values& values);
 std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& levels);
@@ -31,11 +34,6 @@ std::size_t compiledState(const Block& block, const Parameter& parameter, const 
 /// Whether a light can send anything, and whether the scene's fog can change what is drawn.
 bool canShine(const Light& light, const Block& block);
 bool canHide(const Scene& scene, const Block& block, const EffectView& view);
-
-/// The parameter because of which a light or an environment of the block sends nothing, or fog of
-/// it hides nothing wherever it is; null when there is none. By what shared parameter ids mean, and
-/// by the angle of a light's cone.
-const Parameter* neutralParameter(const Block& block, const Values& values);
 
 /// Whether the scene has an ambient colour that is not black.
 bool hasAmbient(const Scene& scene);
@@ -98,6 +96,9 @@ struct SlotChoice {
     bool chosen = false; ///< by the material
 };
 SlotChoice slotChoice(const Slot& slot, const Material& material, const Catalog& catalog);
+
+/// Whether what fills a slot is always 0, as a slot that stays empty is.
+bool isNeutral(const SlotChoice& choice, const Material& material);
 
 /// The block that draws a material's outline, when it draws any line; else a null block and a
 /// sentence why not.

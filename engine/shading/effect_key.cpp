@@ -6,6 +6,7 @@
 
 #include "shading/effect_choice.h"
 #include "shading/light_reach.h"
+#include "shading/neutral_values.h"
 #include "shading/picture_effects.h"
 #include "shading/refraction_choice.h"
 #include "shading/texture_choice.h"
@@ -52,7 +53,7 @@ void addModel(Hash& hash, const Block& model, const Material& material, const Ca
     addBlock(hash, model, material.model.parameters, material.accuracy);
     for (const Slot& slot : model.slots) {
         const SlotChoice choice = slotChoice(slot, material, catalog);
-        if (choice.block != nullptr) {
+        if (choice.block != nullptr && !isNeutral(choice, material)) {
             addBlock(hash, *choice.block, *choice.values, material.accuracy);
         }
     }
@@ -157,7 +158,8 @@ std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& cat
     const BlockValues* part = material.part("fresnel");
     const Block* fresnel = part == nullptr ? nullptr : catalog.find("fresnel", part->id);
     const bool isUnknown = model == nullptr && !material.model.id.empty();
-    if (fresnel != nullptr && !isUnknown && (model == nullptr || !hasFresnelSlot(*model))) {
+    if (fresnel != nullptr && !isUnknown && (model == nullptr || !hasFresnelSlot(*model)) &&
+        !isNeutralPart(*fresnel, part->parameters, material)) {
         addBlock(hash, *fresnel, part->parameters, material.accuracy);
     }
     if (model != nullptr) {

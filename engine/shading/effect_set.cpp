@@ -11,6 +11,7 @@
 #include "shading/effect_choice.h"
 #include "shading/fog_depth.h"
 #include "shading/light_effects.h"
+#include "shading/neutral_values.h"
 #include "shading/picture_effects.h"
 #include "shading/refraction_choice.h"
 #include "shading/refraction_effects.h"
@@ -116,6 +117,11 @@ bool fillSlot(EffectSet& set, const Slot& slot, const Material& material, const 
     if (part != nullptr && !choice.chosen) {
         set.leftOut.push_back(
             {slot.kind, fmt::format("No block \"{}\" is known for the model's slot.", part->id)});
+    }
+    if (isNeutral(choice, material)) {
+        set.leftOut.push_back({slot.kind + '/' + choice.block->id,
+                               whyNeutral(*choice.block, *choice.values, material.accuracy)});
+        return true;
     }
     if (choice.block != nullptr) {
         set.slots.push_back(
@@ -252,7 +258,11 @@ void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) 
     if (part == nullptr || isUnknown || set.fresnelMode == FresnelMode::Slot) {
         return;
     }
-    if (const Block* block = catalog.find("fresnel", part->id)) {
+    const Block* block = catalog.find("fresnel", part->id);
+    if (block != nullptr && isNeutralPart(*block, part->parameters, material)) {
+        set.leftOut.push_back(
+            {"fresnel/" + part->id, whyNeutral(*block, part->parameters, material.accuracy)});
+    } else if (block != nullptr) {
         set.fresnelMode = FresnelMode::Blend;
         set.blend = useOf(*block, part->parameters, material.accuracy,
                           "The material has a Fresnel term and the model has no slot for it.");

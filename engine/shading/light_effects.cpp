@@ -11,6 +11,7 @@
 #include "shading/effect_key.h"
 #include "shading/light_lines.h"
 #include "shading/light_reach.h"
+#include "shading/neutral_values.h"
 
 namespace patina {
 namespace {

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blocks that give 0 everywhere by their values are in no program.
+#include "shading/neutral_values.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "gpu_fixture.h"
+#include "render/object_rows.h"
+
+namespace patina {
+namespace {
+
+struct Neutral {
+    std::string kind;
+    std::string id;
+    Values values;
+    std::string why;
+    std::string model = "phong"; ///< of the material that has the block
+};
+
+void PrintTo(const Neutral& neutral, std::ostream* out) {
+    *out << neutral.kind << '/' << neutral.id << " in " << neutral.model;
+}
+
+const glm::dvec3 black(0.0);
+
+const std::vector<Neutral> neutrals{
+    {"fresnel", "constant", {{"f0", black}}, "Its reflectance is black."},
+    {"fresnel", "constant", {{"f0", black}}, "Its reflectance is black.", "cook-torrance"},
+    {"fresnel", "constant", {{"f0", black}}, "Its reflectance is black.", "ashikhmin-shirley"},
+    {"fresnel",
+     "dielectric",
+     {{"index.inside", 1.3}, {"index.outside", 1.3}},
+     "Its index outside and index inside are both 1.3.",
+     "cook-torrance"},
+    {"fresnel", "blinn-f0", {{"f0", black}}, "Its reflectance facing you is black."},
+    {"fresnel",
+     "empirical",
+     {{"bias", -0.5}, {"scale", 0.0}},
+     "Its everywhere and added at the rim are not above 0."},
+    {"fresnel",
+     "conductor",
+     {{"eta", glm::dvec3(1.0)}, {"k", black}},
+     "Its index outside and refractive index are both 1, and its absorption is 0."},
+    {"specular", "phong", {{"specular.color", black}}, "Its highlight colour is black.",
+     "lambert"},
+    {"specular", "gaussian", {{"gloss", 0.0}}, "Its gloss is 0.", "oren-nayar"},
+};
+
+class NeutralValues : public GpuTest, public testing::WithParamInterface<Neutral> {
+  protected:
+    Scene scene() const {
+        Scene made = simpleScene(GetParam().model);
+        BlockValues& part = made.objects[0].material.parts[GetParam().kind];
+        part = block(GetParam().kind, GetParam().id);
+        for (const auto& [id, value] : GetParam().values) {
+            part.parameters[id] = value;
+        }
+        made.camera.yaw = 25.0;
+        return made;
+    }
+
+    std::string name() const { return GetParam().kind + '/' + GetParam().id; }
+
+    /// The blocks as they would be if no descriptor said when they do nothing.
+    std::shared_ptr<const Catalog> silent() const {
+        auto made = std::make_shared<Catalog>(*catalog);
+        for (Block& each : made->blocks) {
+            each.neutral.clear();
+        }
+        return made;
+    }
+
+    bool isInTheFrame() const {
+        return std::ranges::count(renderer->report().effects, name()) > 0;
+    }
+};
+
+TEST_P(NeutralValues, AreInNoProgramAndInNoPixel) {
+    makeRenderer();
+    const Image without = capture(scene(), false, 48);
+    EXPECT_FALSE(isInTheFrame());
+    renderer->setCatalog(silent());
+    const Image with = capture(scene(), false, 48);
+    EXPECT_TRUE(isInTheFrame());
+    EXPECT_EQ(with.pixels, without.pixels);
+}
+
+TEST_P(NeutralValues, HaveARowThatSaysWhy) {
+    const auto rows = objectRows(scene(), 0, *catalog, meshSource());
+    const auto row = std::ranges::find_if(
+        rows, [this](const EffectRow& each) { return each.line.effect == name(); });
+    ASSERT_NE(row, rows.end());
+    EXPECT_FALSE(row->in);
+    EXPECT_EQ(row->line.reason, GetParam().why);
+}
+
+TEST_P(NeutralValues, WithAnImageOnOne_StayIn) {
+    Material material = scene().objects[0].material;
+    const BlockValues& part = material.parts[GetParam().kind];
+    const Block& neutral = *catalog->find(GetParam().kind, GetParam().id);
+    EXPECT_TRUE(isNeutralPart(neutral, part.parameters, material));
+    material.textures[GetParam().kind + ".color"].file = "a.png";
+    EXPECT_FALSE(isNeutralPart(neutral, part.parameters, material));
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, NeutralValues, testing::ValuesIn(neutrals));
+
+class NeutralSceneTest : public GpuTest {};
+
+/// Schlick's form of it brightens the rim however dark the middle is.
+TEST_F(NeutralSceneTest, CheaperFormThatIsNotZero_StaysIn) {
+    const Block& fresnel = *catalog->find("fresnel", "blinn-f0");
+    const Values values{{"f0", black}};
+    EXPECT_TRUE(isNeutral(fresnel, values));
+    EXPECT_FALSE(isNeutral(fresnel, values, {{"reflectance.f0", "schlick"}}));
+}
+
+TEST_F(NeutralSceneTest, DarkStudio_IsInNoProgramAndInNoPixel) {
+    makeRenderer();
+    Scene scene = simpleScene("phong");
+    scene.environment = block("environment", "studio");
+    for (const char* lamp : {"key", "fill", "rim", "top"}) {
+        scene.environment->parameters[std::string(lamp) + ".intensity"] = 0.0;
+    }
+    scene.environment->parameters["directions"] = 16;
+    capture(scene);
+    EXPECT_EQ(std::ranges::count(renderer->report().effects, "environment/studio"), 1);
+    for (const char* part : {"wall", "ceiling", "floor"}) {
+        scene.environment->parameters[std::string(part) + ".color"] = black;
+    }
+    const Image dark = capture(scene);
+    EXPECT_EQ(std::ranges::count(renderer->report().effects, "environment/studio"), 0);
+    scene.environment.reset();
+    EXPECT_EQ(capture(scene).pixels, dark.pixels);
+}
+
+/// Its walls are black, and the scene's own background is not.
+TEST_F(NeutralSceneTest, DarkStudioBehindTheObjects_StaysIn) {
+    const Block& studio = *catalog->find("environment", "studio");
+    Values values;
+    for (const Parameter& parameter : studio.parameters) {
+        if (parameter.group == "Lamps" || parameter.type == ParameterType::Color) {
+            values[parameter.id] = parameter.type == ParameterType::Color ? Value(black) : 0.0;
+        }
+    }
+    values["tint"] = glm::dvec3(1.0);
+    EXPECT_TRUE(isNeutral(studio, values));
+    values["background"] = std::string("sharp");
+    EXPECT_FALSE(isNeutral(studio, values));
+}
+
+} // namespace
+} // namespace patina
