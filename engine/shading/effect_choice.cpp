@@ -23,6 +23,9 @@ std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id) {
 /// The least that a model is taken to keep of the light: below half of an 8-bit step.
 constexpr double leastKept = 1.0 / 1024.0;
 
+/// The mesh whose parts all lie in one plane.
+constexpr std::string_view flatMesh = "builtin:plane";
+
 /// What hides at least so much casts shadows.
 constexpr double leastShadowing = 0.5;
 
@@ -142,8 +145,23 @@ bool hasReceiver(const Scene& scene, const Catalog& catalog) {
            });
 }
 
+bool isLoneFlat(const Scene& scene, const Catalog& catalog) {
+    const Object* lone = nullptr;
+    for (const Object& object : scene.objects) {
+        if (!object.visible || !(canBeSeen(object.material) || isCaster(object, catalog))) {
+            continue;
+        }
+        if (lone != nullptr) {
+            return false;
+        }
+        lone = &object;
+    }
+    return lone != nullptr && lone->mesh == flatMesh && !isSeen(scene.ground);
+}
+
 bool hasShadows(const Scene& scene, const Catalog& catalog) {
-    return hasCaster(scene, catalog) && hasReceiver(scene, catalog);
+    return hasCaster(scene, catalog) && hasReceiver(scene, catalog) &&
+           !isLoneFlat(scene, catalog);
 }
 
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {

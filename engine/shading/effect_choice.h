@@ -61,6 +61,9 @@ bool hasCaster(const Scene& scene, const Catalog& catalog);
 /// Whether a shadow can fall on anything: on the ground, or on an object whose model is known.
 bool hasReceiver(const Scene& scene, const Catalog& catalog);
 
+/// Whether the scene is one object that is flat: it keeps no light from itself.
+bool isLoneFlat(const Scene& scene, const Catalog& catalog);
+
 /// Whether shadows can be seen in lights that have some: something casts one, something catches it.
 bool hasShadows(const Scene& scene, const Catalog& catalog);
 

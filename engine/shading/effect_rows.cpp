@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "shading/effect_choice.h"
+#include "shading/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -41,6 +42,16 @@ void append(std::vector<EffectLine>& lines, const std::vector<EffectLine>& more)
     lines.insert(lines.end(), more.begin(), more.end());
 }
 
+/// Adds another object that shadows fall on.
+void addReceiver(Scene& alone, const Scene& scene, std::size_t object) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (i != object && scene.objects[i].visible && canBeSeen(scene.objects[i].material)) {
+            alone.objects.push_back(scene.objects[i]);
+            return;
+        }
+    }
+}
+
 /// The scene with only the object that is looked at, and one that casts shadows if any does: which
 /// effects one object has depends on no more.
 Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
@@ -60,6 +71,9 @@ Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
         scene.objects, [&catalog](const Object& each) { return isCaster(each, catalog); });
     if (caster != scene.objects.end() && !isCaster(scene.objects[object], catalog)) {
         alone.objects.push_back(*caster);
+    }
+    if (hasShadows(scene, catalog) && !hasShadows(alone, catalog)) {
+        addReceiver(alone, scene, object);
     }
     return alone;
 }

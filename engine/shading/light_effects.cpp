@@ -87,6 +87,9 @@ std::string whyNoShadows(const Scene& scene, const Catalog& catalog) {
     if (!hasReceiver(scene, catalog)) {
         return "No shadow falls on anything: there is no ground, and no object has a known model.";
     }
+    if (isLoneFlat(scene, catalog)) {
+        return "No shadow falls on anything: the only object is flat, and there is no ground.";
+    }
     return {};
 }
 

@@ -152,5 +152,34 @@ TEST_F(NeutralSceneTest, DarkStudioBehindTheObjects_StaysIn) {
     EXPECT_FALSE(isNeutral(studio, values));
 }
 
+TEST_F(NeutralSceneTest, FlatObjectAlone_HasNoShadowMap) {
+    makeRenderer();
+    Scene scene = plate();
+    scene.objects[0].rotation = {70.0, 0.0, 0.0};
+    const Image plain = capture(scene);
+    scene.lights[0].shadow = block("shadows", "soft");
+    EXPECT_EQ(capture(scene).pixels, plain.pixels);
+    EXPECT_EQ(renderer->report().shadowMaps, 0);
+    const auto rows = objectRows(scene, 0, *catalog, meshSource());
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const EffectRow& row) {
+        return row.line.reason ==
+               "No shadow falls on anything: the only object is flat, and there is no ground.";
+    }));
+}
+
+TEST_F(NeutralSceneTest, FlatObjectWithAnother_HasAShadowMap) {
+    makeRenderer();
+    Scene scene = plate();
+    scene.lights[0].shadow = block("shadows", "hard");
+    scene.ambient = glm::dvec3(0.1);
+    scene.objects.push_back(object("lambert"));
+    capture(scene);
+    EXPECT_EQ(renderer->report().shadowMaps, 1);
+    const auto rows = objectRows(scene, 0, *catalog, meshSource());
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const EffectRow& row) {
+        return row.in && row.line.effect == "shadows/hard" && row.within == "lights/directional";
+    }));
+}
+
 } // namespace
 } // namespace patina
