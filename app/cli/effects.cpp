@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 #include <memory>
@@ -121,6 +122,10 @@ Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject,
     return costs;
 }
 
+double aspectOf(const Options& options) {
+    return double(options.picture.size.x) / double(std::max(options.picture.size.y, 1));
+}
+
 ShownObject shownObject(const Subject& subject) {
     return {subject.scene.objects[subject.object].name, subject.object + 1,
             subject.scene.objects.size()};
@@ -141,7 +146,8 @@ Checked<void> printTable(const Subject& subject, const Options& options,
     const auto& [scene, object, meshes] = subject;
     EffectTable table;
     table.object = shownObject(subject);
-    table.rows = objectRows(scene, object, *catalog, meshes, images.known());
+    table.rows =
+        objectRows(scene, object, *catalog, meshes, images.known(), aspectOf(options));
     if (!options.noCost) {
         auto costs = measured({scene, scene.camera, meshes, table.rows, catalog,
                                images.textures.source(), images.environment},
@@ -201,7 +207,9 @@ Checked<void> printSource(const Subject& subject, const Options& options, const 
     if (options.json) {
         nlohmann::json json =
             tableJson({shownObject(subject),
-                       objectRows(scene, object, catalog, meshes, images.known()), {}});
+                       objectRows(scene, object, catalog, meshes, images.known(),
+                                  aspectOf(options)),
+                       {}});
         json.update(sourceJson(programs->front()));
         if (set.outline) {
             json["outline"] = sourceJson(programs->back());

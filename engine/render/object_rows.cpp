@@ -9,7 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "core/image_places.h"
+#include "render/frustum.h"
 #include "render/light_lists.h"
+#include "render/placement.h"
 #include "render/scene_depth.h"
 #include "shading/effect_choice.h"
 #include "shading/light_effects.h"
@@ -137,10 +139,19 @@ void takeOut(std::vector<EffectRow>& rows, const std::string& reason) {
     }
 }
 
+/// As the renderer leaves it out.
+bool isOutside(const Scene& scene, std::size_t object, const MeshView& mesh, double aspect) {
+    const glm::dmat4 worldToClip =
+        projection(scene.camera, aspect, DepthRange()) * viewMatrix(scene.camera);
+    return !mesh.indices.empty() &&
+           patina::isOutside(placementOf(scene.objects[object], mesh.bounds), worldToClip);
+}
+
 } // namespace
 
 std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
-                                  const MeshSource& meshes, const KnownImages& images) {
+                                  const MeshSource& meshes, const KnownImages& images,
+                                  double aspect) {
     const EffectView view = objectView(scene, object, catalog, meshes);
     std::vector<EffectRow> rows = effectRows(scene, object, catalog, view);
     const Material& material = scene.objects[object].material;
@@ -153,6 +164,10 @@ std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const 
         return rows;
     }
     const MeshView mesh = meshes(scene.objects[object]);
+    if (aspect > 0.0 && isOutside(scene, object, mesh, aspect)) {
+        takeOut(rows, "The object is outside the view: it is not drawn.");
+        return rows;
+    }
     addUnreached(rows, scene, object, catalog, view, mesh);
     describeImages(rows, material, catalog, mesh, images);
     describeEnvironment(rows, images);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/effects_dock.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -21,10 +23,12 @@
 #include "effect_label.h"
 #include "effect_switches.h"
 #include "session.h"
+#include "viewport/compare_area.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/mesh_snapshot.h"
 #include "viewport/texture_library.h"
+#include "viewport/viewport.h"
 
 namespace patina {
 namespace {
@@ -56,7 +60,7 @@ QString intervalText(const MedianInterval& interval) {
 
 EffectsDock::EffectsDock(const DockContext& context)
     : document_(context.document), library_(context.meshes), environments_(context.environments),
-      switches_(context.switches), measurement_(cacheFolder() / "programs"),
+      switches_(context.switches), views_(context.views), measurement_(cacheFolder() / "programs"),
       start_(textButton(tr("Measure costs"),
                         tr("Draw the scene with and without each effect and compare the times"),
                         this)),
@@ -67,7 +71,18 @@ EffectsDock::EffectsDock(const DockContext& context)
     settle_.setInterval(settleMs);
     layOut();
     connectParts();
+    watchViews();
     updateRows();
+}
+
+/// A view of another shape, or with a camera of its own, shows other parts of the scene.
+void EffectsDock::watchViews() {
+    views_.installEventFilter(this);
+    const auto later = [this] { settle_.start(); };
+    connect(&views_, &CompareArea::linkChanged, this, later);
+    connect(&views_, &CompareArea::viewAdded, this, [this, later](SideView* view) {
+        connect(view, &SideView::cameraWished, this, later);
+    });
 }
 
 void EffectsDock::layOut() {
@@ -136,9 +151,15 @@ void EffectsDock::updateRows() {
     const Side side = document_.activeSide();
     std::vector<EffectRow> rows;
     if (object >= 0) {
-        rows = objectRows(document_.scene(side), static_cast<std::size_t>(object),
-                          document_.catalog(),
-                          [this](const Object& each) { return library_.view(each); }, images());
+        std::optional<Scene> turned;
+        if (side == Side::B && !views_.areCamerasLinked()) {
+            turned = document_.scene(side);
+            turned->camera = views_.active().viewport().camera();
+        }
+        rows = objectRows(turned ? *turned : document_.scene(side),
+                          static_cast<std::size_t>(object), document_.catalog(),
+                          [this](const Object& each) { return library_.view(each); }, images(),
+                          aspect());
     }
     const bool isShown =
         rows == rows_ && shownOff_ == switches_.off() && costsAreFresh_ == !isStale();
@@ -154,6 +175,18 @@ KnownImages EffectsDock::images() const {
     const TextureLibrary* textures = document_.textureLibrary();
     return {textures != nullptr ? textures->snapshot() : TextureSource(),
             environments_.isMissing(document_.environmentPicture())};
+}
+
+double EffectsDock::aspect() const {
+    const Viewport& view = views_.active().viewport();
+    return double(view.width()) / std::max(view.height(), 1);
+}
+
+bool EffectsDock::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {
+        settle_.start();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 /// The current row stays, and the place where the list is scrolled to.

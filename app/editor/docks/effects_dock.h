@@ -36,6 +36,7 @@ class EffectsDock : public QWidget {
 
   protected:
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     /// What costs were measured of.
@@ -49,6 +50,7 @@ class EffectsDock : public QWidget {
 
     void layOut();
     void connectParts();
+    void watchViews();
     void updateRows();
     void fill();
     void fillRow(QTreeWidgetItem* item, const EffectRow& row);
@@ -61,6 +63,7 @@ class EffectsDock : public QWidget {
     bool isStale() const;
     QString whyStale() const;
     KnownImages images() const;
+    double aspect() const; ///< of the view that shows the current object
     void showOutcome(const EffectMeasurement::Outcome& outcome);
     void toggle(QTreeWidgetItem* item);
 
@@ -68,6 +71,7 @@ class EffectsDock : public QWidget {
     MeshLibrary& library_;
     EnvironmentLibrary& environments_;
     EffectSwitches& switches_;
+    CompareArea& views_;
     EffectMeasurement measurement_;
     std::vector<EffectRow> rows_;
     std::optional<Measured> measured_; ///< the last costs, or what they are being measured of
