@@ -106,8 +106,8 @@ void addTransparency(SceneEffects& effects, const Scene& scene, const Catalog& c
 }
 
 const char* reasonOf(const SlotChoice& choice) {
-    return choice.chosen ? "The model calls the block that the material chooses."
-                         : "The model calls a block of this kind and the material chooses none.";
+    return choice.chosen ? "The material chooses it for the model."
+                         : "The model needs one and the material chooses none.";
 }
 
 /// False when the slot needs a block that the catalogue lacks.

@@ -93,8 +93,7 @@ TEST_F(EffectsPanel, FilledSlot_SaysWhyItHasNoSwitch) {
     ASSERT_NE(row("fresnel/"), nullptr);
     EXPECT_FALSE(row("fresnel/")->flags() & Qt::ItemIsUserCheckable);
     const QString model = row("models/")->text(0);
-    EXPECT_TRUE(row("fresnel/")->text(3).endsWith(
-        "It cannot be switched off by itself, only with " + model + "."))
+    EXPECT_TRUE(row("fresnel/")->text(3).endsWith("It goes only with " + model + "."))
         << row("fresnel/")->text(3).toStdString();
 }
 

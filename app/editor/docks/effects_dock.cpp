@@ -269,8 +269,7 @@ QString EffectsDock::whyOf(const EffectRow& row) const {
     }
     return row.within.empty()
                ? tr("%1 It cannot be switched off.").arg(why)
-               : tr("%1 It cannot be switched off by itself, only with %2.")
-                     .arg(why, labelOf(row.within));
+               : tr("%1 It goes only with %2.").arg(why, labelOf(row.within));
 }
 
 void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
