@@ -35,6 +35,7 @@ class CostPairs {
     /// Milliseconds of a pair.
     void add(double exact, double other);
     bool finished() const;
+    int runs() const { return static_cast<int>(ratios_.size()); } ///< pairs
 
     /// Without times: see withTimes().
     ChoiceCost cost() const;

@@ -64,6 +64,8 @@ ChosenLevels levelsOfPicture(const Scene& scene, const std::vector<Choice>& choi
 struct ChosenFrame {
     Scene scene;
     View view;
+    int samplesAtOnce = 0; ///< the most directions of an environment that are captured in one go;
+                           ///< 0: as many as the renderer likes
 };
 
 /// Gives each of these choices the level that `levels` names, or the exact one: those of the scope

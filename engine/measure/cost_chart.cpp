@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -41,13 +43,12 @@ bool isFaster(const CostPoint& a, const CostPoint& b) {
     return timeOf(a) < timeOf(b) && !tiesInTime(a, b);
 }
 
-bool isRighter(const CostPoint& a, const CostPoint& b) {
-    return errorOf(a) < errorOf(b) && !tiesInError(a, b);
-}
-
-/// `a` is better in one respect and in the other no worse.
-bool beats(const CostPoint& a, const CostPoint& b) {
-    return (isFaster(a, b) && !isRighter(b, a)) || (isRighter(a, b) && !isFaster(b, a));
+/// From the most accurate point on; of equally accurate ones the exact one, then the fastest.
+bool comesBefore(const CostPoint& a, const CostPoint& b) {
+    if (knownError(a) != knownError(b)) {
+        return knownError(a) < knownError(b);
+    }
+    return a.isExact() != b.isExact() ? a.isExact() : timeOf(a) < timeOf(b);
 }
 
 bool fits(const CostBudget& budget, const CostPoint& point) {
@@ -67,12 +68,21 @@ double excess(const CostBudget& budget, const CostPoint& point) {
     return most;
 }
 
-/// Among points that fit: a budget of time buys accuracy, one of error buys time.
-bool isPreferred(const CostBudget& budget, const CostPoint& a, const CostPoint& b) {
-    if (budget.milliseconds) {
-        return tiesInError(a, b) ? timeOf(a) < timeOf(b) : errorOf(a) < errorOf(b);
-    }
-    return tiesInTime(a, b) ? errorOf(a) < errorOf(b) : timeOf(a) < timeOf(b);
+/// Of the points, which fit, the one that a budget of time, or else one of error, buys.
+std::size_t bought(const CostBudget& budget, const std::vector<CostPoint>& points,
+                   const std::vector<std::size_t>& fitting) {
+    const auto time = [&points](std::size_t i) { return timeOf(points[i]); };
+    const auto error = [&points](std::size_t i) { return errorOf(points[i]); };
+    const bool buysAccuracy = budget.milliseconds.has_value();
+    const std::size_t best = buysAccuracy ? *std::ranges::min_element(fitting, {}, error)
+                                          : *std::ranges::min_element(fitting, {}, time);
+    std::vector<std::size_t> alike;
+    std::ranges::copy_if(fitting, std::back_inserter(alike), [&](std::size_t i) {
+        return buysAccuracy ? tiesInError(points[i], points[best])
+                            : tiesInTime(points[i], points[best]);
+    });
+    return buysAccuracy ? *std::ranges::min_element(alike, {}, time)
+                        : *std::ranges::min_element(alike, {}, error);
 }
 
 } // namespace
@@ -113,6 +123,21 @@ std::string sameText(const CostChart& chart) {
     return text;
 }
 
+bool CostChart::isAgainstConverged(const CostPoint& point) const {
+    return converged && point.levels.contains(converged->choice);
+}
+
+std::string convergedText(const CostChart& chart) {
+    if (!chart.converged) {
+        return {};
+    }
+    const ConvergedRender& render = *chart.converged;
+    return fmt::format("with fewer directions against a converged render of {} other directions "
+                       "per pixel, 99 of 100 pixels of which are right to {:.1e}; the exact frame "
+                       "differs from it by {:.1e}",
+                       render.directions, render.noise.p99, render.finest.p99);
+}
+
 double errorOf(const CostPoint& point) {
     return point.error.p99;
 }
@@ -131,35 +156,45 @@ bool tiesInError(const CostPoint& a, const CostPoint& b) {
 }
 
 std::vector<std::size_t> costFront(const std::vector<CostPoint>& points) {
-    std::vector<std::size_t> front;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (std::ranges::none_of(points, [&points, i](const CostPoint& other) {
-                return beats(other, points[i]);
-            })) {
-            front.push_back(i);
-        }
-    }
-    std::ranges::stable_sort(front, [&points](std::size_t a, std::size_t b) {
-        return timeOf(points[a]) < timeOf(points[b]);
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, [&points](std::size_t a, std::size_t b) {
+        return comesBefore(points[a], points[b]);
     });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order) {
+        if (!std::ranges::all_of(front, [&points, i](std::size_t before) {
+                return isFaster(points[i], points[before]);
+            })) {
+            continue;
+        }
+        // The exact one, where another is as accurate and faster.
+        if (!front.empty() && knownError(points[front.back()]) == knownError(points[i])) {
+            front.pop_back();
+        }
+        front.push_back(i);
+    }
+    std::ranges::reverse(front);
     return front;
 }
 
 std::optional<BudgetAnswer> bestFor(const CostBudget& budget,
                                     const std::vector<CostPoint>& points) {
-    std::optional<BudgetAnswer> best;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool fit = fits(budget, points[i]);
-        const bool better =
-            !best || (fit && !best->fits) ||
-            (fit && isPreferred(budget, points[i], points[best->point])) ||
-            (!fit && !best->fits &&
-             excess(budget, points[i]) < excess(budget, points[best->point]));
-        if (better) {
-            best = BudgetAnswer{i, fit};
-        }
+    std::vector<std::size_t> all(points.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    std::vector<std::size_t> fitting;
+    std::ranges::copy_if(all, std::back_inserter(fitting),
+                         [&](std::size_t i) { return fits(budget, points[i]); });
+    if (!fitting.empty()) {
+        return BudgetAnswer{bought(budget, points, fitting), true};
     }
-    return best;
+    if (all.empty()) {
+        return std::nullopt;
+    }
+    return BudgetAnswer{
+        *std::ranges::min_element(
+            all, {}, [&](std::size_t i) { return excess(budget, points[i]); }),
+        false};
 }
 
 } // namespace patina

@@ -35,6 +35,17 @@ struct SameLevel {
     friend bool operator==(const SameLevel&, const SameLevel&) = default;
 };
 
+/// What errors are against where points draw fewer directions of an environment than the exact
+/// one: all others have the same directions as that.
+struct ConvergedRender {
+    std::string choice; ///< Choice::id: points with a level of it are compared with the render
+    int directions = 0; ///< per pixel; no point draws any of them
+    FrameError noise;   ///< what the render itself is off by, by the difference of its two halves
+    FrameError finest;  ///< of the exact frame against the render
+
+    friend bool operator==(const ConvergedRender&, const ConvergedRender&) = default;
+};
+
 /// What was measured of a material in a scene.
 struct CostChart {
     std::vector<Choice> choices;
@@ -46,6 +57,10 @@ struct CostChart {
     std::string timer;             ///< how frames were timed, for people
     std::string right;             ///< what errors are measured against, for people
     std::vector<SameLevel> same;   ///< which have no points of their own
+    std::optional<ConvergedRender> converged{}; ///< what some errors are against instead
+
+    /// Whether the point's errors are against that render.
+    bool isAgainstConverged(const CostPoint& point) const;
 
     /// The levels by which the points go: in place of one that is the same as another, that one.
     ChosenLevels distinct(ChosenLevels levels) const;
@@ -59,6 +74,9 @@ struct CostChart {
 /// "Samples per pixel: 4 samples, 2 samples are drawn as 8 samples"; empty where all levels differ.
 std::string sameText(const CostChart& chart);
 
+/// Which errors are against a converged render, and how good that is; empty where none are.
+std::string convergedText(const CostChart& chart);
+
 /// The error by which points are compared: the relative error that 99 of 100 pixels keep.
 double errorOf(const CostPoint& point);
 
@@ -66,8 +84,10 @@ double errorOf(const CostPoint& point);
 bool tiesInTime(const CostPoint& a, const CostPoint& b);
 bool tiesInError(const CostPoint& a, const CostPoint& b);
 
-/// The points than which no other is better in one respect and no worse in the other, as far as can
-/// be told; the fastest first. Points that tie in both are all on it.
+/// The points that are worth choosing, the fastest first: from the most accurate one on, each that
+/// is faster than those before it by more than the noise. So each of the others has one on the
+/// front that errs no more and is as fast as far as can be told, whatever else was measured; of
+/// points that nobody can tell apart one is on it: the exact one where it is among them.
 std::vector<std::size_t> costFront(const std::vector<CostPoint>& points);
 
 /// What may be spent: milliseconds of a frame, or an error as errorOf() has it.
@@ -77,7 +97,7 @@ struct CostBudget {
 };
 
 /// The point that fits the budget: the most accurate one that is fast enough, or the fastest one
-/// that is accurate enough.
+/// that is accurate enough; of those that cannot be told from it in that, the best in the other.
 struct BudgetAnswer {
     std::size_t point = 0; ///< the one that fits, or else the nearest
     bool fits = false;

@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "gl/driver.h"
+#include "measure/error_standard.h"
 #include "measure/measured_scene.h"
-#include "measure/right_frame.h"
+#include "measure/paired_frames.h"
+#include "measure/picture_choices.h"
 #include "measure/same_levels.h"
 #include "measure/surface_instructions.h"
 #include "measure/sweep_plan.h"
-#include "measure/timed_frames.h"
 #include "shading/effect_choice.h"
 
 namespace patina {
@@ -26,8 +27,9 @@ constexpr glm::ivec2 sizeOnDevice{1024, 1024};
 /// With thousands of directions per pixel.
 constexpr glm::ivec2 sampledSizeOnCpu{64, 64};
 
-/// Of an environment's light, where errors are measured: the same ones in every frame.
-constexpr int sampledDirections = 64;
+/// Of an environment's light, where errors of a material are measured: the same ones in every
+/// frame, which is too short for a search of the model's lobe, as that depends on the levels.
+constexpr int sampledDirections = 4 * Renderer::plainSamples;
 
 /// Frames without anything to shade, of which the median counts.
 constexpr int emptyFrames = 7;
@@ -73,8 +75,10 @@ class CostSweep::Implementation {
                                   : std::vector<bool>(subject_.scene.objects.size(), true);
         plan_ = SweepPlan(chart_.choices, options.combinations, options.present);
         singles_ = plan_.waiting();
-        right_.emplace(RightFrame::Wish{drawn_->renderer(), drawn_->meshes(), frameOf({}),
-                                        capturedFrame({}), counted_, isOfMaterial()});
+        const auto directions = std::ranges::find_if(chart_.choices, isOfDirections);
+        standard_.emplace(RightFrame::Wish{drawn_->renderer(), drawn_->meshes(), frameOf({}),
+                                           capturedFrame({}), counted_, isOfMaterial()},
+                          directions == chart_.choices.end() ? std::string() : directions->id);
     }
 
     void step(std::chrono::milliseconds patience) {
@@ -97,17 +101,17 @@ class CostSweep::Implementation {
         }
         const std::size_t measured = chart_.points.size();
         const double known = double(measured + plan_.waiting() + 1);
-        return (right_->progress() + double(measured)) / (1.0 + known);
+        return (standard_->progress() + double(measured)) / (1.0 + known);
     }
 
     const CostChart& chart() const { return chart_; }
     const Errors& problems() const { return problems_; }
     const LinearFrame* right() const {
-        return right_->isDone() ? &right_->meter().right() : nullptr;
+        return standard_->isDone() ? &standard_->right().meter().right() : nullptr;
     }
 
     std::vector<double> errorMap(const ChosenLevels& levels) {
-        if (!right_->isDone()) {
+        if (!standard_->isDone()) {
             return {};
         }
         SlicedCapture capture(drawn_->renderer(), drawn_->meshes(), capturedFrame(levels));
@@ -117,19 +121,19 @@ class CostSweep::Implementation {
         }
         const Result<LinearFrame> frame =
             drawn ? capture.frame() : tl::unexpected(drawn.error());
-        return frame ? right_->meter().mapOf(*frame) : std::vector<double>();
+        return frame ? standard_->meterOf(levels).mapOf(*frame) : std::vector<double>();
     }
 
   private:
     /// What is done for a point, one after the other.
-    enum class Stage { None, Drawing, Comparing, Counting, Warming, Timing };
+    enum class Stage { None, Drawing, Comparing, Counting, Timing };
 
     bool isOfMaterial() const { return options_.scope == Choice::Scope::Material; }
 
     /// The next piece of work, the smallest there is.
     void work(std::chrono::milliseconds patience) {
-        if (!right_->isDone()) {
-            workOnRight(patience);
+        if (!standard_->isDone()) {
+            workOnStandard(patience);
             return;
         }
         if (empties_.size() < emptyFrames) {
@@ -145,8 +149,6 @@ class CostSweep::Implementation {
             return comparePoint(patience);
         case Stage::Counting:
             return countPoint();
-        case Stage::Warming:
-            return warmUp();
         case Stage::Timing:
             return timeFrame();
         }
@@ -168,20 +170,22 @@ class CostSweep::Implementation {
         if (isOfMaterial()) {
             frame.view.numbers = HdrNumbers::Full;
             frame.view.environmentSamples = sampledDirections;
+            frame.samplesAtOnce = Renderer::plainSamples;
         }
         return frame;
     }
 
     void fail(Error error) { problems_.push_back(std::move(error)); }
 
-    void workOnRight(std::chrono::milliseconds patience) {
-        const Result<bool> done = right_->step(patience);
+    void workOnStandard(std::chrono::milliseconds patience) {
+        const Result<bool> done = standard_->step(patience);
         if (!done) {
             fail(done.error());
             return;
         }
-        chart_.pixels = right_->pixels();
-        chart_.right = right_->method();
+        chart_.pixels = standard_->right().pixels();
+        chart_.right = standard_->right().method();
+        chart_.converged = *done ? standard_->converged() : std::nullopt;
         if (*done && !isOfMaterial()) {
             foldLevels();
         }
@@ -234,7 +238,7 @@ class CostSweep::Implementation {
             return;
         }
         pointColors_ = std::move(*frame);
-        right_->meter().addErrorOf(comparing_, pointColors_, point_.error);
+        standard_->meterOf(point_.levels).addErrorOf(comparing_, pointColors_, point_.error);
         stage_ = Stage::Comparing;
     }
 
@@ -255,20 +259,9 @@ class CostSweep::Implementation {
             addPoint();
             return;
         }
-        isExactWarm_ = false;
-        stage_ = Stage::Warming;
-    }
-
-    /// A frame each, which shows what programs and targets take to be made.
-    void warmUp() {
-        if (!std::exchange(isExactWarm_, true)) {
-            drawn_->timeOf(exactFrame_.scene, exactFrame_.view);
-            return;
-        }
-        drawn_->timeOf(pointFrame_.scene, pointFrame_.view);
-        pairs_.emplace(options_.pairs, chart_.emptyMilliseconds);
-        pairsBegan_ = Clock::now();
-        exactTime_.reset();
+        const PairedFrames::Limits limits{options_.pairs,
+                                          shareOfPairs * options_.seconds / double(singles_)};
+        pairs_.emplace(*drawn_, exactFrame_, pointFrame_, limits, chart_.emptyMilliseconds);
         stage_ = Stage::Timing;
     }
 
@@ -287,22 +280,15 @@ class CostSweep::Implementation {
         tellTimes();
     }
 
-    /// One frame of a pair.
     void timeFrame() {
-        if (!exactTime_) {
-            exactTime_ = drawn_->timeOf(exactFrame_.scene, exactFrame_.view);
-            return;
-        }
-        pairs_->add(*exactTime_, drawn_->timeOf(pointFrame_.scene, pointFrame_.view));
-        exactTimes_.push_back(*std::exchange(exactTime_, std::nullopt));
+        const bool isDone = pairs_->step();
         if (!drawn_->problems().empty()) {
             problems_ = drawn_->problems();
             return;
         }
-        const double allowed = shareOfPairs * options_.seconds / double(singles_);
-        const bool isLate = Seconds(Clock::now() - pairsBegan_).count() > allowed &&
-                            pairs_->cost().runs >= options_.pairs.fewest;
-        if (pairs_->finished() || isLate) {
+        if (isDone) {
+            const std::vector<double>& times = pairs_->exactTimes();
+            exactTimes_.insert(exactTimes_.end(), times.begin(), times.end());
             point_.cost = pairs_->cost();
             if (point_.isExact()) {
                 point_.cost.ratio = besideItself(point_.cost.ratio);
@@ -327,7 +313,7 @@ class CostSweep::Implementation {
     SweepPlan plan_;
     std::size_t singles_ = 0;
     std::vector<bool> counted_; ///< by object: whose pixels are measured
-    std::optional<RightFrame> right_;
+    std::optional<ErrorStandard> standard_;
     bool isWarm_ = false; ///< the frame without what is measured
     std::vector<double> empties_;
     std::vector<double> exactTimes_;
@@ -339,10 +325,7 @@ class CostSweep::Implementation {
     std::optional<SlicedCapture> capture_; ///< while the point is drawn
     LinearFrame pointColors_;
     PieceWork comparing_;
-    bool isExactWarm_ = false;
-    std::optional<double> exactTime_; ///< of the pair whose second frame is next
-    std::optional<CostPairs> pairs_;
-    Clock::time_point pairsBegan_;
+    std::optional<PairedFrames> pairs_; ///< while its frames are timed
     Clock::duration spentUntilNow_{};
     double spent_ = 0.0; ///< seconds of work
     bool done_ = false;

@@ -53,7 +53,8 @@ class CostSweep {
     /// Why it ended before its time; empty while all is well.
     const Errors& problems() const;
 
-    /// The frame that errors are measured against; null before it is there.
+    /// The frame that errors are measured against, of points with the exact one's directions of an
+    /// environment; null before it is there.
     const LinearFrame* right() const;
 
     /// Where the levels go wrong: the relative error of each pixel, rows from the top. Draws a

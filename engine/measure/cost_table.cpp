@@ -20,15 +20,16 @@ std::size_t widest(const CostChart& chart) {
     return columns;
 }
 
-std::string pointText(const CostPoint& point) {
+std::string pointText(const CostPoint& point, const CostChart& chart) {
     const ChoiceCost& cost = point.cost;
     const FrameError& error = point.error;
-    return fmt::format("{:6.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:>7} {:9.1e} {:8.1e} {:8.1e} "
+    return fmt::format("{:6.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:>7} {} {:7.1e} {:8.1e} {:8.1e} "
                        "{:8.1e} {:6.2f} % {:8.1e}",
                        cost.ratio.median, cost.ratio.lower, cost.ratio.upper,
                        cost.settled ? ' ' : '?', cost.nanosecondsPerPixel,
-                       instructionsText(point.instructions), error.p99, error.max, error.mean,
-                       error.rms, 100.0 * error.stepShare, error.flip);
+                       instructionsText(point.instructions),
+                       chart.isAgainstConverged(point) ? '~' : ' ', error.p99, error.max,
+                       error.mean, error.rms, 100.0 * error.stepShare, error.flip);
 }
 
 std::string headText(std::size_t columns) {
@@ -37,13 +38,18 @@ std::string headText(std::size_t columns) {
                        "", columns);
 }
 
+std::string convergedLine(const CostChart& chart) {
+    const std::string text = convergedText(chart);
+    return text.empty() ? "" : "~ " + text + '\n';
+}
+
 nlohmann::json errorJson(const FrameError& error) {
     return {{"max", error.max},   {"mean", error.mean},           {"rms", error.rms},
             {"p99", error.p99},   {"stepShare", error.stepShare}, {"shown", error.shown},
             {"flip", error.flip}, {"pixels", error.pixels}};
 }
 
-nlohmann::json pointJson(const CostPoint& point, bool onFront) {
+nlohmann::json pointJson(const CostPoint& point, const CostChart& chart, bool onFront) {
     nlohmann::json levels = nlohmann::json::object();
     for (const auto& [choice, level] : point.levels) {
         levels[choice] = level;
@@ -56,7 +62,19 @@ nlohmann::json pointJson(const CostPoint& point, bool onFront) {
             {"instructions", countJson(point.instructions)},
             {"runs", point.cost.runs},
             {"settled", point.cost.settled},
-            {"front", onFront}};
+            {"front", onFront},
+            {"againstConverged", chart.isAgainstConverged(point)}};
+}
+
+nlohmann::json convergedJson(const CostChart& chart) {
+    if (!chart.converged) {
+        return {};
+    }
+    const ConvergedRender& render = *chart.converged;
+    return {{"choice", render.choice},
+            {"directions", render.directions},
+            {"noise", errorJson(render.noise)},
+            {"exact", errorJson(render.finest)}};
 }
 
 nlohmann::json choiceJson(const Choice& choice) {
@@ -85,17 +103,17 @@ std::string costText(const CostChart& chart) {
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
         text += fmt::format("{} {:<{}}  {}\n", isOnFront(front, i) ? '*' : ' ',
-                            levelsText(point.levels), columns, pointText(point));
+                            levelsText(point.levels), columns, pointText(point, chart));
     }
     if (const std::string same = sameText(chart); !same.empty()) {
         text += same + '\n';
     }
-    return text + fmt::format("* nothing measured is better in time or in error and no worse in "
-                              "the other; ? still unsure of 3 %\n"
+    return text + fmt::format("* worth choosing: nothing measured errs no more and is as fast, "
+                              "as far as can be told; ? still unsure of 3 %\n"
                               "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
-                              "errors against {}\n",
+                              "errors against {}\n{}",
                               chart.size.x, chart.size.y, chart.pixels, chart.timer,
-                              chart.emptyMilliseconds, chart.right);
+                              chart.emptyMilliseconds, chart.right, convergedLine(chart));
 }
 
 std::string costCsv(const CostChart& chart, const std::string& name, bool withNames) {
@@ -126,7 +144,7 @@ nlohmann::json costJson(const CostChart& chart) {
     }
     nlohmann::json points = nlohmann::json::array();
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
-        points.push_back(pointJson(chart.points[i], isOnFront(front, i)));
+        points.push_back(pointJson(chart.points[i], chart, isOnFront(front, i)));
     }
     return {{"choices", choices},
             {"points", points},
@@ -136,7 +154,8 @@ nlohmann::json costJson(const CostChart& chart) {
             {"emptyMilliseconds", chart.emptyMilliseconds},
             {"timer", chart.timer},
             {"right", chart.right},
-            {"same", sameJson(chart.same)}};
+            {"same", sameJson(chart.same)},
+            {"converged", convergedJson(chart)}};
 }
 
 std::string csvText(std::string_view text) {

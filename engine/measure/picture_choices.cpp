@@ -173,8 +173,10 @@ void applyTaps(ChosenFrame& frame, const std::string& level, const Catalog& cata
     }
 }
 
+constexpr const char* directionsChoice = "picture.environment";
+
 constexpr std::array rows{
-    PictureRow{"picture.environment", "Environment",
+    PictureRow{directionsChoice, "Environment",
                "How many directions per pixel the light from all around is a mean of.",
                environmentLevels, applyEnvironment, currentEnvironment},
     PictureRow{"picture.layers", "Layers",
@@ -252,6 +254,10 @@ ChosenLevels levelsOfPicture(const Scene& scene, const std::vector<Choice>& choi
 bool isOfSamples(const Choice& choice) {
     const PictureChoiceText* text = textOf(choice);
     return text != nullptr && text->choice == PictureChoice::Samples;
+}
+
+bool isOfDirections(const Choice& choice) {
+    return choice.id == directionsChoice;
 }
 
 void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& level,

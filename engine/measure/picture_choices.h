@@ -14,4 +14,7 @@ void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& 
 /// Whether its levels are numbers of samples per pixel.
 bool isOfSamples(const Choice& choice);
 
+/// Whether its levels are numbers of directions of an environment.
+bool isOfDirections(const Choice& choice);
+
 } // namespace patina

@@ -30,6 +30,8 @@ Result<std::unique_ptr<ReferenceFrame>> ReferenceFrame::create(SurfaceBuffer buf
     made->frame_.size = buffer.size;
     made->frame_.colors.resize(buffer.pixels());
     made->frame_.counts.resize(buffer.pixels());
+    made->still_.resize(buffer.pixels());
+    made->sampled_.resize(buffer.pixels());
     made->buffer_ = std::move(buffer);
     return made;
 }
@@ -49,6 +51,18 @@ bool ReferenceFrame::step(std::chrono::milliseconds patience) {
     return done_ == buffer_.pixels();
 }
 
+void ReferenceFrame::goOn(SurfaceBuffer next) {
+    buffer_ = std::move(next);
+    done_ = 0;
+    ++buffers_;
+}
+
+bool ReferenceFrame::isSampled() const {
+    return std::ranges::any_of(codes_, [](const std::unique_ptr<SurfaceCode>& code) {
+        return code && code->firstSample;
+    });
+}
+
 double ReferenceFrame::progress() const {
     return buffer_.pixels() == 0 ? 1.0 : double(done_) / double(buffer_.pixels());
 }
@@ -63,8 +77,15 @@ void ReferenceFrame::compute(std::size_t first, std::size_t last) {
         if (!shaders[*object]) {
             shaders[*object] = std::make_unique<SurfaceShader>(*codes_[*object]);
         }
-        frame_.colors[pixel] = shaders[*object]->shaded(buffer_, pixel);
-        frame_.counts[pixel] = 1;
+        SurfaceShader& shader = *shaders[*object];
+        shader.lookAt(buffer_, pixel);
+        if (buffers_ == 0) {
+            still_[pixel] = shader.still();
+            frame_.counts[pixel] = 1;
+        }
+        sampled_[pixel] += shader.sampled();
+        frame_.colors[pixel] =
+            shader.finished(still_[pixel] + sampled_[pixel] / double(buffers_ + 1));
     }
 }
 

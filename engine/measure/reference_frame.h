@@ -21,7 +21,14 @@ class ReferenceFrame {
 
     /// Works for about so long; true when all is done.
     bool step(std::chrono::milliseconds patience);
-    double progress() const; ///< 0 .. 1
+    double progress() const; ///< 0 .. 1, of what was given so far
+
+    /// The frame that is done becomes the mean of it and of one with the other directions of the
+    /// environment that `next` has, which is the same buffer otherwise.
+    void goOn(SurfaceBuffer next);
+
+    /// Whether directions of an environment make any difference.
+    bool isSampled() const;
 
     /// What was computed so far; black where it is not yet, and where nothing counts.
     const LinearFrame& frame() const { return frame_; }
@@ -34,7 +41,10 @@ class ReferenceFrame {
     SurfaceBuffer buffer_;
     std::vector<std::unique_ptr<SurfaceCode>> codes_; ///< by object; null: it does not count
     LinearFrame frame_;
-    std::size_t done_ = 0; ///< pixels
+    std::vector<glm::dvec3> still_;   ///< the part of each pixel that is not sampled
+    std::vector<glm::dvec3> sampled_; ///< the sum of the others over the buffers
+    int buffers_ = 0;                 ///< that are done
+    std::size_t done_ = 0;            ///< pixels of the next one
 };
 
 } // namespace patina

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "render/environment_light.h"
+
 namespace patina {
 
 RightFrame::RightFrame(Wish wish) : wish_(std::move(wish)) {}
@@ -26,19 +28,50 @@ Result<bool> RightFrame::step(std::chrono::milliseconds patience) {
             return tl::unexpected(taken.error());
         }
     } else if (reference_->step(patience)) {
-        computed_ = reference_->frame();
-        reference_.reset();
-        capture_.emplace(wish_.renderer, wish_.meshes, wish_.drawn);
+        if (auto taken = takeComputed(); !taken) {
+            return tl::unexpected(taken.error());
+        }
     }
     return isDone_;
 }
 
+/// How many rounds of an environment's directions the frame in double precision has.
+int RightFrame::rounds() const {
+    return reference_->isSampled()
+               ? wish_.drawn.view.environmentSamples / EnvironmentLight::roundSamples
+               : 1;
+}
+
+/// Goes on with the next round of directions, which are those that the device draws.
+Result<void> RightFrame::takeComputed() {
+    if (++round_ < rounds()) {
+        return captured().map(
+            [this](SurfaceBuffer buffer) { reference_->goOn(std::move(buffer)); });
+    }
+    if (reference_->isSampled()) {
+        method_ += fmt::format(" and with the same {} directions of the environment per pixel",
+                               wish_.drawn.view.environmentSamples);
+    }
+    computed_ = reference_->frame();
+    reference_.reset();
+    capture_.emplace(wish_.renderer, wish_.meshes, wish_.drawn);
+    return {};
+}
+
+Result<SurfaceBuffer> RightFrame::captured() {
+    return wish_.renderer.captureSurfaces(wish_.exact.scene, wish_.exact.view, wish_.meshes,
+                                          round_);
+}
+
 double RightFrame::progress() const {
-    return reference_ ? reference_->progress() : capture_ || meter_ ? 1.0 : 0.0;
+    if (reference_) {
+        return (round_ + reference_->progress()) / rounds();
+    }
+    return capture_ || meter_ ? 1.0 : 0.0;
 }
 
 Result<void> RightFrame::takeSurfaces() {
-    auto buffer = wish_.renderer.captureSurfaces(wish_.exact.scene, wish_.exact.view, wish_.meshes);
+    auto buffer = captured();
     if (!buffer) {
         return tl::unexpected(buffer.error());
     }
@@ -79,9 +112,8 @@ Result<void> RightFrame::takeDrawn() {
         return tl::unexpected(drawn.error());
     }
     if (const int directions = wish_.renderer.environmentSamples(); !computed_ && directions > 0) {
-        method_ = fmt::format("{}, with {} directions of the environment per pixel",
-                              wish_.inDoubles ? method_ : "a converged render: " + method_,
-                              directions);
+        method_ = fmt::format("{}, with the same {} directions of the environment per pixel",
+                              method_, directions);
     }
     for (std::size_t i = 0; computed_ && i < counts_.size(); ++i) {
         if (counts_[i] != 0) {

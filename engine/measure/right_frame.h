@@ -37,6 +37,9 @@ class RightFrame {
     const ErrorMeter& meter() const { return *meter_; }     ///< of what is done
 
   private:
+    int rounds() const;
+    Result<SurfaceBuffer> captured();
+    Result<void> takeComputed();
     Result<void> takeSurfaces();
     void takeBuffer(SurfaceBuffer buffer);
     Result<void> takeDrawn();
@@ -45,6 +48,7 @@ class RightFrame {
     std::vector<std::uint8_t> counts_;
     std::size_t pixels_ = 0;
     std::string method_;
+    int round_ = 0; ///< of an environment's directions
     std::unique_ptr<ReferenceFrame> reference_; ///< while it is computed
     std::optional<LinearFrame> computed_;
     std::optional<SlicedCapture> capture_;

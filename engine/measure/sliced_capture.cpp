@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/sliced_capture.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "measure/display_curve.h"
@@ -15,6 +16,9 @@ Result<void> SlicedCapture::begin() {
     part.isContinued = continued_;
     if (continued_) {
         part.environmentSamples = frame_.view.environmentSamples - renderer_.environmentSamples();
+    }
+    if (frame_.samplesAtOnce > 0) {
+        part.environmentSamples = std::min(part.environmentSamples, frame_.samplesAtOnce);
     }
     return renderer_.beginCapture(frame_.scene, part, meshes_);
 }

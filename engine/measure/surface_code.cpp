@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "measure/compiled_block.h"
+#include "shading/surface_buffer_layout.h"
 
 namespace patina {
 namespace {
@@ -69,6 +70,9 @@ class Collector {
         }
         code_.eye = glm::dvec3(buffer_.eye);
         code_.firstShare = object_.firstShare;
+        if (effects_.scene.environment) {
+            code_.firstSample = object_.firstSample;
+        }
         code_.slots = layout_.slots.size();
         code_.blends = layout_.blend.has_value();
         addBlock(*layout_.model, *effects_.model);
@@ -89,9 +93,6 @@ class Collector {
     Result<void> checkWhole() const {
         if (!layout_.model) {
             return failure("an object has a plain stand-in for its model");
-        }
-        if (effects_.scene.environment) {
-            return failure("the light of the environment is sampled");
         }
         if (effects_.refraction) {
             return failure("the object bends what is seen through it");
@@ -207,67 +208,92 @@ SurfaceShader::SurfaceShader(const SurfaceCode& code)
     }
 }
 
-glm::dvec3 SurfaceShader::shaded(const SurfaceBuffer& buffer, std::size_t pixel) {
-    takeImages(buffer, pixel);
+void SurfaceShader::lookAt(const SurfaceBuffer& buffer, std::size_t pixel) {
+    buffer_ = &buffer;
+    pixel_ = pixel;
     const glm::dvec3 x(buffer.positions[pixel]);
-    const Point point{x, glm::dvec3(buffer.normals[pixel]), glm::dvec3(buffer.tangents[pixel]),
-                      code_.eye - x, buffer.place(pixel)};
-    glm::dvec3 sum = lit(point, buffer, pixel) + ambient(point) + emitted();
+    point_ = {x, glm::dvec3(buffer.normals[pixel]), glm::dvec3(buffer.tangents[pixel]),
+              code_.eye - x, buffer.place(pixel)};
+    takeImages();
+}
+
+glm::dvec3 SurfaceShader::still() const {
+    return lit() + ambient() + emitted();
+}
+
+glm::dvec3 SurfaceShader::finished(glm::dvec3 sum) const {
     if (code_.blends) {
-        sum = blended(point, sum);
+        sum = blended(sum);
     }
     if (code_.fog) {
-        sum = fogged(point, sum);
+        sum = fogged(sum);
     }
     return glm::clamp(sum, 0.0, mostLight);
 }
 
-void SurfaceShader::takeImages(const SurfaceBuffer& buffer, std::size_t pixel) {
+/// One of the values that the buffer has of the pixel.
+glm::dvec4 SurfaceShader::noted(std::size_t value) const {
+    return glm::dvec4(buffer_->values[value][pixel_]);
+}
+
+void SurfaceShader::takeImages() {
     for (const SurfaceCode::FieldPlace& field : code_.textured) {
-        const glm::vec4& value = buffer.values[field.value][pixel];
+        const glm::dvec4 value = noted(field.value);
         for (int i = 0; i < field.components; ++i) {
-            values_[field.block][field.offset + static_cast<std::size_t>(i)] = double(value[i]);
+            values_[field.block][field.offset + static_cast<std::size_t>(i)] = value[i];
         }
     }
 }
 
+/// As passes/environment_light.glsl, of the directions of passes/environment_samples.glsl.
+glm::dvec3 SurfaceShader::sampled() const {
+    glm::dvec3 sum(0.0);
+    for (int i = 0; code_.firstSample && i < SurfaceBufferLayout::samples; ++i) {
+        const std::size_t first =
+            *code_.firstSample + std::size_t(i * SurfaceBufferLayout::sampleValues);
+        const glm::dvec3 arriving(noted(first + 1));
+        if (sends(arriving)) {
+            sum += arriving * value(glm::dvec3(noted(first)), point_.toEye);
+        }
+    }
+    return sum / double(SurfaceBufferLayout::samples);
+}
+
 /// What the model returns, cut at 0.
-glm::dvec3 SurfaceShader::value(const Point& point, const glm::dvec3& l,
-                                const glm::dvec3& v) const {
-    reference::Geometry geometry = reference::geometry(point.n, point.t, l, v);
-    geometry.pixel = point.place;
+glm::dvec3 SurfaceShader::value(const glm::dvec3& l, const glm::dvec3& v) const {
+    reference::Geometry geometry = reference::geometry(point_.n, point_.t, l, v);
+    geometry.pixel = point_.place;
     return reference::shade(*code_.blocks.front().code, geometry, values_.front(), fillers_);
 }
 
-glm::dvec3 SurfaceShader::lit(const Point& point, const SurfaceBuffer& buffer,
-                              std::size_t pixel) const {
+glm::dvec3 SurfaceShader::lit() const {
     glm::dvec3 sum(0.0);
     for (const SurfaceCode::LightCode& light : code_.lights) {
-        reference::Illumination arriving = light.block.code->light(point.x, light.block.values);
+        reference::Illumination arriving = light.block.code->light(point_.x, light.block.values);
         if (light.share) {
             const std::size_t value = code_.firstShare + *light.share / sharesPerValue;
             const auto part = static_cast<int>(*light.share % sharesPerValue);
-            arriving.radiance *= double(buffer.values[value][pixel][part]);
+            arriving.radiance *= noted(value)[part];
         }
         if (sends(arriving.radiance)) {
-            sum += arriving.radiance * value(point, arriving.l, point.toEye);
+            sum += arriving.radiance * value(arriving.l, point_.toEye);
         }
     }
     return sum;
 }
 
 /// As passes/ambient.glsl and passes/hemisphere.glsl.
-glm::dvec3 SurfaceShader::ambient(const Point& point) const {
+glm::dvec3 SurfaceShader::ambient() const {
     if (!code_.ambient && !code_.hemisphere) {
         return glm::dvec3(0.0);
     }
-    const reference::Geometry g = reference::geometry(point.n, point.t, point.n, point.toEye);
+    const reference::Geometry g = reference::geometry(point_.n, point_.t, point_.n, point_.toEye);
     glm::dvec3 light = code_.ambient.value_or(glm::dvec3(0.0));
     if (code_.hemisphere) {
         const double up = glm::clamp(0.5 + 0.5 * glm::dot(g.n, code_.hemisphere->up), 0.0, 1.0);
         light += glm::mix(code_.hemisphere->ground, code_.hemisphere->sky, up);
     }
-    return light * value(point, g.n, 0.5 * g.n + std::sqrt(0.75) * g.t);
+    return light * value(g.n, 0.5 * g.n + std::sqrt(0.75) * g.t);
 }
 
 glm::dvec3 SurfaceShader::emitted() const {
@@ -278,8 +304,8 @@ glm::dvec3 SurfaceShader::emitted() const {
     return sum;
 }
 
-glm::dvec3 SurfaceShader::blended(const Point& point, const glm::dvec3& shaded) const {
-    const reference::Geometry g = reference::geometry(point.n, point.t, point.n, point.toEye);
+glm::dvec3 SurfaceShader::blended(const glm::dvec3& shaded) const {
+    const reference::Geometry g = reference::geometry(point_.n, point_.t, point_.n, point_.toEye);
     const std::array<double, 6> directions{g.n.x, g.n.y, g.n.z, g.v.x, g.v.y, g.v.z};
     std::array<double, 2> incidence{};
     incidence_->call(directions.data(), incidence.data());
@@ -288,9 +314,9 @@ glm::dvec3 SurfaceShader::blended(const Point& point, const glm::dvec3& shaded) 
     return glm::mix(shaded, block.tint(values_.back()), share);
 }
 
-glm::dvec3 SurfaceShader::fogged(const Point& point, const glm::dvec3& shaded) const {
-    const double range = glm::length(point.toEye);
-    const reference::FogRay ray{code_.eye, -point.toEye / std::max(range, 1e-300), range};
+glm::dvec3 SurfaceShader::fogged(const glm::dvec3& shaded) const {
+    const double range = glm::length(point_.toEye);
+    const reference::FogRay ray{code_.eye, -point_.toEye / std::max(range, 1e-300), range};
     const reference::Block& block = *code_.fog->code;
     return glm::mix(block.fogColor(code_.fog->values), shaded,
                     block.fog(ray, code_.fog->values));

@@ -43,11 +43,12 @@ struct SurfaceCode {
     std::optional<glm::dvec3> ambient;
     std::optional<Hemisphere> hemisphere;
     std::optional<BlockCode> fog;
+    std::optional<std::size_t> firstSample; ///< of an environment's light, among a pixel's values
     std::size_t firstShare = 0;
     glm::dvec3 eye{0.0};
 
     /// The error says what of the object cannot be computed so: blocks without code in double
-    /// precision, light that is sampled, and what lets something shine through.
+    /// precision, and what lets something shine through.
     static Result<SurfaceCode> of(const BufferedObject& object, const SurfaceBuffer& buffer);
 };
 
@@ -59,8 +60,17 @@ class SurfaceShader {
     SurfaceShader(const SurfaceShader&) = delete;
     SurfaceShader& operator=(const SurfaceShader&) = delete;
 
-    /// The linear light of a pixel of the buffer that shows the code's object.
-    glm::dvec3 shaded(const SurfaceBuffer& buffer, std::size_t pixel);
+    /// Looks at a pixel of the buffer that shows the code's object.
+    void lookAt(const SurfaceBuffer& buffer, std::size_t pixel);
+
+    /// Its light of lamps, ambient light and emission.
+    glm::dvec3 still() const;
+
+    /// The mean of what the buffer's samples of an environment make of it.
+    glm::dvec3 sampled() const;
+
+    /// The picture's linear light, given the sum of both.
+    glm::dvec3 finished(glm::dvec3 sum) const;
 
   private:
     struct Point {
@@ -71,15 +81,19 @@ class SurfaceShader {
         glm::dvec2 place;
     };
 
-    void takeImages(const SurfaceBuffer& buffer, std::size_t pixel);
-    glm::dvec3 value(const Point& point, const glm::dvec3& l, const glm::dvec3& v) const;
-    glm::dvec3 lit(const Point& point, const SurfaceBuffer& buffer, std::size_t pixel) const;
-    glm::dvec3 ambient(const Point& point) const;
+    void takeImages();
+    glm::dvec4 noted(std::size_t value) const;
+    glm::dvec3 value(const glm::dvec3& l, const glm::dvec3& v) const;
+    glm::dvec3 lit() const;
+    glm::dvec3 ambient() const;
     glm::dvec3 emitted() const;
-    glm::dvec3 blended(const Point& point, const glm::dvec3& shaded) const;
-    glm::dvec3 fogged(const Point& point, const glm::dvec3& shaded) const;
+    glm::dvec3 blended(const glm::dvec3& shaded) const;
+    glm::dvec3 fogged(const glm::dvec3& shaded) const;
 
     const SurfaceCode& code_;
+    const SurfaceBuffer* buffer_ = nullptr;
+    std::size_t pixel_ = 0;
+    Point point_{};
     std::vector<std::vector<double>> values_; ///< of the blocks, with what images made of them
     std::vector<reference::Filler> fillers_;
     const reference::Function* incidence_;

@@ -150,13 +150,13 @@ void EnvironmentLight::upload() {
     values_.upload(EnvironmentLayout::fixed + current_->layout.floats / 4);
 }
 
-void EnvironmentLight::setSamples(int firstRound, int count) {
+void EnvironmentLight::setSamples(const Samples& samples) {
     glm::vec4& turn = values_.staging()[EnvironmentLayout::turn];
-    turn.z = static_cast<float>(firstRound);
-    turn.w = static_cast<float>((count + roundSamples - 1) / roundSamples);
+    turn.z = static_cast<float>(samples.firstRound);
+    turn.w = static_cast<float>((samples.count + roundSamples - 1) / roundSamples);
     const glm::ivec2 size = table_.size();
     values_.staging()[EnvironmentLayout::sizes] =
-        glm::vec4(size, static_cast<float>(count), 0.0f);
+        glm::vec4(size, static_cast<float>(samples.count), static_cast<float>(samples.series));
     upload();
 }
 

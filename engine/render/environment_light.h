@@ -33,9 +33,13 @@ class EnvironmentLight {
     /// What a white matte surface that faces up reflects.
     glm::dvec3 upward() const { return table_.upward(); }
 
-    /// Which samples the next programs draw: from which round on, and how many, which are whole
-    /// rounds or a part of one.
-    void setSamples(int firstRound, int count);
+    /// Which samples programs draw.
+    struct Samples {
+        int firstRound = 0;
+        int count = 0;  ///< whole rounds or a part of one
+        int series = 0; ///< see View::environmentSeries
+    };
+    void setSamples(const Samples& samples);
 
     static constexpr int roundSamples = 4; ///< as in shaders/passes/environment_light.glsl
 

@@ -75,7 +75,8 @@ Result<void> EnvironmentPass::begin(const SceneToPack& scene, const View& view,
     }
     done_ = *kept && view.isContinued ? done_ : 0;
     count_ = samplesOf(view, scene.effects, catalog, done_);
-    light_.setSamples((done_ + roundSamples - 1) / roundSamples, count_);
+    light_.setSamples(
+        {(done_ + roundSamples - 1) / roundSamples, count_, view.environmentSeries});
     return {};
 }
 
@@ -83,7 +84,7 @@ void EnvironmentPass::foresee(const SceneToPack& scene, const View& view, const 
                               ProgramCache& cache) {
     light_.follow(scene.effects, scene.scene, view.environmentImage, catalog, cache);
     if (isIn()) {
-        light_.setSamples(0, roundSamples);
+        light_.setSamples({0, roundSamples, 0});
     }
 }
 

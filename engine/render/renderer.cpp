@@ -317,8 +317,8 @@ Result<std::optional<PixelProbe>> Renderer::probe(const Scene& scene, const View
 }
 
 Result<SurfaceBuffer> Renderer::captureSurfaces(const Scene& scene, const View& view,
-                                                const MeshSource& meshes) {
-    return implementation_->surfaces().capture(scene, view, meshes);
+                                                const MeshSource& meshes, int round) {
+    return implementation_->surfaces().capture(scene, view, meshes, round);
 }
 
 void Renderer::releaseTargets() {

@@ -36,6 +36,8 @@ struct View {
     /// Directions per pixel that are drawn for an environment's light, from four on in whole rounds
     /// of four; 0: what takes about as long as the lights.
     int environmentSamples = 0;
+    /// Directions of one series have nothing to do with those of another, whatever their number.
+    int environmentSeries = 0;
     /// Where a frame that continues stops to add: so many samples are in the picture then.
     int mostSamples = 1 << 24;
     /// Nothing has changed but that more samples are wanted: the picture is the mean of all since
@@ -157,9 +159,13 @@ class Renderer {
                                             const MeshSource& meshes, glm::ivec2 pixel);
 
     /// What the programs of that frame have for each pixel, with one sample per pixel and all
-    /// objects drawn as opaque ones, without the ground.
+    /// objects drawn as opaque ones, without the ground. Of an environment it has this round of
+    /// directions, as frames draw them that are too short to look for the model's lobe.
     Result<SurfaceBuffer> captureSurfaces(const Scene& scene, const View& view,
-                                          const MeshSource& meshes);
+                                          const MeshSource& meshes, int round = 0);
+
+    /// The most directions of an environment that such a frame may draw: whole rounds.
+    static constexpr int plainSamples = 12;
 
     /// Gives the buffers that a frame is drawn in back to the driver; the next frame makes them
     /// again. Programs and meshes stay.

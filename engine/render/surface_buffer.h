@@ -20,7 +20,8 @@ struct BufferedObject {
     std::vector<glm::vec4> data;              ///< objectData, by pipeline->object
     std::vector<std::size_t> inputs; ///< images that change a parameter, in EffectSet::textures;
                                      ///< what they made of it are the first values
-    std::size_t firstShare = 0; ///< the value with the first four lights' shares
+    std::size_t firstSample = 0; ///< the value with the first direction of an environment, if any
+    std::size_t firstShare = 0;  ///< the value with the first four lights' shares
 };
 
 /// All that the programs of a frame know of each of its pixels, in whole floats, so that others can
@@ -31,7 +32,8 @@ struct SurfaceBuffer {
     std::vector<glm::vec4> positions; ///< in world space; w: the object, from 1 on, or 0
     std::vector<glm::vec4> normals;   ///< unit, on the viewer's side; w: the opacity
     std::vector<glm::vec4> tangents;  ///< unit
-    std::vector<std::vector<glm::vec4>> values; ///< what images and shadows give, value by value
+    std::vector<std::vector<glm::vec4>> values; ///< what images, environment and shadows
+                                                ///< give, value by value
     std::vector<BufferedObject> objects;        ///< of the scene
     std::vector<glm::vec4> sceneData;           ///< by the pipelines' SceneLayout
 

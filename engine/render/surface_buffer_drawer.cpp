@@ -107,18 +107,24 @@ SurfaceBufferDrawer::SurfaceBufferDrawer(std::filesystem::path programCache, Gpu
     : items_(std::move(programCache), SurfaceOutput::Buffer, meshes, textures, shadows) {}
 
 void SurfaceBufferDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
-    hasCatalog_ = catalog != nullptr;
-    items_.setCatalog(std::move(catalog));
+    catalog_ = std::move(catalog);
+    items_.setCatalog(catalog_);
+    environment_.forget();
 }
 
 Result<SurfaceBuffer> SurfaceBufferDrawer::capture(const Scene& scene, const View& view,
-                                                   const MeshSource& meshes) {
-    if (!hasCatalog_) {
+                                                   const MeshSource& meshes, int round) {
+    if (!catalog_) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
     }
     items_.prepare(scene, view, meshes, true);
     if (!items_.report().messages.empty()) {
         return tl::unexpected(items_.report().messages.front());
+    }
+    environment_.follow(scene, scene, view.environmentImage, *catalog_,
+                        items_.pipelines().programs());
+    if (environment_.isIn()) {
+        environment_.setSamples({round, SurfaceBufferLayout::samples, view.environmentSeries});
     }
     const Result<BufferTarget> target = BufferTarget::create(view.size);
     if (!target) {
@@ -159,11 +165,15 @@ void SurfaceBufferDrawer::describe(SurfaceBuffer& buffer, const Scene& scene) {
         const std::span<const glm::vec4> data = item.data->staging();
         object.data.assign(data.begin(), data.begin() + item.pipeline->object.vec4s);
         object.inputs = texturedInputs(item.pipeline->effects);
-        object.firstShare = object.inputs.size();
+        object.firstSample = object.inputs.size();
+        object.firstShare = firstShare(item.pipeline->effects);
     }
 }
 
 void SurfaceBufferDrawer::drawWindow(const Scene& scene, int firstValue) {
+    if (environment_.isIn()) {
+        environment_.bind();
+    }
     items_.draw(scene, [firstValue](const SurfaceItems::Item& item) {
         glUniform1i(item.pipeline->program->uniform("firstValue"), firstValue);
         glUniform1f(item.pipeline->program->uniform("objectNumber"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "render/environment_light.h"
 #include "render/surface_buffer.h"
 #include "render/surface_items.h"
 
@@ -15,14 +16,17 @@ class SurfaceBufferDrawer {
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    Result<SurfaceBuffer> capture(const Scene& scene, const View& view, const MeshSource& meshes);
+    /// With a round of directions of the scene's environment.
+    Result<SurfaceBuffer> capture(const Scene& scene, const View& view, const MeshSource& meshes,
+                                  int round);
 
   private:
     void describe(SurfaceBuffer& buffer, const Scene& scene);
     void drawWindow(const Scene& scene, int firstValue);
 
-    bool hasCatalog_ = false;
+    std::shared_ptr<const Catalog> catalog_;
     SurfaceItems items_;
+    EnvironmentLight environment_;
 };
 
 } // namespace patina

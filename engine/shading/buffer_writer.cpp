@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "shading/environment_source.h"
 #include "shading/surface_buffer_layout.h"
 #include "shading/surface_writer.h"
 
@@ -17,6 +18,11 @@ std::vector<std::size_t> texturedInputs(const EffectSet& set) {
         }
     }
     return inputs;
+}
+
+std::size_t firstShare(const EffectSet& set) {
+    constexpr int values = SurfaceBufferLayout::samples * SurfaceBufferLayout::sampleValues;
+    return texturedInputs(set).size() + (set.scene.environment ? values : 0);
 }
 
 /// The values of an image's parameters, each behind the statement that changed it.
@@ -34,7 +40,8 @@ void SurfaceWriter::noteValues(std::string_view kind, const std::string& variabl
 
 void SurfaceWriter::writeBuffer() {
     writeFrame();
-    out_.add(fmt::format("#define FIRST_SHARE {}\n", texturedInputs(set_).size()));
+    out_.add(fmt::format("#define FIRST_SAMPLE {}\n#define FIRST_SHARE {}\n",
+                         texturedInputs(set_).size(), firstShare(set_)));
     out_.addFile("passes/surface_buffer.glsl");
     if (object_.model) {
         writeSlots();
@@ -56,11 +63,24 @@ void SurfaceWriter::writeBuffer() {
                              object_.blend->first);
         noteValues(block.kind, "blend");
     }
+    writeSamples();
     writeShares();
     writeOpacity();
     out_.add(fmt::format("void main() {{\n    clearValues();\n    Surface s = surface();\n"
                          "{}{}    storeBuffer(s, {});\n}}\n",
                          main_, last_, alpha_));
+}
+
+/// Where the environment's light comes from in one round.
+void SurfaceWriter::writeSamples() {
+    if (!object_.model || scene_.environment == nullptr) {
+        return;
+    }
+    addEnvironment(out_, *scene_.environment, *set_.scene.environment);
+    out_.addFile("passes/environment_points.glsl");
+    out_.addFile("passes/environment_samples.glsl");
+    main_ += fmt::format("    noteSamples(s, unpackEnvironment({}));\n",
+                         EnvironmentLayout::fixed);
 }
 
 /// What shadows leave of each light that has some.

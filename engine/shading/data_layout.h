@@ -79,7 +79,8 @@ struct SceneLayout {
 struct EnvironmentLayout {
     static constexpr int turn = 0;  ///< x, y: cosine and sine of its rotation; z: the first round
                                     ///< of samples; w: how many rounds
-    static constexpr int sizes = 1; ///< x, y: columns and rows of the table; z: how many samples
+    static constexpr int sizes = 1; ///< x, y: columns and rows of the table; z: how many samples;
+                                    ///< w: which series of them
     static constexpr int fixed = 2; ///< the block's values follow
 };
 

@@ -71,6 +71,7 @@ class SurfaceWriter {
     void readFrom(const std::string& array);
     bool isInspected() const { return output_ == SurfaceOutput::Inspection; }
     void writeBuffer();
+    void writeSamples();
     void writeShares();
     void noteValues(std::string_view kind, const std::string& variable);
     void noteTerm(const std::string& term, const std::string& value, const std::string& detail);

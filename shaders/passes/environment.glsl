@@ -4,7 +4,7 @@
 #include "lib/outlook.glsl"
 
 // 0: cosine and sine of its rotation, the first round of samples, how many rounds; 1: columns and
-// rows of its table; then the block's own values.
+// rows of its table, how many samples, which series of them; then the block's own values.
 layout(std140) uniform EnvironmentBlock {
     vec4 environmentData[ENVIRONMENT_VEC4S];
 };

@@ -39,8 +39,9 @@ vec2 environmentPoint(uint index, uint seed) {
     return vec2(float(x >> 8), float(y >> 8)) * (1.0 / 16777216.0);
 }
 
-// Of a pixel; `use` tells sequences of one pixel apart.
+// Of a pixel; `use`, below 16, tells sequences of one pixel apart.
 uint environmentSeed(uint use) {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
+    use += 16u * uint(environmentData[1].w);
     return environmentHash(pixel.x + environmentHash(pixel.y + environmentHash(use)));
 }

@@ -2,6 +2,11 @@
 // Fronts, budgets and the order of measuring, from made-up measurements.
 #include "measure/cost_chart.h"
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "measure/cost_table.h"
@@ -30,8 +35,95 @@ TEST(CostFront, Beaten_AreLeftOut) {
     EXPECT_EQ(costFront(someFront()), (std::vector<std::size_t>{3, 1, 0}));
 }
 
-TEST(CostFront, TiesInBoth_AreAllOnIt) {
-    EXPECT_EQ(costFront({point({}, 1.0, 0.0), point({{"a", "same"}}, 1.01, 0.0)}).size(), 2u);
+TEST(CostFront, OfTiesInBoth_TheExactOneIsOnIt) {
+    EXPECT_EQ(costFront({point({{"a", "same"}}, 0.99, 0.0), point({}, 1.0, 0.0)}),
+              std::vector<std::size_t>{1});
+}
+
+TEST(CostFront, ExactOneThatIsSlower_IsLeftOut) {
+    EXPECT_EQ(costFront({point({}, 1.0, 1e-8), point({{"a", "half"}}, 0.5, 1e-7)}),
+              std::vector<std::size_t>{1});
+}
+
+/// Each ties with the next one in time, the first and the last do not.
+TEST(CostFront, ChainOfTies_IsCutWhereItIsFasterByMoreThanNoise) {
+    EXPECT_EQ(costFront({point({}, 1.0, 0.0), point({{"a", "1"}}, 0.985, 0.01),
+                         point({{"a", "2"}}, 0.96, 0.02), point({{"a", "3"}}, 0.945, 0.03)}),
+              (std::vector<std::size_t>{2, 0}));
+}
+
+/// Crowded, so that most points tie with some others, and many are equally accurate.
+std::vector<CostPoint> randomPoints(std::mt19937& random) {
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::vector<CostPoint> points{point({}, 1.0, 1e-8)};
+    for (int i = 0; i < 24; ++i) {
+        const double error = std::pow(10.0, -8.0 * share(random));
+        points.push_back(point({{"a", std::to_string(i)}}, 0.8 + 0.3 * share(random),
+                               i % 3 == 0 ? 1e-7 * share(random) : error));
+    }
+    return points;
+}
+
+std::set<ChosenLevels> frontLevels(const std::vector<CostPoint>& points) {
+    std::set<ChosenLevels> levels;
+    for (const std::size_t i : costFront(points)) {
+        levels.insert(points[i].levels);
+    }
+    return levels;
+}
+
+bool isAsGood(const CostPoint& a, const CostPoint& b) {
+    return std::max(errorOf(a), 1e-6) <= std::max(errorOf(b), 1e-6) &&
+           (a.cost.ratio.median <= b.cost.ratio.median || tiesInTime(a, b));
+}
+
+TEST(CostFront, RandomPoints_AreOnItOrHaveOneThatIsAsGood) {
+    std::mt19937 random(7);
+    for (int round = 0; round < 200; ++round) {
+        const std::vector<CostPoint> points = randomPoints(random);
+        const std::vector<std::size_t> front = costFront(points);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto others = std::ranges::count_if(front, [&](std::size_t other) {
+                return other != i && isAsGood(points[other], points[i]);
+            });
+            EXPECT_EQ(others > 0, std::ranges::find(front, i) == front.end()) << round << ' ' << i;
+        }
+    }
+}
+
+TEST(CostFront, RandomPoints_CountInAnyOrder) {
+    std::mt19937 random(8);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<CostPoint> points = randomPoints(random);
+        const std::set<ChosenLevels> front = frontLevels(points);
+        std::ranges::shuffle(points, random);
+        EXPECT_EQ(frontLevels(points), front) << round;
+    }
+}
+
+TEST(CostFront, PointsThatAreNotOnIt_MakeNoDifference) {
+    std::mt19937 random(9);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<CostPoint> points = randomPoints(random);
+        const std::set<ChosenLevels> front = frontLevels(points);
+        int kept = 0;
+        std::erase_if(points, [&](const CostPoint& each) {
+            return !front.contains(each.levels) && ++kept % 2 == 0;
+        });
+        EXPECT_EQ(frontLevels(points), front) << round;
+    }
+}
+
+TEST(BestFor, RandomPoints_CountInAnyOrder) {
+    std::mt19937 random(10);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<CostPoint> points = randomPoints(random);
+        for (const CostBudget& budget : {CostBudget{9.5, {}}, CostBudget{{}, 1e-3}}) {
+            const CostPoint first = points[bestFor(budget, points)->point];
+            std::ranges::shuffle(points, random);
+            EXPECT_EQ(points[bestFor(budget, points)->point].levels, first.levels) << round;
+        }
+    }
 }
 
 TEST(CostFront, SameTimeAndWorse_IsLeftOut) {
@@ -159,6 +251,21 @@ TEST(SweepPlan, WhatGainsNothing_IsNotCombined) {
         chart.points.push_back(point(*levels, levels->contains("b") ? 1.2 : 0.8, 0.1));
     }
     EXPECT_EQ(chart.points.size(), 3u);
+}
+
+TEST(CostTable, PointsAgainstAConvergedRender_SaySo) {
+    CostChart chart;
+    chart.points = {point({}, 1.0, 0.0), point({{"picture.environment", "16"}}, 0.1, 0.3)};
+    EXPECT_EQ(costText(chart).find('~'), std::string::npos);
+    EXPECT_TRUE(costJson(chart)["converged"].is_null());
+    chart.converged = ConvergedRender{"picture.environment", 4096, {}, {}};
+    chart.converged->noise.p99 = 0.002;
+    EXPECT_NE(costText(chart).find("~ 3.0e-01"), std::string::npos) << costText(chart);
+    EXPECT_NE(costText(chart).find("4096 other directions"), std::string::npos);
+    const nlohmann::json json = costJson(chart);
+    EXPECT_EQ(json["converged"]["noise"]["p99"], 0.002);
+    EXPECT_EQ(json["points"][0]["againstConverged"], false);
+    EXPECT_EQ(json["points"][1]["againstConverged"], true);
 }
 
 TEST(CostCsv, QuotationMarksInAName_AreDoubled) {

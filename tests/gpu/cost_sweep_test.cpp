@@ -63,6 +63,10 @@ vec3 burnTest(Directions d, BurnTest p) {
         options.size = {48, 48};
         options.pairs.most = pairs;
         options.combinations = combinations;
+        return measured(options);
+    }
+
+    CostChart measured(const CostSweep::Options& options) {
         auto sweep = CostSweep::create({scene_, 0, scene_.camera, meshSource(), catalog}, options);
         EXPECT_TRUE(sweep);
         while (!(*sweep)->finished()) {
@@ -151,11 +155,25 @@ TEST_F(CostSweepTest, UnderAnEnvironment_TheRightFrameSaysItsDirections) {
     scene.environment = defaultBlockValues(*catalog->find("environment", "studio"));
     const CostSweep::Subject subject{scene, 0, scene.camera, meshSource(), catalog};
     EXPECT_EQ(rightOf(subject, Choice::Scope::Material),
-              "the exact frame as the device draws it, because the light of the environment is "
-              "sampled, with 64 directions of the environment per pixel");
+              "the same frame in double precision and with the same 48 directions of the "
+              "environment per pixel");
     EXPECT_EQ(rightOf(subject, Choice::Scope::Picture),
-              "a converged render: the finest frame that the device draws, with 4096 directions of "
-              "the environment per pixel");
+              "the finest frame that the device draws, with the same 4096 directions of the "
+              "environment per pixel");
+}
+
+/// The device's directions are those of the frame in double precision, whatever the model's lobe.
+TEST_F(CostSweepTest, UnderAnEnvironment_TheExactFrameErrsByRoundingOnly) {
+    scene_ = simpleScene("cook-torrance");
+    scene_.environment = defaultBlockValues(*catalog->find("environment", "studio"));
+    CostSweep::Options options;
+    options.size = {16, 16};
+    options.only = {"nothing"};
+    options.pairs.fewest = 1;
+    options.pairs.most = 1;
+    const CostChart chart = measured(options);
+    EXPECT_GT(chart.find({})->error.max, 0.0);
+    EXPECT_LE(chart.find({})->error.p99, 1e-4);
 }
 
 /// llvmpipe has one count of samples besides 1, other devices have more.

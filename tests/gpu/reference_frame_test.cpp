@@ -8,6 +8,7 @@
 
 #include "gpu_fixture.h"
 #include "measure/frame_error.h"
+#include "render/environment_light.h"
 
 namespace patina {
 namespace {
@@ -23,6 +24,8 @@ class ReferenceFrameTest : public GpuTest {
         View view = viewOf(scene, 48);
         view.samples = 1;
         view.numbers = HdrNumbers::Full;
+        view.environmentSamples = directions_;
+        view.environmentImage = EnvironmentImage::missing();
         return view;
     }
 
@@ -33,12 +36,25 @@ class ReferenceFrameTest : public GpuTest {
                                       std::vector<bool>(scene.objects.size(), true));
     }
 
+    /// With all directions of an environment that the device draws.
+    void finish(ReferenceFrame& frame, const Scene& scene) {
+        for (int round = 1; round <= directions_ / EnvironmentLight::roundSamples; ++round) {
+            while (!frame.step(std::chrono::milliseconds(10))) {
+            }
+            if (round < directions_ / EnvironmentLight::roundSamples) {
+                frame.goOn(
+                    *renderer->captureSurfaces(scene, wholeView(scene), meshSource(), round));
+            }
+        }
+    }
+
+    int directions_ = EnvironmentLight::roundSamples;
+
     /// Of the device's frame against the one in double precision.
     FrameError error(const Scene& scene) {
         auto right = reference(scene);
         EXPECT_TRUE(right) << (right ? "" : right.error().text());
-        while (!(*right)->step(std::chrono::milliseconds(10))) {
-        }
+        finish(**right, scene);
         const auto image = renderer->capture(scene, wholeView(scene), meshSource(), false);
         EXPECT_TRUE(image);
         LinearFrame frame;
@@ -149,10 +165,26 @@ TEST_F(ReferenceFrameTest, Images_AreTakenAsTheyWereSampled) {
     EXPECT_LE(error(scene).p99, rounding);
 }
 
-TEST_F(ReferenceFrameTest, Environment_IsRefused) {
-    Scene scene = simpleScene();
-    scene.environment = block("environment", "studio");
-    EXPECT_FALSE(reference(scene));
+/// The device draws three rounds of directions; the CPU has them round by round.
+TEST_F(ReferenceFrameTest, EnvironmentsLight_ComesFromTheSameDirections) {
+    directions_ = Renderer::plainSamples;
+    for (const char* model : {"lambert", "phong", "ward", "strauss", "he-torrance"}) {
+        SCOPED_TRACE(model);
+        Scene scene = simpleScene(model);
+        scene.lights.resize(1);
+        scene.environment = block("environment", "studio");
+        scene.environment->parameters["rotate"] = 40.0;
+        EXPECT_LE(error(scene).p99, rounding);
+    }
+}
+
+TEST_F(ReferenceFrameTest, EnvironmentsPictureAndShadows_AreInIt) {
+    directions_ = Renderer::plainSamples;
+    Scene scene = simpleScene("cook-torrance");
+    scene.environment = block("environment", "image");
+    scene.lights.front().shadow = block("shadows", "hard");
+    scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
+    EXPECT_LE(error(scene).p99, rounding);
 }
 
 TEST_F(ReferenceFrameTest, WhatShinesThrough_IsRefused) {

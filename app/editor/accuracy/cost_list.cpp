@@ -80,6 +80,7 @@ void fillRow(NumberRow& row, const CostPoint& point, const CostChart& chart) {
                                    digitsText(point.cost.ratio.upper))
                               .arg(point.cost.runs));
     row.setNumber(P99, shareText(error.p99), error.p99);
+    row.setToolTip(P99, chart.isAgainstConverged(point) ? convergedNote(chart) : QString());
     row.setNumber(Mean, shareText(error.mean), error.mean);
     row.setNumber(Rms, shareText(error.rms), error.rms);
     row.setNumber(Worst, shareText(error.max), error.max);
@@ -96,7 +97,7 @@ void nameColumns(QTreeWidget& list) {
                           CostList::tr("8 bit"), CostList::tr("FLIP"),
                           CostList::tr("Instructions")});
     QTreeWidgetItem& head = *list.headerItem();
-    head.setToolTip(Way, CostList::tr("A disc: nothing is both faster and more accurate. A ring: "
+    head.setToolTip(Way, CostList::tr("A disc: nothing as accurate is as fast. A ring: "
                                       "what is chosen now"));
     head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that counts"));
     head.setToolTip(Ratio, CostList::tr("Time beside that of the exact way; ≈: nobody can tell it "

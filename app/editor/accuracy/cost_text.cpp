@@ -106,6 +106,12 @@ QString tieText(const CostPoint& point, const CostChart& chart) {
     return more > 0 ? tr("%1 and %2 more").arg(text).arg(more) : text;
 }
 
+QString convergedNote(const CostChart& chart) {
+    return tr("Against a converged render of %1 other directions, which is right to %2")
+        .arg(chart.converged->directions)
+        .arg(shareText(chart.converged->noise.p99));
+}
+
 QString pointText(const CostPoint& point, const CostChart& chart) {
     QStringList lines{wayName(point, chart)};
     lines << tr("%1 ns per pixel, %2 of the exact time (%3 to %4)")
@@ -114,6 +120,9 @@ QString pointText(const CostPoint& point, const CostChart& chart) {
                       digitsText(point.cost.ratio.upper));
     lines << tr("99 of 100 pixels are off by %1 or less, the worst by %2")
                  .arg(shareText(point.error.p99), shareText(point.error.max));
+    if (chart.isAgainstConverged(point)) {
+        lines << convergedNote(chart);
+    }
     lines << tr("%1 of the pixels differ on the screen").arg(shareText(point.error.stepShare));
     if (const QString ties = tieText(point, chart); !ties.isEmpty()) {
         lines << ties;
@@ -131,8 +140,14 @@ QString methodText(const CostChart& chart) {
                                .arg(chart.size.y)
                                .arg(QLocale().toString(static_cast<qulonglong>(chart.pixels)))
                                .arg(asText(chart.timer), asText(chart.right));
-    const std::string same = sameText(chart);
-    return same.empty() ? method : QStringLiteral("%1 %2.").arg(method, asText(same));
+    QStringList lines{method};
+    for (const std::string& more : {convergedText(chart), sameText(chart)}) {
+        if (!more.empty()) {
+            lines << QStringLiteral("%1%2.").arg(asText(more).left(1).toUpper(),
+                                                 asText(more).mid(1));
+        }
+    }
+    return lines.join(' ');
 }
 
 } // namespace patina

@@ -27,6 +27,9 @@ double countOf(const std::optional<InstructionCount>& count);
 /// Which other points cannot be told from this one, neither in time nor in error; empty: all can.
 QString tieText(const CostPoint& point, const CostChart& chart);
 
+/// What the errors are against of points that are compared with the chart's converged render.
+QString convergedNote(const CostChart& chart);
+
 /// The name and the numbers of a point, line by line.
 QString pointText(const CostPoint& point, const CostChart& chart);
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/error_standard.h"
+
+#include <utility>
+
+namespace patina {
+
+ErrorStandard::ErrorStandard(RightFrame::Wish wish, std::string directions)
+    : wish_(std::move(wish)), directions_(std::move(directions)), right_(wish_) {}
+
+Result<bool> ErrorStandard::step(std::chrono::milliseconds patience) {
+    if (converged_) {
+        return converged_->step(patience);
+    }
+    const Result<bool> done = right_.step(patience);
+    if (done && *done && !directions_.empty()) {
+        converged_.emplace(ConvergedFrame::Wish{wish_.renderer, wish_.meshes, wish_.drawn,
+                                                right_.meter().right()});
+    }
+    return done ? Result<bool>(isDone()) : done;
+}
+
+bool ErrorStandard::isDone() const {
+    return right_.isDone() && (directions_.empty() || (converged_ && converged_->isDone()));
+}
+
+double ErrorStandard::progress() const {
+    const double parts = directions_.empty() ? 1.0 : 2.0;
+    return (right_.progress() + (converged_ ? converged_->progress() : 0.0)) / parts;
+}
+
+std::optional<ConvergedRender> ErrorStandard::converged() const {
+    if (!converged_) {
+        return std::nullopt;
+    }
+    return ConvergedRender{directions_, converged_->directions(), converged_->noise(),
+                           converged_->finest()};
+}
+
+const ErrorMeter& ErrorStandard::meterOf(const ChosenLevels& levels) const {
+    return converged_ && levels.contains(directions_) ? converged_->meter() : right_.meter();
+}
+
+} // namespace patina
