@@ -13,15 +13,12 @@
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
+#include "io/mesh_limits.h"
 #include "io/polygon_cutter.h"
 
 namespace patina {
 namespace {
 
-/// A file with more nodes inside nodes than this is damaged or made to harm.
-constexpr int maxNodeDepth = 512;
-/// Instancing can make gigabytes of a few bytes; 2^27 vertices are 1.5 GB of positions.
-constexpr std::size_t maxVertices = std::size_t(1) << 27;
 /// Polygons come as they are in the file: what Assimp makes of concave ones covers their notches.
 constexpr unsigned int noSteps = 0;
 

@@ -12,13 +12,11 @@
 #include "io/gltf_file.h"
 #include "io/gltf_primitive.h"
 #include "io/gltf_views.h"
+#include "io/mesh_limits.h"
 
 namespace patina {
 namespace {
 
-/// Nodes deeper than this are a circle; more vertices (1.5 GB of positions) a bomb of instances.
-constexpr int maxNodeDepth = 512;
-constexpr std::size_t maxVertices = std::size_t(1) << 27;
 constexpr int maxNodeVisits = 1000000; // nodes that share children multiply
 
 glm::dmat4 localMatrix(const tinygltf::Node& node) {

@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view lineBlanks = " \t\r";
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
@@ -36,16 +36,16 @@ class Commas {
 
   private:
     void lookAt(std::string_view line, int number) {
-        std::size_t at = std::min(line.find_first_not_of(blanks), line.size());
+        std::size_t at = std::min(line.find_first_not_of(lineBlanks), line.size());
         const std::string_view keyword =
-            line.substr(at, std::min(line.find_first_of(blanks, at), line.size()) - at);
+            line.substr(at, std::min(line.find_first_of(lineBlanks, at), line.size()) - at);
         if (keyword != "v" && keyword != "vn" && keyword != "vt") {
             return;
         }
         at += keyword.size();
-        while ((at = line.find_first_not_of(blanks, at)) != std::string_view::npos &&
+        while ((at = line.find_first_not_of(lineBlanks, at)) != std::string_view::npos &&
                line[at] != '#') {
-            const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
+            const std::size_t end = std::min(line.find_first_of(lineBlanks, at), line.size());
             take(line.substr(at, end - at), number, static_cast<int>(at) + 1);
             at = end;
         }
