@@ -57,13 +57,23 @@ void addAmbient(SceneEffects& effects, const Scene& scene) {
     }
 }
 
+/// "It is dark. Its intensity is 0."
+std::string whyNoEnvironment(const Scene& scene, const Catalog& catalog,
+                             const EnvironmentChoice& choice) {
+    const Block* block = catalog.find("environment", scene.environment->id);
+    const std::string neutral =
+        block == nullptr ? std::string() : whyNeutral(*block, scene.environment->parameters);
+    return neutral.empty() ? choice.whyNot : choice.whyNot + (' ' + neutral);
+}
+
 void addEnvironment(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     const EnvironmentChoice choice = environmentChoice(scene, catalog);
     if (choice.block != nullptr) {
         effects.environment = useOf(*choice.block, scene.environment->parameters, {},
                                     "The scene has an environment that sends light.");
     } else if (scene.environment) {
-        effects.leftOut.push_back({"environment/" + scene.environment->id, choice.whyNot});
+        effects.leftOut.push_back(
+            {"environment/" + scene.environment->id, whyNoEnvironment(scene, catalog, choice)});
     }
 }
 

@@ -77,6 +77,11 @@ std::string percentText(double share) {
     return share >= 0.995 ? "100" : fmt::format("{:.2g}", 100.0 * share);
 }
 
+/// Of less than half of an 8-bit step, 0.2 %.
+std::string smallPercentText(double share) {
+    return share < 1e-4 ? "less than 0.01" : fmt::format("at most {:.1g}", 100.0 * share);
+}
+
 std::string valuesText(const Block& block, const Values& values) {
     const Hiding& hides = *block.hides;
     std::string text;
@@ -174,9 +179,8 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
     EffectView even = view;
     even.fogThickness = 1.0;
     if (change < halfStep && !(mostChange(scene, block, even) < halfStep)) {
-        return fmt::format("{}: it thins out below what is drawn, and changes its pixels by at "
-                           "most {:.1g} %.",
-                           text, 100.0 * change);
+        return fmt::format("{}: it thins out below what is drawn, and changes its pixels by {} %.",
+                           text, smallPercentText(change));
     }
     if (change < halfStep) {
         return fmt::format("{}: at up to {:.3g} m it changes no pixel by half of an 8-bit step.",

@@ -149,9 +149,9 @@ bool isNeutral(const Block& block, const Values& values, const AccuracyLevels& l
 
 std::string whyNeutral(const Block& block, const Values& values, const AccuracyLevels& levels) {
     if (const Parameter* zero = decisiveZero(block, values)) {
-        return zero->type == ParameterType::Color
-                   ? "It is black."
-                   : fmt::format("Its {} is 0.", lowered(zero->label));
+        const char* what = zero->type == ParameterType::Color ? "black" : "0";
+        return zero->id == "color" ? "It is black."
+                                   : fmt::format("Its {} is {}.", lowered(zero->label), what);
     }
     const NeutralCase* neutral = neutralCase(block, values, levels);
     return neutral == nullptr ? std::string() : caseText(*neutral, block, values);

@@ -282,7 +282,7 @@ TEST_F(FogLayerTest, RowOfFogThatThinsOutBelow_SaysSo) {
     EXPECT_FALSE(out.in);
     EXPECT_TRUE(out.line.reason.starts_with(
         "Density 0.4, Base -1.5 m, Thickness 0.02 m: it thins out below what is drawn, and "
-        "changes its pixels by at most "))
+        "changes its pixels by less than 0.01 %."))
         << out.line.reason;
     EXPECT_TRUE(row(fogUpTo(-0.5, 0.5)).in);
 }

@@ -133,6 +133,11 @@ TEST_F(NeutralSceneTest, DarkStudio_IsInNoProgramAndInNoPixel) {
     }
     const Image dark = capture(scene);
     EXPECT_EQ(std::ranges::count(renderer->report().effects, "environment/studio"), 0);
+    const auto rows = objectRows(scene, 0, *catalog, meshSource());
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const EffectRow& row) {
+        return row.line.reason == "It is dark. Its key, fill, rim and top are 0, and its walls, "
+                                  "ceiling and floor are black.";
+    }));
     scene.environment.reset();
     EXPECT_EQ(capture(scene).pixels, dark.pixels);
 }
