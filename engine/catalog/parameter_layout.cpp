@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "catalog/fills.h"
+#include "catalog/unit_direction.h"
 
 namespace patina {
 namespace {
@@ -52,8 +53,9 @@ struct Packer {
         out[1] = value.y;
     }
     void operator()(const glm::dvec3& value) const {
-        (*this)(glm::dvec2(value));
-        out[2] = value.z;
+        const glm::dvec3 inUse = isDirection(parameter) ? unitDirection(value) : value;
+        (*this)(glm::dvec2(inUse));
+        out[2] = inUse.z;
     }
     void operator()(const std::string& value) const {
         *out = static_cast<double>(indexOf(parameter.values, value));

@@ -32,8 +32,8 @@ ParameterLayout layoutOf(const Block& block);
 /// Which level of each accuracy choice is used: choice id -> level id. Missing: exact.
 using AccuracyLevels = std::map<std::string, std::string, std::less<>>;
 
-/// The values packed by the layout: angles in radians, enums and accuracy levels as the index of
-/// the chosen value, bools as 0 or 1. Missing or ill-typed values give the default.
+/// The values packed by the layout: angles in radians, directions unit, enums and accuracy levels
+/// as the index of the chosen value, bools as 0 or 1. Missing or ill-typed values give the default.
 std::vector<double> packed(const Block& block, const Values& values, const AccuracyLevels& levels);
 
 } // namespace patina

@@ -7,6 +7,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "catalog/unit_direction.h"
 #include "shading/effect_choice.h"
 
 namespace patina {
@@ -24,7 +25,9 @@ glm::dvec3 inWorld(const Parameter& parameter, const glm::dvec3& value,
     case Space::CameraPoint:
         return glm::dvec3(cameraToWorld * glm::dvec4(value, 1.0));
     case Space::CameraDirection:
-        return glm::dvec3(cameraToWorld * glm::dvec4(value, 0.0));
+        return glm::dvec3(cameraToWorld * glm::dvec4(unitDirection(value), 0.0));
+    case Space::WorldDirection:
+        return unitDirection(value);
     default:
         return value;
     }

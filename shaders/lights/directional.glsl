@@ -3,7 +3,7 @@
 
 Illumination directionalLight(vec3 x, DirectionalLight p) {
     Illumination i;
-    i.l = -unitVector(p.direction, vec3(0.0, -1.0, 0.0));
+    i.l = -p.direction;
     i.radiance = p.color * p.intensity;
     return i;
 }

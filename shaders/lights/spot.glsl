@@ -7,14 +7,14 @@
 // what is inside.
 const float LEAST_CONE = 1e-13;
 
-// The share of a spot light that leaves it towards -l, axis the unit direction it shines in.
+// The share of a spot light that leaves it towards -l.
 // With u = 1 - cos of the angle to the axis and ui, uo those of the inner and outer angle:
 // ((uo - u) / (uo - ui))^exponent between them. Versines, because a cone of 0.1 degrees spans only
 // 26 float steps of the cosine; behind the light uo - u comes from the versines of the angles that
 // are left to 180 degrees. Equal angles: a step; an inner cone of 180 degrees is everywhere.
-float spotCone(vec3 l, vec3 axis, SpotLight p) {
-    vec3 forward = l + axis;
-    vec3 behind = l - axis;
+float spotCone(vec3 l, SpotLight p) {
+    vec3 forward = l + p.direction;
+    vec3 behind = l - p.direction;
     float u = 0.5 * dot(forward, forward);
     float uo = max(versineOf(p.angleOuter), LEAST_CONE);
     float ui = min(max(versineOf(p.angleInner), LEAST_CONE), uo);
@@ -35,7 +35,6 @@ float spotCone(vec3 l, vec3 axis, SpotLight p) {
 // At the light itself, where no direction leads to it, the point counts as straight in its beam.
 Illumination spotLight(vec3 x, SpotLight p) {
     vec3 toLight = p.position - x;
-    vec3 axis = unitVector(p.direction, vec3(0.0, -1.0, 0.0));
     float range = metresTo(toLight);
     float attenuation = polynomialAttenuation(range, p.attenuationConstant, p.attenuationLinear,
         p.attenuationQuadratic);
@@ -46,7 +45,7 @@ Illumination spotLight(vec3 x, SpotLight p) {
         attenuation *= rangeWindow(range, p.range);
     }
     Illumination i;
-    i.l = range > 0.0 ? toLight / range : -axis;
-    i.radiance = p.color * (p.intensity * attenuation * spotCone(i.l, axis, p));
+    i.l = range > 0.0 ? toLight / range : -p.direction;
+    i.radiance = p.color * (p.intensity * attenuation * spotCone(i.l, p));
     return i;
 }

@@ -117,6 +117,16 @@ class Layout : public testing::Test {
         return NAN;
     }
 
+    static glm::dvec3 direction(Space space, const glm::dvec3& value) {
+        Block block;
+        block.parameters = {parameter("d", ParameterType::Vec3, glm::dvec3(1.0))};
+        block.parameters[0].space = space;
+        block.parameters[0].min = -1e7;
+        block.parameters[0].max = 1e7;
+        const std::vector<double> out = packed(block, {{"d", value}}, {});
+        return {out[0], out[1], out[2]};
+    }
+
     Block block_;
 };
 
@@ -161,6 +171,16 @@ TEST_F(Layout, WrongType_IsTheDefault) {
 }
 TEST_F(Layout, Bool_IsPackedAsOne) {
     EXPECT_EQ(at("b", {}), 1.0);
+}
+TEST_F(Layout, Direction_IsPackedUnit) {
+    EXPECT_EQ(direction(Space::WorldDirection, {0, 0, -4}), glm::dvec3(0, 0, -1));
+    EXPECT_EQ(direction(Space::CameraDirection, {3e6, 0, 4e6}), glm::dvec3(0.6, 0, 0.8));
+}
+TEST_F(Layout, DirectionWithoutLength_IsPackedAsStraightDown) {
+    EXPECT_EQ(direction(Space::WorldDirection, {0, 0, 0}), glm::dvec3(0, -1, 0));
+}
+TEST_F(Layout, Point_IsPackedAsItIs) {
+    EXPECT_EQ(direction(Space::WorldPoint, {0, 0, -4}), glm::dvec3(0, 0, -4));
 }
 
 } // namespace
