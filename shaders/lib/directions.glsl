@@ -61,11 +61,14 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     d.sin2l = perpendicular2(l, n, d.nl);
     d.sin2v = perpendicular2(v, n, d.nv);
 
+    // 1e-30 is what GPUs that flush subnormals can still divide by; |H| = 1e-15 is far below the
+    // rounding of two unit vectors.
     vec3 H = l + v;
     d.HH = dot(H, H);
+    bool opposite = !(d.HH > 1e-30);
     d.nH = d.nl + d.nv;
     vec3 P = H - d.nH * n;
-    d.sin2h = dot(P, P);
+    d.sin2h = opposite ? 1.0 : dot(P, P);
     d.tH = dot(P, t);
     d.bH = dot(P, b);
     d.cos2h = d.nH * d.nH;
@@ -81,22 +84,10 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     d.versineRv = 0.5 * dot(q, q);
     d.rv = d.versineRv < 0.5 ? 1.0 - d.versineRv : 2.0 * d.nl * d.nv - d.lv;
 
-    // 1e-30 is what GPUs that flush subnormals can still divide by; |H| = 1e-15 is far below the
-    // rounding of two unit vectors.
-    bool opposite = !(d.HH > 1e-30);
     float scale = opposite ? 0.0 : 1.0 / size;
     d.nh = d.nH * scale;
     d.ht = d.tH * scale;
     d.hb = d.bH * scale;
-    if (opposite) {
-        d.HH = 0.0;
-        d.nH = 0.0;
-        d.tH = 0.0;
-        d.bH = 0.0;
-        d.lh = 0.0;
-        d.sin2h = 1.0;
-        d.cos2h = 0.0;
-    }
     return d;
 }
 
