@@ -32,7 +32,9 @@ AssembledProgram::AssembledProgram(const std::shared_ptr<const Catalog>& catalog
     scene_.reserve(capacity);
     object_.reserve(object);
     packView(view_.staging(), stage.worldToClip(), eye(stage.camera()), 1.0);
-    packScene(scene_.staging(), *pipeline_, {scene, scene, {}}, cameraToWorld);
+    const std::vector<ShadowView> shadows{
+        stage.pictures().shadowView(*catalog, scene.lights.front(), cameraToWorld)};
+    packScene(scene_.staging(), *pipeline_, {scene, scene, shadows}, cameraToWorld);
     packMaterial(object_.staging(), *pipeline_, material, cameraToWorld);
     view_.upload(ViewLayout::vec4s);
     scene_.upload(capacity);

@@ -25,7 +25,8 @@ BallStage::BallStage(int size)
     while (!mesh_->isComplete()) {
         mesh_->upload(ball.view(), std::size_t(1) << 30);
     }
-    place_.emplace().place(glm::dmat4(1.0));
+    place_.emplace().place(objectToWorld);
+    pictures_.emplace().bind();
     glViewport(0, 0, size, size);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_DITHER);

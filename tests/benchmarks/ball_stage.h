@@ -11,6 +11,7 @@
 #include "render/frustum.h"
 #include "render/gpu_mesh.h"
 #include "scene/scene.h"
+#include "stage_pictures.h"
 
 namespace patina::benchmarks {
 
@@ -30,6 +31,8 @@ class BallStage {
 
     const Camera& camera() const { return camera_; }
     glm::dmat4 worldToClip() const;
+    static constexpr glm::dmat4 objectToWorld{1.0};
+    const StagePictures& pictures() const { return *pictures_; }
 
   private:
     void draw(const Use& use);
@@ -45,6 +48,7 @@ class BallStage {
     gl::Framebuffer target_;
     std::optional<GpuMesh> mesh_;
     std::optional<SingleInstance> place_;
+    std::optional<StagePictures> pictures_;
 };
 
 } // namespace patina::benchmarks

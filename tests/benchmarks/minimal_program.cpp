@@ -3,15 +3,21 @@
 
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "catalog/unit_direction.h"
 #include "gl/shader.h"
+#include "render/binding.h"
 #include "shading/source_builder.h"
 #include "support/program.h"
 
@@ -28,13 +34,17 @@ const std::filesystem::path folder =
 
 using Uniforms = std::map<std::string, std::vector<float>>;
 
+std::vector<float> numbersOf(const glm::dvec3& vector) {
+    return {float(vector.x), float(vector.y), float(vector.z)};
+}
+
 std::vector<float> numbersOf(const Parameter& parameter, const Value& value) {
     if (const auto* number = std::get_if<double>(&value)) {
         const bool isAngle = parameter.type == ParameterType::Angle;
         return {static_cast<float>(isAngle ? glm::radians(*number) : *number)};
     }
     if (const auto* vector = std::get_if<glm::dvec3>(&value)) {
-        return {float(vector->x), float(vector->y), float(vector->z)};
+        return numbersOf(isDirection(parameter) ? unitDirection(*vector) : *vector);
     }
     return {};
 }
@@ -56,6 +66,31 @@ void add(Uniforms& uniforms, const std::string& prefix, const Block& block, cons
     }
 }
 
+/// The rows that take (u, v, 1) to a place in the image: turned about the middle, scaled, moved.
+void add(Uniforms& uniforms, const TextureUse& use) {
+    const double angle = glm::radians(use.rotation);
+    const glm::dvec2 across = use.scale.x * glm::dvec2(std::cos(angle), std::sin(angle));
+    const glm::dvec2 up = use.scale.y * glm::dvec2(-std::sin(angle), std::cos(angle));
+    const glm::dvec2 start = 0.5 * use.scale + use.offset -
+                             0.5 * glm::dvec2(across.x + across.y, up.x + up.y);
+    uniforms["imageAcross"] = numbersOf(glm::dvec3(across, start.x));
+    uniforms["imageUp"] = numbersOf(glm::dvec3(up, start.y));
+    uniforms["imageStrength"] = {float(use.strength)};
+    uniforms["imageThreshold"] = {float(use.threshold)};
+}
+
+void add(Uniforms& uniforms, const ShadowView& view) {
+    uniforms["shadowRight"] = numbersOf(view.right);
+    uniforms["shadowUp"] = numbersOf(view.up);
+    uniforms["shadowForward"] = numbersOf(view.forward);
+    uniforms["shadowOrigin"] = numbersOf(view.origin);
+    uniforms["shadowWindow"] = {float(view.window.x), float(view.window.y), float(view.window.z),
+                                float(view.window.w)};
+    uniforms["shadowNear"] = {float(view.near)};
+    uniforms["shadowFar"] = {float(view.far)};
+    uniforms["shadowTexel"] = {float(view.texel)};
+}
+
 Uniforms uniformsOf(const Catalog& catalog, const Scene& scene) {
     Uniforms uniforms;
     const Material& material = scene.objects.front().material;
@@ -69,6 +104,13 @@ Uniforms uniformsOf(const Catalog& catalog, const Scene& scene) {
     for (const auto& [kind, part] : material.parts) {
         add(uniforms, kind, *catalog.find(kind, part.id), part.parameters);
     }
+    for (const auto& [key, use] : material.textures) {
+        add(uniforms, use);
+    }
+    uniforms["opacity"] = {float(material.opacity)};
+    uniforms["skyColor"] = numbersOf(scene.hemisphere.sky);
+    uniforms["groundColor"] = numbersOf(scene.hemisphere.ground);
+    uniforms["skyUp"] = numbersOf(scene.hemisphere.up);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const BlockValues& light = scene.lights[i].block;
         add(uniforms, fmt::format("light{}", i), *catalog.find("lights", light.id),
@@ -81,8 +123,14 @@ Uniforms uniformsOf(const Catalog& catalog, const Scene& scene) {
 }
 
 void set(int location, const std::vector<float>& numbers) {
-    numbers.size() == 1 ? glUniform1fv(location, 1, numbers.data())
-                        : glUniform3fv(location, 1, numbers.data());
+    const auto send = numbers.size() == 1   ? glUniform1fv
+                      : numbers.size() == 3 ? glUniform3fv
+                                            : glUniform4fv;
+    send(location, 1, numbers.data());
+}
+
+bool readsImage(const std::string& surrounding) {
+    return surrounding == "image" || surrounding == "relief" || surrounding == "cutout";
 }
 
 } // namespace
@@ -94,14 +142,22 @@ MinimalProgram::MinimalProgram(const Catalog& catalog, const std::string& model,
     SourceBuilder builder(catalog.roots.front().folder);
     builder.add("#version 410 core\n#define OUT(T) out T\n");
     builder.addFile(folder / "surface.glsl");
+    if (readsImage(surrounding)) {
+        builder.addFile(folder / "place.glsl");
+    }
+    builder.add(surrounding == "image" ? "vec3 imagedColor;\n#define DIFFUSE_COLOR imagedColor\n"
+                                       : "#define DIFFUSE_COLOR diffuseColor\n");
     builder.addFile(folder / (model + ".glsl"));
     builder.addFile(folder / (surrounding + ".frag"));
     const auto source = builder.finish();
     if (!source) {
         fail(name_, text(source.error()));
     }
+    const std::string vertexFile = surrounding == "relief"   ? "relief.vert"
+                                   : readsImage(surrounding) ? "image.vert"
+                                                             : "ball.vert";
     const auto vertex =
-        gl::Shader::compile(GL_VERTEX_SHADER, tests::readFile(folder / "ball.vert"));
+        gl::Shader::compile(GL_VERTEX_SHADER, tests::readFile(folder / vertexFile));
     const auto fragment = gl::Shader::compile(GL_FRAGMENT_SHADER, source->text);
     if (!vertex || !fragment) {
         fail(name_, vertex ? fragment.error() : vertex.error());
@@ -119,7 +175,9 @@ void MinimalProgram::setUniforms(const Catalog& catalog, const Scene& scene,
     program_->use();
     Uniforms values = uniformsOf(catalog, scene);
     const glm::dvec3 from = eye(stage.camera());
-    values["eye"] = {float(from.x), float(from.y), float(from.z)};
+    values["eye"] = numbersOf(from);
+    add(values, stage.pictures().shadowView(catalog, scene.lights.front(),
+                                            glm::inverse(viewMatrix(stage.camera()))));
     int count = 0;
     glGetProgramiv(program_->name(), GL_ACTIVE_UNIFORMS, &count);
     for (int i = 0; i < count; ++i) {
@@ -131,8 +189,16 @@ void MinimalProgram::setUniforms(const Catalog& catalog, const Scene& scene,
         const int location = program_->uniform(name.data());
         const auto found = values.find(name.data());
         if (type == GL_FLOAT_MAT4) {
-            const glm::mat4 worldToClip(stage.worldToClip());
-            glUniformMatrix4fv(location, 1, GL_FALSE, glm::value_ptr(worldToClip));
+            const bool isCamera = std::string_view(name.data()) == "worldToClip";
+            const glm::mat4 matrix = isCamera ? stage.worldToClip() : BallStage::objectToWorld;
+            glUniformMatrix4fv(location, 1, GL_FALSE, glm::value_ptr(matrix));
+        } else if (type == GL_FLOAT_MAT3) {
+            const glm::mat3 matrix(glm::inverseTranspose(BallStage::objectToWorld));
+            glUniformMatrix3fv(location, 1, GL_FALSE, glm::value_ptr(matrix));
+        } else if (type == GL_SAMPLER_2D) {
+            glUniform1i(location, binding::firstTexture);
+        } else if (type == GL_SAMPLER_2D_ARRAY) {
+            glUniform1i(location, binding::shadowMaps);
         } else if (found == values.end() || found->second.empty()) {
             fail(name_, fmt::format("the scene has no \"{}\"", name.data()));
         } else {

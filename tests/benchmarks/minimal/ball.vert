@@ -3,13 +3,15 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
+uniform mat4 objectToWorld;
+uniform mat3 normalToWorld;
 uniform mat4 worldToClip;
 
 out vec3 worldPosition;
 centroid out vec3 worldNormal;
 
 void main() {
-    worldPosition = position;
-    worldNormal = normal;
-    gl_Position = worldToClip * vec4(position, 1.0);
+    worldPosition = (objectToWorld * vec4(position, 1.0)).xyz;
+    worldNormal = normalToWorld * normal;
+    gl_Position = worldToClip * vec4(worldPosition, 1.0);
 }

@@ -14,5 +14,5 @@ vec3 lit(vec3 n, vec3 v, vec3 l) {
     float nH = dot(n, H);
     vec3 P = H - nH * n;
     float lobe = powSC(dot(P, P), nH * nH, shininess);
-    return diffuseColor * nl + specularColor * (gloss * lobe);
+    return DIFFUSE_COLOR * nl + specularColor * (gloss * lobe);
 }

@@ -15,6 +15,7 @@ vec3 lit(vec3 n, vec3 v, vec3 l) {
     float nH = dot(n, H);
     vec3 P = H - nH * n;
     float versine2 = 2.0 * dot(P, P) / (HH + nH * sqrt(HH));
-    float lobe = exp2(-1.4426950408889634 * acos2(min(versine2, 2.0)) / (width * width));
-    return diffuseColor * nl + specularColor * (gloss * lobe);
+    float w = max(width, 1e-6); // the slider goes down to 0
+    float lobe = exp2(-1.4426950408889634 * acos2(min(versine2, 2.0)) / (w * w));
+    return DIFFUSE_COLOR * nl + specularColor * (gloss * lobe);
 }

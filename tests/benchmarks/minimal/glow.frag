@@ -8,6 +8,6 @@ uniform vec3 emissiveColor;
 void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = seenNormal(v);
-    color = stored(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
+    color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction)
         + emissiveColor);
 }

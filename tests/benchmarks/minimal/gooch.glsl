@@ -8,7 +8,7 @@ uniform float ambientAmount;
 uniform vec3 ambientColor;
 
 vec3 lit(vec3 n, vec3 v, vec3 l) {
-    vec3 warm = warmColor + warmMix * diffuseColor;
-    vec3 cool = coolColor + coolMix * diffuseColor;
+    vec3 warm = warmColor + warmMix * DIFFUSE_COLOR;
+    vec3 cool = coolColor + coolMix * DIFFUSE_COLOR;
     return mix(cool, warm, 0.5 + 0.5 * dot(n, l)) + ambientAmount * ambientColor;
 }

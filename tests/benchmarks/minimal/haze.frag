@@ -11,6 +11,6 @@ void main() {
     float range = length(way);
     vec3 v = way / range;
     vec3 n = seenNormal(v);
-    vec3 shaded = light0Color * light0Intensity * lit(n, v, -normalize(light0Direction));
+    vec3 shaded = light0Color * light0Intensity * lit(n, v, -light0Direction);
     color = stored(mix(fogColor, shaded, exp(-fogDensity * range)));
 }

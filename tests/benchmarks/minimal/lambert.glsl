@@ -2,5 +2,5 @@
 uniform vec3 diffuseColor;
 
 vec3 lit(vec3 n, vec3 v, vec3 l) {
-    return diffuseColor * max(dot(n, l), 0.0);
+    return DIFFUSE_COLOR * max(dot(n, l), 0.0);
 }

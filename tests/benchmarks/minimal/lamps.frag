@@ -17,6 +17,6 @@ void main() {
     float range = length(way);
     float fall = light1AttenuationConstant
         + range * (light1AttenuationLinear + range * light1AttenuationQuadratic);
-    color = stored(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
+    color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction)
         + light1Color * (light1Intensity / fall) * lit(n, v, way / range));
 }

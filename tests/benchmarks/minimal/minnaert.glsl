@@ -7,5 +7,5 @@ vec3 lit(vec3 n, vec3 v, vec3 l) {
     if (nl <= 0.0) {
         return vec3(0.0);
     }
-    return diffuseColor * (nl * exp2((darkening - 1.0) * log2(nl * dot(n, v))));
+    return DIFFUSE_COLOR * (nl * exp2((darkening - 1.0) * log2(nl * dot(n, v))));
 }

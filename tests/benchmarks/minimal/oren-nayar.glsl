@@ -12,5 +12,5 @@ vec3 lit(vec3 n, vec3 v, vec3 l) {
     float A = 1.0 - 0.5 * sigma2 / (sigma2 + 0.33);
     float B = 0.45 * sigma2 / (sigma2 + 0.09);
     float azimuth = (dot(l, v) - nl * nv) / max(nl, nv);
-    return diffuseColor * (nl * (A + B * max(azimuth, 0.0)));
+    return DIFFUSE_COLOR * (nl * (A + B * max(azimuth, 0.0)));
 }

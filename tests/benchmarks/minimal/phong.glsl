@@ -12,5 +12,5 @@ vec3 lit(vec3 n, vec3 v, vec3 l) {
     }
     vec3 q = 2.0 * nl * n - l - v;
     float versine = 0.5 * dot(q, q);
-    return diffuseColor * nl + specularColor * (gloss * pow1m(versine, 1.0 - versine, shininess));
+    return DIFFUSE_COLOR * nl + specularColor * (gloss * pow1m(versine, 1.0 - versine, shininess));
 }

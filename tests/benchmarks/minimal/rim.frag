@@ -9,7 +9,7 @@ uniform vec3 fresnelColor;
 void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = seenNormal(v);
-    vec3 shaded = light0Color * light0Intensity * lit(n, v, -normalize(light0Direction));
+    vec3 shaded = light0Color * light0Intensity * lit(n, v, -light0Direction);
     vec3 share = fresnelF0 + (vec3(1.0) - fresnelF0) * pow5(1.0 - dot(n, v));
     color = stored(mix(shaded, fresnelColor, share));
 }

@@ -12,5 +12,5 @@ vec3 lit(vec3 n, vec3 v, vec3 l) {
     vec3 q = 2.0 * nl * n - l - v;
     float versine = 0.5 * dot(q, q);
     float t = max(1.0 - versine, 0.0);
-    return diffuseColor * nl + specularColor * (gloss * t / (t + shininess * versine));
+    return DIFFUSE_COLOR * nl + specularColor * (gloss * t / (t + shininess * versine));
 }

@@ -13,7 +13,7 @@ uniform float light2Intensity;
 void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = seenNormal(v);
-    color = stored(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction))
-        + light1Color * light1Intensity * lit(n, v, -normalize(light1Direction))
-        + light2Color * light2Intensity * lit(n, v, -normalize(light2Direction)));
+    color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction)
+        + light1Color * light1Intensity * lit(n, v, -light1Direction)
+        + light2Color * light2Intensity * lit(n, v, -light2Direction));
 }

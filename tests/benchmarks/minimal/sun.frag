@@ -7,5 +7,5 @@ uniform float light0Intensity;
 void main() {
     vec3 v = normalize(eye - worldPosition);
     vec3 n = seenNormal(v);
-    color = stored(light0Color * light0Intensity * lit(n, v, -normalize(light0Direction)));
+    color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction));
 }

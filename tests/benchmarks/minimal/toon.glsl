@@ -11,7 +11,7 @@ uniform float gloss;
 vec3 lit(vec3 n, vec3 v, vec3 l) {
     float nl = dot(n, l);
     float edge = max(softness, 1e-3);
-    vec3 tone = mix(shadowColor, diffuseColor, smoothstep(-0.5, 0.5, (nl - threshold) / edge));
+    vec3 tone = mix(shadowColor, DIFFUSE_COLOR, smoothstep(-0.5, 0.5, (nl - threshold) / edge));
     if (nl <= 0.0 || spotSize <= 0.0) {
         return tone;
     }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One directional light; something shines through.
+uniform vec3 light0Direction;
+uniform vec3 light0Color;
+uniform float light0Intensity;
+uniform float opacity;
+
+void main() {
+    vec3 v = normalize(eye - worldPosition);
+    vec3 n = seenNormal(v);
+    color = vec4(stored(light0Color * light0Intensity * lit(n, v, -light0Direction)).rgb, opacity);
+}
