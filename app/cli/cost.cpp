@@ -13,6 +13,7 @@
 #include "cli/cost_plot.h"
 #include "cli/cost_request.h"
 #include "cli/environment_setup.h"
+#include "cli/mapped_point.h"
 #include "cli/picture.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
@@ -35,9 +36,10 @@ constexpr int wholeEdge = 24;
 
 constexpr glm::ivec2 plotSize{960, 600};
 
-/// A chart, and where the point that the budget buys, or else the fastest one, goes wrong.
+/// A chart, and where one of its points goes wrong.
 struct Sweep {
     CostChart chart;
+    ChosenLevels mapped;
     std::vector<double> errors; ///< as CostSweep::errorMap(); empty where it is not asked for
 };
 
@@ -45,6 +47,7 @@ struct Sweep {
 struct Measured {
     std::string name;
     CostChart chart;
+    ChosenLevels mapped;
     std::vector<double> errors;
 };
 
@@ -58,13 +61,6 @@ CostSweep::Options sweepOptions(const CostRequest& options) {
     return wanted;
 }
 
-const CostPoint& mappedPoint(const CostChart& chart, const CostRequest& options) {
-    const auto answer =
-        bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
-    const bool isAsked = options.hasBudget() && answer;
-    return chart.points[isAsked ? answer->point : costFront(chart.points).front()];
-}
-
 Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options) {
     auto sweep = CostSweep::create(std::move(subject), sweepOptions(options));
     if (!sweep) {
@@ -76,9 +72,14 @@ Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options) {
     if (!(*sweep)->problems().empty()) {
         return tl::unexpected((*sweep)->problems());
     }
-    Sweep made{(*sweep)->chart(), {}};
+    Sweep made{(*sweep)->chart(), {}, {}};
     if (!options.errorMap.empty()) {
-        made.errors = (*sweep)->errorMap(mappedPoint(made.chart, options).levels);
+        const auto mapped = mappedPoint(made.chart, options);
+        if (!mapped) {
+            return tl::unexpected(oneError(mapped.error()));
+        }
+        made.mapped = (*mapped)->levels;
+        made.errors = (*sweep)->errorMap(made.mapped);
     }
     return made;
 }
@@ -189,8 +190,8 @@ Result<void> writePictures(const Measured& measured, const CostRequest& options)
             return written;
         }
         std::cerr << options.errorMap << " shows where "
-                  << levelsText(mappedPoint(measured.chart, options).levels)
-                  << " is wrong, against " << measured.chart.right
+                  << levelsText(measured.mapped) << " is wrong, against "
+                  << measured.chart.right
                   << ": black 1e-6 of the light or less, each colour ten times more\n";
     }
     return options.plot.empty() ? Result<void>() : writePlot(measured.chart, options.plot);
@@ -202,14 +203,15 @@ std::string budgetText(const CostPoint& point, const BudgetAnswer& answer) {
                        levelsText(point.levels), point.cost.milliseconds.median, errorOf(point));
 }
 
-/// False when nothing fits the budget.
-bool printBudget(const CostChart& chart, const CostRequest& options) {
+/// False when nothing fits the budget. `name` says of which chart it is, where there are several.
+bool printBudget(const CostChart& chart, const CostRequest& options, const std::string& name) {
     const auto answer =
         bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
     if (!answer) {
         return false;
     }
     (answer->fits && !options.json && !options.csv ? std::cout : std::cerr)
+        << (name.empty() ? "" : name + ": ")
         << budgetText(chart.points[answer->point], *answer);
     return answer->fits;
 }
@@ -317,7 +319,7 @@ Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
             return tl::unexpected(sweep.error());
         }
         all.push_back({nameOf(subject, options), std::move(sweep->chart),
-                       std::move(sweep->errors)});
+                       std::move(sweep->mapped), std::move(sweep->errors)});
     }
     return all;
 }
@@ -355,7 +357,8 @@ Checked<bool> cost(const CostRequest& options) {
     }
     bool met = true;
     for (const Measured& each : *all) {
-        met = (!options.hasBudget() || printBudget(each.chart, options)) && met;
+        const std::string name = all->size() > 1 ? each.name : std::string();
+        met = (!options.hasBudget() || printBudget(each.chart, options, name)) && met;
     }
     return met;
 }

@@ -179,8 +179,10 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
         ->excludes(all);
     command.add_option("--plot", request.plot, "Draw the chart into a file: .svg or .png");
     command.add_option("--error-map", request.errorMap,
-                       "Draw where the way that the budget buys, or else the fastest one, is "
-                       "wrong: .png or .jpg");
+                       "Draw where the way that the budget buys, or else the fastest one that is "
+                       "worth choosing, is wrong: .png or .jpg");
+    command.add_option("--error-map-of", request.errorMapOf,
+                       "Of this way instead, named as in the table: \"power=rational\"");
     auto* json = command.add_flag("--json", request.json, "Print an array of charts as JSON");
     command.add_flag("--csv", request.csv, "Print comma-separated values")->excludes(json);
 }
@@ -188,6 +190,11 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
 Errors checkRequest(const CostRequest& request) {
     if (Errors wrong = checkCombinations(request); !wrong.empty()) {
         return wrong;
+    }
+    if (!request.errorMapOf.empty() && request.errorMap.empty()) {
+        return oneError(failure("--error-map-of names a way, but there is no map to draw",
+                                "--error-map FILE")
+                            .value());
     }
     const bool isOfOne = !request.plot.empty() || !request.errorMap.empty() || request.scaling;
     if (isOfOne && request.presets.size() > 1) {

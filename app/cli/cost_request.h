@@ -24,6 +24,7 @@ struct CostRequest {
     bool csv = false;
     std::string plot;
     std::string errorMap;
+    std::string errorMapOf; ///< as levelsText() names a way; empty: not given
     double seconds = 60.0;
 
     bool hasBudget() const { return budgetMilliseconds || budgetError; }

@@ -6,16 +6,22 @@
 namespace patina {
 namespace {
 
-/// What shading takes of a frame; never nothing, where noise says so.
-double shadingTime(double frame, double empty) {
-    return std::max(frame - empty, 1e-3 * frame);
+/// The least time that can be told from nothing; the clock has an end, too.
+double noiseOf(const MedianInterval& empty) {
+    constexpr double clock = 1e-4;
+    return std::max(empty.upper - empty.lower, clock);
+}
+
+/// What shading takes of a frame, or the most that it may take where that is below the noise.
+double shadingTime(double frame, const MedianInterval& empty) {
+    return std::max(frame - empty.median, noiseOf(empty));
 }
 
 } // namespace
 
 void CostPairs::add(double exact, double other) {
-    const double whole = shadingTime(exact, empty_);
-    ratios_.push_back(whole > 0.0 ? shadingTime(other, empty_) / whole : 1.0);
+    ratios_.push_back(shadingTime(other, empty_) / shadingTime(exact, empty_));
+    belowNoise_ += other - empty_.median < noiseOf(empty_) ? 1 : 0;
 }
 
 bool CostPairs::isSettled(const MedianInterval& ratio) const {
@@ -32,11 +38,12 @@ ChoiceCost CostPairs::cost() const {
     cost.ratio = medianInterval(ratios_);
     cost.runs = int(ratios_.size());
     cost.settled = isSettled(cost.ratio);
+    cost.belowNoise = 2 * belowNoise_ > cost.runs;
     return cost;
 }
 
 ChoiceCost withTimes(ChoiceCost cost, const ExactFrame& exact) {
-    const double shading = shadingTime(exact.milliseconds, exact.emptyMilliseconds);
+    const double shading = shadingTime(exact.milliseconds, exact.empty);
     const auto milliseconds = [&](double ratio) {
         return exact.milliseconds + (ratio - 1.0) * shading;
     };

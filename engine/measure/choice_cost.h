@@ -15,6 +15,9 @@ struct ChoiceCost {
     double nanosecondsPerPixel = 0.0; ///< per shaded pixel, without the empty frame's time
     int runs = 0;                        ///< pairs of frames
     bool settled = false; ///< the ratio's interval is as narrow as was wanted
+    /// Most frames take no longer than one without anything to shade, as far as can be told: the
+    /// time is at most what the ratio says.
+    bool belowNoise = false;
 
     friend bool operator==(const ChoiceCost&, const ChoiceCost&) = default;
 };
@@ -30,7 +33,8 @@ class CostPairs {
     };
 
     /// `empty`: milliseconds of the frame without what is shaded.
-    CostPairs(const Options& options, double empty) : options_(options), empty_(empty) {}
+    CostPairs(const Options& options, const MedianInterval& empty)
+        : options_(options), empty_(empty) {}
 
     /// Milliseconds of a pair.
     void add(double exact, double other);
@@ -44,14 +48,15 @@ class CostPairs {
     bool isSettled(const MedianInterval& ratio) const;
 
     Options options_;
-    double empty_;
+    MedianInterval empty_;
     std::vector<double> ratios_;
+    int belowNoise_ = 0; ///< of the ratios
 };
 
 /// The frame that ratios count from.
 struct ExactFrame {
     double milliseconds = 0.0;      ///< of the exact frame
-    double emptyMilliseconds = 0.0; ///< of which nothing is shaded
+    MedianInterval empty;           ///< milliseconds of one of which nothing is shaded
     std::size_t pixels = 0;         ///< that are shaded
 };
 

@@ -155,6 +155,17 @@ bool tiesInError(const CostPoint& a, const CostPoint& b) {
     return x == y || std::abs(x - y) <= errorNoise * std::max(x, y);
 }
 
+std::vector<std::size_t> tiesOf(const std::vector<CostPoint>& points, const CostPoint& point) {
+    std::vector<std::size_t> ties;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].levels != point.levels && tiesInTime(points[i], point) &&
+            tiesInError(points[i], point)) {
+            ties.push_back(i);
+        }
+    }
+    return ties;
+}
+
 std::vector<std::size_t> costFront(const std::vector<CostPoint>& points) {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));

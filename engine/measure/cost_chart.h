@@ -26,7 +26,7 @@ struct CostPoint {
     friend bool operator==(const CostPoint&, const CostPoint&) = default;
 };
 
-/// A level that the device draws as it draws another one of the same choice.
+/// A level that the device draws as it draws another one of the same choice, bit for bit.
 struct SameLevel {
     std::string choice; ///< Choice::id
     std::string level;
@@ -83,6 +83,9 @@ double errorOf(const CostPoint& point);
 /// Whether nobody can tell the two apart in time, or in their errors.
 bool tiesInTime(const CostPoint& a, const CostPoint& b);
 bool tiesInError(const CostPoint& a, const CostPoint& b);
+
+/// The other points that tie with this one in both.
+std::vector<std::size_t> tiesOf(const std::vector<CostPoint>& points, const CostPoint& point);
 
 /// The points that are worth choosing, the fastest first: from the most accurate one on, each that
 /// is faster than those before it by more than the noise. So each of the others has one on the

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "gl/driver.h"
 #include "measure/error_standard.h"
 #include "measure/measured_scene.h"
 #include "measure/paired_frames.h"
@@ -13,19 +12,13 @@
 #include "measure/same_levels.h"
 #include "measure/surface_instructions.h"
 #include "measure/sweep_plan.h"
-#include "shading/effect_choice.h"
+#include "measure/sweep_size.h"
 
 namespace patina {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
-
-constexpr glm::ivec2 sizeOnCpu{256, 256};
-constexpr glm::ivec2 sizeOnDevice{1024, 1024};
-
-/// With thousands of directions per pixel.
-constexpr glm::ivec2 sampledSizeOnCpu{64, 64};
 
 /// Of an environment's light, where errors of a material are measured: the same ones in every
 /// frame, which is too short for a search of the model's lobe, as that depends on the levels.
@@ -36,15 +29,6 @@ constexpr int emptyFrames = 7;
 
 /// The share of the time that pairs of single choices may take.
 constexpr double shareOfPairs = 0.6;
-
-glm::ivec2 chosenSize(const CostSweep::Subject& subject, const CostSweep::Options& options) {
-    if (options.size.x > 0 && options.size.y > 0) {
-        return options.size;
-    }
-    const bool isSampled = options.scope == Choice::Scope::Picture &&
-                           environmentChoice(subject.scene, *subject.catalog).block != nullptr;
-    return !gl::isSoftware() ? sizeOnDevice : isSampled ? sampledSizeOnCpu : sizeOnCpu;
-}
 
 /// The exact frame takes as long as itself; how far its pairs are apart says what noise there is.
 MedianInterval besideItself(const MedianInterval& ratio) {
@@ -99,7 +83,7 @@ class CostSweep::Implementation {
         if (finished()) {
             return 1.0;
         }
-        const std::size_t measured = chart_.points.size();
+        const std::size_t measured = begun_;
         const double known = double(measured + plan_.waiting() + 1);
         return (standard_->progress() + double(measured)) / (1.0 + known);
     }
@@ -208,18 +192,32 @@ class CostSweep::Implementation {
         const double time = drawn_->timeOf(frame.scene, frame.view);
         if (std::exchange(isWarm_, true)) {
             empties_.push_back(time);
-            chart_.emptyMilliseconds = medianInterval(empties_).median;
+            empty_ = medianInterval(empties_);
+            chart_.emptyMilliseconds = empty_.median;
         }
     }
 
+    /// No combination is begun that would hardly end in time, and nothing that is known by another
+    /// name.
+    std::optional<ChosenLevels> nextLevels() {
+        while (begun_ < singles_ || spent_ + longestPoint_ < options_.seconds) {
+            std::optional<ChosenLevels> levels = plan_.next(chart_);
+            if (!levels || chart_.find(*levels) == nullptr) {
+                return levels;
+            }
+        }
+        return std::nullopt;
+    }
+
     void beginPoint() {
-        const bool late = chart_.points.size() >= singles_ && spent_ > options_.seconds;
-        std::optional<ChosenLevels> levels = late ? std::nullopt : plan_.next(chart_);
+        const std::optional<ChosenLevels> levels = nextLevels();
         if (!levels) {
             done_ = true;
             return;
         }
-        point_ = CostPoint{std::move(*levels), {}, {}, {}};
+        ++begun_;
+        pointBegan_ = spent_;
+        point_ = CostPoint{*levels, {}, {}, {}};
         exactFrame_ = frameOf({});
         pointFrame_ = frameOf(point_.levels);
         capture_.emplace(drawn_->renderer(), drawn_->meshes(), capturedFrame(point_.levels));
@@ -255,13 +253,12 @@ class CostSweep::Implementation {
         if (point_.isExact()) {
             exactColors_ = pointColors_.colors;
         } else if (changesNothing()) {
-            point_.cost.settled = true;
-            addPoint();
+            foldPoint();
             return;
         }
         const PairedFrames::Limits limits{options_.pairs,
                                           shareOfPairs * options_.seconds / double(singles_)};
-        pairs_.emplace(*drawn_, exactFrame_, pointFrame_, limits, chart_.emptyMilliseconds);
+        pairs_.emplace(*drawn_, exactFrame_, pointFrame_, limits, empty_);
         stage_ = Stage::Timing;
     }
 
@@ -273,10 +270,24 @@ class CostSweep::Implementation {
                point_.instructions == exact->instructions && pointColors_.colors == exactColors_;
     }
 
+    /// A level by itself is the exact one by another name.
+    void foldPoint() {
+        if (point_.levels.size() > 1) {
+            point_.cost.settled = true;
+            addPoint();
+            return;
+        }
+        const auto& [choice, level] = *point_.levels.begin();
+        const auto folded = std::ranges::find(chart_.choices, choice, &Choice::id);
+        chart_.same.push_back({choice, level, folded->levels.front().id});
+        stage_ = Stage::None;
+    }
+
     void addPoint() {
         chart_.points.push_back(point_);
         pairs_.reset();
         stage_ = Stage::None;
+        longestPoint_ = std::max(longestPoint_, spent_ - pointBegan_);
         tellTimes();
     }
 
@@ -301,8 +312,8 @@ class CostSweep::Implementation {
     void tellTimes() {
         chart_.exactMilliseconds = medianInterval(exactTimes_).median;
         for (CostPoint& point : chart_.points) {
-            point.cost = withTimes(point.cost, {chart_.exactMilliseconds,
-                                                chart_.emptyMilliseconds, chart_.pixels});
+            point.cost =
+                withTimes(point.cost, {chart_.exactMilliseconds, empty_, chart_.pixels});
         }
     }
 
@@ -312,10 +323,14 @@ class CostSweep::Implementation {
     CostChart chart_;
     SweepPlan plan_;
     std::size_t singles_ = 0;
+    std::size_t begun_ = 0;       ///< points
+    double pointBegan_ = 0.0;     ///< seconds of work before
+    double longestPoint_ = 0.0;
     std::vector<bool> counted_; ///< by object: whose pixels are measured
     std::optional<ErrorStandard> standard_;
     bool isWarm_ = false; ///< the frame without what is measured
     std::vector<double> empties_;
+    MedianInterval empty_;
     std::vector<double> exactTimes_;
     std::vector<glm::dvec3> exactColors_; ///< as the device draws them
     Stage stage_ = Stage::None;
@@ -342,7 +357,7 @@ Result<std::unique_ptr<CostSweep>> CostSweep::create(Subject subject, const Opti
         return failure("there is no object to measure", "a scene with one");
     }
     auto drawn = TimedFrames::create({subject.catalog, subject.meshes, subject.textures},
-                                     chosenSize(subject, options), options.programCache);
+                                     sweepSize(subject, options), options.programCache);
     if (!drawn) {
         return tl::unexpected(drawn.error());
     }

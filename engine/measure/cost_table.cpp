@@ -23,10 +23,10 @@ std::size_t widest(const CostChart& chart) {
 std::string pointText(const CostPoint& point, const CostChart& chart) {
     const ChoiceCost& cost = point.cost;
     const FrameError& error = point.error;
-    return fmt::format("{:6.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:>7} {} {:7.1e} {:8.1e} {:8.1e} "
+    return fmt::format("{}{:5.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:>7} {} {:7.1e} {:8.1e} {:8.1e} "
                        "{:8.1e} {:6.2f} % {:8.1e}",
-                       cost.ratio.median, cost.ratio.lower, cost.ratio.upper,
-                       cost.settled ? ' ' : '?', cost.nanosecondsPerPixel,
+                       cost.belowNoise ? '<' : ' ', cost.ratio.median, cost.ratio.lower,
+                       cost.ratio.upper, cost.settled ? ' ' : '?', cost.nanosecondsPerPixel,
                        instructionsText(point.instructions),
                        chart.isAgainstConverged(point) ? '~' : ' ', error.p99, error.max,
                        error.mean, error.rms, 100.0 * error.stepShare, error.flip);
@@ -36,6 +36,22 @@ std::string headText(std::size_t columns) {
     return fmt::format("  {:<{}}    time (of 95 % of runs) ns/pixel  instr.   p99 err      max"
                        "     mean      RMS    8-bit     FLIP\n",
                        "", columns);
+}
+
+/// Of the points that are worth choosing.
+std::string tiesText(const CostChart& chart) {
+    std::string text;
+    for (const std::size_t i : costFront(chart.points)) {
+        std::string names;
+        for (const std::size_t other : tiesOf(chart.points, chart.points[i])) {
+            names += (names.empty() ? "" : ", ") + levelsText(chart.points[other].levels);
+        }
+        if (!names.empty()) {
+            text += fmt::format("{} cannot be told from {}\n",
+                                levelsText(chart.points[i].levels), names);
+        }
+    }
+    return text;
 }
 
 std::string convergedLine(const CostChart& chart) {
@@ -62,7 +78,9 @@ nlohmann::json pointJson(const CostPoint& point, const CostChart& chart, bool on
             {"instructions", countJson(point.instructions)},
             {"runs", point.cost.runs},
             {"settled", point.cost.settled},
+            {"belowNoise", point.cost.belowNoise},
             {"front", onFront},
+            {"ties", tiesOf(chart.points, point)},
             {"againstConverged", chart.isAgainstConverged(point)}};
 }
 
@@ -105,11 +123,13 @@ std::string costText(const CostChart& chart) {
         text += fmt::format("{} {:<{}}  {}\n", isOnFront(front, i) ? '*' : ' ',
                             levelsText(point.levels), columns, pointText(point, chart));
     }
+    text += tiesText(chart);
     if (const std::string same = sameText(chart); !same.empty()) {
         text += same + '\n';
     }
     return text + fmt::format("* worth choosing: nothing measured errs no more and is as fast, "
-                              "as far as can be told; ? still unsure of 3 %\n"
+                              "as far as can be told; ? still unsure of 3 %; < no more than that: "
+                              "it cannot be told from no time\n"
                               "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
                               "errors against {}\n{}",
                               chart.size.x, chart.size.y, chart.pixels, chart.timer,

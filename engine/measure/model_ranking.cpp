@@ -117,7 +117,7 @@ class ModelRanking::Implementation {
         for (int i = 0; i < 8; ++i) {
             times.push_back(drawn_->timeOf(without, view_));
         }
-        empty_ = medianInterval(times).median;
+        empty_ = medianInterval(times);
     }
 
     void beginModel() {
@@ -163,7 +163,7 @@ class ModelRanking::Implementation {
     bool hasFrame_ = false;
     Scene first_;
     Scene other_;
-    double empty_ = 0.0;
+    MedianInterval empty_;
     std::size_t pixels_ = 0;
     std::optional<CostPairs> pairs_;
     Clock::time_point pairsBegan_;

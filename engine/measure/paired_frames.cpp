@@ -6,7 +6,7 @@
 namespace patina {
 
 PairedFrames::PairedFrames(TimedFrames& frames, const ChosenFrame& exact, const ChosenFrame& other,
-                           const Limits& limits, double empty)
+                           const Limits& limits, const MedianInterval& empty)
     : frames_(frames), exact_(exact), other_(other), limits_(limits),
       pairs_(limits.pairs, empty) {}
 

@@ -23,7 +23,7 @@ class PairedFrames {
 
     /// `empty`: milliseconds of the frame without what is shaded.
     PairedFrames(TimedFrames& frames, const ChosenFrame& exact, const ChosenFrame& other,
-                 const Limits& limits, double empty);
+                 const Limits& limits, const MedianInterval& empty);
 
     /// True when no more frames are wanted.
     bool step();

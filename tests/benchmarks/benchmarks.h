@@ -13,6 +13,8 @@ bool meshLoading();
 bool programMaking();
 bool modelCost();
 bool accuracyCost();
+bool sweepTime();
+bool frontTwice();
 bool manyObjects();
 bool assembly();
 bool switches();

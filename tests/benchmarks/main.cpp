@@ -29,6 +29,8 @@ int main(int count, char** arguments) {
                                         {"program-making", patina::benchmarks::programMaking},
                                         {"model-cost", patina::benchmarks::modelCost},
                                         {"accuracy-cost", patina::benchmarks::accuracyCost},
+                                        {"sweep-time", patina::benchmarks::sweepTime},
+                                        {"front-twice", patina::benchmarks::frontTwice},
                                         {"many-objects", patina::benchmarks::manyObjects},
                                         {"assembly", patina::benchmarks::assembly},
                                         {"switches", patina::benchmarks::switches},

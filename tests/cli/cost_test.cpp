@@ -62,6 +62,31 @@ TEST(Cost, BudgetThatCannotBeMet_FailsAndNamesTheNearest) {
     EXPECT_NE(outcome.err.find("the nearest is"), std::string::npos) << outcome.err;
 }
 
+TEST(Cost, BudgetsOfTwoPresets_NameThem) {
+    const std::string folder = PATINA_SOURCE_DIR "/presets/phong/";
+    const Outcome outcome = patina({"cost", folder + "billiard-ball.patina.json",
+                                    folder + "soft-vinyl.patina.json", "--size", "16x16",
+                                    "--seconds", "1", "--singles", "--budget-error", "10"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    for (const char* name : {"billiard-ball", "soft-vinyl"}) {
+        EXPECT_NE(outcome.out.find(name + std::string(".patina.json: the budget buys")),
+                  std::string::npos)
+            << outcome.out;
+    }
+}
+
+TEST(Cost, ErrorMapOfAWay_IsThatWays) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "errors.png").string();
+    const Outcome outcome =
+        cost({"--error-map", file, "--error-map-of", "power=gaussian"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("power=gaussian is wrong"), std::string::npos) << outcome.err;
+    const Outcome unknown = cost({"--error-map", file, "--error-map-of", "power=magic"});
+    EXPECT_EQ(unknown.exitCode, 1);
+    EXPECT_NE(unknown.err.find("\"power=magic\" was not measured"), std::string::npos);
+}
+
 TEST(Cost, Plot_IsDrawn) {
     const TemporaryFolder folder;
     const auto file = folder / "chart.svg";
@@ -158,6 +183,7 @@ TEST(Cost, OptionsThatDoNotGoTogether_AreMistakes) {
     expectMistake({"--model", "phong", "--scaling", "--error-map", "a.png"}, "of charts");
     expectMistake({"--model", "phong", "--scaling", "--size", "64x32"}, "square");
     expectMistake({"--model", "phong", "--samples", "16"}, "--samples");
+    expectMistake({"--model", "phong", "--error-map-of", "power=rational"}, "no map to draw");
 }
 
 TEST(Cost, PictureThatCannotBeWritten_IsSaidBeforeMeasuring) {

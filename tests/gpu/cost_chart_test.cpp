@@ -160,7 +160,7 @@ TEST(BestFor, NoPoints_HaveNoAnswer) {
 }
 
 TEST(CostPairs, EqualTimes_SettleAtOnce) {
-    CostPairs pairs({}, 0.0);
+    CostPairs pairs({}, {});
     for (int i = 0; i < 7; ++i) {
         EXPECT_FALSE(pairs.finished());
         pairs.add(2.0, 1.0);
@@ -171,21 +171,44 @@ TEST(CostPairs, EqualTimes_SettleAtOnce) {
 }
 
 TEST(CostPairs, EmptyFrame_CountsForNothing) {
-    CostPairs pairs({}, 1.0);
+    CostPairs pairs({}, {1.0, 1.0, 1.0});
     pairs.add(3.0, 2.0);
     EXPECT_DOUBLE_EQ(pairs.cost().ratio.median, 0.5);
+}
+
+TEST(CostPairs, TimesThatAreNoLongerThanAnEmptyFrames_AreBoundsAndSayIt) {
+    CostPairs pairs({}, {1.0, 0.99, 1.03});
+    for (int i = 0; i < 7; ++i) {
+        pairs.add(5.0, i % 2 == 0 ? 0.98 : 1.01);
+    }
+    EXPECT_TRUE(pairs.cost().belowNoise);
+    EXPECT_DOUBLE_EQ(pairs.cost().ratio.median, (1.03 - 0.99) / 4.0);
+    CostPairs others({}, {1.0, 0.99, 1.03});
+    others.add(5.0, 1.2);
+    EXPECT_FALSE(others.cost().belowNoise);
+}
+
+TEST(CostTable, TiesAndTimesBelowTheNoise_AreNamed) {
+    CostChart chart;
+    chart.points = {point({}, 1.0, 0.0), point({{"a", "same"}}, 1.01, 0.0)};
+    EXPECT_NE(costText(chart).find("exact cannot be told from a=same"), std::string::npos);
+    EXPECT_EQ(costJson(chart)["points"][0]["ties"], nlohmann::json({1}));
+    chart.points = {point({}, 1.0, 0.0), point({{"a", "none"}}, 0.02, 0.1)};
+    EXPECT_EQ(costText(chart).find("cannot be told from a"), std::string::npos);
+    chart.points[1].cost.belowNoise = true;
+    EXPECT_NE(costText(chart).find("<0.020"), std::string::npos);
 }
 
 TEST(CostPairs, Times_FollowFromTheRatio) {
     ChoiceCost cost;
     cost.ratio = {0.5, 0.25, 1.0};
-    const ChoiceCost timed = withTimes(cost, {3.0, 1.0, 1000});
+    const ChoiceCost timed = withTimes(cost, {3.0, {1.0, 1.0, 1.0}, 1000});
     EXPECT_EQ(timed.milliseconds, (MedianInterval{2.0, 1.5, 3.0}));
     EXPECT_DOUBLE_EQ(timed.nanosecondsPerPixel, 1000.0);
 }
 
 TEST(CostPairs, RestlessTimes_EndUnsettled) {
-    CostPairs pairs({0.03, 7, 20}, 0.0);
+    CostPairs pairs({0.03, 7, 20}, {});
     for (int i = 0; i < 20; ++i) {
         pairs.add(1.0, i % 2 == 0 ? 0.5 : 2.0);
     }

@@ -4,6 +4,8 @@
 
 #include "gpu_fixture.h"
 #include "material/block_values.h"
+#include "material/preset_file.h"
+#include "support/front_share.h"
 #include "support/program.h"
 
 namespace patina {
@@ -110,6 +112,50 @@ TEST_F(CostSweepTest, Twice_GivesTheSameFront) {
         return levels;
     };
     EXPECT_EQ(frontLevels(measured(false)), frontLevels(measured(false)));
+}
+
+/// Points that are closer than the noise are ties of those on the other front.
+TEST_F(CostSweepTest, ShippedPresetTwice_GivesTheSameFrontButForTies) {
+    const auto preset =
+        readPreset(PATINA_SOURCE_DIR "/presets/phong/billiard-ball.patina.json", *catalog);
+    ASSERT_TRUE(preset);
+    scene_ = simpleScene("phong");
+    scene_.objects[0].material = preset->material;
+    CostSweep::Options options;
+    options.size = {64, 64};
+    options.combinations = false;
+    options.pairs.most = 15;
+    const CostChart first = measured(options);
+    const CostChart second = measured(options);
+    EXPECT_GT(first.points.size(), 2u);
+    EXPECT_GE(tests::frontShare(first, second).share(), 0.95);
+    EXPECT_GE(tests::frontShare(second, first).share(), 0.95);
+}
+
+TEST_F(CostSweepTest, SlowLevels_EndAfterTheirShareOfTheTime) {
+    CostSweep::Options options;
+    options.size = {16, 16};
+    options.only = {"slip"};
+    options.seconds = 1e-3;
+    const CostChart chart = measured(options);
+    ASSERT_EQ(chart.points.size(), 2u);
+    EXPECT_EQ(chart.points.back().cost.runs, 1);
+    EXPECT_FALSE(chart.points.back().cost.settled);
+}
+
+TEST_F(CostSweepTest, LevelsThatChangeNothing_AreFolded) {
+    scene_ = simpleScene("lambert");
+    scene_.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
+    scene_.objects[0].material.parts["fresnel"].parameters["polarisation"] = std::string("s");
+    CostSweep::Options options;
+    options.size = {16, 16};
+    options.pairs.most = 7;
+    options.present = {{"fresnel.reflectance.clear", "schlick"}};
+    const CostChart chart = measured(options);
+    EXPECT_EQ(chart.points.size(), 1u);
+    EXPECT_EQ(chart.same.size(), 2u);
+    EXPECT_EQ(chart.find(options.present), &chart.points.front());
+    EXPECT_NE(sameText(chart).find("are drawn as Exact"), std::string::npos);
 }
 
 TEST_F(CostSweepTest, OtherMaterial_TakesNoneOfTheTime) {

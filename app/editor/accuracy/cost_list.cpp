@@ -61,7 +61,7 @@ QIcon iconOf(bool onFront, bool isCurrent, bool stale, const QPalette& palette) 
 
 /// What nobody can tell from the exact time is said to be about as long.
 QString timeText(const CostPoint& point, const CostChart& chart) {
-    const QString text = ratioText(point.cost.ratio);
+    const QString text = costRatioText(point.cost);
     const bool ties = !point.isExact() && tiesInTime(point, chart.points.front());
     return ties ? QStringLiteral("≈ %1").arg(text) : text;
 }
@@ -97,11 +97,11 @@ void nameColumns(QTreeWidget& list) {
                           CostList::tr("8 bit"), CostList::tr("FLIP"),
                           CostList::tr("Instructions")});
     QTreeWidgetItem& head = *list.headerItem();
-    head.setToolTip(Way, CostList::tr("A disc: nothing as accurate is as fast. A ring: "
-                                      "what is chosen now"));
+    head.setToolTip(Way, CostList::tr("A disc: nothing as accurate is as fast. A ring: what is "
+                                      "chosen now"));
     head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that counts"));
     head.setToolTip(Ratio, CostList::tr("Time beside that of the exact way; ≈: nobody can tell it "
-                                        "from that"));
+                                        "from that. <: nobody can tell it from none"));
     head.setToolTip(P99, CostList::tr("Relative error that 99 of 100 pixels keep"));
     head.setToolTip(Mean, CostList::tr("Mean relative error of the pixels"));
     head.setToolTip(Rms, CostList::tr("Root mean square of the relative errors"));

@@ -66,6 +66,11 @@ QString ratioText(const MedianInterval& ratio) {
         digitsText(ratio.median), likeText(0.5 * (ratio.upper - ratio.lower), ratio.median));
 }
 
+QString costRatioText(const ChoiceCost& cost) {
+    return cost.belowNoise ? QStringLiteral("< %1").arg(digitsText(cost.ratio.median))
+                           : ratioText(cost.ratio);
+}
+
 QString countText(const std::optional<InstructionCount>& count) {
     return count ? QLocale().toString(count->total()) : QStringLiteral("–");
 }
@@ -90,12 +95,10 @@ QString tieText(const CostPoint& point, const CostChart& chart) {
     constexpr int most = 4;
     QStringList names;
     int more = 0;
-    for (const CostPoint& other : chart.points) {
-        const bool ties = !(other.levels == point.levels) && tiesInTime(point, other) &&
-                          tiesInError(point, other);
-        if (ties && names.size() < most) {
-            names << wayName(other, chart);
-        } else if (ties) {
+    for (const std::size_t other : tiesOf(chart.points, point)) {
+        if (names.size() < most) {
+            names << wayName(chart.points[other], chart);
+        } else {
             ++more;
         }
     }

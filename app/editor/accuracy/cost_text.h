@@ -19,6 +19,9 @@ QString wayDescription(const CostPoint& point, const CostChart& chart);
 /// interval that says nothing.
 QString ratioText(const MedianInterval& ratio);
 
+/// The same of a cost; "< 0.02" where the time cannot be told from none.
+QString costRatioText(const ChoiceCost& cost);
+
 /// The number of instructions ("–": not known), their kinds line by line, and a number to sort by.
 QString countText(const std::optional<InstructionCount>& count);
 QString kindsText(const std::optional<InstructionCount>& count);

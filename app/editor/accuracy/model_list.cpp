@@ -56,7 +56,7 @@ void fillRow(NumberRow& row, const ModelCost& each) {
     row.setToolTip(Model, ModelList::tr("%1. Enter or a double click gives the selected object "
                                         "this model")
                               .arg(row.text(Model)));
-    row.setNumber(Ratio, ratioText(each.cost.ratio), each.cost.ratio.median);
+    row.setNumber(Ratio, costRatioText(each.cost), each.cost.ratio.median);
     row.setToolTip(Ratio, ModelList::tr("Between %1 and %2 with a probability of 95 %, by %3 pairs "
                                         "of frames")
                               .arg(digitsText(each.cost.ratio.lower),

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a sweep of a shipped preset takes, and whether the same sweep gives the same front again.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "benchmarks.h"
+#include "gl/headless_context.h"
+#include "material/preset_file.h"
+#include "measure/cost_sweep.h"
+#include "scene/primitives.h"
+#include "scene/scene_file.h"
+#include "statistics.h"
+#include "support/front_share.h"
+
+namespace patina::benchmarks {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr glm::ivec2 sizeOfTime{512, 512};
+constexpr glm::ivec2 sizeOfFronts{128, 128};
+constexpr double secondsOfFronts = 10.0;
+constexpr double longestSeconds = 60.0;
+constexpr std::size_t timedPresets = 3;
+constexpr double leastShare = 0.95;
+
+const std::filesystem::path& presetFolder() {
+    static const std::filesystem::path folder = PATINA_SOURCE_DIR "/presets";
+    return folder;
+}
+
+/// A shipped preset in the default scene.
+struct Shipped {
+    std::string name;
+    Scene scene;
+    std::size_t levels = 0; ///< that are not exact, of all choices
+};
+
+std::vector<Shipped> shippedPresets(const Catalog& catalog) {
+    const auto stage = readScene(presetFolder() / "default.patina-scene.json", catalog);
+    std::vector<Shipped> all;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(presetFolder())) {
+        const std::filesystem::path path = file.path();
+        if (!stage || path.string().find(".patina.json") == std::string::npos) {
+            continue;
+        }
+        if (const auto preset = readPreset(path, catalog)) {
+            Shipped shipped{std::filesystem::relative(path, presetFolder()).string(),
+                            stage->scene, 0};
+            shipped.scene.objects.front().material = preset->material;
+            for (const Choice& choice : materialChoices(shipped.scene, 0, catalog)) {
+                shipped.levels += choice.levels.size() - 1;
+            }
+            all.push_back(std::move(shipped));
+        }
+    }
+    std::ranges::sort(all, {}, &Shipped::name);
+    return all;
+}
+
+struct Timed {
+    CostChart chart;
+    double firstSeconds = 0.0; ///< until a point was there
+    double seconds = 0.0;
+};
+
+Timed swept(const Shipped& shipped, const std::shared_ptr<const Catalog>& catalog,
+            const CostSweep::Options& options) {
+    std::map<std::string, Mesh> meshes;
+    const MeshSource source = [&meshes](const Object& object) {
+        const std::string name = object.mesh.substr(object.mesh.find(':') + 1);
+        auto found = meshes.find(name);
+        if (found == meshes.end()) {
+            found = meshes.emplace(name, primitive(name).value()).first;
+        }
+        return found->second.view();
+    };
+    const Clock::time_point began = Clock::now();
+    const auto spent = [began] {
+        return std::chrono::duration<double>(Clock::now() - began).count();
+    };
+    auto sweep =
+        CostSweep::create({shipped.scene, 0, shipped.scene.camera, source, catalog}, options);
+    if (!sweep) {
+        fmt::print(stderr, "{}: {}\n", shipped.name, sweep.error().text());
+        std::exit(2);
+    }
+    Timed timed;
+    while (!(*sweep)->finished()) {
+        (*sweep)->step(std::chrono::milliseconds(100));
+        if (timed.firstSeconds == 0.0 && !(*sweep)->chart().points.empty()) {
+            timed.firstSeconds = spent();
+        }
+    }
+    timed.seconds = spent();
+    timed.chart = (*sweep)->chart();
+    return timed;
+}
+
+} // namespace
+
+bool sweepTime() {
+    const auto context = gl::HeadlessContext::create().value();
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    std::vector<Shipped> all = shippedPresets(*catalog);
+    std::ranges::stable_sort(all, std::ranges::greater(), &Shipped::levels);
+    all.resize(std::min(all.size(), timedPresets));
+    CostSweep::Options options;
+    options.size = sizeOfTime;
+    bool kept = true;
+    for (const Shipped& shipped : all) {
+        const Timed timed = swept(shipped, catalog, options);
+        const bool isKept = timed.seconds <= longestSeconds;
+        report(fmt::format("Sweep of {} levels, {}", shipped.levels, shipped.name),
+               fmt::format("{:.1f} s, {} points, the first after {:.1f} s", timed.seconds,
+                           timed.chart.points.size(), timed.firstSeconds),
+               isKept, "<= 60 s");
+        kept = kept && isKept;
+    }
+    return kept;
+}
+
+bool frontTwice() {
+    const auto context = gl::HeadlessContext::create().value();
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    CostSweep::Options options;
+    options.size = sizeOfFronts;
+    options.seconds = secondsOfFronts;
+    options.combinations = false; // which ones there is time for is a matter of time
+    tests::FrontShare whole;
+    for (const Shipped& shipped : shippedPresets(*catalog)) {
+        if (shipped.levels == 0) {
+            continue;
+        }
+        const CostChart first = swept(shipped, catalog, options).chart;
+        const CostChart second = swept(shipped, catalog, options).chart;
+        const tests::FrontShare share = tests::frontShare(first, second);
+        report(fmt::format("Front twice, {}", shipped.name),
+               fmt::format("{} of {} points", share.same, share.points), true, "");
+        whole.same += share.same;
+        whole.points += share.points;
+    }
+    const bool kept = whole.share() >= leastShare;
+    report("Front twice, all presets",
+           fmt::format("{:.1f} % of {} points", 100.0 * whole.share(), whole.points), kept,
+           ">= 95 %");
+    return kept;
+}
+
+} // namespace patina::benchmarks
