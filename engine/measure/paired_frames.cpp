@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/paired_frames.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace patina {
+namespace {
+
+/// Beside a frame of so long it is nothing what programs take to be made.
+constexpr double slowMilliseconds = 5000.0;
+
+} // namespace
 
 PairedFrames::PairedFrames(TimedFrames& frames, const ChosenFrame& exact, const ChosenFrame& other,
                            const Limits& limits, const MedianInterval& empty)
@@ -32,8 +39,7 @@ bool PairedFrames::step() {
     }
     const double exact = *std::exchange(exactTime_, std::nullopt);
     const bool isSlow = spent() > limits_.most * limits_.seconds;
-    // Beside frames that take so long, it is nothing what programs take to be made.
-    if (isWarm_ || isSlow) {
+    if (isWarm_ || std::min(exact, time) > slowMilliseconds) {
         addPair(exact, time);
     }
     isWarm_ = true;
