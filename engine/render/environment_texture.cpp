@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/environment_texture.h"
 
-#include <algorithm>
-#include <bit>
-
 #include <epoxy/gl.h>
+#include <glm/common.hpp>
 
 #include "render/binding.h"
 #include "render/environment_units.h"
@@ -16,6 +14,30 @@ void bindTo(unsigned unit, const gl::Texture& texture) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, texture.name());
     glActiveTexture(GL_TEXTURE0);
+}
+
+std::size_t area(glm::ivec2 size) {
+    return std::size_t(size.x) * std::size_t(size.y);
+}
+
+/// The size of the next coarser level.
+glm::ivec2 halved(glm::ivec2 size) {
+    return glm::max(size / 2, glm::ivec2(1));
+}
+
+/// Each texel of `coarse` is the mean of the four of `fine` over it, or of the two in a row.
+void halve(std::span<const glm::vec4> fine, glm::ivec2 fineSize, std::span<glm::vec4> coarse,
+           glm::ivec2 size) {
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            glm::vec4 sum(0.0f);
+            for (const glm::ivec2 corner : {glm::ivec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+                const glm::ivec2 from = glm::min(2 * glm::ivec2(x, y) + corner, fineSize - 1);
+                sum += 0.25f * fine[std::size_t(from.y) * fineSize.x + from.x];
+            }
+            coarse[std::size_t(y) * size.x + x] = sum;
+        }
+    }
 }
 
 /// Round the horizon and smooth; of the texture that is bound.
@@ -56,13 +78,19 @@ void SmallEnvironment::fit(glm::ivec2 size) {
         return;
     }
     texture_ = gl::Texture::create(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
-    const auto longest = static_cast<unsigned>(std::max(size.x, size.y));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL,
-                    static_cast<GLint>(std::bit_width(longest)) - 1);
+    GLint levels = 0;
+    std::size_t texels = 0;
+    for (glm::ivec2 level = size; level != glm::ivec2(1); texels += area(level)) {
+        level = halved(level);
+        glTexImage2D(GL_TEXTURE_2D, ++levels, GL_RGBA32F, level.x, level.y, 0, GL_RGBA, GL_FLOAT,
+                     nullptr);
+    }
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels);
     makePanorama(GL_LINEAR_MIPMAP_LINEAR);
     framebuffer_ = gl::Framebuffer::create();
     framebuffer_.attachColor(texture_);
-    radiance_.assign(std::size_t(size.x) * std::size_t(size.y), glm::vec4(0.0f));
+    radiance_.assign(area(size), glm::vec4(0.0f));
+    coarser_.assign(texels, glm::vec4(0.0f));
 }
 
 void SmallEnvironment::draw(const gl::Program& program, glm::ivec2 size) {
@@ -79,8 +107,26 @@ void SmallEnvironment::draw(const gl::Program& program, glm::ivec2 size) {
     glBindVertexArray(0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, radiance_.data());
+    fillCoarserLevels();
+}
+
+/// Of what has been read back anyway: drivers that make levels by drawing compile programs for it.
+void SmallEnvironment::fillCoarserLevels() {
     glBindTexture(GL_TEXTURE_2D, texture_.name());
-    glGenerateMipmap(GL_TEXTURE_2D);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    std::span<const glm::vec4> finer = radiance_;
+    std::span<glm::vec4> room = coarser_;
+    glm::ivec2 size = texture_.size();
+    for (GLint level = 1; size != glm::ivec2(1); ++level) {
+        const glm::ivec2 half = halved(size);
+        const std::span<glm::vec4> texels = room.first(area(half));
+        room = room.subspan(texels.size());
+        halve(finer, size, texels, half);
+        glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, half.x, half.y, GL_RGBA, GL_FLOAT,
+                        texels.data());
+        finer = texels;
+        size = half;
+    }
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 

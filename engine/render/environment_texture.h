@@ -42,11 +42,13 @@ class SmallEnvironment {
 
   private:
     void fit(glm::ivec2 size);
+    void fillCoarserLevels();
 
     gl::Texture texture_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_ = gl::VertexArray::create();
     std::vector<glm::vec4> radiance_;
+    std::vector<glm::vec4> coarser_; ///< one level after the other
 };
 
 } // namespace patina
