@@ -43,7 +43,7 @@ struct Options {
 };
 
 /// Of a scene: the object of the options, counted from 0.
-struct Subject {
+struct Shown {
     const Scene& scene;
     std::size_t object = 0;
     const MeshSource& meshes;
@@ -126,7 +126,7 @@ double aspectOf(const Options& options) {
     return double(options.picture.size.x) / double(std::max(options.picture.size.y, 1));
 }
 
-ShownObject shownObject(const Subject& subject) {
+ShownObject shownObject(const Shown& subject) {
     return {subject.scene.objects[subject.object].name, subject.object + 1,
             subject.scene.objects.size()};
 }
@@ -141,7 +141,7 @@ struct Images {
     }
 };
 
-Checked<void> printTable(const Subject& subject, const Options& options,
+Checked<void> printTable(const Shown& subject, const Options& options,
                          const std::shared_ptr<const Catalog>& catalog, Images& images) {
     const auto& [scene, object, meshes] = subject;
     EffectTable table;
@@ -195,7 +195,7 @@ void printStages(const std::string& name, const ProgramSource& program,
 }
 
 /// The program for what the table shows: seen from the scene's camera.
-Checked<void> printSource(const Subject& subject, const Options& options, const Catalog& catalog,
+Checked<void> printSource(const Shown& subject, const Options& options, const Catalog& catalog,
                           Images& images) {
     const auto& [scene, object, meshes] = subject;
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog,
@@ -253,7 +253,7 @@ Checked<void> effects(const Options& options) {
     }
     report(loaded->remarks());
     const MeshSource meshes = [&loaded](const Object& each) { return loaded->view(each); };
-    const Subject subject{setup->scene, *object, meshes};
+    const Shown subject{setup->scene, *object, meshes};
     const auto environment = environmentPicture(setup->scene, options.picture, *catalog, files);
     if (!environment) {
         return tl::unexpected(oneError(environment.error()));

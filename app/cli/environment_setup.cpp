@@ -14,21 +14,21 @@
 namespace patina {
 namespace {
 
-constexpr std::string_view kind = "environment";
+constexpr std::string_view environmentKind = "environment";
 
 /// Directions that a scene gets without being asked for: more of them take long.
 constexpr int mostUnasked = 256;
 
 std::string knownIds(const Catalog& catalog) {
     std::string known;
-    for (const Block* block : catalog.ofKind(kind)) {
+    for (const Block* block : catalog.ofKind(environmentKind)) {
         known += block->id + ", ";
     }
     return known + "none, or an .hdr or .exr file";
 }
 
 const Block* blockWithPicture(const Catalog& catalog) {
-    const std::vector<const Block*> blocks = catalog.ofKind(kind);
+    const std::vector<const Block*> blocks = catalog.ofKind(environmentKind);
     const auto found = std::find_if(blocks.begin(), blocks.end(), [](const Block* block) {
         return pictureParameter(*block) != nullptr;
     });
@@ -40,7 +40,7 @@ Result<void> choose(Scene& scene, const std::string& choice, const Catalog& cata
         scene.environment.reset();
         return {};
     }
-    if (const Block* block = catalog.find(kind, choice)) {
+    if (const Block* block = catalog.find(environmentKind, choice)) {
         scene.environment = defaultBlockValues(*block);
         return {};
     }
@@ -66,14 +66,14 @@ Result<void> chooseEnvironment(Scene& scene, const PictureOptions& options,
             return chosen;
         }
     }
-    return assignAll({std::string(kind), scene.environment}, options.sets, catalog);
+    return assignAll({std::string(environmentKind), scene.environment}, options.sets, catalog);
 }
 
 Result<std::shared_ptr<const EnvironmentImage>>
 environmentPicture(const Scene& scene, const PictureOptions& options, const Catalog& catalog,
                    AssetClient& client) {
     const Block* block =
-        scene.environment ? catalog.find(kind, scene.environment->id) : nullptr;
+        scene.environment ? catalog.find(environmentKind, scene.environment->id) : nullptr;
     const std::string_view file =
         block == nullptr ? std::string_view() : pictureFile(*scene.environment, *block);
     if (file.empty()) {

@@ -9,11 +9,11 @@
 namespace patina {
 namespace {
 
-constexpr std::string_view kind = "transparency";
+constexpr std::string_view transparencyKind = "transparency";
 
 std::string knownIds(const Catalog& catalog) {
     std::string known = "sorted";
-    for (const Block* block : catalog.ofKind(kind)) {
+    for (const Block* block : catalog.ofKind(transparencyKind)) {
         known += ", " + block->id;
     }
     return known;
@@ -24,7 +24,7 @@ Result<void> choose(Scene& scene, const std::string& choice, const Catalog& cata
         scene.transparency.reset();
         return {};
     }
-    const Block* block = catalog.find(kind, choice);
+    const Block* block = catalog.find(transparencyKind, choice);
     if (block == nullptr) {
         return failure(fmt::format("--transparency {}: no such kind of it", choice),
                        knownIds(catalog));
@@ -44,7 +44,7 @@ Result<void> chooseTransparency(Scene& scene, const PictureOptions& options,
             return chosen;
         }
     }
-    return assignAll({std::string(kind), scene.transparency}, options.sets, catalog);
+    return assignAll({std::string(transparencyKind), scene.transparency}, options.sets, catalog);
 }
 
 } // namespace patina

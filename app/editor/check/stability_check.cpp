@@ -16,7 +16,7 @@ namespace {
 constexpr qint64 reportEveryMs = 50;
 
 /// Cases between two looks at whether it was cancelled.
-constexpr std::size_t slice = std::size_t(1) << 12;
+constexpr std::size_t checkSlice = std::size_t(1) << 12;
 
 QString asText(const std::string& text) {
     return QString::fromStdString(text);
@@ -103,7 +103,7 @@ StabilityOutcome StabilityCheck::check(const Catalog& catalog, const Material& m
     SweepOptions options;
     options.gpu = context.has_value();
     options.cases = cases;
-    options.slice = slice;
+    options.slice = checkSlice;
     options.shaders = catalog.roots.front().folder;
     StabilitySweep sweep(std::move(*variants), options);
     QElapsedTimer sinceReport;

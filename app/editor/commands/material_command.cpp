@@ -3,7 +3,7 @@
 
 namespace patina {
 
-MaterialCommand::MaterialCommand(Document& document, const MaterialTarget& target,
+MaterialCommand::MaterialCommand(Document& document, const MaterialPlace& target,
                                  const Material& after, const QString& label)
     : ChangeCommand(document, Kind::Material, label, target,
                     *materialAt(document.state(), target.object, target.side), after) {}

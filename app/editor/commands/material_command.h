@@ -6,18 +6,18 @@
 namespace patina {
 
 /// Which material of a document is meant.
-struct MaterialTarget {
+struct MaterialPlace {
     int object = 0;
     Side side = Side::A;
 
-    friend bool operator==(const MaterialTarget&, const MaterialTarget&) = default;
+    friend bool operator==(const MaterialPlace&, const MaterialPlace&) = default;
 };
 
 /// Replaces a whole material (a preset dropped on it, its name or tags changed).
-class MaterialCommand : public ChangeCommand<MaterialTarget, Material> {
+class MaterialCommand : public ChangeCommand<MaterialPlace, Material> {
   public:
     /// The material at the target must exist.
-    MaterialCommand(Document& document, const MaterialTarget& target, const Material& after,
+    MaterialCommand(Document& document, const MaterialPlace& target, const Material& after,
                     const QString& label);
 
   private:

@@ -7,14 +7,14 @@ namespace patina {
 
 namespace {
 
-Material swapped(const Document& document, const MaterialTarget& target, const Block& model) {
+Material swapped(const Document& document, const MaterialPlace& target, const Block& model) {
     const Material* material = materialAt(document.state(), target.object, target.side);
     return swappedModel(*material, model, document.catalog());
 }
 
 } // namespace
 
-ModelCommand::ModelCommand(Document& document, const MaterialTarget& target, const Block& model)
+ModelCommand::ModelCommand(Document& document, const MaterialPlace& target, const Block& model)
     : MaterialCommand(document, target, swapped(document, target, model),
                       Document::tr("Model %1").arg(QString::fromStdString(model.label))) {}
 

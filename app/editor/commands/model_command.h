@@ -9,7 +9,7 @@ namespace patina {
 /// parked in the material and come back with their model.
 class ModelCommand : public MaterialCommand {
   public:
-    ModelCommand(Document& document, const MaterialTarget& target, const Block& model);
+    ModelCommand(Document& document, const MaterialPlace& target, const Block& model);
 };
 
 } // namespace patina

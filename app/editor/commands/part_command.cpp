@@ -5,7 +5,7 @@ namespace patina {
 
 namespace {
 
-Material swapped(const Document& document, const MaterialTarget& target, BlockPath::Part part,
+Material swapped(const Document& document, const MaterialPlace& target, BlockPath::Part part,
                  const Block* block) {
     const Material* material = materialAt(document.state(), target.object, target.side);
     return withPart(*material, partKind(part),
@@ -44,7 +44,7 @@ QString labelOf(BlockPath::Part part, const Block* block) {
 
 } // namespace
 
-PartCommand::PartCommand(Document& document, const MaterialTarget& target, BlockPath::Part part,
+PartCommand::PartCommand(Document& document, const MaterialPlace& target, BlockPath::Part part,
                          const Block* block)
     : MaterialCommand(document, target, swapped(document, target, part, block),
                       labelOf(part, block)) {}

@@ -9,7 +9,7 @@ namespace patina {
 /// are parked as for a model.
 class PartCommand : public MaterialCommand {
   public:
-    PartCommand(Document& document, const MaterialTarget& target, BlockPath::Part part,
+    PartCommand(Document& document, const MaterialPlace& target, BlockPath::Part part,
                 const Block* block);
 };
 

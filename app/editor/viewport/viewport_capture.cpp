@@ -9,7 +9,7 @@ namespace patina {
 namespace {
 
 /// How long a step may keep the window waiting.
-constexpr std::chrono::milliseconds patience{20};
+constexpr std::chrono::milliseconds capturePatience{20};
 
 } // namespace
 
@@ -59,7 +59,7 @@ void Viewport::beginCapture() {
 
 void Viewport::proceedCapture() {
     makeCurrent();
-    const bool isDone = renderer_->proceed(patience);
+    const bool isDone = renderer_->proceed(capturePatience);
     Result<Image> picture = isDone ? renderer_->captured(capture_->display) : Image();
     doneCurrent();
     if (isDone) {

@@ -15,7 +15,7 @@ namespace patina {
 namespace {
 
 /// How long a step of a frame may keep the window waiting.
-constexpr std::chrono::milliseconds patience{20};
+constexpr std::chrono::milliseconds framePatience{20};
 
 /// How long for a sketch. Before the first one there is no window yet that could stand still.
 constexpr std::chrono::milliseconds firstSketchPatience{200};
@@ -97,7 +97,7 @@ void Viewport::proceed() {
         return;
     }
     makeCurrent();
-    const bool done = renderer_->proceed(patience);
+    const bool done = renderer_->proceed(framePatience);
     doneCurrent();
     if (done) {
         progress_ = Progress::Drawn;
