@@ -19,8 +19,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
     target_compile_options(patina_compiler INTERFACE -Wno-restrict)
 endif()
 # In files that are compiled together it takes a source for a header, whose classes others see.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_UNITY_BUILD)
-    target_compile_options(patina_compiler INTERFACE -Wno-subobject-linkage)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(patina_compiler INTERFACE
+        $<$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>:-Wno-subobject-linkage>)
 endif()
 # Where gcc 12 joins the conversions of a vector's numbers it drops those to float and back, and
 # with them the rounding: dvec3(vec3(x)) is then x. It joins them from -O2 on.
