@@ -42,14 +42,13 @@ std::string ProgramSource::hash() const {
 void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout,
                       const VertexWork& work) {
     vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
-    const bool hasTextures = TextureWriter(set, layout).writeVertex(vertex);
+    const std::string images = TextureWriter(set, layout).writeVertex(vertex);
     if (layout.isPeeled()) {
         vertex.add("invariant gl_Position;\n");
     }
     vertex.addFile("passes/surface.vert");
     const std::string more = work ? work(vertex) : std::string();
-    vertex.add(fmt::format("void main() {{\n    placeSurface();\n{}{}}}\n",
-                           hasTextures ? "    placeImages();\n" : "", more));
+    vertex.add(fmt::format("void main() {{\n    placeSurface();\n{}{}}}\n", images, more));
 }
 
 Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,

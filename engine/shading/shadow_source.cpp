@@ -63,9 +63,9 @@ Checked<ProgramSource> shadowMapProgram(const OpacityPart& holes, const Catalog&
     return program(
         catalog,
         [&](SourceBuilder& vertex) {
-            TextureWriter(holes.set, holes.layout).writeVertex(vertex);
+            const std::string images = TextureWriter(holes.set, holes.layout).writeVertex(vertex);
             vertex.addFile("passes/shadow_map.vert");
-            vertex.add("void main() {\n    placeInMap();\n    placeImages();\n}\n");
+            vertex.add("void main() {\n    placeInMap();\n" + images + "}\n");
         },
         [&](SourceBuilder& fragment) { addHoles(fragment, holes); });
 }

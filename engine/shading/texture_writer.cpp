@@ -59,12 +59,16 @@ bool TextureWriter::has(TextureRole role) const {
                                [role](const TextureEffect& each) { return each.role == role; });
 }
 
-bool TextureWriter::writeVertex(SourceBuilder& out) const {
+std::string TextureWriter::writeVertex(SourceBuilder& out) const {
     if (set_.textures.empty()) {
-        return false;
+        return {};
     }
     out.addFile("passes/textures.vert");
-    return true;
+    if (!has(TextureRole::Height)) {
+        return "    placeImages();\n";
+    }
+    out.addFile("passes/height_map.vert");
+    return "    placeImages();\n    placeHeights();\n";
 }
 
 void TextureWriter::writeDeclarations(SourceBuilder& out) const {

@@ -19,8 +19,8 @@ class TextureWriter {
   public:
     TextureWriter(const EffectSet& set, const ObjectLayout& layout) : set_(set), layout_(layout) {}
 
-    /// Texture coordinates, for the vertex stage; false when the stage needs none.
-    bool writeVertex(SourceBuilder& out) const;
+    /// Texture coordinates, for the vertex stage, and the statements of its main.
+    std::string writeVertex(SourceBuilder& out) const;
 
     /// Samplers and functions.
     void writeDeclarations(SourceBuilder& out) const;

@@ -42,6 +42,16 @@ TEST_F(TextureEffects, ImageOfColor_BringsNoReliefAndNoCutOut) {
     EXPECT_EQ(text.find("discard"), std::string::npos);
 }
 
+TEST_F(TextureEffects, EvenCoordinates_AreForHeightsAlone) {
+    for (const bool isHeight : {false, true}) {
+        const Material made = withImage("phong", isHeight ? "height" : "normal");
+        const auto program = surfaceProgram(effectSet(made, {}, catalog()), catalog());
+        ASSERT_TRUE(program);
+        EXPECT_EQ(program->vertex.text.find("evenUv") != std::string::npos, isHeight);
+        EXPECT_EQ(program->fragment.text.find("evenUv") != std::string::npos, isHeight);
+    }
+}
+
 TEST_F(TextureEffects, EveryValueThatTakesAnImage_GivesAProgramThatAssembles) {
     for (const Block* model : catalog().ofKind("models")) {
         for (const Parameter& parameter : model->parameters) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Images on surfaces: what a pixel shows against what the image says.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -212,6 +213,58 @@ TEST_F(TextureTest, HeightRamp_HasTheNormalOfItsSlope) {
     height.strength = 1.0;
     // n = (-1/2, 0, 1) / |...|, so n.l = 1 / sqrt(1.25). Texels are blended in steps of 1/256.
     EXPECT_NEAR(at(drawn(64), 0.4, 0.5).x, 1.0 / std::sqrt(1.25), 0.01);
+}
+
+/// A square from -1 to 1 of many triangles that share their corners.
+Mesh finePlane() {
+    constexpr unsigned cells = 9;
+    constexpr unsigned row = cells + 1;
+    Mesh mesh;
+    for (unsigned i = 0; i < row * row; ++i) {
+        const glm::vec2 at = glm::vec2(i % row, i / row) / float(cells);
+        mesh.vertices.push_back(
+            {glm::vec3(2.0f * at - 1.0f, 0.0f), {0, 0, 1}, {1, 0, 0, 1}, at});
+    }
+    for (unsigned y = 0; y < cells; ++y) {
+        for (unsigned i = y * row; i < y * row + cells; ++i) {
+            mesh.indices.insert(mesh.indices.end(),
+                                {i, i + 1, i + row + 1, i, i + row + 1, i + row});
+        }
+    }
+    mesh.bounds = boundsOf(mesh.vertices);
+    return mesh;
+}
+
+/// At the edges of triangles, which lie in the middle of pixels, samples belong to two of them.
+TEST_F(TextureTest, HeightsOnAFineMesh_AreAsEvenWithFourSamplesAsWithOne) {
+    std::vector<float> ramp;
+    for (int i = 0; i < 256; ++i) {
+        ramp.push_back((float(i) + 0.5f) / 256.0f);
+    }
+    file("ramp", {256, 1}, 1, ramp);
+    color(glm::dvec3(1.0));
+    TextureUse& height = use("height", "ramp");
+    height.filter = TextureFilter::Smooth;
+    height.strength = 4.0;
+    const Mesh mesh = finePlane();
+    constexpr int size = 64;
+    constexpr int rim = 4; // beside it the image begins again
+    const auto drawn = [&](int samples) {
+        View view = viewOf(scene, size);
+        view.samples = samples;
+        return renderer
+            ->capture(scene, view, [&mesh](const Object&) { return mesh.view(); }, false)
+            .value();
+    };
+    const Image one = drawn(1);
+    const Image four = drawn(4);
+    double worst = 0.0;
+    for (int y = rim; y < size - rim; ++y) {
+        for (int x = rim; x < size - rim; ++x) {
+            worst = std::max(worst, std::abs(double(pixel(one, x, y).x - pixel(four, x, y).x)));
+        }
+    }
+    EXPECT_LT(worst, 0.02 * brightness); // heights are rounded to half floats
 }
 
 TEST_F(TextureTest, OneFileInTwoMaterials_IsOneTexture) {
