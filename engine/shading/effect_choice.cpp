@@ -9,6 +9,7 @@
 #include "scene/environment.h"
 #include "shading/fog_depth.h"
 #include "shading/neutral_values.h"
+#include "shading/refraction_choice.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -199,7 +200,7 @@ EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog) 
     if (block == nullptr) {
         return {nullptr, "No environment of this kind is known."};
     }
-    if (isNeutral(*block, scene.environment->parameters)) {
+    if (isNeutral(*block, scene.environment->parameters) && !hasRefraction(scene, catalog)) {
         return {nullptr, "It is dark."};
     }
     if (pictureParameter(*block) != nullptr && pictureFile(*scene.environment, *block).empty()) {

@@ -81,7 +81,8 @@ const Block* transparencyBlock(const Scene& scene, const Catalog& catalog);
 /// Whether the sky or the ground of the ambient hemisphere sends light.
 bool hasHemisphere(const Scene& scene);
 
-/// What an environment is made of, when it sends light; else a null block and a sentence why not.
+/// What an environment is made of, when it sends light or an object bends what is behind it, which
+/// shows a dark one as well; else a null block and a sentence why not.
 struct EnvironmentChoice {
     const Block* block = nullptr;
     const char* whyNot = ""; ///< empty where there is no environment at all

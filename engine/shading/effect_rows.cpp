@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "shading/effect_choice.h"
+#include "shading/refraction_choice.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -52,8 +53,21 @@ void addReceiver(Scene& alone, const Scene& scene, std::size_t object) {
     }
 }
 
-/// The scene with only the object that is looked at, and one that casts shadows if any does: which
-/// effects one object has depends on no more.
+/// Adds another object that shows a dark environment.
+void addRefracting(Scene& alone, const Scene& scene, const Catalog& catalog) {
+    Scene one;
+    for (const Object& object : scene.objects) {
+        one.objects = {object};
+        if (hasRefraction(one, catalog)) {
+            alone.objects.push_back(object);
+            return;
+        }
+    }
+}
+
+/// The scene with only the object that is looked at, one that casts shadows if any does, and one
+/// that bends light if a dark environment is in for it: which effects one object has depends on no
+/// more.
 Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     Scene alone;
     alone.lights = scene.lights;
@@ -71,6 +85,9 @@ Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
         scene.objects, [&catalog](const Object& each) { return isCaster(each, catalog); });
     if (caster != scene.objects.end() && !isCaster(scene.objects[object], catalog)) {
         alone.objects.push_back(*caster);
+    }
+    if (environmentChoice(alone, catalog).block != environmentChoice(scene, catalog).block) {
+        addRefracting(alone, scene, catalog);
     }
     if (hasShadows(scene, catalog) && !hasShadows(alone, catalog)) {
         addReceiver(alone, scene, object);

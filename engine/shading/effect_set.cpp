@@ -69,8 +69,12 @@ std::string whyNoEnvironment(const Scene& scene, const Catalog& catalog,
 void addEnvironment(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     const EnvironmentChoice choice = environmentChoice(scene, catalog);
     if (choice.block != nullptr) {
-        effects.environment = useOf(*choice.block, scene.environment->parameters, {},
-                                    "The scene has an environment that sends light.");
+        const Values& values = scene.environment->parameters;
+        effects.environment =
+            useOf(*choice.block, values, {},
+                  isNeutral(*choice.block, values)
+                      ? "It is dark, and what an object bends shows it."
+                      : "The scene has an environment that sends light.");
     } else if (scene.environment) {
         effects.leftOut.push_back(
             {"environment/" + scene.environment->id, whyNoEnvironment(scene, catalog, choice)});

@@ -127,8 +127,8 @@ bool letsThrough(const EffectSet& set);
 /// What the scene's lights, fog and ambient colour call for. A light is left out when it is
 /// disabled or cannot send anything (its `color` is black or its `intensity` is 0), fog when its
 /// `density` is 0 or what is drawn is too near for anybody to see it, shadows when no object casts
-/// any or none is seen, an environment that is dark or lacks its picture, and blocks that the
-/// catalogue does not know.
+/// any or none is seen, an environment that is dark (unless an object bends what is behind it) or
+/// lacks its picture, and blocks that the catalogue does not know.
 SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
 /// What shading `material` in the scene calls for. A pure function of its arguments.

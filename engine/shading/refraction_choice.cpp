@@ -115,12 +115,15 @@ bool disperses(const Block& refraction, const Values& values) {
     return dispersion && *dispersion != 0.0;
 }
 
-bool showsSceneBent(const Scene& scene, const Catalog& catalog) {
-    const auto refracts = [&catalog](const Object& object) {
+bool hasRefraction(const Scene& scene, const Catalog& catalog) {
+    return std::ranges::any_of(scene.objects, [&catalog](const Object& object) {
         return object.visible && canBeSeen(object.material) &&
                refractionChoice(object.material, catalog).block != nullptr;
-    };
-    if (std::ranges::none_of(scene.objects, refracts)) {
+    });
+}
+
+bool showsSceneBent(const Scene& scene, const Catalog& catalog) {
+    if (!hasRefraction(scene, catalog)) {
         return false;
     }
     const auto isDrawn = [](const Object& object) {

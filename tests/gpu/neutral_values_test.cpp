@@ -8,6 +8,7 @@
 
 #include "gpu_fixture.h"
 #include "render/object_rows.h"
+#include "shading/effect_key.h"
 
 namespace patina {
 namespace {
@@ -155,6 +156,45 @@ TEST_F(NeutralSceneTest, DarkStudioBehindTheObjects_StaysIn) {
     EXPECT_TRUE(isNeutral(studio, values));
     values["background"] = std::string("sharp");
     EXPECT_FALSE(isNeutral(studio, values));
+}
+
+/// What is bent shows the black walls, not the background's colour.
+TEST_F(NeutralSceneTest, DarkStudioBehindWhatBendsLight_StaysIn) {
+    Scene scene = simpleScene("lambert");
+    scene.environment = block("environment", "studio");
+    for (auto& [id, value] : scene.environment->parameters) {
+        if (id.ends_with(".intensity")) {
+            value = 0.0;
+        } else if (id.ends_with(".color")) {
+            value = black;
+        }
+    }
+    scene.environment->parameters["background"] = std::string("hidden");
+    const auto isIn = [&](std::size_t index) {
+        const auto rows = objectRows(scene, index, *catalog, meshSource());
+        return std::ranges::any_of(rows, [](const EffectRow& row) {
+            return row.in && row.line.effect == "environment/studio" && row.removable;
+        });
+    };
+    EXPECT_FALSE(isIn(0));
+    Object glass = object("lambert");
+    glass.material.model.parameters["diffuse.color"] = black;
+    glass.material.opacity = 0.0;
+    glass.material.parts["refraction"] = block("refraction", "solid-body");
+    scene.objects.push_back(glass);
+    EXPECT_TRUE(isIn(0));
+    EXPECT_TRUE(isIn(1));
+    const auto rows = objectRows(scene, 0, *catalog, meshSource());
+    EXPECT_TRUE(std::ranges::none_of(rows, [](const EffectRow& row) {
+        return row.within == "environment/studio";
+    }));
+    scene.objects.front() = glass;
+    scene.objects.pop_back();
+    makeRenderer();
+    scene.background = glm::dvec3(1.0);
+    EXPECT_LT(middle(capture(scene)).x, 0.01f);
+    scene.objects.front().visible = false;
+    EXPECT_EQ(EffectKey::ofEnvironment(scene, *catalog), 0u);
 }
 
 TEST_F(NeutralSceneTest, FlatObjectAlone_HasNoShadowMap) {
