@@ -13,9 +13,43 @@ double percentOf(double milliseconds, const EffectCosts& costs) {
     return costs.frame.median > 0.0 ? 100.0 * milliseconds / costs.frame.median : 0.0;
 }
 
-std::string nameOf(const EffectRow& row) {
-    return (row.in ? "" : "not in: ") + std::string(row.within.empty() ? "" : "  ") +
-           row.line.effect;
+/// A row and how many rows it lies within.
+struct PlacedRow {
+    const EffectRow* row;
+    std::size_t depth = 0;
+};
+
+/// Adds a row, once, then what lies within it.
+void place(const EffectRow& row, std::size_t depth, const std::vector<EffectRow>& rows,
+           std::vector<PlacedRow>& placed) {
+    if (std::ranges::find(placed, &row, &PlacedRow::row) != placed.end()) {
+        return;
+    }
+    placed.push_back({&row, depth});
+    for (const EffectRow& other : rows) {
+        if (other.within == row.line.effect) {
+            place(other, depth + 1, rows, placed);
+        }
+    }
+}
+
+/// Each row behind the one that it lies within; whose is not in the list, at the end.
+std::vector<PlacedRow> placedRows(const std::vector<EffectRow>& rows) {
+    std::vector<PlacedRow> placed;
+    for (const EffectRow& row : rows) {
+        if (row.within.empty()) {
+            place(row, 0, rows, placed);
+        }
+    }
+    for (const EffectRow& row : rows) {
+        place(row, 0, rows, placed);
+    }
+    return placed;
+}
+
+std::string nameOf(const PlacedRow& placed) {
+    return (placed.row->in ? "" : "not in: ") + std::string(2 * placed.depth, ' ') +
+           placed.row->line.effect;
 }
 
 std::string whyText(const EffectLine& line) {
@@ -110,16 +144,17 @@ std::string objectText(const ShownObject& object) {
 std::string tableText(const EffectTable& table) {
     std::vector<std::string> names;
     std::vector<std::string> times;
-    for (const EffectRow& row : table.rows) {
-        names.push_back(nameOf(row));
-        times.push_back(table.costs ? costText(row, *table.costs) : std::string());
+    const std::vector<PlacedRow> rows = placedRows(table.rows);
+    for (const PlacedRow& placed : rows) {
+        names.push_back(nameOf(placed));
+        times.push_back(table.costs ? costText(*placed.row, *table.costs) : std::string());
     }
     const std::size_t nameColumns = widest(names);
     const std::size_t timeColumns = table.costs ? widest(times) + 2 : 0;
     std::string out = objectText(table.object) + '\n';
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
         out += padded(names[i], nameColumns) + "  " + padded(times[i], timeColumns) +
-               whyText(table.rows[i].line) + '\n';
+               whyText(rows[i].row->line) + '\n';
     }
     return table.costs ? out + totalText(table) : out;
 }
