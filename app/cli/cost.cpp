@@ -62,7 +62,17 @@ CostSweep::Options sweepOptions(const CostRequest& options) {
 }
 
 Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options) {
-    auto sweep = CostSweep::create(std::move(subject), sweepOptions(options));
+    const auto named = namedWay(options.ofPicture
+                                    ? choicesOfPicture(subject.scene, *subject.catalog)
+                                    : materialChoices(subject.scene, subject.object,
+                                                      *subject.catalog),
+                                options);
+    if (!named) {
+        return tl::unexpected(oneError(named.error()));
+    }
+    CostSweep::Options wanted = sweepOptions(options);
+    wanted.present = *named;
+    auto sweep = CostSweep::create(std::move(subject), wanted);
     if (!sweep) {
         return tl::unexpected(oneError(sweep.error()));
     }
@@ -74,11 +84,7 @@ Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options) {
     }
     Sweep made{(*sweep)->chart(), {}, {}};
     if (!options.errorMap.empty()) {
-        const auto mapped = mappedPoint(made.chart, options);
-        if (!mapped) {
-            return tl::unexpected(oneError(mapped.error()));
-        }
-        made.mapped = (*mapped)->levels;
+        made.mapped = mappedPoint(made.chart, *named, options).levels;
         made.errors = (*sweep)->errorMap(made.mapped);
     }
     return made;
@@ -182,6 +188,15 @@ Result<void> writePlot(const CostChart& chart, const std::string& file) {
                                   : writeShown(plotImage(shapes, plotSize), file);
 }
 
+/// What the map compares with.
+std::string rightOf(const Measured& measured) {
+    const CostPoint* point = measured.chart.find(measured.mapped);
+    return point != nullptr && measured.chart.isAgainstConverged(*point)
+               ? fmt::format("a converged render of {} directions",
+                             measured.chart.converged->directions)
+               : measured.chart.right;
+}
+
 /// The chart and the map, where they are asked for.
 Result<void> writePictures(const Measured& measured, const CostRequest& options) {
     if (!options.errorMap.empty()) {
@@ -191,7 +206,7 @@ Result<void> writePictures(const Measured& measured, const CostRequest& options)
         }
         std::cerr << options.errorMap << " shows where "
                   << levelsText(measured.mapped) << " is wrong, against "
-                  << measured.chart.right
+                  << rightOf(measured)
                   << ": black 1e-6 of the light or less, each colour ten times more\n";
     }
     return options.plot.empty() ? Result<void>() : writePlot(measured.chart, options.plot);

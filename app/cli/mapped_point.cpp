@@ -7,23 +7,47 @@
 
 namespace patina {
 
-Result<const CostPoint*> mappedPoint(const CostChart& chart, const CostRequest& options) {
-    if (!options.errorMapOf.empty()) {
-        const auto named = std::ranges::find_if(chart.points, [&](const CostPoint& point) {
-            return levelsText(point.levels) == options.errorMapOf;
-        });
-        return named != chart.points.end()
-                   ? Result<const CostPoint*>(&*named)
-                   : failure(fmt::format("\"{}\" was not measured", options.errorMapOf),
-                             "a way as the table names it");
+Result<ChosenLevels> namedWay(const std::vector<Choice>& choices, const CostRequest& options) {
+    if (options.errorMapOf.empty()) {
+        return ChosenLevels();
+    }
+    const std::optional<ChosenLevels> named = levelsFromText(options.errorMapOf);
+    if (!named) {
+        return failure(fmt::format("--error-map-of \"{}\" names no way", options.errorMapOf),
+                       "\"exact\", or a level of each choice: \"<choice>=<level> ...\"");
+    }
+    ChosenLevels way;
+    for (const auto& [id, level] : *named) {
+        const auto choice = std::ranges::find(choices, id, &Choice::id);
+        if (choice == choices.end() || choice->level(level) == nullptr) {
+            std::string known;
+            for (const Choice& each : choices) {
+                for (const ChoiceLevel& other : each.levels) {
+                    known += fmt::format("{}{}={}", known.empty() ? "" : ", ", each.id, other.id);
+                }
+            }
+            return failure(fmt::format("--error-map-of: there is no {}={} here", id, level),
+                           known.empty() ? "exact" : known);
+        }
+        if (level != choice->levels.front().id) {
+            way[id] = level;
+        }
+    }
+    return way;
+}
+
+const CostPoint& mappedPoint(const CostChart& chart, const ChosenLevels& named,
+                             const CostRequest& options) {
+    if (const CostPoint* point = options.errorMapOf.empty() ? nullptr : chart.find(named)) {
+        return *point;
     }
     const auto answer =
         bestFor({options.budgetMilliseconds, options.budgetError}, chart.points);
     if (options.hasBudget() && answer) {
-        return &chart.points[answer->point];
+        return chart.points[answer->point];
     }
     const CostPoint& fastest = chart.points[costFront(chart.points).front()];
-    return fastest.isExact() ? &*std::ranges::max_element(chart.points, {}, errorOf) : &fastest;
+    return fastest.isExact() ? *std::ranges::max_element(chart.points, {}, errorOf) : fastest;
 }
 
 } // namespace patina

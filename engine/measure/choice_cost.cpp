@@ -21,11 +21,12 @@ double shadingTime(double frame, const MedianInterval& empty) {
 
 void CostPairs::add(double exact, double other) {
     ratios_.push_back(shadingTime(other, empty_) / shadingTime(exact, empty_));
+    exactBelowNoise_ += exact - empty_.median < noiseOf(empty_) ? 1 : 0;
     belowNoise_ += other - empty_.median < noiseOf(empty_) ? 1 : 0;
 }
 
 bool CostPairs::isSettled(const MedianInterval& ratio) const {
-    return int(ratios_.size()) >= options_.fewest &&
+    return int(ratios_.size()) >= options_.fewest && 2 * exactBelowNoise_ <= runs() &&
            ratio.upper - ratio.lower < options_.width * ratio.median;
 }
 

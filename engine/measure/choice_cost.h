@@ -8,6 +8,10 @@
 
 namespace patina {
 
+/// Frames without anything to shade, of which the median counts, and its interval as the noise: so
+/// many that three at each end do not.
+constexpr int emptyFrames = 15;
+
 /// What a way to compute a frame takes beside the exact one.
 struct ChoiceCost {
     MedianInterval ratio{1.0, 1.0, 1.0}; ///< to the exact time, both without the empty frame's
@@ -15,6 +19,8 @@ struct ChoiceCost {
     double nanosecondsPerPixel = 0.0; ///< per shaded pixel, without the empty frame's time
     int runs = 0;                        ///< pairs of frames
     bool settled = false; ///< the ratio's interval is as narrow as was wanted
+    /// There are pairs enough for an interval of 95 %, or the time is given, not measured.
+    bool isSure() const { return runs == 0 || runs >= 6; }
     /// Most frames take no longer than one without anything to shade, as far as can be told: the
     /// time is at most what the ratio says.
     bool belowNoise = false;
@@ -51,6 +57,7 @@ class CostPairs {
     MedianInterval empty_;
     std::vector<double> ratios_;
     int belowNoise_ = 0; ///< of the ratios
+    int exactBelowNoise_ = 0; ///< of the ratios, those to a bound
 };
 
 /// The frame that ratios count from.

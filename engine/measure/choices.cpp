@@ -2,6 +2,7 @@
 #include "measure/choices.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "measure/picture_choices.h"
 #include "shading/effect_set.h"
@@ -96,6 +97,22 @@ void choose(ChosenFrame& frame, std::size_t object, const std::vector<Choice>& c
             }
         }
     }
+}
+
+std::optional<ChosenLevels> levelsFromText(const std::string& text) {
+    ChosenLevels levels;
+    if (text == levelsText({})) {
+        return levels;
+    }
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const auto sign = word.find('=');
+        if (sign == std::string::npos || sign == 0 || sign + 1 == word.size()) {
+            return std::nullopt;
+        }
+        levels[word.substr(0, sign)] = word.substr(sign + 1);
+    }
+    return levels.empty() ? std::nullopt : std::optional(levels);
 }
 
 std::string levelsText(const ChosenLevels& levels) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,9 @@ struct Choice {
 
 /// Which level of each choice is taken, by Choice::id; what is missing is exact.
 using ChosenLevels = std::map<std::string, std::string, std::less<>>;
+
+/// What levelsText() writes, read again; nothing where a word is no "<choice>=<level>".
+std::optional<ChosenLevels> levelsFromText(const std::string& text);
 
 /// What shading the object's material in its scene could do more cheaply: the accuracy choices of
 /// every block that is in its effect set. Where the model and a part have a choice of the same name

@@ -85,6 +85,23 @@ std::size_t bought(const CostBudget& budget, const std::vector<CostPoint>& point
                         : *std::ranges::min_element(alike, {}, error);
 }
 
+/// Of the points, none of which fits, the one that exceeds a budget least; of those that take as
+/// long, as far as can be told, the most accurate.
+std::size_t nearest(const CostBudget& budget, const std::vector<CostPoint>& points,
+                    const std::vector<std::size_t>& all) {
+    const auto over = [&](std::size_t i) { return excess(budget, points[i]); };
+    const auto error = [&points](std::size_t i) { return errorOf(points[i]); };
+    const std::size_t least = *std::ranges::min_element(all, {}, over);
+    if (!budget.milliseconds || budget.error) {
+        return least;
+    }
+    std::vector<std::size_t> alike;
+    std::ranges::copy_if(all, std::back_inserter(alike), [&](std::size_t i) {
+        return tiesInTime(points[i], points[least]);
+    });
+    return *std::ranges::min_element(alike, {}, error);
+}
+
 } // namespace
 
 ChosenLevels CostChart::distinct(ChosenLevels levels) const {
@@ -115,8 +132,9 @@ std::string sameText(const CostChart& chart) {
         for (const ChoiceLevel& level : choice.levels) {
             const std::string names = namesOfSame(chart.same, choice, level);
             if (!names.empty()) {
-                text += fmt::format("{}{}: {} are drawn as {}", text.empty() ? "" : "; ",
-                                    choice.label, names, level.label);
+                const bool isOne = names.find(", ") == std::string::npos;
+                text += fmt::format("{}{}: {} {} drawn as {}", text.empty() ? "" : "; ",
+                                    choice.label, names, isOne ? "is" : "are", level.label);
             }
         }
     }
@@ -143,6 +161,9 @@ double errorOf(const CostPoint& point) {
 }
 
 bool tiesInTime(const CostPoint& a, const CostPoint& b) {
+    if (!a.cost.isSure() || !b.cost.isSure()) {
+        return true;
+    }
     const MedianInterval& x = a.cost.ratio;
     const MedianInterval& y = b.cost.ratio;
     const bool meet = x.lower <= y.upper && y.lower <= x.upper;
@@ -202,10 +223,7 @@ std::optional<BudgetAnswer> bestFor(const CostBudget& budget,
     if (all.empty()) {
         return std::nullopt;
     }
-    return BudgetAnswer{
-        *std::ranges::min_element(
-            all, {}, [&](std::size_t i) { return excess(budget, points[i]); }),
-        false};
+    return BudgetAnswer{nearest(budget, points, all), false};
 }
 
 } // namespace patina

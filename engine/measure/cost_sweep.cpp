@@ -24,9 +24,6 @@ using Seconds = std::chrono::duration<double>;
 /// frame, which is too short for a search of the model's lobe, as that depends on the levels.
 constexpr int sampledDirections = 4 * Renderer::plainSamples;
 
-/// Frames without anything to shade, of which the median counts.
-constexpr int emptyFrames = 7;
-
 /// The share of the time that pairs of single choices may take.
 constexpr double shareOfPairs = 0.6;
 

@@ -20,13 +20,17 @@ std::size_t widest(const CostChart& chart) {
     return columns;
 }
 
+char doubtOf(const ChoiceCost& cost) {
+    return !cost.isSure() ? '!' : cost.settled ? ' ' : '?';
+}
+
 std::string pointText(const CostPoint& point, const CostChart& chart) {
     const ChoiceCost& cost = point.cost;
     const FrameError& error = point.error;
     return fmt::format("{}{:5.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:>7} {} {:7.1e} {:8.1e} {:8.1e} "
                        "{:8.1e} {:6.2f} % {:8.1e}",
                        cost.belowNoise ? '<' : ' ', cost.ratio.median, cost.ratio.lower,
-                       cost.ratio.upper, cost.settled ? ' ' : '?', cost.nanosecondsPerPixel,
+                       cost.ratio.upper, doubtOf(cost), cost.nanosecondsPerPixel,
                        instructionsText(point.instructions),
                        chart.isAgainstConverged(point) ? '~' : ' ', error.p99, error.max,
                        error.mean, error.rms, 100.0 * error.stepShare, error.flip);
@@ -128,8 +132,8 @@ std::string costText(const CostChart& chart) {
         text += same + '\n';
     }
     return text + fmt::format("* worth choosing: nothing measured errs no more and is as fast, "
-                              "as far as can be told; ? still unsure of 3 %; < no more than that: "
-                              "it cannot be told from no time\n"
+                              "as far as can be told; ? still unsure of 3 %; ! too few pairs for "
+                              "an interval; < no more than that: it cannot be told from no time\n"
                               "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
                               "errors against {}\n{}",
                               chart.size.x, chart.size.y, chart.pixels, chart.timer,
@@ -139,19 +143,22 @@ std::string costText(const CostChart& chart) {
 std::string costCsv(const CostChart& chart, const std::string& name, bool withNames) {
     std::string text =
         withNames ? "preset,levels,ratio,ratio_lower,ratio_upper,milliseconds,ns_per_pixel,"
-                    "instructions,runs,p99,max,mean,rms,step_share,shown,flip,front\n"
+                    "instructions,runs,p99,max,mean,rms,step_share,shown,flip,front,"
+                    "settled,below_noise\n"
                   : "";
     const std::vector<std::size_t> front = costFront(chart.points);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
         const ChoiceCost& cost = point.cost;
         const FrameError& error = point.error;
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csvText(name),
-                            csvText(levelsText(point.levels)), cost.ratio.median, cost.ratio.lower,
-                            cost.ratio.upper, cost.milliseconds.median, cost.nanosecondsPerPixel,
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                            csvText(name), csvText(levelsText(point.levels)), cost.ratio.median,
+                            cost.ratio.lower, cost.ratio.upper, cost.milliseconds.median,
+                            cost.nanosecondsPerPixel,
                             instructionsText(point.instructions), cost.runs, error.p99, error.max,
                             error.mean, error.rms, error.stepShare, error.shown, error.flip,
-                            isOnFront(front, i) ? 1 : 0);
+                            isOnFront(front, i) ? 1 : 0, cost.settled ? 1 : 0,
+                            cost.belowNoise ? 1 : 0);
     }
     return text;
 }

@@ -114,7 +114,8 @@ class ModelRanking::Implementation {
         Scene without = first_;
         without.objects[subject_.object].visible = false;
         std::vector<double> times;
-        for (int i = 0; i < 8; ++i) {
+        drawn_->timeOf(without, view_); // this only warms up
+        for (int i = 0; i < emptyFrames; ++i) {
             times.push_back(drawn_->timeOf(without, view_));
         }
         empty_ = medianInterval(times);

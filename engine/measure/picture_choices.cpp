@@ -85,7 +85,7 @@ std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog)
     const Block* sorting = sortingBlock(scene, catalog);
     const int most = sorting == nullptr ? 0 : static_cast<int>(layersParameter(*sorting)->max);
     for (int n = most; n >= 1; n /= 2) {
-        levels.push_back(counted(n, "layers"));
+        levels.push_back(counted(n, n == 1 ? "layer" : "layers"));
     }
     for (const Block* block : catalog.ofKind("transparency")) {
         if (layersParameter(*block) == nullptr) {

@@ -19,9 +19,10 @@ nlohmann::json numberJson(const std::optional<double>& number) {
 std::string rowText(const ModelCost& each) {
     const MedianInterval& ratio = each.cost.ratio;
     const InstructionCount count = each.instructions.value_or(InstructionCount());
-    return fmt::format("{:<28} {:6.2f} ({:.2f} .. {:.2f}){} {:9.2f} {:>7} {:7} {:7} {:7} {:7} "
+    return fmt::format("{:<28}{}{:6.2f} ({:.2f} .. {:.2f}){} {:9.2f} {:>7} {:7} {:7} {:7} {:7} "
                        "{:7} {:>8}\n",
-                       each.label, ratio.median, ratio.lower, ratio.upper,
+                       each.label, each.cost.belowNoise ? '<' : ' ', ratio.median, ratio.lower,
+                       ratio.upper,
                        each.cost.settled ? ' ' : '?', each.cost.nanosecondsPerPixel,
                        instructionsText(each.instructions), count.arithmetic, count.transcendental,
                        count.texture, count.branch, count.memory, shareText(each.albedoLoss));
@@ -37,21 +38,24 @@ std::string rankingText(const std::vector<ModelCost>& costs) {
     for (const ModelCost& each : costs) {
         text += rowText(each);
     }
-    return text + "time: beside the quickest model; ? still unsure of 3 %\n"
+    return text + "time: beside the quickest model; ? still unsure of 3 %; < no more than that: it "
+                  "cannot be told from no time\n"
                   "loss: of an even white sky's light, in the model's whitest colours; below 0: it "
                   "sends out more than arrives\n";
 }
 
 std::string rankingCsv(const std::vector<ModelCost>& costs) {
     std::string text = "model,label,ratio,ratio_lower,ratio_upper,ns_per_pixel,runs,settled,"
-                       "instructions,arithmetic,transcendental,texture,branch,memory,albedo_loss\n";
+                       "below_noise,instructions,arithmetic,transcendental,texture,branch,memory,"
+                       "albedo_loss\n";
     for (const ModelCost& each : costs) {
         const ChoiceCost& cost = each.cost;
         const InstructionCount count = each.instructions.value_or(InstructionCount());
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
                             csvText(each.label), cost.ratio.median, cost.ratio.lower,
                             cost.ratio.upper, cost.nanosecondsPerPixel, cost.runs,
-                            cost.settled ? 1 : 0, instructionsText(each.instructions),
+                            cost.settled ? 1 : 0, cost.belowNoise ? 1 : 0,
+                            instructionsText(each.instructions),
                             count.arithmetic, count.transcendental, count.texture,
                             count.branch, count.memory,
                             each.albedoLoss ? fmt::format("{}", *each.albedoLoss) : "-");
@@ -68,6 +72,7 @@ nlohmann::json rankingJson(const std::vector<ModelCost>& costs) {
                         {"nanosecondsPerPixel", each.cost.nanosecondsPerPixel},
                         {"runs", each.cost.runs},
                         {"settled", each.cost.settled},
+                        {"belowNoise", each.cost.belowNoise},
                         {"instructions", countJson(each.instructions)},
                         {"albedoLoss", numberJson(each.albedoLoss)}});
     }

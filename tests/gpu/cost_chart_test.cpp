@@ -188,6 +188,50 @@ TEST(CostPairs, TimesThatAreNoLongerThanAnEmptyFrames_AreBoundsAndSayIt) {
     EXPECT_FALSE(others.cost().belowNoise);
 }
 
+TEST(CostPairs, ExactTimesBelowTheNoise_AreNeverSettled) {
+    CostPairs pairs({}, {1.0, 0.99, 1.03});
+    for (int i = 0; i < 7; ++i) {
+        pairs.add(1.01, 1.01);
+    }
+    EXPECT_DOUBLE_EQ(pairs.cost().ratio.upper - pairs.cost().ratio.lower, 0.0);
+    EXPECT_FALSE(pairs.cost().settled);
+}
+
+TEST(EmptyFrames, OneThatTookLong_IsNoNoise) {
+    std::vector<double> times(emptyFrames, 1.0);
+    times.front() = 100.0;
+    EXPECT_DOUBLE_EQ(medianInterval(times).upper, 1.0);
+}
+
+TEST(CostChart, TooFewPairs_TieWithEverything) {
+    CostPoint fast = point({{"a", "fast"}}, 0.5, 0.1);
+    EXPECT_FALSE(tiesInTime(fast, point({}, 1.0, 0.0)));
+    fast.cost.runs = 1;
+    EXPECT_TRUE(tiesInTime(fast, point({}, 1.0, 0.0)));
+    CostChart chart;
+    chart.points = {fast};
+    EXPECT_NE(costText(chart).find("!  "), std::string::npos);
+}
+
+TEST(BestFor, NearestOfThoseThatTakeAsLong_IsTheMostAccurate) {
+    const std::vector<CostPoint> points{point({}, 1.0, 0.0), point({{"a", "good"}}, 0.905, 0.001),
+                                        point({{"a", "poor"}}, 0.9, 0.2)};
+    CostBudget budget;
+    budget.milliseconds = 1e-9;
+    const auto answer = bestFor(budget, points);
+    ASSERT_TRUE(answer);
+    EXPECT_FALSE(answer->fits);
+    EXPECT_EQ(answer->point, 1u);
+}
+
+TEST(LevelsText, IsReadAgain) {
+    const ChosenLevels levels{{"a", "fast"}, {"fresnel.b", "table"}};
+    EXPECT_EQ(levelsFromText(levelsText(levels)), levels);
+    EXPECT_EQ(levelsFromText("exact"), ChosenLevels());
+    EXPECT_FALSE(levelsFromText("fast"));
+    EXPECT_FALSE(levelsFromText("a="));
+}
+
 TEST(CostTable, TiesAndTimesBelowTheNoise_AreNamed) {
     CostChart chart;
     chart.points = {point({}, 1.0, 0.0), point({{"a", "same"}}, 1.01, 0.0)};

@@ -40,6 +40,20 @@ QString levelName(const TakenLevel& taken) {
     return QStringLiteral("%1: %2").arg(asText(taken.choice->label), asText(taken.level->label));
 }
 
+QString timeLine(const ChoiceCost& cost) {
+    const QString time = digitsText(cost.nanosecondsPerPixel);
+    const QString ratio = digitsText(cost.ratio.median);
+    if (cost.belowNoise) {
+        return tr("At most %1 ns per pixel, %2 of the exact time").arg(time, ratio);
+    }
+    if (!cost.isSure()) {
+        return tr("%1 ns per pixel, %2 of the exact time, by too few pairs of frames to tell")
+            .arg(time, ratio);
+    }
+    return tr("%1 ns per pixel, %2 of the exact time (%3 to %4)")
+        .arg(time, ratio, digitsText(cost.ratio.lower), digitsText(cost.ratio.upper));
+}
+
 } // namespace
 
 QString wayName(const CostPoint& point, const CostChart& chart) {
@@ -67,8 +81,11 @@ QString ratioText(const MedianInterval& ratio) {
 }
 
 QString costRatioText(const ChoiceCost& cost) {
-    return cost.belowNoise ? QStringLiteral("< %1").arg(digitsText(cost.ratio.median))
-                           : ratioText(cost.ratio);
+    if (cost.belowNoise) {
+        return QStringLiteral("< %1").arg(digitsText(cost.ratio.median));
+    }
+    return cost.isSure() ? ratioText(cost.ratio)
+                         : QStringLiteral("%1 ± ?").arg(digitsText(cost.ratio.median));
 }
 
 QString countText(const std::optional<InstructionCount>& count) {
@@ -117,10 +134,7 @@ QString convergedNote(const CostChart& chart) {
 
 QString pointText(const CostPoint& point, const CostChart& chart) {
     QStringList lines{wayName(point, chart)};
-    lines << tr("%1 ns per pixel, %2 of the exact time (%3 to %4)")
-                 .arg(digitsText(point.cost.nanosecondsPerPixel),
-                      digitsText(point.cost.ratio.median), digitsText(point.cost.ratio.lower),
-                      digitsText(point.cost.ratio.upper));
+    lines << timeLine(point.cost);
     lines << tr("99 of 100 pixels are off by %1 or less, the worst by %2")
                  .arg(shareText(point.error.p99), shareText(point.error.max));
     if (chart.isAgainstConverged(point)) {
