@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -13,7 +12,7 @@
 #include "gl/driver.h"
 #include "gl/headless_context.h"
 #include "measure/cost_sweep.h"
-#include "scene/primitives.h"
+#include "primitive_meshes.h"
 #include "statistics.h"
 
 namespace patina::benchmarks {
@@ -144,15 +143,8 @@ std::vector<std::string> choicesOf(const Catalog& catalog, const Setting& settin
 }
 
 CostChart measured(const Job& job, const std::shared_ptr<const Catalog>& catalog) {
-    std::map<std::string, Mesh> meshes;
-    const MeshSource source = [&meshes](const Object& object) {
-        const std::string name = object.mesh.substr(object.mesh.find(':') + 1);
-        auto found = meshes.find(name);
-        if (found == meshes.end()) {
-            found = meshes.emplace(name, primitive(name).value()).first;
-        }
-        return found->second.view();
-    };
+    PrimitiveMeshes meshes;
+    const MeshSource source = meshes.source();
     CostSweep::Options options;
     options.size = job.size;
     options.scope = job.scope;

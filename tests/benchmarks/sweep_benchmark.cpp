@@ -4,14 +4,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "benchmarks.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "measure/cost_sweep.h"
-#include "scene/primitives.h"
+#include "primitive_meshes.h"
 #include "scene/scene_file.h"
 #include "statistics.h"
 #include "support/front_share.h"
@@ -70,15 +69,8 @@ struct Timed {
 
 Timed swept(const Shipped& shipped, const std::shared_ptr<const Catalog>& catalog,
             const CostSweep::Options& options) {
-    std::map<std::string, Mesh> meshes;
-    const MeshSource source = [&meshes](const Object& object) {
-        const std::string name = object.mesh.substr(object.mesh.find(':') + 1);
-        auto found = meshes.find(name);
-        if (found == meshes.end()) {
-            found = meshes.emplace(name, primitive(name).value()).first;
-        }
-        return found->second.view();
-    };
+    PrimitiveMeshes meshes;
+    const MeshSource source = meshes.source();
     const Clock::time_point began = Clock::now();
     const auto spent = [began] {
         return std::chrono::duration<double>(Clock::now() - began).count();

@@ -200,17 +200,25 @@ TEST_F(TextureTest, NormalMap_TiltsRedToTheRightAndGreenUp) {
     expectNear(at(drawn(), 0.5, 0.5), glm::vec3(float(rest * rest)));
 }
 
-/// A ramp that rises by `height` over a quad that is 2 wide has a slope of height / 2.
-TEST_F(TextureTest, HeightRamp_HasTheNormalOfItsSlope) {
-    std::vector<float> ramp;
-    for (int i = 0; i < 256; ++i) {
-        ramp.push_back((float(i) + 0.5f) / 256.0f);
+class HeightTest : public TextureTest {
+  protected:
+    /// White, with heights that rise by `strength` from left to right.
+    void useRamp(double strength) {
+        std::vector<float> ramp;
+        for (int i = 0; i < 256; ++i) {
+            ramp.push_back((float(i) + 0.5f) / 256.0f);
+        }
+        file("ramp", {256, 1}, 1, ramp);
+        color(glm::dvec3(1.0));
+        TextureUse& height = use("height", "ramp");
+        height.filter = TextureFilter::Smooth;
+        height.strength = strength;
     }
-    file("ramp", {256, 1}, 1, ramp);
-    color(glm::dvec3(1.0));
-    TextureUse& height = use("height", "ramp");
-    height.filter = TextureFilter::Smooth;
-    height.strength = 1.0;
+};
+
+/// A ramp that rises by 1 over a quad that is 2 wide has a slope of 1/2.
+TEST_F(HeightTest, Ramp_HasTheNormalOfItsSlope) {
+    useRamp(1.0);
     // n = (-1/2, 0, 1) / |...|, so n.l = 1 / sqrt(1.25). Texels are blended in steps of 1/256.
     EXPECT_NEAR(at(drawn(64), 0.4, 0.5).x, 1.0 / std::sqrt(1.25), 0.01);
 }
@@ -236,16 +244,8 @@ Mesh finePlane() {
 }
 
 /// At the edges of triangles, which lie in the middle of pixels, samples belong to two of them.
-TEST_F(TextureTest, HeightsOnAFineMesh_AreAsEvenWithFourSamplesAsWithOne) {
-    std::vector<float> ramp;
-    for (int i = 0; i < 256; ++i) {
-        ramp.push_back((float(i) + 0.5f) / 256.0f);
-    }
-    file("ramp", {256, 1}, 1, ramp);
-    color(glm::dvec3(1.0));
-    TextureUse& height = use("height", "ramp");
-    height.filter = TextureFilter::Smooth;
-    height.strength = 4.0;
+TEST_F(HeightTest, OnAFineMesh_AreAsEvenWithFourSamplesAsWithOne) {
+    useRamp(4.0);
     const Mesh mesh = finePlane();
     constexpr int size = 64;
     constexpr int rim = 4; // beside it the image begins again
