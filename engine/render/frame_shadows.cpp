@@ -48,7 +48,7 @@ void FrameDrawer::planShadows(const Scene& scene) {
 bool FrameDrawer::drawShadows(Deadline deadline) {
     while (shadows_.pending() > 0) {
         shadows_.drawSome(deadline == never ? std::numeric_limits<int>::max() : slice, textures_);
-        if (shadows_.pending() > 0 && mustStop(deadline)) {
+        if (mustStop(deadline)) {
             return false;
         }
     }

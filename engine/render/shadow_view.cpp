@@ -226,6 +226,28 @@ ShadowView faceOf(const ShadowView& view, int face) {
     return turned;
 }
 
+ShadowView projectedView(ShadowProjection projection, const LightFrame& frame,
+                         std::span<const CasterBox> casters, int texels) {
+    switch (projection) {
+    case ShadowProjection::Parallel:
+        return parallelView(frame, casters, texels);
+    case ShadowProjection::Cone:
+        return frame.angle > widestCone ? sphereView(frame, casters, texels)
+                                        : coneView(frame, casters, texels);
+    case ShadowProjection::Sphere:
+        return sphereView(frame, casters, texels);
+    default:
+        return {};
+    }
+}
+
+double longestSide(std::span<const CasterBox> casters) {
+    Range box;
+    eachCorner(ShadowView(), casters, [&box](const glm::dvec3& corner) { box.add(corner); });
+    const glm::dvec3 sides = box.upper - box.lower;
+    return box.empty() ? 0.0 : std::max({sides.x, sides.y, sides.z});
+}
+
 } // namespace
 
 glm::dvec4 cornerOf(const Bounds& box, int corner) {
@@ -237,17 +259,9 @@ glm::dvec4 cornerOf(const Bounds& box, int corner) {
 ShadowView shadowViewOf(const Block& light, const Values& values, const glm::dmat4& cameraToWorld,
                         std::span<const CasterBox> casters, int texels) {
     const LightFrame frame = frameOf(light, values, cameraToWorld);
-    switch (light.shadowProjection) {
-    case ShadowProjection::Parallel:
-        return parallelView(frame, casters, texels);
-    case ShadowProjection::Cone:
-        return frame.angle > widestCone ? sphereView(frame, casters, texels)
-                                        : coneView(frame, casters, texels);
-    case ShadowProjection::Sphere:
-        return sphereView(frame, casters, texels);
-    default:
-        return {};
-    }
+    ShadowView view = projectedView(light.shadowProjection, frame, casters, texels);
+    view.size = longestSide(casters);
+    return view;
 }
 
 glm::dmat4 shadowClip(const ShadowView& view, int face) {
@@ -277,13 +291,41 @@ glm::dmat4 shadowClip(const ShadowView& view, int face) {
     return toClip * toView;
 }
 
+namespace {
+
+/// The map's corner nearest to the light, nearer still by what places and depths are rounded by, so
+/// that no surface is behind itself.
+glm::dvec3 mapCorner(const ShadowView& view, double side) {
+    const double farthest = std::max(std::abs(view.near), std::abs(view.far));
+    const double rounding = 1e-6 * (farthest + view.far - view.near);
+    return -side * view.window.z * view.right - side * view.window.w * view.up +
+           (view.near + rounding) * view.forward;
+}
+
+void packParallel(std::span<glm::vec4> out, const ShadowView& view) {
+    const double side = 1.0 / view.window.x;
+    out[0] = glm::vec4(view.right / side, view.texel);
+    out[1] = glm::vec4(view.up / side, view.layer);
+    out[2] = glm::vec4(view.forward / (view.far - view.near), view.faces);
+    out[3] = glm::vec4(view.origin + mapCorner(view, side), view.near);
+    out[4] = glm::vec4(side, 0.0, 0.0, 0.0);
+    out[5] = glm::vec4(view.far, view.size, 0.0, 0.0);
+}
+
+} // namespace
+
 void packView(std::span<glm::vec4> out, const ShadowView& view) {
-    out[0] = glm::vec4(view.right, view.texel);
-    out[1] = glm::vec4(view.up, view.layer);
-    out[2] = glm::vec4(view.forward, view.faces);
+    if (view.isParallel) {
+        return packParallel(out, view);
+    }
+    // Without a map every place is outside it, also as that of a light from very far away.
+    const double there = view.faces > 0 ? 1.0 : 0.0;
+    out[0] = glm::vec4(there * view.right, view.texel);
+    out[1] = glm::vec4(there * view.up, view.layer);
+    out[2] = glm::vec4(there * view.forward, view.faces);
     out[3] = glm::vec4(view.origin, view.near);
     out[4] = glm::vec4(view.window);
-    out[5] = glm::vec4(view.far, 0.0f, 0.0f, 0.0f);
+    out[5] = glm::vec4(view.far, view.size, 0.0, 0.0);
 }
 
 } // namespace patina

@@ -24,6 +24,7 @@ struct ShadowView {
     double near = 1.0; ///< metres along `forward`, > 0 for a light with a place
     double far = 2.0;
     double texel = 0.0; ///< metres, for a light with a place one metre in front of it
+    double size = 0.0;  ///< metres: the longest side of the box around all that casts
     bool isParallel = false;
     int faces = 0;      ///< layers of the map; 0: there is none
     int layer = 0;      ///< the first of them

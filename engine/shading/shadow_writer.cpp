@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of SurfaceWriter that writes shadows and the ground.
+// The part of SurfaceWriter that writes shadows, the ground and the ambient light.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -20,6 +20,24 @@ std::string dispatch(bool parallel, bool local, const std::string& name,
     const std::string call = parallel ? "parallel" + name + arguments : "local" + name + arguments;
     return parallel && local ? fmt::format("s.isParallel ? {} : local{}{}", call, name, arguments)
                              : call;
+}
+
+/// A reason for nothing to arrive.
+std::string arrivalGate(const char* condition) {
+    return fmt::format("    if ({}) {{\n        return 0.0;\n    }}\n", condition);
+}
+
+bool claimsIsotropic(const Block& block) {
+    return std::ranges::find(block.claims, "isotropic") != block.claims.end();
+}
+
+/// Whether the model, and what fills its slots, look the same however a surface is turned about its
+/// normal. A Fresnel term knows no more than the angle of incidence.
+bool isIsotropic(const ObjectLayout& object) {
+    return claimsIsotropic(*object.model->block) &&
+           std::ranges::all_of(object.slots, [](const BlockPlace& slot) {
+               return slot.block->kind == "fresnel" || claimsIsotropic(*slot.block);
+           });
 }
 
 } // namespace
@@ -47,10 +65,12 @@ void SurfaceWriter::writeShadowCode() {
                          dispatch(parallel, local, "ShadowRay", "(s, offset)"),
                          dispatch(parallel, local, "ShadowDepths", "(s, stored)")));
     out_.addFile("passes/shadow_taps.glsl");
-    main_ += "    shadowFace = faceNormal(s.v);\n    shadowLift = shadingNormal(s.v);\n";
+    main_ += "    shadowFace = faceNormal(s.v);\n    shadowLift = shadingNormal(s.v);\n"
+             "    shadowAside = shadowInset();\n";
 }
 
-/// `arriving<index>`: the share of a light of this group that nothing keeps away.
+/// `arriving<index>`: the share of a light of this group that nothing keeps away; 0 where the model
+/// asks for none.
 void SurfaceWriter::writeShadow(std::size_t index) {
     const LightPlace& group = scene_.groups[index];
     const LightGroup& effect = set_.scene.lights[index];
@@ -58,20 +78,61 @@ void SurfaceWriter::writeShadow(std::size_t index) {
     const std::string unpack = fmt::format("unpack{}{}", structName(block), index);
     writeBlock(block);
     writeUnpack(block, *effect.shadow, unpack);
-    const char* gate = isLitFromBehind() ? "" : " || dot(s.n, light.l) <= 0.0";
+    std::string gates;
+    if (group.light.block->reach && effect.lines == 0) {
+        gates += arrivalGate("!(max(max(light.radiance.r, light.radiance.g), "
+                             "light.radiance.b) > 0.0)");
+    }
+    if (!isLitFromBehind()) {
+        gates += arrivalGate("dot(s.n, light.l) <= 0.0");
+    }
     out_.add(fmt::format(
         "float arriving{0}(Surface s, Illumination light, int base) {{\n"
-        "    vec3 sent = light.radiance;\n"
-        "    if (!(max(max(sent.r, sent.g), sent.b) > 0.0){1}) {{\n"
-        "        return 1.0;\n"
-        "    }}\n"
+        "{1}"
         "    ShadowView view = shadowViewAt(base + {2});\n"
         "    ShadowPoint point = shadowPoint(s, light.l, view, {3});\n"
         "    return clamp({4}(point, {5}(base + {6})), 0.0, 1.0);\n"
         "}}\n",
-        index, gate, group.shadow->first + group.shadow->vec4s(),
+        index, gates, group.shadow->first + group.shadow->vec4s(),
         effect.projection == ShadowProjection::Parallel, functionName(block), unpack,
         group.shadow->first));
+}
+
+/// What the model makes of light from all around.
+std::string SurfaceWriter::ambientShare() {
+    out_.addFile("passes/ambient.glsl");
+    if (!isIsotropic(object_)) {
+        return "ambientShare(s, model)";
+    }
+    out_.addFile("passes/levelled.glsl");
+    return "ambientShare(levelled(s), model)";
+}
+
+void SurfaceWriter::writeAmbient() {
+    if (set_.scene.ambient) {
+        main_ += fmt::format("    shaded += sceneData[{}].rgb * {};\n", SceneLayout::ambient,
+                             ambientShare());
+        noteTerm("AMBIENT", fmt::format("sceneData[{}].rgb * modelled", SceneLayout::ambient),
+                 "0.0");
+    }
+}
+
+/// What the sky and the ground of the ambient light send to a surface.
+std::string SurfaceWriter::hemisphereSource() const {
+    const int first = *scene_.hemisphere;
+    return fmt::format("hemisphereLight(s, sceneData[{}].rgb, sceneData[{}].rgb, "
+                       "sceneData[{}].xyz)",
+                       first, first + 1, first + 2);
+}
+
+void SurfaceWriter::writeHemisphere() {
+    if (!scene_.hemisphere) {
+        return;
+    }
+    out_.addFile("passes/hemisphere.glsl");
+    const std::string light = hemisphereSource();
+    main_ += fmt::format("    shaded += {} * {};\n", light, ambientShare());
+    noteTerm("AMBIENT", light + " * modelled", "0.0");
 }
 
 /// A surface without a model: how much light arrives, and how much was sent.

@@ -8,13 +8,14 @@ uniform sampler2DArray shadowMaps;
 
 // How a light's map looks at the scene. Where nothing casts shadows the window is nowhere.
 struct ShadowView {
-    vec3 right;   // unit
+    vec3 right;   // unit; of a light from very far away over the metres that the map spans
     vec3 up;
-    vec3 forward; // the way the light travels
-    vec3 origin;  // the light, or for a light from very far away the scene's middle
-    vec4 window;  // scale and shift into the map: of slopes, or of metres of a light from far away
+    vec3 forward; // the way the light travels; likewise, over the metres that depths span
+    vec3 origin;  // the light, or for a light from very far away the map's corner, nearest to it
+    vec4 window;  // scale and shift of slopes into the map; of a light from far away x: its metres
     float near;   // depths, metres along forward
     float far;
+    float size;   // metres: the longest side of the box around all that casts
     float texel;  // metres a texel spans, for a light with a place one metre in front of it
     float layer;
     float faces;  // 1, or 6: forward, backward, right, left, up, down
@@ -33,6 +34,7 @@ ShadowView shadowViewAt(int base) {
     view.near = SHADOW_DATA(3).w;
     view.window = SHADOW_DATA(4);
     view.far = SHADOW_DATA(5).x;
+    view.size = SHADOW_DATA(5).y;
     return view;
 }
 
@@ -47,6 +49,7 @@ struct ShadowPoint {
     float inverseRange; // 1 / metres to the light; 0: the light is very far away
     float texel;        // metres a texel spans here
     float turn;         // of the pixel's pattern of places, radians
+    float rise;         // metres by which its surface may rise for each metre beside it
 };
 
 // Light that comes in flatter is taken as this: what is left of it is too little to see.
@@ -62,11 +65,20 @@ float pixelNoise() {
 vec3 shadowFace;
 vec3 shadowLift;
 
+// How many metres of a surface a pixel shows, on the inside of a body: that is looked up so much
+// farther in, as a pixel at the body's edge may lie beyond it. Below zero elsewhere.
+float shadowAside;
+
+float shadowInset() {
+    float pixel = length(dFdx(toEye)) + length(dFdy(toEye));
+    return dot(worldNormal, shadowLift) < 0.0 ? pixel : -1.0;
+}
+
 // The sine of the angle between a normal and the way that depths are measured along: the light's
 // own, or of a light with a place that of the face of its map. There a surface that faces the light
 // may lie aslant all the same.
 float shadowSlant(vec3 n, vec3 l, vec3 way, ShadowView view, bool isParallel) {
-    float slant = safeSqrt(1.0 - sqr(dot(n, l)));
+    float slant = safeSqrt(1.0 - sqr(max(dot(n, l), LEAST_SHADOWED_NL)));
     if (isParallel) {
         return slant;
     }
@@ -74,6 +86,17 @@ float shadowSlant(vec3 n, vec3 l, vec3 way, ShadowView view, bool isParallel) {
     vec3 axis = size.x >= size.y ? view.right : view.up;
     axis = view.faces < 2.0 || size.z >= max(size.x, size.y) ? view.forward : axis;
     return max(slant, safeSqrt(1.0 - sqr(dot(n, axis))));
+}
+
+// The slope by which a surface may rise above its own plane, away from the point, without shading
+// itself: the few degrees between the triangles of a hollow.
+const float SHADOWED_RISE = 0.08;
+
+// Metres along the light's way by which a surface that bends towards the light by this slope rises
+// above its own plane, for each metre beside the point; at most that of one at 80 degrees.
+float shadowedRise(ShadowPoint s, float slope) {
+    float nl = max(dot(s.l, s.n), 0.17);
+    return slope / (nl * (nl + slope * safeSqrt(1.0 - sqr(nl))));
 }
 
 // Lifted along the normal of the mesh by one and a half texels times that sine: that is by how much
@@ -85,32 +108,29 @@ ShadowPoint shadowPoint(Surface s, vec3 l, ShadowView view, bool isParallel) {
     float lack = LEAST_SHADOWED_NL - dot(shadowFace, l);
     p.n = lack > 0.0 ? normalize(shadowFace + lack * l) : shadowFace;
     p.l = l;
-    p.across = isParallel ? view.right : tangentAlong(l, vec3(1.0, 0.0, 0.0));
-    p.along = isParallel ? view.up : cross(l, p.across);
+    p.across = isParallel ? view.window.x * view.right : tangentAlong(l, vec3(1.0, 0.0, 0.0));
+    p.along = isParallel ? view.window.x * view.up : cross(l, p.across);
     vec3 way = s.x - view.origin;
     float range = max(length(way), 1e-6);
     p.inverseRange = isParallel ? 0.0 : 1.0 / range;
     p.texel = isParallel ? view.texel : view.texel * range;
-    float slant = shadowSlant(p.n, l, way, view, isParallel);
+    float slant = shadowSlant(shadowFace, l, way, view, isParallel);
     p.x = s.x + shadowLift * (p.texel * (0.25 + 1.5 * slant));
+    if (shadowAside >= 0.0) {
+        vec3 inwards = shadowFace - dot(shadowFace, l) * l;
+        float inset = 2.0 * p.texel + min(shadowAside, 8.0 * p.texel);
+        p.x += inwards * (inset * inversesqrt(max(dot(inwards, inwards), 1e-4)));
+    }
     p.turn = 2.0 * PI * pixelNoise();
+    p.rise = shadowedRise(p, SHADOWED_RISE);
     return p;
-}
-
-// The slope by which the surface may rise above its own plane, away from the point, without shading
-// itself: the few degrees between the triangles of a hollow.
-const float SHADOWED_RISE = 0.08;
-
-// That rise along the light's way, of a place so far beside the point; at most that of a surface at
-// 80 degrees to the light.
-float shadowedRise(ShadowPoint s, vec2 offset) {
-    return SHADOWED_RISE * length(offset) / max(sqr(dot(s.l, s.n)), 0.03);
 }
 
 // A way from the light towards the surface's own plane.
 struct ShadowRay {
     vec3 place;    // in the maps: 0 .. 1 across and up, layer
-    float depth;   // of the plane, metres along the map's view
-    float stretch; // metres along the ray for each of these
+    float depth;   // of the plane, metres along the map's view, less what they are rounded by
+    float stored;  // the same, less the doubt, as maps have it
+    float stretch; // metres along the ray for each of those
     float doubt;   // metres along the view that are nothing
 };

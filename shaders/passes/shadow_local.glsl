@@ -19,6 +19,12 @@ vec3 shadowFaceWay(ShadowView view, vec3 x, OUT(float) face) {
     return d.y > 0.0 ? vec3(d.x, -d.z, d.y) : vec3(d.x, d.z, -d.y);
 }
 
+// Metres as a perspective stores them, not below the nearest.
+float localShadowStored(ShadowView view, float depth) {
+    float inside = max(depth, view.near);
+    return view.far * (inside - view.near) / (inside * (view.far - view.near));
+}
+
 // From the light through the point `offset` metres beside s.x, at right angles to its way there.
 ShadowRay localShadowRay(ShadowPoint s, vec2 offset) {
     vec3 way = s.x - s.view.origin;
@@ -31,10 +37,11 @@ ShadowRay localShadowRay(ShadowPoint s, vec2 offset) {
     ShadowRay ray;
     ray.place = vec3(q.xy / forward * s.view.window.xy + s.view.window.zw, s.view.layer + face);
     ray.place.x = q.z > 0.0 ? ray.place.x : -1.0;
-    ray.depth = forward * reach;
+    float depth = forward * reach;
+    ray.depth = depth - 1e-6 * depth * (1.0 + depth / s.view.near);
     ray.stretch = length(x) / forward;
-    ray.doubt = shadowedRise(s, offset) +
-        1e-6 * ray.depth * (1.0 + ray.depth / s.view.near);
+    ray.doubt = s.rise * length(offset);
+    ray.stored = localShadowStored(s.view, ray.depth - ray.doubt);
     return ray;
 }
 

@@ -26,8 +26,8 @@ float shadowLit(ShadowPoint s, vec2 offset) {
     }
     vec2 size = vec2(textureSize(shadowMaps, 0).xy);
     vec2 f = fract(ray.place.xy * size - 0.5);
-    vec4 depths = shadowDepths(s, textureGather(shadowMaps, shadowCorner(ray, size)));
-    vec4 lit = step(vec4(ray.depth - ray.doubt), depths);
+    vec4 depths = textureGather(shadowMaps, shadowCorner(ray, size));
+    vec4 lit = step(vec4(min(ray.stored, 1.0)), depths); // where nothing is they are 1
     return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
 }
 
@@ -61,4 +61,33 @@ float shadowEdge(ShadowPoint s, float slope, float gap) {
 float shadowReach(ShadowPoint s) {
     ShadowRay ray = shadowRay(s, vec2(0.0));
     return max(ray.stretch * (ray.depth - s.view.near), 0.0);
+}
+
+// What is in the way within `radius`. x: its metres in front of the surface, y: the share of the
+// places. Where something is in the way of the point itself, that one's metres at most.
+vec2 shadowFound(ShadowPoint s, float radius, int taps) {
+    vec2 centre = shadowBlockers(s, vec2(0.0));
+    vec2 found = centre;
+    for (int i = 0; i < taps; ++i) {
+        found += shadowBlockers(s, radius * shadowDisk(s, i, taps));
+    }
+    float gap = found.x / max(found.y, 1.0);
+    gap = centre.y > 0.0 ? min(gap, centre.x / centre.y) : gap;
+    return vec2(gap, found.y / (4.0 * float(taps + 1)));
+}
+
+// The widest disk on the surface's plane that stays well behind what is `gap` in front of the
+// point: beyond it that would be lit where it should be dark, close to where the two touch.
+float shadowWidest(ShadowPoint s, float gap) {
+    float nl = dot(s.l, s.n);
+    return 0.5 * gap / (safeSqrt(1.0 - sqr(nl)) / nl + s.rise);
+}
+
+// The mean share of light over a disk.
+float shadowMean(ShadowPoint s, float radius, int taps) {
+    float lit = 0.0;
+    for (int i = 0; i < taps; ++i) {
+        lit += shadowLit(s, radius * shadowDisk(s, i, taps));
+    }
+    return lit / float(taps);
 }

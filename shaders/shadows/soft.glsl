@@ -10,16 +10,6 @@ int softShadowTaps(SoftShadow p) {
     return p.samples == SOFT_SHADOW_SAMPLES_COARSE ? coarse : normal;
 }
 
-// What is in the way within `radius`. x: its metres in front of the surface, summed; y: the share
-// of the places; z: how many texels.
-vec3 softShadowBlockers(ShadowPoint s, float radius, int taps) {
-    vec2 found = vec2(0.0);
-    for (int i = 0; i < taps; ++i) {
-        found += shadowBlockers(s, radius * shadowDisk(s, i, taps));
-    }
-    return vec3(found.x, found.y / (4.0 * float(taps)), found.y);
-}
-
 // R. Fernando, Percentage-closer soft shadows, SIGGRAPH 2005 sketches: the edge is as wide as the
 // light's image through a small hole where the blockers are.
 float softShadow(ShadowPoint s, SoftShadow p) {
@@ -27,14 +17,10 @@ float softShadow(ShadowPoint s, SoftShadow p) {
     int taps = softShadowTaps(p);
     float searched = max(shadowEdge(s, slope, shadowReach(s)), s.texel);
     int fewer = taps / 2;
-    vec3 found = softShadowBlockers(s, searched, fewer);
+    vec2 found = shadowFound(s, searched, fewer);
     if (found.y <= 0.0 || found.y >= 1.0) {
         return found.y <= 0.0 ? 1.0 : 0.0;
     }
-    float radius = max(shadowEdge(s, slope, found.x / found.z), 1.5 * s.texel);
-    float lit = 0.0;
-    for (int i = 0; i < taps; ++i) {
-        lit += shadowLit(s, radius * shadowDisk(s, i, taps));
-    }
-    return lit / float(taps);
+    float radius = max(shadowEdge(s, slope, found.x), 1.5 * s.texel);
+    return shadowMean(s, min(radius, shadowWidest(s, found.x)), taps);
 }
