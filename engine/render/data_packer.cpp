@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "shading/effect_choice.h"
@@ -200,12 +201,23 @@ void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground
     }
 }
 
+/// What lies back by a share of its distance lies back by the same in clip space at all of them.
+/// That share is a part of the picture's height: as little is to see of it through a long lens.
+double farSide(const glm::dmat4& worldToClip, const glm::dvec3& eye) {
+    constexpr double share = 1e-4;
+    constexpr double shareOfHeight = 1.0 / 3000.0; // of its half
+    const double zoom = glm::length(glm::dvec3(glm::row(worldToClip, 1)));
+    const double eyeDepth = (worldToClip * glm::dvec4(eye, 1.0)).z;
+    return -std::min(share, shareOfHeight / zoom) * eyeDepth;
+}
+
 void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye,
               double pixel) {
     for (int column = 0; column < 4; ++column) {
         out[static_cast<std::size_t>(ViewLayout::clip + column)] = glm::vec4(worldToClip[column]);
     }
     out[ViewLayout::eye] = glm::vec4(eye, pixel);
+    out[ViewLayout::farSide] = glm::vec4(farSide(worldToClip, eye), 0.0, 0.0, 0.0);
 }
 
 } // namespace patina

@@ -149,25 +149,30 @@ bool isOutside(const Scene& scene, std::size_t object, const MeshView& mesh, dou
 
 } // namespace
 
+std::string whyNotDrawn(const Scene& scene, std::size_t object, const MeshSource& meshes,
+                        double aspect) {
+    if (!scene.objects[object].visible) {
+        return "The object is hidden.";
+    }
+    if (!canBeSeen(scene.objects[object].material)) {
+        return "Nothing of the object can be seen: its opacity is 0.";
+    }
+    return aspect > 0.0 && isOutside(scene, object, meshes(scene.objects[object]), aspect)
+               ? "The object is outside the view: it is not drawn."
+               : "";
+}
+
 std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
                                   const MeshSource& meshes, const KnownImages& images,
                                   double aspect) {
     const EffectView view = objectView(scene, object, catalog, meshes);
     std::vector<EffectRow> rows = effectRows(scene, object, catalog, view);
     const Material& material = scene.objects[object].material;
-    if (!scene.objects[object].visible) {
-        takeOut(rows, "The object is hidden.");
-        return rows;
-    }
-    if (!canBeSeen(material)) {
-        takeOut(rows, "Nothing of the object can be seen: its opacity is 0.");
+    if (const std::string why = whyNotDrawn(scene, object, meshes, aspect); !why.empty()) {
+        takeOut(rows, why);
         return rows;
     }
     const MeshView mesh = meshes(scene.objects[object]);
-    if (aspect > 0.0 && isOutside(scene, object, mesh, aspect)) {
-        takeOut(rows, "The object is outside the view: it is not drawn.");
-        return rows;
-    }
     addUnreached(rows, scene, object, catalog, view, mesh);
     describeImages(rows, material, catalog, mesh, images);
     describeEnvironment(rows, images);

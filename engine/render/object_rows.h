@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "render/renderer.h"
@@ -23,5 +24,9 @@ struct KnownImages {
 std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
                                   const MeshSource& meshes, const KnownImages& images = {},
                                   double aspect = 0.0);
+
+/// Why an object is not drawn, as its rows say; empty where it is. `aspect` as above.
+std::string whyNotDrawn(const Scene& scene, std::size_t object, const MeshSource& meshes,
+                        double aspect);
 
 } // namespace patina

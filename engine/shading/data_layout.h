@@ -88,7 +88,8 @@ struct EnvironmentLayout {
 struct ViewLayout {
     static constexpr int clip = 0; ///< four columns of the matrix from world to clip space
     static constexpr int eye = 4;
-    static constexpr int vec4s = 5;
+    static constexpr int farSide = 5;
+    static constexpr int vec4s = 6;
 };
 
 /// They point into the catalogue's blocks, which must stay. Blocks it lacks are left out.

@@ -57,7 +57,7 @@ void addAmbient(SceneEffects& effects, const Scene& scene) {
     }
 }
 
-/// "It is dark. Its intensity is 0."
+/// "It is dark. Its “Intensity” is 0."
 std::string whyNoEnvironment(const Scene& scene, const Catalog& catalog,
                              const EnvironmentChoice& choice) {
     const Block* block = catalog.find("environment", scene.environment->id);

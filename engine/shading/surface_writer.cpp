@@ -13,9 +13,14 @@
 namespace patina {
 namespace {
 
-/// What a light adds: {0} is its Illumination, {1} what shadows leave of it, {2} the function that
-/// asks the model.
+/// What a light adds: {0} is its Illumination, {1} what shadows leave of it (or the number of the
+/// function that says so), {2} the function that asks the model.
 constexpr const char* litSource = "    sum += {2}(s, {0}, p);\n";
+constexpr const char* sharedLitSource = "    Illumination light = {0};\n"
+                                        "    float share = arriving{1}(s, light, base);\n"
+                                        "    if (share > 0.0) {{\n"
+                                        "        sum = share * litAnyway(s, light, p);\n"
+                                        "    }}\n";
 constexpr const char* shadowedLitSource = "    Illumination light = {0};\n"
                                           "{1}"
                                           "    sum += {2}(s, light, p);\n";
@@ -241,8 +246,10 @@ void SurfaceWriter::writeLightGroup(std::size_t index) {
     const char* lit = group.shadow || hasEnd ? "litWhereItArrives" : "lit";
     if (group.shadow) {
         writeShadow(index);
-        body = isInspected() ? body : shadowedLitSource;
-        shadowed = fmt::format("    light.radiance *= arriving{}(s, light, base);\n", index);
+        body = isInspected() ? body : sharedLitSource;
+        shadowed = isInspected() || set_.ground == GroundMode::Shadows
+                       ? fmt::format("    light.radiance *= arriving{}(s, light, base);\n", index)
+                       : fmt::format("{}", index);
     }
     if (set_.ground == GroundMode::Shadows) {
         body = shadowedLitSource;
@@ -274,35 +281,6 @@ void SurfaceWriter::addLightGroup(std::size_t index, const std::string& function
                              "    }}\n",
                              group.light.first, function, group.vec4s());
     }
-}
-
-void SurfaceWriter::writeAmbient() {
-    if (set_.scene.ambient) {
-        out_.addFile("passes/ambient.glsl");
-        main_ += fmt::format("    shaded += sceneData[{}].rgb * ambientShare(s, model);\n",
-                             SceneLayout::ambient);
-        noteTerm("AMBIENT", fmt::format("sceneData[{}].rgb * modelled", SceneLayout::ambient),
-                 "0.0");
-    }
-}
-
-/// What the sky and the ground of the ambient light send to a surface.
-std::string SurfaceWriter::hemisphereSource() const {
-    const int first = *scene_.hemisphere;
-    return fmt::format("hemisphereLight(s, sceneData[{}].rgb, sceneData[{}].rgb, "
-                       "sceneData[{}].xyz)",
-                       first, first + 1, first + 2);
-}
-
-void SurfaceWriter::writeHemisphere() {
-    if (!scene_.hemisphere) {
-        return;
-    }
-    out_.addFile("passes/ambient.glsl");
-    out_.addFile("passes/hemisphere.glsl");
-    const std::string light = hemisphereSource();
-    main_ += fmt::format("    shaded += {} * ambientShare(s, model);\n", light);
-    noteTerm("AMBIENT", light + " * modelled", "0.0");
 }
 
 /// The inspection looks at single values, of which the environment's light is a sum of many.

@@ -43,6 +43,7 @@ class SurfaceWriter {
     bool hasShadows() const;
     bool isLitFromBehind() const;
     void writeAmbient();
+    std::string ambientShare();
     std::string hemisphereSource() const;
     void writeHemisphere();
     void writeEnvironment();

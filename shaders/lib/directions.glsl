@@ -43,7 +43,7 @@ float perpendicular2(vec3 u, vec3 n, float nu) {
 //   tan^2 theta_h = |H - (n.H) n|^2 : (n.H)^2      1 - l.h = |l - v|^2 / 4 / (1 + l.h)
 //   1 - n.l = |n - l|^2 / 2
 //   1 - r.v = |2 (n.l) n - H|^2 / 2                l.h = |H| / 2
-//   r.v = 2 (n.l)(n.v) - l.v far from the mirror direction, where it is the small one
+//   r.v = (2 (n.l) n - l).v far from the mirror direction, where it is the small one
 // so small angles keep all their digits: 1 - cos is never formed from a rounded cosine.
 // l = -v has no half vector; h then counts as lying in the surface (nh = ht = hb = 0,
 // sin2h : cos2h = 1 : 0), which is where every lobe ends. Directions below the horizon are not
@@ -80,9 +80,10 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
     vec3 chord = l - v;
     d.versineLh = 0.25 * dot(chord, chord) / (1.0 + d.lh);
     // r - v: near the mirror direction they have the same digits, and l + v would round first.
-    vec3 q = (2.0 * d.nl * n - l) - v;
+    vec3 r = 2.0 * d.nl * n - l;
+    vec3 q = r - v;
     d.versineRv = 0.5 * dot(q, q);
-    d.rv = d.versineRv < 0.5 ? 1.0 - d.versineRv : 2.0 * d.nl * d.nv - d.lv;
+    d.rv = d.versineRv < 0.5 ? 1.0 - d.versineRv : dot(r, v);
 
     float scale = opposite ? 0.0 : 1.0 / size;
     d.nh = d.nH * scale;

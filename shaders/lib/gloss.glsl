@@ -11,3 +11,11 @@ vec3 glossed(vec3 specular, float gloss, bool limits, float white) {
     }
     return gloss * specular;
 }
+
+// The same of a colour and how strong it is, with the products of single numbers first.
+vec3 glossedLobe(vec3 color, float lobe, float gloss, bool limits, float white) {
+    if (limits) {
+        return min(lobe * color, vec3(gloss * white));
+    }
+    return gloss * lobe * color;
+}

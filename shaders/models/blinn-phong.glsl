@@ -18,5 +18,5 @@ vec3 blinnPhong(Directions d, BlinnPhong p) {
         white = nl;
     }
     bool limits = p.glossMode == BLINN_PHONG_GLOSS_MODE_LIMIT;
-    return p.diffuseColor * nl + glossed(p.specularColor * lobe, p.gloss, limits, white);
+    return p.diffuseColor * nl + glossedLobe(p.specularColor, lobe, p.gloss, limits, white);
 }

@@ -145,7 +145,7 @@ vec3 cookTorrance(Directions d, CookTorrance p) {
     }
     vec3 F = slotFresnel(cookTorranceIncidence(d, p), p.fresnel);
     float lobe = scale * cookTorranceFacets(d, p) * cookTorranceVisibility(d, p);
-    vec3 highlight = p.specularColor * F * (specularShare * lobe);
     return p.diffuseColor * (diffuseShare * d.nl)
-        + glossed(highlight, p.gloss, p.glossMode == COOK_TORRANCE_GLOSS_MODE_LIMIT, d.nl);
+        + glossedLobe(p.specularColor * F, specularShare * lobe, p.gloss,
+            p.glossMode == COOK_TORRANCE_GLOSS_MODE_LIMIT, d.nl);
 }

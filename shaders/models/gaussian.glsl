@@ -5,7 +5,7 @@
 
 // A matte base and the Gaussian lobe of Blinn 1977.
 vec3 gaussian(Directions d, Gaussian p) {
-    vec3 lobe = p.specularColor * gaussianHighlight(p.angle, d, p.width);
+    float lobe = gaussianHighlight(p.angle, d, p.width);
     bool limits = p.glossMode == GAUSSIAN_GLOSS_MODE_LIMIT;
-    return p.diffuseColor * d.nl + glossed(lobe, p.gloss, limits, 1.0);
+    return p.diffuseColor * d.nl + glossedLobe(p.specularColor, lobe, p.gloss, limits, 1.0);
 }

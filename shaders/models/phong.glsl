@@ -13,5 +13,5 @@ vec3 phong(Directions d, Phong p) {
         white = d.nl;
     }
     bool limits = p.glossMode == PHONG_GLOSS_MODE_LIMIT;
-    return p.diffuseColor * d.nl + glossed(p.specularColor * lobe, p.gloss, limits, white);
+    return p.diffuseColor * d.nl + glossedLobe(p.specularColor, lobe, p.gloss, limits, white);
 }

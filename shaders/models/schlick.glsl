@@ -5,7 +5,7 @@
 
 // A matte base and the rational lobe of Schlick 1994.
 vec3 schlick(Directions d, Schlick p) {
-    vec3 lobe = p.specularColor * schlickLobe(d.versineRv, d.rv, p.shininess);
+    float lobe = schlickLobe(d.versineRv, d.rv, p.shininess);
     bool limits = p.glossMode == SCHLICK_GLOSS_MODE_LIMIT;
-    return p.diffuseColor * d.nl + glossed(lobe, p.gloss, limits, 1.0);
+    return p.diffuseColor * d.nl + glossedLobe(p.specularColor, lobe, p.gloss, limits, 1.0);
 }

@@ -29,12 +29,10 @@ float toonLead(Directions d, float edge) {
 // and of `size`, in radians. No spot at size 0.
 vec3 toonSpot(Directions d, Toon p) {
     float radius = versineOf(p.spotSize);
-    if (!(radius > 1e-12) || !(d.nl > 0.0)) {
-        return vec3(0.0);
-    }
-    float inside = 1.0 - min(d.versineRv / radius, 1e6);
+    float inside = 1.0 - d.versineRv / max(radius, 1e-12);
+    float share = radius > 1e-12 && d.nl > 0.0 ? toonRise(inside, p.softness) : 0.0;
     bool limits = p.glossMode == TOON_GLOSS_MODE_LIMIT;
-    return toonRise(inside, p.softness) * glossed(p.specularColor, p.gloss, limits, 1.0);
+    return glossedLobe(p.specularColor, share, p.gloss, limits, share);
 }
 
 // Two or three flat tones by n.l, per fragment. A. Lake et al., Stylized Rendering Techniques for

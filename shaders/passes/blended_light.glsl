@@ -6,7 +6,7 @@ in vec3 backLight;
 
 // A sample beside the triangle, at its edge, may blend to less than nothing.
 vec3 blendedLight(Surface s) {
-    vec3 face = cross(dFdx(worldPosition), dFdy(worldPosition));
+    vec3 face = cross(dFdx(toEye), dFdy(toEye));
     bool isBehind = (dot(worldNormal, face) < 0.0) != (dot(face, s.v) < 0.0);
     vec3 light = isBehind ? backLight : frontLight;
     return max(light, vec3(0.0));

@@ -12,11 +12,12 @@ Surface heightMapped(Surface s, sampler2D image, vec4 channel, int rows) {
     float here = dot(texture(image, place), channel);
     float right = dot(texture(image, place + dFdx(even)), channel);
     float above = dot(texture(image, place + dFdy(even)), channel);
-    vec3 dx = dFdx(worldPosition);
-    vec3 dy = dFdy(worldPosition);
+    vec3 dx = -dFdx(toEye);
+    vec3 dy = -dFdy(toEye);
     vec3 r1 = cross(dy, s.n);
     vec3 r2 = cross(s.n, dx);
     float area = dot(dx, r1);
     float raised = imageFront(s) * objectData[rows].w * (area < 0.0 ? -1.0 : 1.0);
-    return bent(s, abs(area) * s.n - raised * ((right - here) * r1 + (above - here) * r2));
+    vec3 n = abs(area) * s.n - raised * ((right - here) * r1 + (above - here) * r2);
+    return bent(s, safeNormalize(n, s.n));
 }

@@ -5,20 +5,19 @@
 // Samples beside the triangle, at its edges, would have longer ones, which no model expects: they
 // get shorter than 1 too.
 vec3 blendedNormal(vec3 v) {
-    vec3 face = cross(dFdx(worldPosition), dFdy(worldPosition));
+    vec3 face = cross(dFdx(toEye), dFdy(toEye));
     vec3 n = worldNormal * clamp(1.5 - 0.5 * dot(worldNormal, worldNormal), 0.0, 1.0);
     bool isBehind = (dot(n, face) < 0.0) != (dot(face, v) < 0.0);
     return towardsViewer(isBehind ? -n : n, v);
 }
 
 Surface blendedSurface() {
-    vec3 toEye = viewData[4].xyz - worldPosition;
     Surface s;
     s.x = worldPosition;
     s.v = unitVector(toEye, vec3(0.0, 0.0, 1.0));
     s.range = length(toEye);
     s.n = blendedNormal(s.v);
-    s.t = tangentAlong(s.n, worldTangent);
+    s.t = tangentBeside(s.n, worldTangent);
     s.b = cross(s.n, s.t);
     s.pixel = gl_FragCoord.xy * viewData[4].w;
     return s;

@@ -4,7 +4,7 @@
 uniform vec4 refractionBody; // a ball around the body: its middle, its radius
 
 void main() {
-    vec3 v = safeNormalize(viewData[4].xyz - worldPosition, vec3(0.0, 0.0, 1.0));
+    vec3 v = safeNormalize(toEye, vec3(0.0, 0.0, 1.0));
     vec3 n = -shadingNormal(v);
     storedColor = vec4(n, dot(n, worldPosition - refractionBody.xyz));
 }

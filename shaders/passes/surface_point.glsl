@@ -28,14 +28,24 @@ vec3 towardsViewer(vec3 n, vec3 v) {
     return lack > 0.0 ? normalize(n + lack * v) : n;
 }
 
-// The same for an n of at most length 1, blended of unit ones, made unit by one root. What is kept
-// towards the viewer is at least LEAST_NV of the length of n, as (1 + n.n) / 2 is never less than
-// that and the same where it is 1, and at least half of LEAST_NV, so that nothing cancels where n is
-// -v or zero, which gives v. 1e-36 is there for a v of zero, at the eye itself.
+// The same for an n of at most length 1, blended of unit ones, made unit by one root. LEAST_NV is
+// kept towards the viewer whatever the length of n is, which is no less than that share of it, and
+// enough for nothing to cancel where n is -v or zero, which gives v. 1e-36 is there for a v of zero,
+// at the eye itself.
 vec3 unitTowardsViewer(vec3 n, vec3 v) {
-    float least = 0.5 * LEAST_NV * (1.0 + dot(n, n));
-    vec3 bent = n + max(least - dot(n, v), 0.0) * v;
+    vec3 bent = n + max(LEAST_NV - dot(n, v), 0.0) * v;
     return bent * inversesqrt(dot(bent, bent) + 1e-36);
+}
+
+// The unit tangent along t, at most of length 1, perpendicular to the unit normal n: t - (t.n) n,
+// which the second pass frees from what the first rounding left along n. Where t is zero or within
+// 1e-6 rad of n it says nothing about a direction in the surface and any tangent serves.
+vec3 tangentBeside(vec3 n, vec3 t) {
+    vec3 p = t - dot(t, n) * n;
+    vec3 w = p - dot(p, n) * n;
+    float length2 = dot(w, w);
+    vec3 unit = w * inversesqrt(max(length2, 1e-12));
+    return length2 > 1e-12 ? unit : anyTangent(n);
 }
 
 Directions directionsAt(Surface s, vec3 l, vec3 v) {

@@ -10,10 +10,19 @@ float imageFront(Surface s) {
     return dot(worldNormal, s.n) < 0.0 ? -1.0 : 1.0;
 }
 
-// The surface with another normal.
+// The direction of n, longer than 1e-9, towards the viewer; `fallback` where it is too long or no
+// number, as images may have it.
+vec3 seenDirection(vec3 n, vec3 v, vec3 fallback) {
+    float length2 = dot(n, n);
+    vec3 seen = n + max(LEAST_NV * sqrt(length2) - dot(n, v), 0.0) * v;
+    vec3 unit = seen * inversesqrt(dot(seen, seen));
+    return length2 < 1e30 ? unit : fallback;
+}
+
+// The surface with another normal, longer than 1e-9.
 Surface bent(Surface s, vec3 n) {
-    s.n = towardsViewer(safeNormalize(n, s.n), s.v);
-    s.t = tangentAlong(s.n, worldTangent);
+    s.n = seenDirection(n, s.v, s.n);
+    s.t = tangentBeside(s.n, worldTangent);
     s.b = cross(s.n, s.t);
     return s;
 }

@@ -6,10 +6,9 @@
 out float vertexFogShare;
 
 void placeFog(Fog p) {
-    vec3 way = worldPosition - viewData[4].xyz;
     FogRay ray;
     ray.eye = viewData[4].xyz;
-    ray.direction = safeNormalize(way, vec3(0.0, 0.0, -1.0));
-    ray.range = length(way);
+    ray.direction = safeNormalize(-toEye, vec3(0.0, 0.0, -1.0));
+    ray.range = length(toEye);
     vertexFogShare = fogShare(ray, p);
 }

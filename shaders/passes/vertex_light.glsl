@@ -10,13 +10,12 @@ out vec3 backLight;
 
 // `side`: 1.0 for the side of the normal, -1.0 for the other one.
 Surface vertexSurface(float side) {
-    vec3 toEye = viewData[4].xyz - worldPosition;
     Surface s;
     s.x = worldPosition;
     s.v = unitVector(toEye, vec3(0.0, 0.0, 1.0));
     s.range = length(toEye);
     s.n = unitTowardsViewer(side * worldNormal, s.v);
-    s.t = tangentAlong(s.n, worldTangent);
+    s.t = tangentBeside(s.n, worldTangent);
     s.b = cross(s.n, s.t);
     s.pixel = vec2(0.0);
     return s;

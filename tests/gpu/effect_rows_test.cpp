@@ -142,7 +142,7 @@ TEST_F(EffectRowsTest, LightsThatDoNotShine_SayWhy) {
     scene_.lights[2].block.parameters["intensity"] = 0.0;
     EXPECT_EQ(row("Off").line.reason, "It is switched off.");
     EXPECT_EQ(row("Black").line.reason, "It is black.");
-    EXPECT_EQ(row("Dim").line.reason, "Its intensity is 0.");
+    EXPECT_EQ(row("Dim").line.reason, "Its “Intensity” is 0.");
 }
 
 TEST_F(EffectRowsTest, ConeWithoutAnyWidth_DoesNotShine) {
@@ -152,7 +152,7 @@ TEST_F(EffectRowsTest, ConeWithoutAnyWidth_DoesNotShine) {
     const std::uint64_t shining = EffectKey().ofScene(scene_, catalog());
     scene_.lights[0].block.parameters["angle.outer"] = 0.0;
     EXPECT_FALSE(isIn("lights/spot"));
-    EXPECT_EQ(row("Spot").line.reason, "Its outer angle is 0.");
+    EXPECT_EQ(row("Spot").line.reason, "Its “Outer angle” is 0.");
     EXPECT_NE(EffectKey().ofScene(scene_, catalog()), shining);
 }
 

@@ -75,7 +75,7 @@ TEST_F(EffectSetTest, DarkEnvironment_IsLeftOutWithAReason) {
     const SceneEffects effects = sceneEffects(scene, catalog());
     EXPECT_FALSE(effects.environment);
     ASSERT_EQ(effects.leftOut.size(), 1u);
-    EXPECT_EQ(effects.leftOut[0].reason, "It is dark. Its intensity is 0.");
+    EXPECT_EQ(effects.leftOut[0].reason, "It is dark. Its “Intensity” is 0.");
     EXPECT_NE(keys.ofScene(scene, catalog()), lit);
 }
 

@@ -62,7 +62,7 @@ bool negative(vec3 x) {
 void store(vec3 color, float alpha) {
     storedColor = vec4(float(!finite(color)), float(negative(color)), float(unsound), 1.0);
     return;)");
-        for (const std::string name : {"lit", "litWhereItArrives"}) {
+        for (const std::string name : {"litAnyway", "lit", "litWhereItArrives"}) {
             const std::string head = "vec3 " + name + "(Surface s, Illumination light, Model p) {";
             replace("passes/lit.glsl", head, head + R"(
     unsound = unsound || !finite(light.l) || !finite(light.radiance)

@@ -107,6 +107,18 @@ TEST_F(ProgramSourceTest, BlackHemisphere_NotInTheSource) {
     EXPECT_NE(lower(fragment(material("lambert"), scene)).find("hemisphere"), std::string::npos);
 }
 
+TEST_F(ProgramSourceTest, AmbientOfAModelThatTurningDoesNotChange_AsksNoSurface) {
+    Scene scene;
+    scene.ambient = glm::dvec3(0.1);
+    scene.hemisphere.sky = glm::dvec3(0.1);
+    const std::string even = fragment(material("phong"), scene);
+    EXPECT_NE(even.find("ambientShare(levelled(s), model)"), std::string::npos);
+    EXPECT_EQ(even.find("ambientShare(s, model)"), std::string::npos);
+    const std::string grained = fragment(material("ward"), scene);
+    EXPECT_NE(grained.find("ambientShare(s, model)"), std::string::npos);
+    EXPECT_EQ(grained.find("levelled"), std::string::npos);
+}
+
 TEST_F(ProgramSourceTest, EnvironmentWithoutAPicture_HasNoSamplerOfOne) {
     Scene scene;
     scene.environment = block("environment", "studio");
