@@ -9,6 +9,7 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
@@ -79,15 +80,17 @@ void add(Uniforms& uniforms, const TextureUse& use) {
     uniforms["imageThreshold"] = {float(use.threshold)};
 }
 
+/// Of the matrix that takes (x, 1) into the map.
+std::vector<float> rowOf(const ShadowView& view, const glm::dvec3& axis, double shift) {
+    return {float(axis.x), float(axis.y), float(axis.z),
+            float(shift - glm::dot(axis, view.origin))};
+}
+
 void add(Uniforms& uniforms, const ShadowView& view) {
-    uniforms["shadowRight"] = numbersOf(view.right);
-    uniforms["shadowUp"] = numbersOf(view.up);
-    uniforms["shadowForward"] = numbersOf(view.forward);
-    uniforms["shadowOrigin"] = numbersOf(view.origin);
-    uniforms["shadowWindow"] = {float(view.window.x), float(view.window.y), float(view.window.z),
-                                float(view.window.w)};
-    uniforms["shadowNear"] = {float(view.near)};
-    uniforms["shadowFar"] = {float(view.far)};
+    const double span = view.far - view.near;
+    uniforms["shadowAcross"] = rowOf(view, view.window.x * view.right, view.window.z);
+    uniforms["shadowUp"] = rowOf(view, view.window.y * view.up, view.window.w);
+    uniforms["shadowDepth"] = rowOf(view, view.forward / span, -view.near / span);
     uniforms["shadowTexel"] = {float(view.texel)};
 }
 

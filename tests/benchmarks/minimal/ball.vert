@@ -6,12 +6,15 @@ layout(location = 1) in vec3 normal;
 uniform mat4 objectToWorld;
 uniform mat3 normalToWorld;
 uniform mat4 worldToClip;
+uniform vec3 eye;
 
 out vec3 worldPosition;
+out vec3 toEye;
 centroid out vec3 worldNormal;
 
 void main() {
     worldPosition = (objectToWorld * vec4(position, 1.0)).xyz;
+    toEye = eye - worldPosition;
     worldNormal = normalToWorld * normal;
     gl_Position = worldToClip * vec4(worldPosition, 1.0);
 }

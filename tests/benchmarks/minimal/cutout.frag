@@ -10,7 +10,7 @@ void main() {
     if (mix(1.0, texel().a, imageStrength) < imageThreshold) {
         discard;
     }
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = seenNormal(v);
     color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction));
 }

@@ -6,7 +6,7 @@ uniform float light0Intensity;
 uniform float opacity;
 
 void main() {
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = seenNormal(v);
     color = vec4(stored(light0Color * light0Intensity * lit(n, v, -light0Direction)).rgb, opacity);
 }

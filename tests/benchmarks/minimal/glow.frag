@@ -6,7 +6,7 @@ uniform float light0Intensity;
 uniform vec3 emissiveColor;
 
 void main() {
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = seenNormal(v);
     color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction)
         + emissiveColor);

@@ -7,9 +7,8 @@ uniform vec3 fogColor;
 uniform float fogDensity;
 
 void main() {
-    vec3 way = eye - worldPosition;
-    float range = length(way);
-    vec3 v = way / range;
+    float range = length(toEye);
+    vec3 v = toEye / range;
     vec3 n = seenNormal(v);
     vec3 shaded = light0Color * light0Intensity * lit(n, v, -light0Direction);
     color = stored(mix(fogColor, shaded, exp(-fogDensity * range)));

@@ -7,13 +7,16 @@ layout(location = 3) in vec2 uv;
 uniform mat4 objectToWorld;
 uniform mat3 normalToWorld;
 uniform mat4 worldToClip;
+uniform vec3 eye;
 
 out vec3 worldPosition;
+out vec3 toEye;
 centroid out vec3 worldNormal;
 centroid out vec2 surfaceUv;
 
 void main() {
     worldPosition = (objectToWorld * vec4(position, 1.0)).xyz;
+    toEye = eye - worldPosition;
     worldNormal = normalToWorld * normal;
     surfaceUv = uv;
     gl_Position = worldToClip * vec4(worldPosition, 1.0);

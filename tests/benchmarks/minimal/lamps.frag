@@ -11,7 +11,7 @@ uniform float light1AttenuationLinear;
 uniform float light1AttenuationQuadratic;
 
 void main() {
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = seenNormal(v);
     vec3 way = light1Position - worldPosition;
     float range = length(way);

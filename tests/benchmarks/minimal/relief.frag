@@ -18,7 +18,7 @@ vec3 mappedNormal(vec3 n, vec3 v) {
 }
 
 void main() {
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = mappedNormal(seenNormal(v), v);
     color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction));
 }

@@ -9,8 +9,10 @@ layout(location = 4) in float side;
 uniform mat4 objectToWorld;
 uniform mat3 normalToWorld;
 uniform mat4 worldToClip;
+uniform vec3 eye;
 
 out vec3 worldPosition;
+out vec3 toEye;
 centroid out vec3 worldNormal;
 centroid out vec3 worldTangent;
 centroid out vec2 surfaceUv;
@@ -18,6 +20,7 @@ out float surfaceSide;
 
 void main() {
     worldPosition = (objectToWorld * vec4(position, 1.0)).xyz;
+    toEye = eye - worldPosition;
     worldNormal = normalToWorld * normal;
     worldTangent = mat3(objectToWorld) * tangent;
     surfaceUv = uv;

@@ -7,7 +7,7 @@ uniform vec3 fresnelF0;
 uniform vec3 fresnelColor;
 
 void main() {
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = seenNormal(v);
     vec3 shaded = light0Color * light0Intensity * lit(n, v, -light0Direction);
     vec3 share = fresnelF0 + (vec3(1.0) - fresnelF0) * pow5(1.0 - dot(n, v));

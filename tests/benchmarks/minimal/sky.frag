@@ -9,10 +9,9 @@ uniform vec3 groundColor;
 uniform vec3 skyUp;
 
 void main() {
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = seenNormal(v);
-    vec3 aside = normalize(cross(n, abs(n.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
     vec3 around = mix(groundColor, skyColor, 0.5 + 0.5 * dot(n, skyUp));
     color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction)
-        + around * lit(n, 0.5 * n + 0.8660254 * aside, n));
+        + around * lit(vec3(0.0, 0.0, 1.0), vec3(0.8660254, 0.0, 0.5), vec3(0.0, 0.0, 1.0)));
 }

@@ -11,7 +11,7 @@ uniform vec3 light2Color;
 uniform float light2Intensity;
 
 void main() {
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = seenNormal(v);
     color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction)
         + light1Color * light1Intensity * lit(n, v, -light1Direction)

@@ -5,7 +5,7 @@ uniform vec3 light0Color;
 uniform float light0Intensity;
 
 void main() {
-    vec3 v = normalize(eye - worldPosition);
+    vec3 v = normalize(toEye);
     vec3 n = seenNormal(v);
     color = stored(light0Color * light0Intensity * lit(n, v, -light0Direction));
 }

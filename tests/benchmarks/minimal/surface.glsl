@@ -4,9 +4,9 @@
 #include "lib/math.glsl"
 
 in vec3 worldPosition;
+in vec3 toEye;
 centroid in vec3 worldNormal;
 layout(location = 0) out vec4 color;
-uniform vec3 eye;
 
 vec3 towardsViewer(vec3 n, vec3 v) {
     float lack = 0.01 - dot(n, v);
@@ -15,7 +15,7 @@ vec3 towardsViewer(vec3 n, vec3 v) {
 
 // Between normals that oppose there is none.
 vec3 seenNormal(vec3 v) {
-    vec3 face = cross(dFdx(worldPosition), dFdy(worldPosition));
+    vec3 face = cross(dFdx(toEye), dFdy(toEye));
     vec3 n = worldNormal * inversesqrt(max(dot(worldNormal, worldNormal), 1e-30));
     return towardsViewer((dot(n, face) < 0.0) != (dot(face, v) < 0.0) ? -n : n, v);
 }
