@@ -2,6 +2,8 @@
 #include "gl/headless_context.h"
 
 #include <array>
+#include <map>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +23,33 @@ constexpr const char* needed = "OpenGL 4.1 core without a window (EGL)";
 bool clientExtension(std::string_view name) {
     const char* all = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     return all != nullptr && std::string_view(all).find(name) != std::string_view::npos;
+}
+
+/// Displays that nothing but contexts without a window are on, and how many on each.
+class OwnDisplays {
+  public:
+    bool open(EGLDisplay display) {
+        const std::lock_guard lock(mutex_);
+        const bool isOpen = eglInitialize(display, nullptr, nullptr) == EGL_TRUE;
+        contexts_[display] += isOpen ? 1 : 0;
+        return isOpen;
+    }
+
+    void close(EGLDisplay display) {
+        const std::lock_guard lock(mutex_);
+        if (--contexts_[display] == 0) {
+            eglTerminate(display);
+        }
+    }
+
+  private:
+    std::mutex mutex_;
+    std::map<EGLDisplay, int> contexts_;
+};
+
+OwnDisplays& ownDisplays() {
+    static OwnDisplays displays;
+    return displays;
 }
 
 void addDevices(std::vector<EGLDisplay>& displays) {
@@ -85,15 +114,18 @@ std::string offered(EGLDisplay display) {
 Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create(const Options& options) {
     std::string found;
     for (EGLDisplay display : candidateDisplays()) {
-        if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE ||
-            eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
+        if (display == EGL_NO_DISPLAY || !ownDisplays().open(display)) {
             continue;
         }
-        EGLContext context = coreContext(display, options.debug);
+        EGLContext context = EGL_NO_CONTEXT;
+        if (eglBindAPI(EGL_OPENGL_API) == EGL_TRUE) {
+            context = coreContext(display, options.debug);
+        }
         if (makeCurrent(display, context) && epoxy_gl_version() >= 41) {
             return std::unique_ptr<HeadlessContext>(new HeadlessContext(display, context));
         }
         found = found.empty() ? offered(display) : found;
+        ownDisplays().close(display);
     }
     return failure(found.empty() ? "found no usable EGL display" : found, needed);
 }
@@ -101,6 +133,7 @@ Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create(const Options& 
 HeadlessContext::~HeadlessContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
+    ownDisplays().close(display_);
 }
 
 } // namespace patina::gl

@@ -73,6 +73,9 @@ class FrameDrawer {
     /// See Renderer::lackedPrograms().
     std::uint64_t lackedPrograms(const Scene& scene, const View& view, const MeshSource& meshes);
 
+    /// See Renderer::makeTargets().
+    void makeTargets(const Scene& scene, const View& view, const MeshSource& meshes);
+
     /// See Renderer::foresee().
     bool foresee(const Scene& scene, const View& view, const MeshSource& meshes);
 

@@ -7,6 +7,7 @@
 
 #include "render/frame_drawer.h"
 #include "shading/material_print.h"
+#include "shading/refraction_choice.h"
 
 namespace patina {
 
@@ -58,6 +59,19 @@ std::uint64_t FrameDrawer::lackedPrograms(const Scene& scene, const View& view,
     }
     effects_ = nullptr;
     return lacked;
+}
+
+void FrameDrawer::makeTargets(const Scene& scene, const View& view, const MeshSource& meshes) {
+    if (catalog_ == nullptr) {
+        return;
+    }
+    effects_ = &effectsOf(view, scene);
+    heldEffects_ = effects_ != &scene;
+    collect(scene, view, meshes, Purpose::Frame);
+    count();
+    // What does not fit is told by the frame itself.
+    static_cast<void>(fitTarget(scene.accuracy, view, showsSceneBent(*effects_, *catalog_)));
+    effects_ = nullptr;
 }
 
 /// The programs of the picture, and those of a drag, in which places and distances decide nothing.

@@ -88,8 +88,11 @@ bool FrameDrawer::drawLayers(const Scene& scene, Deadline deadline) {
         drawLayerOutlines(scene);
     }
     const auto drawObjects = [this, &scene, deadline](TransparencyPass::Stage stage) {
-        const bool isQuick = stage == TransparencyPass::Stage::Depths;
-        return drawLayer(scene, stage, isQuick ? never : deadline);
+        if (stage == TransparencyPass::Stage::Layers) {
+            return drawLayer(scene, stage, deadline);
+        }
+        drawLayer(scene, stage, never); // quick, but maybe at the end of a step
+        return deadline == never || !mustStop(deadline);
     };
     if (isUnseen_) {
         transparency_.drawUnseen(target_, drawObjects);

@@ -186,20 +186,21 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
     implementation_->endInspection();
     implementation_->endSketch();
     implementation_->limitTextures(textureBytesAtOnce);
-    const Clock::time_point limit = Clock::now() + firstPatience;
+    const Clock::time_point began = Clock::now();
     if (!implementation_->begin(scene, view, meshes)) {
         return true;
     }
+    const bool isSlow = Clock::now() - began > firstPatience / 2; // and drawing may compile, too
     const bool isLarge = implementation_->isLarge();
     const FrameBands::Pace pace = implementation_->pace();
-    if (!isLarge && pace == FrameBands::Pace::Quick) {
+    if (!isLarge && pace == FrameBands::Pace::Quick && !isSlow) {
         implementation_->proceed(scene, view, FrameDrawer::never);
         implementation_->show(scene, view, framebuffer);
         return true;
     }
     implementation_->keep(scene, view);
-    const bool isDone = !isLarge && pace == FrameBands::Pace::Unknown &&
-                        implementation_->goOn(limit);
+    const bool isDone = !isLarge && pace == FrameBands::Pace::Unknown && !isSlow &&
+                        implementation_->goOn(began + firstPatience);
     if (isDone) {
         show(framebuffer);
     }
@@ -246,6 +247,11 @@ std::uint64_t Renderer::lackedPrograms(const Scene& scene, const View& view,
                                        const MeshSource& meshes) {
     implementation_->endSketch();
     return implementation_->lackedPrograms(scene, view, meshes);
+}
+
+void Renderer::makeTargets(const Scene& scene, const View& view, const MeshSource& meshes) {
+    implementation_->endSketch();
+    implementation_->makeTargets(scene, view, meshes);
 }
 
 bool Renderer::foresee(const Scene& scene, const View& view, const MeshSource& meshes) {

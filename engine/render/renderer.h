@@ -118,6 +118,10 @@ class Renderer {
     /// that is not done.
     std::uint64_t lackedPrograms(const Scene& scene, const View& view, const MeshSource& meshes);
 
+    /// Makes what a frame of this view is drawn into, while its programs are made elsewhere. Takes
+    /// the place of a frame that is not done.
+    void makeTargets(const Scene& scene, const View& view, const MeshSource& meshes);
+
     /// Makes the programs that a frame of this view would need, so that it need not wait for them.
     /// Nothing is shown, and the report stays; false when they are all there. Takes the place of a
     /// frame that is not done.

@@ -175,8 +175,8 @@ bool TransparencyPass::drawInOrder(const HdrTarget& target, const DrawObjects& d
         clearLayers();
     }
     for (; progress_.layer < layers_; ++progress_.layer) {
-        if (!std::exchange(progress_.hasDepths, true)) {
-            drawDepths(target, drawObjects);
+        if (!std::exchange(progress_.hasDepths, true) && !drawDepths(target, drawObjects)) {
+            return false;
         }
         if (!drawLayer(drawObjects)) {
             return false;
@@ -197,7 +197,7 @@ void TransparencyPass::clearLayers() const {
 }
 
 /// The nearest that is behind the layer before and in front of what is solid.
-void TransparencyPass::drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const {
+bool TransparencyPass::drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const {
     const Side& at = side(progress_.layer);
     const Side& nearer = side(progress_.layer + 1);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
@@ -214,11 +214,12 @@ void TransparencyPass::drawDepths(const HdrTarget& target, const DrawObjects& dr
     glDepthFunc(GL_LESS);
     nearer.depths.bind(binding::nearerLayer);
     at.isAnySeen.begin();
-    drawObjects(Stage::Depths);
+    const bool goesOn = drawObjects(Stage::Depths);
     gl::SampleQuery::end();
     if (progress_.layer > 0) {
         endCondition();
     }
+    return goesOn;
 }
 
 bool TransparencyPass::drawLayer(const DrawObjects& drawObjects) const {

@@ -28,7 +28,7 @@ class TransparencyPass {
         Depths, ///< with useDepths()
         Layers  ///< with their own programs
     };
-    /// False where not all of them are drawn yet, which Depths always are: the next call goes on.
+    /// False where it is time to stop; Layers are not all drawn then, and the next call goes on.
     using DrawObjects = std::function<bool(Stage)>;
 
     /// `layers`: so many are put in order; 0: all are mixed. The target has been fitted.
@@ -85,7 +85,7 @@ class TransparencyPass {
     Result<void> makeComposition(const Catalog& catalog, ProgramCache& cache);
     bool drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects);
     void clearLayers() const;
-    void drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const;
+    bool drawDepths(const HdrTarget& target, const DrawObjects& drawObjects) const;
     bool drawLayer(const DrawObjects& drawObjects) const;
     void beginConditionOf(const Side& side) const;
     void endCondition() const;

@@ -1,15 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <map>
 
+#include <QDirIterator>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
+#include "gl/driver.h"
 #include "ui/window_fixture.h"
+#include "viewport/program_worker.h"
 
 namespace patina::tests {
 namespace {
 
 constexpr int compilingMs = 20000;
+constexpr int writingMs = 500; ///< what a driver still has to write would be there by then
+
+/// The files below a folder and their sizes.
+std::map<QString, qint64> filesIn(const QString& folder) {
+    std::map<QString, qint64> files;
+    QDirIterator next(folder, QDir::Files, QDirIterator::Subdirectories);
+    while (next.hasNext()) {
+        const QFileInfo file(next.next());
+        files[file.filePath()] = file.size();
+    }
+    return files;
+}
 
 class ProgramsMadeElsewhere : public WindowFixture {
   protected:
@@ -62,6 +79,30 @@ TEST_F(ProgramsMadeElsewhere, WindowClosedMeanwhile_LeavesNothingBehind) {
     close();
     open();
     EXPECT_EQ(view().frameCount(), 1);
+}
+
+/// A view that looked for it too early would compile it again, in the window.
+TEST_F(ProgramsMadeElsewhere, WhatTheDriverMade_IsOnTheDiskWhenTheyAreFinished) {
+    view().makeCurrent();
+    const bool isSoftware = gl::isSoftware();
+    view().doneCurrent();
+    const QTemporaryDir driver;
+    const QByteArray before = qgetenv("MESA_SHADER_CACHE_DIR");
+    qputenv("MESA_SHADER_CACHE_DIR", driver.path().toUtf8());
+    ProgramWorker worker({});
+    QSignalSpy finished(&worker, &ProgramWorker::finished);
+    const Scene scene = document().scene(Side::A);
+    ProgramWorker::Frame frame{scene, {}, View(), {}, 1, nullptr};
+    frame.catalog = std::make_shared<const Catalog>(document().catalog());
+    frame.meshes.assign(scene.objects.size(), {glm::vec3(-1.0f), glm::vec3(1.0f)});
+    worker.ask(std::move(frame));
+    EXPECT_TRUE(finished.wait(compilingMs));
+    const auto written = filesIn(driver.path());
+    QTest::qWait(writingMs);
+    EXPECT_EQ(filesIn(driver.path()), written);
+    EXPECT_TRUE(!isSoftware || !written.empty());
+    before.isNull() ? qunsetenv("MESA_SHADER_CACHE_DIR")
+                    : qputenv("MESA_SHADER_CACHE_DIR", before);
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "viewport/program_worker.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "free_memory.h"
@@ -10,9 +9,6 @@
 
 namespace patina {
 namespace {
-
-/// How long the context is kept for the next frame.
-constexpr std::chrono::seconds patience{3};
 
 /// The longer side of the picture that nothing is drawn into.
 constexpr int side = 16;
@@ -64,10 +60,7 @@ class Workshop {
     }
 
     void make(const ProgramWorker::Frame& frame) {
-        if (catalog_ != frame.catalog) {
-            catalog_ = frame.catalog;
-            renderer_->setCatalog(catalog_);
-        }
+        renderer_->setCatalog(frame.catalog);
         std::vector<Mesh> meshes;
         for (const Bounds& bounds : frame.meshes) {
             meshes.push_back(bounds.empty() ? Mesh() : standInFor(bounds, trianglesFor(frame)));
@@ -85,7 +78,6 @@ class Workshop {
   private:
     std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
-    std::shared_ptr<const Catalog> catalog_;
 };
 
 } // namespace
@@ -101,7 +93,6 @@ ProgramWorker::~ProgramWorker() {
         const std::lock_guard lock(mutex_);
         isEnding_ = true;
     }
-    news_.notify_all();
     thread_.waitForDone();
 }
 
@@ -111,14 +102,12 @@ quint64 ProgramWorker::ask(Frame frame) {
     if (!std::exchange(isWorking_, true)) {
         thread_.start([this] { work(); });
     }
-    news_.notify_all();
     return asked_;
 }
 
-/// The next frame; nothing when there was none for a while.
+/// The next frame, if there is one.
 std::optional<ProgramWorker::Job> ProgramWorker::next() {
-    std::unique_lock lock(mutex_);
-    news_.wait_for(lock, patience, [this] { return isEnding_ || !jobs_.empty(); });
+    const std::lock_guard lock(mutex_);
     if (isEnding_ || jobs_.empty()) {
         isWorking_ = false;
         return std::nullopt;
@@ -129,14 +118,12 @@ std::optional<ProgramWorker::Job> ProgramWorker::next() {
 }
 
 void ProgramWorker::work() {
-    std::unique_ptr<Workshop> shop = Workshop::open(programCache_);
     while (const std::optional<Job> job = next()) {
-        if (shop) {
+        if (const auto shop = Workshop::open(programCache_)) {
             shop->make(job->frame);
-        }
+        } // what the driver has made is on the disk when its context is gone
         Q_EMIT finished(job->number);
     }
-    shop.reset();
     returnFreeMemory();
 }
 

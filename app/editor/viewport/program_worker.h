@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -20,8 +19,8 @@ namespace patina {
 
 /// Makes the programs of frames in a thread with a context of its own, so that the window need not
 /// wait for compilers. What comes of it lies in the folder of programs and in the driver's own
-/// cache, where the views' contexts find it. The context goes when there was nothing to do for some
-/// seconds.
+/// cache, where the views' contexts find it: such a driver writes it in the background, so a frame
+/// is finished only when its context is gone.
 class ProgramWorker : public QObject {
     Q_OBJECT
 
@@ -62,7 +61,6 @@ class ProgramWorker : public QObject {
     std::deque<Job> jobs_;
     bool isWorking_ = false;
     bool isEnding_ = false;
-    std::condition_variable news_;
     QThreadPool thread_;
 };
 

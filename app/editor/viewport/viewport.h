@@ -181,6 +181,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void makeForeseen();
     bool waitsForPrograms();
     void takePrograms(quint64 number);
+    void makeTargets();
     quint64 askFor(const Scene& scene, const View& view);
     void prepareForeseen();
     void watchForRest();

@@ -24,10 +24,18 @@ bool Viewport::waitsForPrograms() {
     ordered_ = {askFor(sources_.scene(), view()), lacked};
     ++waitCount_;
     progress_ = Progress::Waiting;
+    turn_.start(0);
     if (isNew_) {
         showNote();
     }
     return true;
+}
+
+/// Meanwhile; it takes as long as several steps of a frame.
+void Viewport::makeTargets() {
+    makeCurrent();
+    renderer_->makeTargets(sources_.scene(), view(), sources_.meshes);
+    doneCurrent();
 }
 
 quint64 Viewport::askFor(const Scene& scene, const View& view) {
@@ -49,6 +57,7 @@ void Viewport::takePrograms(quint64 number) {
     if (number == ordered_.number) {
         ordered_.number = 0;
         if (progress_ == Progress::Waiting) {
+            turn_.stop();
             progress_ = Progress::Idle;
             stale_ = true;
             update();

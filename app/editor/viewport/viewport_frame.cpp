@@ -96,6 +96,10 @@ void Viewport::proceed() {
         proceedCapture();
         return;
     }
+    if (progress_ == Progress::Waiting) {
+        makeTargets();
+        return;
+    }
     makeCurrent();
     const bool done = renderer_->proceed(framePatience);
     doneCurrent();
