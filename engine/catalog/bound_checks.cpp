@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/bound_checks.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "catalog/suggestion.h"
@@ -21,12 +19,6 @@ class BoundChecker {
         }
         if (block_.reach) {
             checkReach(*block_.reach);
-        }
-        for (std::size_t i = 0; i < block_.neutral.size(); ++i) {
-            for (const NeutralValue& value : block_.neutral[i]) {
-                const auto place = nlohmann::json::json_pointer("/neutral") / i / value.id;
-                checkNeutral(place, value);
-            }
         }
         return std::move(errors_);
     }
@@ -64,40 +56,6 @@ class BoundChecker {
         if (reach.axis.empty() != reach.angle.empty()) {
             add("/reach", "a cone has an axis and an angle", "both of them or neither");
         }
-    }
-
-    void checkNeutral(const nlohmann::json::json_pointer& place, const NeutralValue& value) {
-        const std::string pointer = place.to_string();
-        const AccuracyChoice* choice = block_.accuracyChoice(value.id);
-        const Parameter* parameter = block_.parameter(value.id);
-        const nlohmann::json& given = document_.value.at(place);
-        if (!given.is_string() && given != 0) {
-            add(pointer, "this does not say when the block does nothing",
-                "0, a parameter's id, or what is chosen");
-        } else if (choice == nullptr && parameter == nullptr) {
-            add(pointer, fmt::format("\"{}\" is not a parameter of the block", value.id),
-                "a parameter or an accuracy choice");
-        } else if (choice != nullptr || parameter->type == ParameterType::Enum) {
-            checkWord(pointer, value.word, choice != nullptr ? choice->values : parameter->values);
-        } else if (!isNumeric(*parameter)) {
-            add(pointer, "only numbers, vectors and colours can be 0", "another parameter");
-        } else if (!value.word.empty() && (block_.parameter(value.word) == nullptr ||
-                                           !isNumeric(*block_.parameter(value.word)))) {
-            add(pointer, fmt::format("\"{}\" is not a number of the block", value.word),
-                "0, or the parameter that it is the same as");
-        }
-    }
-
-    void checkWord(const std::string& pointer, const std::string& word,
-                   const std::vector<EnumValue>& values) {
-        if (std::ranges::find(values, word, &EnumValue::id) == values.end()) {
-            add(pointer, fmt::format("\"{}\" cannot be chosen here", word), "one of its values");
-        }
-    }
-
-    static bool isNumeric(const Parameter& parameter) {
-        return parameter.type == ParameterType::Float || parameter.type == ParameterType::Angle ||
-               parameter.type == ParameterType::Color || parameter.type == ParameterType::Vec3;
     }
 
     void checkType(const std::string& pointer, const std::string& id, ParameterType type,

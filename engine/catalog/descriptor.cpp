@@ -257,7 +257,7 @@ std::optional<Hiding> hidingFrom(const Fields& fields) {
     return hiding;
 }
 
-/// A number, which boundMistakes() sees to be 0, leaves the word empty.
+/// A number, which neutralMistakes() sees to be 0, leaves the word empty.
 NeutralCase neutralFrom(const Fields& fields) {
     NeutralCase neutral;
     for (const std::string& id : fields.names()) {

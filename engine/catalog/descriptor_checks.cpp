@@ -12,6 +12,7 @@
 #include "catalog/bound_checks.h"
 #include "catalog/expression.h"
 #include "catalog/fill_checks.h"
+#include "catalog/neutral_checks.h"
 #include "catalog/reserved_words.h"
 #include "catalog/role_checks.h"
 #include "catalog/shadow_checks.h"
@@ -375,7 +376,7 @@ Errors descriptorMistakes(const Descriptor& descriptor) {
     Errors errors = Checker(descriptor).run();
     for (const Errors& more :
          {fillMistakes(descriptor), shadowMistakes(descriptor), boundMistakes(descriptor),
-          tableMistakes(descriptor), roleMistakes(descriptor)}) {
+          neutralMistakes(descriptor), tableMistakes(descriptor), roleMistakes(descriptor)}) {
         errors.insert(errors.end(), more.begin(), more.end());
     }
     return errors;
@@ -386,8 +387,7 @@ Errors slotMistakes(const Descriptor& descriptor, const IdsOfKind& idsOfKind) {
     for (std::size_t i = 0; i < descriptor.block.slots.size(); ++i) {
         const Slot& slot = descriptor.block.slots[i];
         const std::vector<std::string> ids = idsOfKind(slot.kind);
-        if (!slot.defaultBlock.empty() &&
-            std::find(ids.begin(), ids.end(), slot.defaultBlock) == ids.end()) {
+        if (!slot.defaultBlock.empty() && std::ranges::find(ids, slot.defaultBlock) == ids.end()) {
             errors.push_back(descriptor.document.error(
                 fmt::format("/slots/{}/default", i),
                 fmt::format("there is no {} block \"{}\"", slot.kind, slot.defaultBlock),

@@ -4,15 +4,24 @@
 #include "material/block_values.h"
 
 namespace patina {
+namespace {
+
+/// Values that a file gave stay as they are then, also those that it left out.
+bool isAsItWas(const Block* before, const Block& after) {
+    return before != nullptr && *before == after;
+}
+
+} // namespace
 
 BlockValues reconciled(const BlockValues& values, std::string_view kind, const Catalog& before,
                        const Catalog& after) {
+    const Block* from = before.find(kind, values.id);
     const Block* to = after.find(kind, values.id);
-    if (to == nullptr) {
+    if (to == nullptr || isAsItWas(from, *to)) {
         return values;
     }
     nlohmann::json parked = values.unknown.value("parked", nlohmann::json::object());
-    BlockValues next = carriedOver(values, before.find(kind, values.id), *to, parked);
+    BlockValues next = carriedOver(values, from, *to, parked);
     next.unknown.erase("parked");
     if (!parked.empty()) {
         next.unknown["parked"] = std::move(parked);
@@ -22,12 +31,16 @@ BlockValues reconciled(const BlockValues& values, std::string_view kind, const C
 
 Material reconciled(const Material& material, const Catalog& before, const Catalog& after) {
     Material next = material;
-    if (const Block* model = after.find("models", material.model.id)) {
-        next = withModel(next, before.find("models", material.model.id), *model);
+    const Block* modelBefore = before.find("models", material.model.id);
+    const Block* model = after.find("models", material.model.id);
+    if (model != nullptr && !isAsItWas(modelBefore, *model)) {
+        next = withModel(next, modelBefore, *model);
     }
     for (const auto& [kind, values] : material.parts) {
-        if (const Block* block = after.find(kind, values.id)) {
-            next = withPart(next, kind, before.find(kind, values.id), block);
+        const Block* partBefore = before.find(kind, values.id);
+        const Block* block = after.find(kind, values.id);
+        if (block != nullptr && !isAsItWas(partBefore, *block)) {
+            next = withPart(next, kind, partBefore, block);
         }
     }
     return next;

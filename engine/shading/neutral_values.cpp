@@ -86,14 +86,11 @@ const NeutralCase* neutralCase(const Block& block, const Values& values,
     return found == block.neutral.end() ? nullptr : &*found;
 }
 
-std::string lowered(std::string word) {
-    if (!word.empty()) {
-        word.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(word.front())));
-    }
-    return word;
+std::string quotedLabel(std::string_view label) {
+    return fmt::format("“{}”", label);
 }
 
-/// "its key, fill and top are 0"; empty for none.
+/// "its “Key”, “Fill” and “Top” are 0"; empty for none.
 std::string listText(const std::vector<std::string>& labels, const char* what) {
     if (labels.empty()) {
         return {};
@@ -104,10 +101,10 @@ std::string listText(const std::vector<std::string>& labels, const char* what) {
                                        labels.back(), what);
 }
 
-/// "its index outside and index inside are both 1.5".
+/// "its “Index outside” and “Index inside” are both 1.5".
 std::string equalText(const Parameter& one, const Parameter& other, const Values& values) {
-    return fmt::format("its {} and {} are both {:.4g}", lowered(one.label), lowered(other.label),
-                       partsOf(one, values).x);
+    return fmt::format("its {} and {} are both {:.4g}", quotedLabel(one.label),
+                       quotedLabel(other.label), partsOf(one, values).x);
 }
 
 std::string caseText(const NeutralCase& neutral, const Block& block, const Values& values) {
@@ -125,7 +122,7 @@ std::string caseText(const NeutralCase& neutral, const Block& block, const Value
         } else {
             std::vector<std::string>& signedOrNot = parameter.min < 0.0 ? less : zero;
             (parameter.type == ParameterType::Color ? black : signedOrNot)
-                .push_back(lowered(parameter.label));
+                .push_back(quotedLabel(parameter.label));
         }
     }
     for (std::string text : {listText(zero, "0"), listText(less, "not above 0"),
@@ -151,7 +148,7 @@ std::string whyNeutral(const Block& block, const Values& values, const AccuracyL
     if (const Parameter* zero = decisiveZero(block, values)) {
         const char* what = zero->type == ParameterType::Color ? "black" : "0";
         return zero->id == "color" ? "It is black."
-                                   : fmt::format("Its {} is {}.", lowered(zero->label), what);
+                                   : fmt::format("Its {} is {}.", quotedLabel(zero->label), what);
     }
     const NeutralCase* neutral = neutralCase(block, values, levels);
     return neutral == nullptr ? std::string() : caseText(*neutral, block, values);

@@ -13,7 +13,7 @@ namespace patina {
 /// intensity or density, or with a cone that has no angle. Allocates nothing.
 bool isNeutral(const Block& block, const Values& values, const AccuracyLevels& levels = {});
 
-/// "It is black.", "Its density is 0.": why isNeutral() holds; empty where it does not.
+/// "It is black.", "Its “Density” is 0.": why isNeutral() holds; empty where it does not.
 std::string whyNeutral(const Block& block, const Values& values,
                        const AccuracyLevels& levels = {});
 

@@ -28,26 +28,26 @@ void PrintTo(const Neutral& neutral, std::ostream* out) {
 const glm::dvec3 black(0.0);
 
 const std::vector<Neutral> neutrals{
-    {"fresnel", "constant", {{"f0", black}}, "Its reflectance is black."},
-    {"fresnel", "constant", {{"f0", black}}, "Its reflectance is black.", "cook-torrance"},
-    {"fresnel", "constant", {{"f0", black}}, "Its reflectance is black.", "ashikhmin-shirley"},
+    {"fresnel", "constant", {{"f0", black}}, "Its “Reflectance” is black."},
+    {"fresnel", "constant", {{"f0", black}}, "Its “Reflectance” is black.", "cook-torrance"},
+    {"fresnel", "constant", {{"f0", black}}, "Its “Reflectance” is black.", "ashikhmin-shirley"},
     {"fresnel",
      "dielectric",
      {{"index.inside", 1.3}, {"index.outside", 1.3}},
-     "Its index outside and index inside are both 1.3.",
+     "Its “Index outside” and “Index inside” are both 1.3.",
      "cook-torrance"},
-    {"fresnel", "blinn-f0", {{"f0", black}}, "Its reflectance facing you is black."},
+    {"fresnel", "blinn-f0", {{"f0", black}}, "Its “Reflectance facing you” is black."},
     {"fresnel",
      "empirical",
      {{"bias", -0.5}, {"scale", 0.0}},
-     "Its everywhere and added at the rim are not above 0."},
+     "Its “Everywhere” and “Added at the rim” are not above 0."},
     {"fresnel",
      "conductor",
      {{"eta", glm::dvec3(1.0)}, {"k", black}},
-     "Its index outside and refractive index are both 1, and its absorption is 0."},
-    {"specular", "phong", {{"specular.color", black}}, "Its highlight colour is black.",
+     "Its “Index outside” and “Refractive index” are both 1, and its “Absorption” is 0."},
+    {"specular", "phong", {{"specular.color", black}}, "Its “Highlight colour” is black.",
      "lambert"},
-    {"specular", "gaussian", {{"gloss", 0.0}}, "Its gloss is 0.", "oren-nayar"},
+    {"specular", "gaussian", {{"gloss", 0.0}}, "Its “Gloss” is 0.", "oren-nayar"},
 };
 
 class NeutralValues : public GpuTest, public testing::WithParamInterface<Neutral> {
@@ -136,8 +136,8 @@ TEST_F(NeutralSceneTest, DarkStudio_IsInNoProgramAndInNoPixel) {
     EXPECT_EQ(std::ranges::count(renderer->report().effects, "environment/studio"), 0);
     const auto rows = objectRows(scene, 0, *catalog, meshSource());
     EXPECT_TRUE(std::ranges::any_of(rows, [](const EffectRow& row) {
-        return row.line.reason == "It is dark. Its key, fill, rim and top are 0, and its walls, "
-                                  "ceiling and floor are black.";
+        return row.line.reason == "It is dark. Its “Key”, “Fill”, “Rim” and “Top” are 0, and its "
+                                  "“Walls”, “Ceiling” and “Floor” are black.";
     }));
     scene.environment.reset();
     EXPECT_EQ(capture(scene).pixels, dark.pixels);
