@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "measure/cost_table.h"
+
 namespace patina {
 namespace {
 
@@ -60,14 +62,15 @@ std::string timeText(double milliseconds, const EffectCosts& costs) {
     return fmt::format("{:8.3f} ms {:5.1f} %", milliseconds, percentOf(milliseconds, costs));
 }
 
-/// "   1.234 ms   9.8 % (1.200 .. 1.300)"; in as many columns when there is nothing to say.
+/// "   1.234 ms   9.8 % (1.200 .. 1.300)", with a mark behind the share where too few pairs tell.
 std::string costText(const EffectRow& row, const EffectCosts& costs) {
     const EffectCost* cost = costs.of(row.line.effect);
     if (cost == nullptr) {
-        return row.in ? "cannot be left out" : "";
+        return !row.in ? "" : row.removable ? "       no time for it" : "cannot be left out";
     }
     const std::string interval =
-        fmt::format(" ({:.3f} .. {:.3f})", cost->milliseconds.lower, cost->milliseconds.upper);
+        fmt::format("{} ({:.3f} .. {:.3f})", cost->isSure() ? "" : " !",
+                    cost->milliseconds.lower, cost->milliseconds.upper);
     return cost->belowNoise() ? "       below noise" + interval
                               : timeText(cost->milliseconds.median, costs) + interval;
 }
@@ -92,21 +95,27 @@ std::size_t widest(const std::vector<std::string>& cells) {
     return columns;
 }
 
+bool lacksTime(const EffectRow& row, const EffectCosts& costs) {
+    return row.in && row.removable && costs.of(row.line.effect) == nullptr;
+}
+
 std::string totalText(const EffectTable& table) {
     const EffectCosts& costs = *table.costs;
     const double sum = sumOf(costs, table.rows);
+    const bool isPart = std::ranges::any_of(
+        table.rows, [&costs](const EffectRow& row) { return lacksTime(row, costs); });
     return fmt::format("\neffects that are within none  {}\n"
-                       "the rest, which is no effect  {}\n"
+                       "{}  {}\n"
                        "the whole frame               {} ({:.3f} .. {:.3f})\n"
-                       "{} x {} pixels, {} pairs of frames for each effect, {}; medians with "
-                       "intervals of 95 %\n",
-                       timeText(sum, costs), timeText(costs.rest, costs),
-                       timeText(costs.frame.median, costs), costs.frame.lower, costs.frame.upper,
-                       costs.size.x, costs.size.y, costs.pairs, costs.method);
-}
-
-nlohmann::json intervalJson(const MedianInterval& interval) {
-    return {{"median", interval.median}, {"lower", interval.lower}, {"upper", interval.upper}};
+                       "{} x {} pixels, {} pairs of frames for each effect, {}; {}\n",
+                       timeText(sum, costs),
+                       isPart ? "the rest, some effects too  " : "the rest, which is no effect",
+                       timeText(costs.rest, costs), timeText(costs.frame.median, costs),
+                       costs.frame.lower, costs.frame.upper, costs.size.x, costs.size.y,
+                       costs.pairs, costs.method,
+                       costs.secondsNeeded > 0.0
+                           ? "medians; ! too few pairs for an interval of 95 %"
+                           : "medians with intervals of 95 %");
 }
 
 nlohmann::json rowJson(const EffectRow& row, const std::optional<EffectCosts>& costs) {
@@ -117,21 +126,27 @@ nlohmann::json rowJson(const EffectRow& row, const std::optional<EffectCosts>& c
                         {"within", row.within}};
     const EffectCost* cost = costs ? costs->of(row.line.effect) : nullptr;
     if (cost != nullptr) {
-        json["milliseconds"] = intervalJson(cost->milliseconds);
+        json["milliseconds"] = intervalJson(cost->milliseconds, std::max(cost->pairs, 1));
         json["percent"] = percentOf(cost->milliseconds.median, *costs);
         json["belowNoise"] = cost->belowNoise();
+        json["pairs"] = cost->pairs;
+        json["sure"] = cost->isSure();
     }
     return json;
 }
 
 nlohmann::json costsJson(const EffectTable& table) {
     const EffectCosts& costs = *table.costs;
-    return {{"frame", intervalJson(costs.frame)},
-            {"effects", sumOf(costs, table.rows)},
-            {"rest", costs.rest},
-            {"size", {costs.size.x, costs.size.y}},
-            {"pairs", costs.pairs},
-            {"method", costs.method}};
+    nlohmann::json json{{"frame", intervalJson(costs.frame, std::max(costs.pairs, 1))},
+                        {"effects", sumOf(costs, table.rows)},
+                        {"rest", costs.rest},
+                        {"size", {costs.size.x, costs.size.y}},
+                        {"pairs", costs.pairs},
+                        {"method", costs.method}};
+    if (costs.secondsNeeded > 0.0) {
+        json["secondsNeeded"] = costs.secondsNeeded;
+    }
+    return json;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -14,6 +15,7 @@
 #include "cli/effect_table.h"
 #include "cli/environment_setup.h"
 #include "cli/marked_source.h"
+#include "cli/option_numbers.h"
 #include "cli/picture.h"
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
@@ -39,7 +41,7 @@ struct Options {
     bool noCost = false;
     bool hasSize = false; ///< the size is the command line's
     double seconds = 10.0;
-    std::string object; ///< its name, or its number from 1; empty: the first one
+    std::optional<std::string> object; ///< its name, or its number from 1; none: the first one
 };
 
 /// Of a scene: the object of the options, counted from 0.
@@ -74,15 +76,15 @@ std::size_t numberIn(const std::string& text) {
     return status == std::errc() && end == text.data() + text.size() ? number : 0;
 }
 
-/// A name is taken before a number, so that an object called "2" can be had.
+/// A name is taken before a number, so that an object called "2" can be had. No object is called
+/// nothing.
 Result<std::size_t> chosenObject(const Scene& scene, const std::string& wanted) {
-    if (wanted.empty()) {
-        return std::size_t(0);
-    }
-    const std::vector<std::size_t> named = objectsNamed(scene, wanted);
+    const std::vector<std::size_t> named =
+        wanted.empty() ? std::vector<std::size_t>() : objectsNamed(scene, wanted);
     if (named.size() > 1) {
-        return failure(fmt::format("--object {}: {} objects are called so", wanted, named.size()),
-                       fmt::format("one of the numbers {}", numbersText(named)));
+        return failure(
+            fmt::format("--object \"{}\": {} objects are called so", wanted, named.size()),
+            fmt::format("one of the numbers {}", numbersText(named)));
     }
     if (named.size() == 1) {
         return named.front();
@@ -91,10 +93,22 @@ Result<std::size_t> chosenObject(const Scene& scene, const std::string& wanted) 
     if (number >= 1 && number <= scene.objects.size()) {
         return number - 1;
     }
-    return failure(fmt::format("--object {}: the scene has no such object", wanted),
+    return failure(fmt::format("--object \"{}\": the scene has no such object", wanted),
                    scene.objects.size() == 1
                        ? std::string("1")
                        : fmt::format("a name, or a number from 1 to {}", scene.objects.size()));
+}
+
+/// That the time is too short for certain costs, and what would be enough.
+void reportShortTime(const EffectCosts& costs, const Options& options) {
+    if (costs.secondsNeeded > 0.0) {
+        report(oneError(
+            failure(fmt::format("--seconds {:g} is too short for certain costs of all effects",
+                                options.seconds),
+                    fmt::format("about {:.0f} here{}", std::ceil(costs.secondsNeeded),
+                                options.hasSize ? ", or a smaller --size" : ""))
+                .value()));
+    }
 }
 
 /// The costs; nothing, and a remark, where there is no graphics driver.
@@ -119,6 +133,7 @@ Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject,
     if (!costs.problems.empty()) {
         return tl::unexpected(costs.problems);
     }
+    reportShortTime(costs, options);
     return costs;
 }
 
@@ -194,10 +209,17 @@ void printStages(const std::string& name, const ProgramSource& program,
     std::cout << markedSource(name + "fragment stage", program.fragment, lines);
 }
 
-/// The program for what the table shows: seen from the scene's camera.
+/// The program for what the table shows: seen from the scene's camera. An object that is not drawn
+/// has none.
 Checked<void> printSource(const Shown& subject, const Options& options, const Catalog& catalog,
                           Images& images) {
     const auto& [scene, object, meshes] = subject;
+    if (const std::string why = whyNotDrawn(scene, object, meshes, aspectOf(options));
+        !why.empty()) {
+        return tl::unexpected(oneError(
+            failure(fmt::format("{} has no shader: {}", objectText(shownObject(subject)), why))
+                .value()));
+    }
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog,
                                     objectView(scene, object, catalog, meshes));
     const auto programs = programsOf(set, catalog);
@@ -242,7 +264,8 @@ Checked<void> effects(const Options& options) {
         return tl::unexpected(oneError(
             failure("the scene is empty", "a preset, --model or --mesh beside it").value()));
     }
-    const auto object = chosenObject(setup->scene, options.object);
+    const auto object = options.object ? chosenObject(setup->scene, *options.object)
+                                       : Result<std::size_t>(0);
     if (!object) {
         return tl::unexpected(oneError(object.error()));
     }
@@ -278,16 +301,16 @@ void addEffects(CLI::App& program, int& status) {
     command->add_option("--object", options->object,
                         "The object whose effects are listed: its name, or its number from 1; "
                         "unless given the first one, which has the preset");
-    command->add_flag("--source", options->source, "Print the shader instead, each block marked");
+    command->add_flag("--source", options->source,
+                      "Print the shader instead, each block marked; with --json its stages beside "
+                      "the list, as \"vertex\" and \"fragment\"");
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--no-cost", options->noCost,
                       "Do not draw the frames that show what each effect costs");
-    command
-        ->add_option("--seconds", options->seconds,
-                     "About so long the frames for the costs are drawn; slow ones are drawn "
-                     "smaller unless --size is given, and less often")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+    addSecondsOption(*command, options->seconds,
+                     "No longer than about this frames for the costs are drawn, what programs "
+                     "take to be made apart; slow ones are drawn smaller unless --size is given, "
+                     "and less often, and costs of too few are marked !");
     command->callback([options, command, &status] {
         options->hasSize = command->count("--size") > 0;
         const auto done = effects(*options);

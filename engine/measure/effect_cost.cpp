@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -17,14 +18,20 @@ namespace {
 constexpr glm::ivec2 effectSizeOnCpu{256, 256};
 constexpr glm::ivec2 effectSizeOnDevice{1024, 1024};
 
-/// The first round compiles and lets the driver prepare; its times count for nothing.
-constexpr int warmUpRounds = 1;
+/// The first frames compile and let the driver prepare, which small ones do as well.
+constexpr int warmUpEdge = 16;
 
 /// Smaller frames say little of larger ones.
-constexpr glm::ivec2 leastSize{64, 64};
+constexpr int leastEdge = 64;
 
 /// An interval of 95 % needs 6 samples.
 constexpr int leastRounds = 7;
+
+/// A size that is larger by less is not worth another trial.
+constexpr double leastGrowth = 1.2;
+
+/// The rest of the time is for frames that count.
+constexpr double mostOfWarmUp = 0.5;
 
 glm::ivec2 effectSize(glm::ivec2 wanted) {
     if (wanted.x > 0 && wanted.y > 0) {
@@ -33,13 +40,19 @@ glm::ivec2 effectSize(glm::ivec2 wanted) {
     return gl::isSoftware() ? effectSizeOnCpu : effectSizeOnDevice;
 }
 
+/// In the same shape; no smaller than one pixel, no larger than it is.
+glm::ivec2 withShortEdge(glm::ivec2 size, double edge) {
+    const double part = std::min(1.0, edge / std::min(size.x, size.y));
+    return glm::max(glm::ivec2(part * glm::dvec2(size)), glm::ivec2(1));
+}
+
 } // namespace
 
 class EffectCostMeter::Implementation {
   public:
     Implementation(Subject subject, const Options& options, std::unique_ptr<TimedFrames> drawn)
-        : subject_(std::move(subject)), rounds_(options.rounds + warmUpRounds),
-          seconds_(options.seconds), mayShrink_(options.mayShrink), drawn_(std::move(drawn)) {
+        : subject_(std::move(subject)), rounds_(options.rounds), seconds_(options.seconds),
+          mayShrink_(options.mayShrink), drawn_(std::move(drawn)), size_(drawn_->size()) {
         view_.camera = subject_.camera;
         view_.environmentImage = subject_.environment;
         for (const EffectRow& row : subject_.rows) {
@@ -50,51 +63,47 @@ class EffectCostMeter::Implementation {
                      {}});
             }
         }
+        ready_ = tests_.size();
     }
 
     void step() {
         if (finished()) {
             return;
         }
-        if (done_ == 0 && mayShrink_) {
-            shrink();
-        }
-        const bool counts = done_ >= warmUpRounds * perRound();
-        const auto began = Clock::now();
-        const double with = drawn_->timeOf(subject_.scene, view_);
-        if (counts) {
-            frames_.push_back(with);
-        }
-        if (!tests_.empty()) {
-            Test& test = tests_[static_cast<std::size_t>(done_) % tests_.size()];
-            const double without = drawn_->timeOf(test.scene, view_);
-            if (counts) {
-                test.differences.push_back(with - without);
-            }
-        }
-        ++done_;
-        if (counts) {
-            counted_ += Clock::now() - began;
-        }
-        if (done_ == (warmUpRounds + 1) * perRound()) {
-            fitRounds();
+        if (warm_ < warmUpFrames()) {
+            warmUp();
+        } else {
+            addPair();
         }
     }
 
-    bool finished() const { return done_ >= total() || !drawn_->problems().empty(); }
-    double progress() const { return finished() ? 1.0 : double(done_) / total(); }
+    bool finished() const {
+        const bool isLate = !frames_.empty() && spent_ + secondsOfPair() > seconds_;
+        return isLate || pairs() >= rounds_ * perRound() || !drawn_->problems().empty();
+    }
+
+    double progress() const {
+        const double all = warmUpFrames() + rounds_ * perRound();
+        const double share = std::max((warm_ + pairs()) / all, spent_ / std::max(seconds_, 1e-6));
+        return finished() ? 1.0 : std::min(share, 1.0);
+    }
 
     EffectCosts costs() const {
         EffectCosts costs;
         costs.frame = medianInterval(frames_);
+        costs.pairs = pairs() / perRound();
         for (const Test& test : tests_) {
-            if (!test.differences.empty()) {
-                costs.effects.push_back({test.effect, medianInterval(test.differences)});
+            const int pairs = static_cast<int>(test.differences.size());
+            if (pairs > 0) {
+                costs.effects.push_back({test.effect, medianInterval(test.differences), pairs});
             }
+            if (pairs == 0 || !costs.effects.back().isSure()) {
+                costs.secondsNeeded = secondsForAll();
+            }
+            costs.pairs = std::min(costs.pairs, pairs);
         }
         costs.rest = costs.frame.median - sumOf(costs, subject_.rows);
         costs.size = drawn_->size();
-        costs.pairs = static_cast<int>(frames_.size()) / perRound();
         costs.method = drawn_->method();
         costs.problems = drawn_->problems();
         return costs;
@@ -110,37 +119,91 @@ class EffectCostMeter::Implementation {
 
     using Clock = std::chrono::steady_clock;
 
-    int perRound() const { return std::max(static_cast<int>(tests_.size()), 1); }
-    int total() const { return rounds_ * perRound(); }
+    int perRound() const { return std::max(static_cast<int>(ready_), 1); }
+    int warmUpFrames() const { return 1 + static_cast<int>(ready_); }
+    int pairs() const { return static_cast<int>(frames_.size()); }
 
-    /// So small that the fewest rounds end in time: a frame takes about as long as it has pixels.
-    /// The first one, which compiles, tells nothing.
-    void shrink() {
-        drawn_->timeOf(subject_.scene, view_);
-        const double frame = drawn_->timeOf(subject_.scene, view_) / 1000.0;
-        const double all = 2.0 * frame * perRound() * std::min(rounds_, leastRounds + warmUpRounds);
-        if (all > seconds_) {
-            const glm::dvec2 size = std::sqrt(seconds_ / all) * glm::dvec2(drawn_->size());
-            drawn_->resize(glm::min(drawn_->size(), glm::max(glm::ivec2(size), leastSize)));
+    /// Milliseconds of a frame. What it takes altogether, or up to `most` seconds of that, counts
+    /// as spent.
+    double timeOf(const Scene& scene, double most = std::numeric_limits<double>::infinity()) {
+        const auto began = Clock::now();
+        const double time = drawn_->timeOf(scene, view_);
+        last_ = std::chrono::duration<double>(Clock::now() - began).count();
+        spent_ += std::min(last_, most);
+        return time;
+    }
+
+    /// The next of the small frames: the whole one, then one without each effect.
+    void warmUp() {
+        if (warm_ == 0) {
+            drawn_->resize(withShortEdge(size_, warmUpEdge));
+            timeOf(subject_.scene, 0.0);
+            timeOf(subject_.scene);
+            warmFrame_ = last_;
+        } else {
+            timeOf(tests_[static_cast<std::size_t>(warm_) - 1].scene, warmFrame_);
+        }
+        ++warm_;
+        if (warm_ > 1 && spent_ > mostOfWarmUp * seconds_) {
+            ready_ = static_cast<std::size_t>(warm_) - 1;
+        }
+        if (warm_ == warmUpFrames()) {
+            chooseSize();
         }
     }
 
-    /// As many rounds as there is time for, now that one was timed.
-    void fitRounds() {
-        const double round = std::max(std::chrono::duration<double>(counted_).count(), 1e-6);
-        const double most = std::min(seconds_ / round, 1e6);
-        rounds_ = std::min(rounds_, warmUpRounds + std::max(static_cast<int>(most), leastRounds));
+    /// As large as is wanted or, where frames may shrink, as still ends in time with the fewest
+    /// rounds: a frame takes at most so much longer as it has more pixels. A frame of the size is
+    /// drawn, so that the driver has prepared for it.
+    void chooseSize() {
+        glm::ivec2 size = mayShrink_ ? withShortEdge(size_, leastEdge) : size_;
+        for (double growth = 2.0; growth > leastGrowth;) {
+            drawn_->resize(size);
+            timeOf(subject_.scene);
+            if (size == size_) {
+                return;
+            }
+            timeOf(subject_.scene);
+            const double all = 2.0 * last_ * perRound() * (leastRounds + 1);
+            growth = std::sqrt(std::max(seconds_ - spent_, 0.0) / all);
+            const glm::ivec2 larger = withShortEdge(size_, growth * std::min(size.x, size.y));
+            size = growth > leastGrowth ? larger : size;
+        }
+    }
+
+    void addPair() {
+        const double before = spent_;
+        const double with = timeOf(subject_.scene);
+        if (!tests_.empty()) {
+            Test& test = tests_[frames_.size() % ready_];
+            test.differences.push_back(with - timeOf(test.scene));
+        }
+        frames_.push_back(with);
+        counted_ += spent_ - before;
+    }
+
+    double secondsOfPair() const { return frames_.empty() ? 0.0 : counted_ / pairs(); }
+
+    /// What the fewest pairs of every effect take, beside what is no pair.
+    double secondsForAll() const {
+        const auto least = static_cast<double>(leastRounds * tests_.size());
+        return spent_ - counted_ + least * secondsOfPair();
     }
 
     Subject subject_;
     int rounds_;
     double seconds_;
     bool mayShrink_;
-    int done_ = 0;
-    Clock::duration counted_{}; ///< what the rounds took that count
     std::unique_ptr<TimedFrames> drawn_;
+    glm::ivec2 size_;
+    int warm_ = 0;           ///< small frames that were drawn
+    double warmFrame_ = 0.0; ///< seconds of a small frame that compiles nothing
+    double last_ = 0.0;      ///< seconds that the newest frame took altogether
+    double spent_ = 0.0;     ///< seconds
+    double counted_ = 0.0;   ///< of them, those of pairs
     View view_;
     std::vector<Test> tests_;
+    std::size_t ready_ = 0;      ///< so many of the tests are measured
     std::vector<double> frames_; ///< milliseconds of frames with everything
 };
 

@@ -19,9 +19,13 @@ namespace patina {
 struct EffectCost {
     std::string effect; ///< EffectLine::effect
     MedianInterval milliseconds;
+    int pairs = 0; ///< of frames
 
     /// Its interval holds 0: nobody can tell it from nothing.
     bool belowNoise() const { return milliseconds.contains(0.0); }
+
+    /// There are pairs enough for an interval of 95 %.
+    bool isSure() const { return pairs >= fewestForInterval; }
 
     friend bool operator==(const EffectCost&, const EffectCost&) = default;
 };
@@ -32,7 +36,9 @@ struct EffectCosts {
     double rest = 0.0; ///< what no row accounts for: the frame less all rows that are within none
     std::vector<EffectCost> effects;
     glm::ivec2 size{0}; ///< pixels of the frames
-    int pairs = 0;      ///< of frames, for each effect
+    int pairs = 0;      ///< of frames, for each effect or more
+    /// Seconds that pairs enough for every effect would have taken; 0: there are enough.
+    double secondsNeeded = 0.0;
     std::string method; ///< how they were timed, for people
     Errors problems;    ///< what could not be drawn
 
@@ -51,7 +57,9 @@ class EffectCostMeter {
         glm::ivec2 size{0}; ///< pixels; 0: 256 x 256 where the CPU draws, else 1024 x 1024
         int rounds = 15;    ///< pairs of frames for each effect
         std::filesystem::path programCache{}; ///< folder for program binaries; empty: none
-        double seconds = 20.0; ///< slow frames get fewer rounds to be done then, but 7 at least
+        /// No pair is begun that would end later, but for the first; what programs take to be made
+        /// does not count.
+        double seconds = 20.0;
         bool mayShrink = false; ///< frames too slow for 7 rounds in that time are drawn smaller
     };
 
@@ -69,7 +77,7 @@ class EffectCostMeter {
     static Result<std::unique_ptr<EffectCostMeter>> create(Subject subject, const Options& options);
     ~EffectCostMeter();
 
-    /// One pair of frames; the first ones only warm up.
+    /// One pair of frames, or one of the first frames, which only warm up.
     void step();
     bool finished() const;
     double progress() const; ///< 0 .. 1

@@ -35,5 +35,30 @@ TEST(EffectTable, EffectsWithinEachOther_AreListedOnce) {
                                 "  b  Why.\n");
 }
 
+/// What too few frames tell is marked, and what none tell says so.
+TEST(EffectTable, TooFewPairs_AreMarked) {
+    EffectTable table;
+    table.rows = {row("sure"), row("unsure"), row("unmeasured")};
+    table.costs = EffectCosts{{10.0, 9.0, 11.0},
+                              4.0,
+                              {{"sure", {4.0, 3.0, 5.0}, 6}, {"unsure", {2.0, 1.0, 3.0}, 5}},
+                              {64, 64},
+                              0,
+                              8.0,
+                              "clock",
+                              {}};
+    const std::string text = tableText(table);
+    EXPECT_NE(text.find("4.000 ms  40.0 % (3.000 .. 5.000)"), std::string::npos) << text;
+    EXPECT_NE(text.find("2.000 ms  20.0 % ! (1.000 .. 3.000)"), std::string::npos) << text;
+    EXPECT_NE(text.find("no time for it"), std::string::npos) << text;
+    EXPECT_NE(text.find("! too few pairs"), std::string::npos) << text;
+    EXPECT_EQ(text.find("which is no effect"), std::string::npos) << text;
+    const nlohmann::json json = tableJson(table);
+    EXPECT_EQ(json["effects"][0]["sure"], true);
+    EXPECT_EQ(json["effects"][1]["sure"], false);
+    EXPECT_EQ(json["effects"][1]["pairs"], 5);
+    EXPECT_EQ(json["costs"]["secondsNeeded"], 8.0);
+}
+
 } // namespace
 } // namespace patina::tests

@@ -3,6 +3,7 @@
 #include "measure/effect_cost.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "gpu_fixture.h"
 #include "measure/median_interval.h"
@@ -138,19 +139,59 @@ TEST_F(EffectCostTest, EveryRemovableEffect_IsMeasured) {
     }
 }
 
-/// Seven rounds that count, and one that does not.
-TEST_F(EffectCostTest, WithoutTime_DrawsTheFewestRounds) {
+/// One pair, of the whole frame and one without the first effect, whatever the time.
+TEST_F(EffectCostTest, WithoutTime_DrawsOnePair) {
     rows_ = effectRows(scene_, 0, *catalog);
-    const auto measuredRows = std::ranges::count_if(
-        rows_, [](const EffectRow& row) { return row.in && row.removable; });
     auto meter = EffectCostMeter::create({scene_, scene_.camera, meshSource(), rows_, catalog},
                                          {{16, 16}, 100, {}, 0.0});
     ASSERT_TRUE(meter);
-    int steps = 0;
-    for (; !(*meter)->finished(); ++steps) {
+    while (!(*meter)->finished()) {
         (*meter)->step();
     }
-    EXPECT_EQ(steps, 8 * measuredRows);
+    const EffectCosts costs = (*meter)->costs();
+    ASSERT_EQ(costs.effects.size(), 1u);
+    EXPECT_EQ(costs.effects[0].pairs, 1);
+    EXPECT_FALSE(costs.effects[0].isSure());
+    EXPECT_EQ(costs.pairs, 0);
+    EXPECT_GT(costs.secondsNeeded, 0.0);
+    EXPECT_GT(costs.frame.median, 0.0);
+}
+
+TEST_F(EffectCostTest, WithTime_IsSure) {
+    scene_.fog = block("fog", "linear");
+    const EffectCosts costs = measured(7);
+    EXPECT_EQ(costs.pairs, 7);
+    EXPECT_EQ(costs.secondsNeeded, 0.0);
+    EXPECT_TRUE(std::ranges::all_of(costs.effects, &EffectCost::isSure));
+}
+
+/// So slow a fog that the fewest rounds, which once were drawn whatever the time, take far longer
+/// than there is; what programs take to be made comes on top.
+TEST_F(EffectCostTest, SlowFrames_EndInTime) {
+    scene_.fog = block("fog", "heavy");
+    scene_.ambient = glm::dvec3(0.1);
+    rows_ = effectRows(scene_, 0, *catalog);
+    const auto secondsOf = [this](double seconds, bool mayShrink) {
+        auto meter = EffectCostMeter::create({scene_, scene_.camera, meshSource(), rows_, catalog},
+                                             {{512, 512}, 60, {}, seconds, mayShrink});
+        EXPECT_TRUE(meter);
+        const auto began = std::chrono::steady_clock::now();
+        while (!(*meter)->finished()) {
+            (*meter)->step();
+        }
+        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - began;
+        return std::pair(time.count(), (*meter)->costs());
+    };
+    const auto [compiling, first] = secondsOf(0.0, false);
+    ASSERT_GT(first.secondsNeeded, 0.0);
+    const double enough = 0.2 * first.secondsNeeded;
+    const auto [time, costs] = secondsOf(enough, false);
+    EXPECT_LT(time, compiling + 1.5 * enough);
+    EXPECT_EQ(costs.size, glm::ivec2(512));
+    EXPECT_GT(costs.secondsNeeded, enough);
+    const auto [smaller, shrunk] = secondsOf(enough, true);
+    EXPECT_LT(smaller, compiling + 1.5 * enough);
+    EXPECT_LT(shrunk.size.x, 512);
 }
 
 TEST_F(EffectCostTest, StepByStep_ProgressGrowsToOne) {

@@ -5,6 +5,7 @@
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QProgressBar>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -233,7 +234,18 @@ TEST_F(EffectsPanel, Measured_ShowsCostsAndTheTotal) {
     ASSERT_TRUE(measure());
     EXPECT_FALSE(row("models/")->text(1).isEmpty());
     EXPECT_TRUE(total().contains("the rest")) << total().toStdString();
-    EXPECT_TRUE(total().contains("256")) << total().toStdString();
+    EXPECT_TRUE(total().contains("pixels")) << total().toStdString();
+}
+
+TEST_F(EffectsPanel, CostsOfTooFewFrames_AreMarked) {
+    dock().measure();
+    const auto* progress = dock().findChild<QProgressBar*>();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [progress] { return 100 * progress->value() >= 15 * progress->maximum(); }, waitMs));
+    press("Cancel");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
+    EXPECT_TRUE(row("models/")->text(1).endsWith("!")) << row("models/")->text(1).toStdString();
+    EXPECT_TRUE(row("models/")->toolTip(1).contains("too few")) << total().toStdString();
 }
 
 TEST_F(EffectsPanel, CancelledMeasurement_SaysThatItStopped) {
@@ -250,6 +262,15 @@ TEST_F(EffectsPanel, ChangedScene_PutsTheCostsOutOfDate) {
     document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient", glm::dvec3(0.7));
     settle();
     EXPECT_TRUE(total().startsWith("Out of date")) << total().toStdString();
+}
+
+TEST_F(EffectsPanel, BlocksThatAreReadAgainAsTheyWere_LeaveTheCostsFresh) {
+    dock().measure();
+    press("Cancel");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
+    document().setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+    settle();
+    EXPECT_TRUE(total().startsWith("Stopped")) << total().toStdString();
 }
 
 TEST_F(EffectsPanel, CostsOfAnotherObject_AreNotCalledThoseOfAnotherScene) {

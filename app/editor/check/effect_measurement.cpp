@@ -42,6 +42,7 @@ EffectMeasurement::Outcome EffectMeasurement::measure(EffectCostMeter::Subject s
     const auto context = gl::HeadlessContext::create();
     EffectCostMeter::Options options;
     options.programCache = programCache_;
+    options.mayShrink = true;
     auto meter = context ? EffectCostMeter::create(std::move(subject), options)
                          : tl::unexpected(context.error());
     if (!meter) {

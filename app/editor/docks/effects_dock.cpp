@@ -8,7 +8,6 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -22,6 +21,7 @@
 #include "document.h"
 #include "effect_label.h"
 #include "effect_switches.h"
+#include "number_text.h"
 #include "session.h"
 #include "viewport/compare_area.h"
 #include "viewport/environment_library.h"
@@ -48,7 +48,7 @@ QString asText(const std::string& text) {
 }
 
 QString numberText(double number, int decimals) {
-    return QLocale().toString(number, 'f', decimals);
+    return numberLocale().toString(number, 'f', decimals);
 }
 
 QString intervalText(const MedianInterval& interval) {
@@ -152,9 +152,10 @@ void EffectsDock::updateRows() {
     std::vector<EffectRow> rows;
     if (object >= 0) {
         std::optional<Scene> turned;
-        if (side == Side::B && !views_.areCamerasLinked()) {
+        const Camera& shown = views_.active().viewport().camera();
+        if (shown != document_.scene(side).camera) {
             turned = document_.scene(side);
-            turned->camera = views_.active().viewport().camera();
+            turned->camera = shown;
         }
         rows = objectRows(turned ? *turned : document_.scene(side),
                           static_cast<std::size_t>(object), document_.catalog(),
@@ -285,11 +286,15 @@ void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
     }
     const double frame = measured_->outcome.costs.frame.median;
     const double share = frame > 0.0 ? 100.0 * cost->milliseconds.median / frame : 0.0;
-    item->setText(Time, cost->belowNoise()
-                            ? tr("below noise")
-                            : tr("%1 ms").arg(numberText(cost->milliseconds.median, 3)));
+    const QString time = cost->belowNoise()
+                             ? tr("below noise")
+                             : tr("%1 ms").arg(numberText(cost->milliseconds.median, 3));
+    item->setText(Time, cost->isSure() ? time : tr("%1 !").arg(time));
     item->setText(Share, cost->belowNoise() ? QString() : tr("%1 %").arg(numberText(share, 1)));
-    item->setToolTip(Time, intervalText(cost->milliseconds));
+    item->setToolTip(Time, cost->isSure()
+                               ? intervalText(cost->milliseconds)
+                               : tr("By too few pairs of frames to be certain: %1")
+                                     .arg(cost->pairs));
 }
 
 void EffectsDock::toggle(QTreeWidgetItem* item) {
@@ -307,10 +312,10 @@ void EffectsDock::measure() {
     updateRows();
     const Scene& scene = document_.scene(document_.activeSide());
     measured_ = Measured{scene, document_.currentObject(), document_.activeSide(),
-                         document_.sharedCatalog(), {}};
+                         KnownBlocks(document_.sharedCatalog(), scene), {}};
     progress_->setValue(0);
     measurement_.start({scene, scene.camera, meshSnapshot(scene, library_), rows_,
-                        measured_->catalog,
+                        measured_->blocks.catalog(),
                         images().textures, environments_.image(document_.environmentPicture())});
     fill();
     showState();
@@ -327,7 +332,7 @@ void EffectsDock::showOutcome(const EffectMeasurement::Outcome& outcome) {
 /// The costs are of another scene or object than the one that is shown.
 bool EffectsDock::isStale() const {
     return !measured_ || measured_->object != document_.currentObject() ||
-           measured_->catalog != document_.sharedCatalog() ||
+           !measured_->blocks.areIn(document_.sharedCatalog()) ||
            !(measured_->scene == document_.scene(document_.activeSide()));
 }
 
@@ -346,11 +351,14 @@ QString EffectsDock::whyStale() const {
 QString EffectsDock::totalText() const {
     const EffectCosts& costs = measured_->outcome.costs;
     const double sum = sumOf(costs, rows_);
-    return tr("%1 ms a frame: effects %2 ms, the rest %3 ms. %4 × %5 pixels, %6.")
+    const QString text = tr("%1 ms a frame: effects %2 ms, the rest %3 ms. %4 × %5 pixels, %6.")
         .arg(numberText(costs.frame.median, 2), numberText(sum, 2), numberText(costs.rest, 2))
         .arg(costs.size.x)
         .arg(costs.size.y)
         .arg(asText(costs.method));
+    return measured_->outcome.complete && costs.secondsNeeded > 0.0
+               ? tr("%1 Frames are slow: ! has too few to be certain.").arg(text)
+               : text;
 }
 
 void EffectsDock::showState() {

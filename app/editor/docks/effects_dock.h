@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include <QTimer>
 #include <QWidget>
 
 #include "check/effect_measurement.h"
+#include "check/read_blocks.h"
 #include "docks/dock_context.h"
 #include "document_state.h"
 #include "render/object_rows.h"
@@ -44,7 +44,7 @@ class EffectsDock : public QWidget {
         Scene scene;
         int object = -1;
         Side side = Side::A;
-        std::shared_ptr<const Catalog> catalog;
+        KnownBlocks blocks; ///< of that scene
         EffectMeasurement::Outcome outcome;
     };
 
