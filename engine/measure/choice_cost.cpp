@@ -43,6 +43,13 @@ ChoiceCost CostPairs::cost() const {
     return cost;
 }
 
+RatioBound boundOf(const ChoiceCost& cost, const ChoiceCost& from) {
+    if (from.belowNoise) {
+        return cost.belowNoise ? RatioBound::Unknown : RatioBound::AtLeast;
+    }
+    return cost.belowNoise ? RatioBound::AtMost : RatioBound::None;
+}
+
 ChoiceCost withTimes(ChoiceCost cost, const ExactFrame& exact) {
     const double shading = shadingTime(exact.milliseconds, exact.empty);
     const auto milliseconds = [&](double ratio) {

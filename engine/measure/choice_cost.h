@@ -20,13 +20,19 @@ struct ChoiceCost {
     int runs = 0;                        ///< pairs of frames
     bool settled = false; ///< the ratio's interval is as narrow as was wanted
     /// There are pairs enough for an interval of 95 %, or the time is given, not measured.
-    bool isSure() const { return runs == 0 || runs >= 6; }
+    bool isSure() const { return haveInterval(runs); }
     /// Most frames take no longer than one without anything to shade, as far as can be told: the
     /// time is at most what the ratio says.
     bool belowNoise = false;
 
     friend bool operator==(const ChoiceCost&, const ChoiceCost&) = default;
 };
+
+/// What a ratio of two times says where one of them, or both, cannot be told from none.
+enum class RatioBound { None, AtMost, AtLeast, Unknown };
+
+/// Of the ratio of `cost`, which counts from the time of `from`, or from the bound of that.
+RatioBound boundOf(const ChoiceCost& cost, const ChoiceCost& from);
 
 /// Pairs of frames that follow each other, one exact and one not, so that whatever else the machine
 /// does meets both alike. Taken until the 95 % interval of the ratio of their times is narrow.

@@ -49,6 +49,9 @@ const ChoiceLevel* Choice::level(std::string_view levelId) const {
 std::vector<Choice> materialChoices(const Scene& scene, std::size_t object,
                                     const Catalog& catalog) {
     std::vector<Choice> choices;
+    if (object >= scene.objects.size()) {
+        return choices;
+    }
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog);
     if (set.model) {
         addUse(choices, *set.model, catalog, {});

@@ -51,7 +51,7 @@ std::optional<ChosenLevels> levelsFromText(const std::string& text);
 
 /// What shading the object's material in its scene could do more cheaply: the accuracy choices of
 /// every block that is in its effect set. Where the model and a part have a choice of the same name
-/// they share it, and it is listed once.
+/// they share it, and it is listed once. None where there is no such object.
 std::vector<Choice> materialChoices(const Scene& scene, std::size_t object, const Catalog& catalog);
 
 /// What the picture of the scene could do more cheaply, whatever is in it.

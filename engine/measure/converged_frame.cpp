@@ -36,7 +36,16 @@ Result<bool> ConvergedFrame::step(std::chrono::milliseconds patience) {
 }
 
 double ConvergedFrame::progress() const {
-    return stage_ == Stage::First ? 0.0 : stage_ == Stage::Second ? 0.5 : 1.0;
+    constexpr double eachHalf = 0.45;
+    const double drawn = capture_ ? capture_->progress() : 1.0;
+    switch (stage_) {
+    case Stage::First:
+        return eachHalf * drawn;
+    case Stage::Second:
+        return eachHalf * (1.0 + drawn);
+    default:
+        return isDone() ? 1.0 : 2.0 * eachHalf;
+    }
 }
 
 Result<void> ConvergedFrame::takeHalf() {

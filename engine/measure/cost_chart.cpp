@@ -145,6 +145,10 @@ bool CostChart::isAgainstConverged(const CostPoint& point) const {
     return converged && point.levels.contains(converged->choice);
 }
 
+RatioBound CostChart::boundOf(const CostPoint& point) const {
+    return points.empty() ? RatioBound::None : patina::boundOf(point.cost, points.front().cost);
+}
+
 std::string convergedText(const CostChart& chart) {
     if (!chart.converged) {
         return {};

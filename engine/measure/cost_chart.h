@@ -62,6 +62,9 @@ struct CostChart {
     /// Whether the point's errors are against that render.
     bool isAgainstConverged(const CostPoint& point) const;
 
+    /// What the point's ratio to the exact time says.
+    RatioBound boundOf(const CostPoint& point) const;
+
     /// The levels by which the points go: in place of one that is the same as another, that one.
     ChosenLevels distinct(ChosenLevels levels) const;
 

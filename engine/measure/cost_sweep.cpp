@@ -6,11 +6,12 @@
 #include <utility>
 
 #include "measure/error_standard.h"
-#include "measure/measured_scene.h"
 #include "measure/paired_frames.h"
 #include "measure/picture_choices.h"
 #include "measure/same_levels.h"
 #include "measure/surface_instructions.h"
+#include "measure/sweep_estimate.h"
+#include "measure/sweep_frames.h"
 #include "measure/sweep_plan.h"
 #include "measure/sweep_size.h"
 
@@ -20,12 +21,17 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-/// Of an environment's light, where errors of a material are measured: the same ones in every
-/// frame, which is too short for a search of the model's lobe, as that depends on the levels.
-constexpr int sampledDirections = 4 * Renderer::plainSamples;
-
 /// The share of the time that pairs of single choices may take.
 constexpr double shareOfPairs = 0.6;
+
+/// Of the time, after which no single choice has more than one pair: it ends with that.
+constexpr double shareOfSingles = 0.95;
+
+/// Times a point's share of the time: with so much it ends, whatever it has.
+constexpr double longestShare = 3.0;
+
+/// The share of a point's progress that ends when its frame is drawn.
+constexpr double drawnShare = 0.3;
 
 /// The exact frame takes as long as itself; how far its pairs are apart says what noise there is.
 MedianInterval besideItself(const MedianInterval& ratio) {
@@ -38,27 +44,17 @@ MedianInterval besideItself(const MedianInterval& ratio) {
 class CostSweep::Implementation {
   public:
     Implementation(Subject subject, const Options& options, std::unique_ptr<TimedFrames> drawn)
-        : subject_(std::move(subject)), options_(options), drawn_(std::move(drawn)),
-          plan_({}, false) {
-        (isOfMaterial() ? leaveSurfaces : leaveGround)(subject_.scene);
-        const Catalog& catalog = *subject_.catalog;
-        subject_.scene.accuracy = PictureAccuracy(); // which has a chart of its own
-        chart_.choices = isOfMaterial()
-                             ? materialChoices(subject_.scene, subject_.object, catalog)
-                             : choicesOfPicture(subject_.scene, catalog);
-        std::erase_if(chart_.choices, [&options](const Choice& choice) {
-            return !options.only.empty() && std::ranges::find(options.only, choice.id) ==
-                                                options.only.end();
-        });
+        : options_(options), drawn_(std::move(drawn)),
+          frames_(std::move(subject), options, drawn_->size()), plan_({}, false) {
+        chart_.choices = frames_.choices();
         chart_.size = drawn_->size();
         chart_.timer = drawn_->method();
-        counted_ = isOfMaterial() ? sharingMaterial(subject_.scene, subject_.object)
-                                  : std::vector<bool>(subject_.scene.objects.size(), true);
         plan_ = SweepPlan(chart_.choices, options.combinations, options.present);
         singles_ = plan_.waiting();
         const auto directions = std::ranges::find_if(chart_.choices, isOfDirections);
-        standard_.emplace(RightFrame::Wish{drawn_->renderer(), drawn_->meshes(), frameOf({}),
-                                           capturedFrame({}), counted_, isOfMaterial()},
+        standard_.emplace(RightFrame::Wish{drawn_->renderer(), drawn_->meshes(), frames_.of({}),
+                                           frames_.captured({}), frames_.counted(),
+                                           frames_.isOfMaterial()},
                           directions == chart_.choices.end() ? std::string() : directions->id);
     }
 
@@ -76,13 +72,10 @@ class CostSweep::Implementation {
 
     bool finished() const { return done_ || !problems_.empty(); }
 
-    double progress() const {
-        if (finished()) {
-            return 1.0;
-        }
-        const std::size_t measured = begun_;
-        const double known = double(measured + plan_.waiting() + 1);
-        return (standard_->progress() + double(measured)) / (1.0 + known);
+    SweepStep doing() const {
+        SweepStep step = doingNow();
+        step.secondsInAll = secondsInAll_;
+        return step;
     }
 
     const CostChart& chart() const { return chart_; }
@@ -95,7 +88,7 @@ class CostSweep::Implementation {
         if (!standard_->isDone()) {
             return {};
         }
-        SlicedCapture capture(drawn_->renderer(), drawn_->meshes(), capturedFrame(levels));
+        SlicedCapture capture(drawn_->renderer(), drawn_->meshes(), frames_.captured(levels));
         Result<bool> drawn = false;
         while (drawn && !*drawn) {
             drawn = capture.step(std::chrono::seconds(1));
@@ -109,10 +102,38 @@ class CostSweep::Implementation {
     /// What is done for a point, one after the other.
     enum class Stage { None, Drawing, Comparing, Counting, Timing };
 
-    bool isOfMaterial() const { return options_.scope == Choice::Scope::Material; }
+    SweepStep doingNow() const {
+        const std::size_t before = standard_->steps() + 1; // the last one of empty frames
+        const std::size_t all = before + begun_ + plan_.waiting();
+        if (finished()) {
+            return {SweepStep::Work::Nothing, {}, all, all, 1.0};
+        }
+        if (!standard_->isDone()) {
+            const bool isRight = !standard_->right().isDone();
+            return {isRight ? SweepStep::Work::RightFrame : SweepStep::Work::ConvergedFrame,
+                    {}, isRight ? 1u : 2u, all, standard_->progressOfStep()};
+        }
+        if (empties_.size() < emptyFrames) {
+            return {SweepStep::Work::EmptyFrame, {}, before, all,
+                    double(empties_.size()) / double(emptyFrames)};
+        }
+        const auto work = begun_ > 0 ? SweepStep::Work::Point : SweepStep::Work::EmptyFrame;
+        return {work, point_.levels, before + begun_, all, shareOfPoint()};
+    }
+
+    /// Of the point's work that is done.
+    double shareOfPoint() const {
+        const double drawn = stage_ == Stage::Drawing ? capture_->progress() : 1.0;
+        const double timed = stage_ == Stage::None ? 1.0 : pairs_ ? pairs_->progress() : 0.0;
+        return drawnShare * drawn + (1.0 - drawnShare) * timed;
+    }
 
     /// The next piece of work, the smallest there is.
     void work(std::chrono::milliseconds patience) {
+        if (!std::exchange(isEstimated_, true)) {
+            secondsInAll_ = secondsOfSingles(frames_, *drawn_);
+            return;
+        }
         if (!standard_->isDone()) {
             workOnStandard(patience);
             return;
@@ -135,57 +156,30 @@ class CostSweep::Implementation {
         }
     }
 
-    ChosenFrame frameOf(const ChosenLevels& levels) const {
-        ChosenFrame frame{subject_.scene, View()};
-        frame.view.size = chart_.size;
-        frame.view.camera = subject_.camera;
-        frame.view.environmentImage = subject_.environment;
-        frame.view.samples = isOfMaterial() ? 1 : 0;
-        choose(frame, subject_.object, chart_.choices, levels, *subject_.catalog);
-        return frame;
-    }
-
-    /// As it is captured: in whole floats; the picture's own choices say otherwise.
-    ChosenFrame capturedFrame(const ChosenLevels& levels) const {
-        ChosenFrame frame = frameOf(levels);
-        if (isOfMaterial()) {
-            frame.view.numbers = HdrNumbers::Full;
-            frame.view.environmentSamples = sampledDirections;
-            frame.samplesAtOnce = Renderer::plainSamples;
-        }
-        return frame;
-    }
-
-    void fail(Error error) { problems_.push_back(std::move(error)); }
-
     void workOnStandard(std::chrono::milliseconds patience) {
         const Result<bool> done = standard_->step(patience);
         if (!done) {
-            fail(done.error());
+            problems_.push_back(done.error());
             return;
         }
         chart_.pixels = standard_->right().pixels();
         chart_.right = standard_->right().method();
         chart_.converged = *done ? standard_->converged() : std::nullopt;
-        if (*done && !isOfMaterial()) {
+        if (*done && !frames_.isOfMaterial()) {
             foldLevels();
         }
     }
 
     void foldLevels() {
-        const bool dense = isDense(subject_.scene, subject_.meshes, chart_.size);
+        const bool dense = isDense(frames_.subject().scene, frames_.subject().meshes, chart_.size);
         chart_.same = sameSampleLevels(chart_.choices, chart_.size, dense);
         plan_ = SweepPlan(withoutSame(chart_.choices, chart_.same), options_.combinations,
                           chart_.distinct(options_.present));
         singles_ = plan_.waiting();
     }
 
-    /// What is left when nothing of what counts is shaded.
     void timeEmpty() {
-        ChosenFrame frame = frameOf({});
-        for (std::size_t i = 0; i < counted_.size(); ++i) {
-            frame.scene.objects[i].visible = frame.scene.objects[i].visible && !counted_[i];
-        }
+        const ChosenFrame frame = frames_.empty();
         const double time = drawn_->timeOf(frame.scene, frame.view);
         if (std::exchange(isWarm_, true)) {
             empties_.push_back(time);
@@ -215,9 +209,9 @@ class CostSweep::Implementation {
         ++begun_;
         pointBegan_ = spent_;
         point_ = CostPoint{*levels, {}, {}, {}};
-        exactFrame_ = frameOf({});
-        pointFrame_ = frameOf(point_.levels);
-        capture_.emplace(drawn_->renderer(), drawn_->meshes(), capturedFrame(point_.levels));
+        exactFrame_ = frames_.of({});
+        pointFrame_ = frames_.of(point_.levels);
+        capture_.emplace(drawn_->renderer(), drawn_->meshes(), frames_.captured(point_.levels));
         stage_ = Stage::Drawing;
     }
 
@@ -229,7 +223,7 @@ class CostSweep::Implementation {
         Result<LinearFrame> frame = drawn ? capture_->frame() : tl::unexpected(drawn.error());
         capture_.reset();
         if (!frame) {
-            fail(frame.error());
+            problems_.push_back(frame.error());
             return;
         }
         pointColors_ = std::move(*frame);
@@ -244,26 +238,34 @@ class CostSweep::Implementation {
     }
 
     void countPoint() {
-        point_.instructions =
-            surfaceInstructions(pointFrame_.scene, subject_.object, subject_.camera,
-                                {subject_.catalog, subject_.meshes});
+        const Subject& subject = frames_.subject();
+        point_.instructions = surfaceInstructions(pointFrame_.scene, subject.object,
+                                                  subject.camera,
+                                                  {subject.catalog, subject.meshes});
         if (point_.isExact()) {
             exactColors_ = pointColors_.colors;
         } else if (changesNothing()) {
             foldPoint();
             return;
         }
-        const PairedFrames::Limits limits{options_.pairs,
-                                          shareOfPairs * options_.seconds / double(singles_)};
-        pairs_.emplace(*drawn_, exactFrame_, pointFrame_, limits, empty_);
+        pairs_.emplace(*drawn_, exactFrame_, pointFrame_, limits(), empty_);
         stage_ = Stage::Timing;
+    }
+
+    /// Singles share the time that is left, so that they end in time however slow they are.
+    PairedFrames::Limits limits() const {
+        const double usual = shareOfPairs * options_.seconds / double(singles_);
+        const std::size_t left = begun_ <= singles_ ? singles_ - begun_ + 1 : 1;
+        const double mine =
+            std::max(shareOfSingles * options_.seconds - spent_, 0.0) / double(left);
+        return {options_.pairs, std::min(usual, mine), std::min(longestShare * usual, mine)};
     }
 
     /// Some levels have nothing to do in a material: they draw the exact picture, bit for bit, with
     /// as many instructions, and take as long.
     bool changesNothing() const {
         const CostPoint* exact = chart_.find({});
-        return isOfMaterial() && exact != nullptr && point_.instructions &&
+        return frames_.isOfMaterial() && exact != nullptr && point_.instructions &&
                point_.instructions == exact->instructions && pointColors_.colors == exactColors_;
     }
 
@@ -314,17 +316,18 @@ class CostSweep::Implementation {
         }
     }
 
-    Subject subject_;
     Options options_;
     std::unique_ptr<TimedFrames> drawn_;
+    SweepFrames frames_;
     CostChart chart_;
     SweepPlan plan_;
     std::size_t singles_ = 0;
     std::size_t begun_ = 0;       ///< points
     double pointBegan_ = 0.0;     ///< seconds of work before
     double longestPoint_ = 0.0;
-    std::vector<bool> counted_; ///< by object: whose pixels are measured
     std::optional<ErrorStandard> standard_;
+    bool isEstimated_ = false;
+    double secondsInAll_ = 0.0;
     bool isWarm_ = false; ///< the frame without what is measured
     std::vector<double> empties_;
     MedianInterval empty_;
@@ -370,8 +373,12 @@ bool CostSweep::finished() const {
     return implementation_->finished();
 }
 
+SweepStep CostSweep::doing() const {
+    return implementation_->doing();
+}
+
 double CostSweep::progress() const {
-    return implementation_->progress();
+    return doing().progress();
 }
 
 const CostChart& CostSweep::chart() const {

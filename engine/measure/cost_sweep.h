@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "measure/cost_chart.h"
+#include "measure/sweep_step.h"
 
 namespace patina {
 
@@ -45,6 +46,7 @@ class CostSweep {
     /// drawn at once, and a program is made at once.
     void step(std::chrono::milliseconds patience);
     bool finished() const;
+    SweepStep doing() const;
     double progress() const; ///< 0 .. 1; falls back when combinations are found worth measuring
 
     /// Of what was measured so far.

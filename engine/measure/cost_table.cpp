@@ -8,6 +8,8 @@
 namespace patina {
 namespace {
 
+constexpr int ratioDigits = 3;
+
 bool isOnFront(const std::vector<std::size_t>& front, std::size_t point) {
     return std::ranges::find(front, point) != front.end();
 }
@@ -20,17 +22,15 @@ std::size_t widest(const CostChart& chart) {
     return columns;
 }
 
-char doubtOf(const ChoiceCost& cost) {
-    return !cost.isSure() ? '!' : cost.settled ? ' ' : '?';
+const char* boundSign(RatioBound bound) {
+    return bound == RatioBound::AtMost ? "<" : bound == RatioBound::AtLeast ? ">" : "";
 }
 
 std::string pointText(const CostPoint& point, const CostChart& chart) {
     const ChoiceCost& cost = point.cost;
     const FrameError& error = point.error;
-    return fmt::format("{}{:5.3f} ({:.3f} .. {:.3f}){} {:9.2f} {:>7} {} {:7.1e} {:8.1e} {:8.1e} "
-                       "{:8.1e} {:6.2f} % {:8.1e}",
-                       cost.belowNoise ? '<' : ' ', cost.ratio.median, cost.ratio.lower,
-                       cost.ratio.upper, doubtOf(cost), cost.nanosecondsPerPixel,
+    return fmt::format("{:<24}{:>10} {:>7} {} {:7.1e} {:8.1e} {:8.1e} {:8.1e} {:6.2f} % {:8.1e}",
+                       ratioText(cost, chart.boundOf(point), ratioDigits), nanosecondsText(cost),
                        instructionsText(point.instructions),
                        chart.isAgainstConverged(point) ? '~' : ' ', error.p99, error.max,
                        error.mean, error.rms, 100.0 * error.stepShare, error.flip);
@@ -76,8 +76,8 @@ nlohmann::json pointJson(const CostPoint& point, const CostChart& chart, bool on
     }
     return {{"levels", levels},
             {"error", errorJson(point.error)},
-            {"ratio", intervalJson(point.cost.ratio)},
-            {"milliseconds", intervalJson(point.cost.milliseconds)},
+            {"ratio", intervalJson(point.cost.ratio, point.cost.runs)},
+            {"milliseconds", intervalJson(point.cost.milliseconds, point.cost.runs)},
             {"nanosecondsPerPixel", point.cost.nanosecondsPerPixel},
             {"instructions", countJson(point.instructions)},
             {"runs", point.cost.runs},
@@ -132,12 +132,12 @@ std::string costText(const CostChart& chart) {
         text += same + '\n';
     }
     return text + fmt::format("* worth choosing: nothing measured errs no more and is as fast, "
-                              "as far as can be told; ? still unsure of 3 %; ! too few pairs for "
-                              "an interval; < no more than that: it cannot be told from no time\n"
+                              "as far as can be told; {}\n"
                               "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
                               "errors against {}\n{}",
-                              chart.size.x, chart.size.y, chart.pixels, chart.timer,
-                              chart.emptyMilliseconds, chart.right, convergedLine(chart));
+                              signsText("the exact way"), chart.size.x, chart.size.y,
+                              chart.pixels, chart.timer, chart.emptyMilliseconds, chart.right,
+                              convergedLine(chart));
 }
 
 std::string costCsv(const CostChart& chart, const std::string& name, bool withNames) {
@@ -151,9 +151,9 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
         const CostPoint& point = chart.points[i];
         const ChoiceCost& cost = point.cost;
         const FrameError& error = point.error;
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                             csvText(name), csvText(levelsText(point.levels)), cost.ratio.median,
-                            cost.ratio.lower, cost.ratio.upper, cost.milliseconds.median,
+                            boundsCsv(cost.ratio, cost.runs), cost.milliseconds.median,
                             cost.nanosecondsPerPixel,
                             instructionsText(point.instructions), cost.runs, error.p99, error.max,
                             error.mean, error.rms, error.stepShare, error.shown, error.flip,
@@ -185,6 +185,35 @@ nlohmann::json costJson(const CostChart& chart) {
             {"converged", convergedJson(chart)}};
 }
 
+std::string ratioText(const ChoiceCost& cost, RatioBound bound, int digits) {
+    const MedianInterval& ratio = cost.ratio;
+    const std::string number =
+        bound == RatioBound::Unknown
+            ? "-"
+            : fmt::format("{}{:.{}f}", boundSign(bound), ratio.median, digits);
+    const std::string interval =
+        bound == RatioBound::Unknown
+            ? std::string()
+            : fmt::format("({:.{}f} .. {:.{}f}){}", ratio.lower, digits, ratio.upper, digits,
+                          doubtOf(cost));
+    return fmt::format("{:>6} {}", number, interval);
+}
+
+std::string nanosecondsText(const ChoiceCost& cost) {
+    return fmt::format("{}{:.2f}", cost.belowNoise ? "<" : "", cost.nanosecondsPerPixel);
+}
+
+char doubtOf(const ChoiceCost& cost) {
+    return !cost.isSure() ? '!' : cost.settled ? ' ' : '?';
+}
+
+std::string signsText(std::string_view what) {
+    return fmt::format("? still unsure of 3 %; ! too few pairs for an interval; < no more than "
+                       "that: it cannot be told from no time; > no less than that, and - nobody "
+                       "knows: {} cannot",
+                       what);
+}
+
 std::string csvText(std::string_view text) {
     std::string quoted = "\"";
     for (const char each : text) {
@@ -197,8 +226,17 @@ std::string instructionsText(const std::optional<InstructionCount>& count) {
     return count ? fmt::format("{}", count->total()) : "-";
 }
 
-nlohmann::json intervalJson(const MedianInterval& interval) {
-    return {{"median", interval.median}, {"lower", interval.lower}, {"upper", interval.upper}};
+nlohmann::json intervalJson(const MedianInterval& interval, int samples) {
+    nlohmann::json json{{"median", interval.median}, {"lower", nullptr}, {"upper", nullptr}};
+    if (haveInterval(samples)) {
+        json["lower"] = interval.lower;
+        json["upper"] = interval.upper;
+    }
+    return json;
+}
+
+std::string boundsCsv(const MedianInterval& interval, int samples) {
+    return haveInterval(samples) ? fmt::format("{},{}", interval.lower, interval.upper) : ",";
 }
 
 nlohmann::json countJson(const std::optional<InstructionCount>& count) {

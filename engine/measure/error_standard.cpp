@@ -24,9 +24,8 @@ bool ErrorStandard::isDone() const {
     return right_.isDone() && (directions_.empty() || (converged_ && converged_->isDone()));
 }
 
-double ErrorStandard::progress() const {
-    const double parts = directions_.empty() ? 1.0 : 2.0;
-    return (right_.progress() + (converged_ ? converged_->progress() : 0.0)) / parts;
+double ErrorStandard::progressOfStep() const {
+    return converged_ ? converged_->progress() : right_.progress();
 }
 
 std::optional<ConvergedRender> ErrorStandard::converged() const {

@@ -19,7 +19,8 @@ class ErrorStandard {
     /// Works for about so long; true when all is done.
     Result<bool> step(std::chrono::milliseconds patience);
     bool isDone() const;
-    double progress() const; ///< 0 .. 1
+    std::size_t steps() const { return directions_.empty() ? 1 : 2; } ///< frames
+    double progressOfStep() const; ///< 0 .. 1, of the frame that is made
 
     const RightFrame& right() const { return right_; }
 

@@ -12,6 +12,9 @@ namespace patina {
 struct GrowthSample {
     double count = 0.0; ///< pixels, lights, objects: more than 0
     MedianInterval milliseconds;
+    int runs = 0; ///< that were timed; 0: the times are given, not measured
+
+    bool isSure() const { return haveInterval(runs); }
 
     friend bool operator==(const GrowthSample&, const GrowthSample&) = default;
 };

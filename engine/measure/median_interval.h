@@ -16,6 +16,14 @@ struct MedianInterval {
     friend bool operator==(const MedianInterval&, const MedianInterval&) = default;
 };
 
+/// So few samples have no interval of 95 %.
+constexpr int fewestForInterval = 6;
+
+/// Whether so many samples have one; 0: the numbers are given, not measured.
+constexpr bool haveInterval(int samples) {
+    return samples == 0 || samples >= fewestForInterval;
+}
+
 /// The median of samples with an interval that holds the true one with a probability of at least
 /// 95 %, whatever the samples' distribution: by order statistics, David and Nagaraja 2003, 7.1.
 /// With fewer than six samples, where there is no such interval, from the least to the greatest.

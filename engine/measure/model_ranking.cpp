@@ -27,23 +27,27 @@ glm::ivec2 chosenSize(glm::ivec2 wanted) {
     return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
 }
 
-/// The first one is the quickest.
-void countFromQuickest(std::vector<ModelCost>& costs) {
-    const double quickest = costs.empty() ? 0.0 : costs.front().cost.ratio.median;
-    for (ModelCost& each : costs) {
-        MedianInterval& ratio = each.cost.ratio;
-        if (quickest > 0.0) {
-            ratio = {ratio.median / quickest, ratio.lower / quickest, ratio.upper / quickest};
-        }
-    }
-}
-
 std::optional<double> lossOf(const Catalog& catalog, const Block& model) {
     const std::optional<double> albedo = whiteAlbedo(catalog, model);
     return albedo ? std::optional(1.0 - *albedo) : std::nullopt;
 }
 
 } // namespace
+
+void countFromQuickest(std::vector<ModelCost>& costs) {
+    if (costs.empty()) {
+        return;
+    }
+    const ChoiceCost quickest = costs.front().cost;
+    for (ModelCost& each : costs) {
+        MedianInterval& ratio = each.cost.ratio;
+        const double by = quickest.ratio.median;
+        if (by > 0.0) {
+            ratio = {ratio.median / by, ratio.lower / by, ratio.upper / by};
+        }
+        each.bound = boundOf(each.cost, quickest);
+    }
+}
 
 class ModelRanking::Implementation {
   public:
@@ -72,6 +76,11 @@ class ModelRanking::Implementation {
         const double begun =
             pairs_ ? double(pairs_->cost().runs) / double(options_.pairs.most) : 0.0;
         return finished() ? 1.0 : (double(costs_.size()) + begun) / double(models_.size());
+    }
+
+    Turn turn() const {
+        const std::size_t index = std::min(costs_.size(), models_.size() - 1);
+        return {models_[index]->label, index + 1, models_.size()};
     }
 
     std::vector<ModelCost> costs() const {
@@ -202,6 +211,10 @@ bool ModelRanking::finished() const {
 
 double ModelRanking::progress() const {
     return implementation_->progress();
+}
+
+ModelRanking::Turn ModelRanking::turn() const {
+    return implementation_->turn();
 }
 
 std::vector<ModelCost> ModelRanking::costs() const {

@@ -20,9 +20,13 @@ struct ModelCost {
     /// The share of an even white sky's light that it keeps in its whitest colours; below 0: it
     /// sends out more than arrives. Nothing without code in double precision. See whiteAlbedo().
     std::optional<double> albedoLoss;
+    RatioBound bound = RatioBound::None; ///< of the ratio
 
     friend bool operator==(const ModelCost&, const ModelCost&) = default;
 };
+
+/// Makes ratios to whatever model ratios to the first of these, which is the quickest.
+void countFromQuickest(std::vector<ModelCost>& costs);
 
 /// Ranks all models of the catalogue on one scene: the object that a sweep would measure gets each
 /// of them with its defaults. Works in steps. Made, used and destroyed with one context current.
@@ -36,6 +40,14 @@ class ModelRanking {
     void step();
     bool finished() const;
     double progress() const; ///< 0 .. 1
+
+    /// Which model is measured now.
+    struct Turn {
+        std::string label;
+        std::size_t number = 1; ///< from 1 on
+        std::size_t of = 1;
+    };
+    Turn turn() const;
 
     /// Those that are measured so far, the fastest first.
     std::vector<ModelCost> costs() const;

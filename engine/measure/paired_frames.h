@@ -16,9 +16,8 @@ class PairedFrames {
   public:
     struct Limits {
         CostPairs::Options pairs{};
-        /// After so long the fewest pairs are enough, and after `most` those that there are.
-        double seconds = 1.0;
-        static constexpr double most = 3.0; ///< times `seconds`
+        double seconds = 1.0; ///< after so long the fewest pairs are enough,
+        double longest = 3.0; ///< and after so long those that there are
     };
 
     /// `empty`: milliseconds of the frame without what is shaded.
@@ -27,6 +26,8 @@ class PairedFrames {
 
     /// True when no more frames are wanted.
     bool step();
+
+    double progress() const; ///< 0 .. 1; may end before, where times settle
 
     ChoiceCost cost() const { return pairs_.cost(); }
 

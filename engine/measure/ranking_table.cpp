@@ -8,6 +8,8 @@
 namespace patina {
 namespace {
 
+constexpr int rankedDigits = 2;
+
 std::string shareText(const std::optional<double>& share) {
     return share ? fmt::format("{:.1f} %", 100.0 * *share) : "-";
 }
@@ -17,13 +19,9 @@ nlohmann::json numberJson(const std::optional<double>& number) {
 }
 
 std::string rowText(const ModelCost& each) {
-    const MedianInterval& ratio = each.cost.ratio;
     const InstructionCount count = each.instructions.value_or(InstructionCount());
-    return fmt::format("{:<28}{}{:6.2f} ({:.2f} .. {:.2f}){} {:9.2f} {:>7} {:7} {:7} {:7} {:7} "
-                       "{:7} {:>8}\n",
-                       each.label, each.cost.belowNoise ? '<' : ' ', ratio.median, ratio.lower,
-                       ratio.upper,
-                       each.cost.settled ? ' ' : '?', each.cost.nanosecondsPerPixel,
+    return fmt::format("{:<28} {:<22}{:>10} {:>7} {:7} {:7} {:7} {:7} {:7} {:>8}\n", each.label,
+                       ratioText(each.cost, each.bound, rankedDigits), nanosecondsText(each.cost),
                        instructionsText(each.instructions), count.arithmetic, count.transcendental,
                        count.texture, count.branch, count.memory, shareText(each.albedoLoss));
 }
@@ -32,16 +30,16 @@ std::string rowText(const ModelCost& each) {
 
 std::string rankingText(const std::vector<ModelCost>& costs) {
     std::string text =
-        fmt::format("{:<28} {:>6} {:<16} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8}\n",
+        fmt::format("{:<28} {:>6} {:<15} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8}\n",
                     "model", "time", "(of 95 %)", "ns/pixel", "instr.", "sums", "roots", "images",
                     "branch", "memory", "loss");
     for (const ModelCost& each : costs) {
         text += rowText(each);
     }
-    return text + "time: beside the quickest model; ? still unsure of 3 %; < no more than that: it "
-                  "cannot be told from no time\n"
-                  "loss: of an even white sky's light, in the model's whitest colours; below 0: it "
-                  "sends out more than arrives\n";
+    return text + fmt::format("time: beside the quickest model; {}\n"
+                              "loss: of an even white sky's light, in the model's whitest colours; "
+                              "below 0: it sends out more than arrives\n",
+                              signsText("the quickest model"));
 }
 
 std::string rankingCsv(const std::vector<ModelCost>& costs) {
@@ -51,9 +49,9 @@ std::string rankingCsv(const std::vector<ModelCost>& costs) {
     for (const ModelCost& each : costs) {
         const ChoiceCost& cost = each.cost;
         const InstructionCount count = each.instructions.value_or(InstructionCount());
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
-                            csvText(each.label), cost.ratio.median, cost.ratio.lower,
-                            cost.ratio.upper, cost.nanosecondsPerPixel, cost.runs,
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", each.model,
+                            csvText(each.label), cost.ratio.median,
+                            boundsCsv(cost.ratio, cost.runs), cost.nanosecondsPerPixel, cost.runs,
                             cost.settled ? 1 : 0, cost.belowNoise ? 1 : 0,
                             instructionsText(each.instructions),
                             count.arithmetic, count.transcendental, count.texture,
@@ -68,7 +66,7 @@ nlohmann::json rankingJson(const std::vector<ModelCost>& costs) {
     for (const ModelCost& each : costs) {
         json.push_back({{"model", each.model},
                         {"label", each.label},
-                        {"ratio", intervalJson(each.cost.ratio)},
+                        {"ratio", intervalJson(each.cost.ratio, each.cost.runs)},
                         {"nanosecondsPerPixel", each.cost.nanosecondsPerPixel},
                         {"runs", each.cost.runs},
                         {"settled", each.cost.settled},

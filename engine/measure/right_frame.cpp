@@ -9,6 +9,15 @@
 
 namespace patina {
 
+namespace {
+
+/// Shares of the progress: what is computed in double precision, and what is made ready for
+/// comparing in the end.
+constexpr double computedShare = 0.7;
+constexpr double preparedShare = 0.1;
+
+} // namespace
+
 RightFrame::RightFrame(Wish wish) : wish_(std::move(wish)) {}
 
 Result<bool> RightFrame::step(std::chrono::milliseconds patience) {
@@ -64,10 +73,12 @@ Result<SurfaceBuffer> RightFrame::captured() {
 }
 
 double RightFrame::progress() const {
-    if (reference_) {
-        return (round_ + reference_->progress()) / rounds();
-    }
-    return capture_ || meter_ ? 1.0 : 0.0;
+    const double computed =
+        reference_ ? (round_ + reference_->progress()) / rounds() : meter_ || capture_ ? 1.0 : 0.0;
+    const double drawn = meter_ ? 1.0 : capture_ ? capture_->progress() : 0.0;
+    const double before = method_.empty() || isComputed_ ? computedShare : 0.0;
+    const double prepared = isDone_ ? 1.0 : 0.0;
+    return before * computed + (1.0 - before - preparedShare) * drawn + preparedShare * prepared;
 }
 
 Result<void> RightFrame::takeSurfaces() {
@@ -97,6 +108,7 @@ void RightFrame::takeBuffer(SurfaceBuffer buffer) {
         if (made) {
             reference_ = std::move(*made);
             method_ = "the same frame in double precision";
+            isComputed_ = true;
             return;
         }
         method_ = fmt::format("the exact frame as the device draws it, because {}",

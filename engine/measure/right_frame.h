@@ -48,6 +48,7 @@ class RightFrame {
     std::vector<std::uint8_t> counts_;
     std::size_t pixels_ = 0;
     std::string method_;
+    bool isComputed_ = false; ///< in double precision
     int round_ = 0; ///< of an environment's directions
     std::unique_ptr<ReferenceFrame> reference_; ///< while it is computed
     std::optional<LinearFrame> computed_;

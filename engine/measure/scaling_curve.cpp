@@ -37,8 +37,9 @@ nlohmann::json lawJson(const std::optional<GrowthLaw>& law) {
 nlohmann::json curveJson(const ScalingCurve& curve) {
     nlohmann::json samples = nlohmann::json::array();
     for (const GrowthSample& sample : curve.samples) {
-        samples.push_back(
-            {{"count", sample.count}, {"milliseconds", intervalJson(sample.milliseconds)}});
+        samples.push_back({{"count", sample.count},
+                           {"milliseconds", intervalJson(sample.milliseconds, sample.runs)},
+                           {"runs", sample.runs}});
     }
     return {{"axis", axisText(curve.axis)},
             {"samples", samples},
@@ -98,25 +99,28 @@ std::string lawText(const ScalingCurve& curve, const NumberText& number) {
 
 std::string scalingText(const std::vector<ScalingCurve>& curves) {
     std::string text;
+    bool unsure = false;
     for (const ScalingCurve& curve : curves) {
         text += fmt::format("{:>9} {:>10} {}\n", axisText(curve.axis), "ms", "(of 95 % of runs)");
         for (const GrowthSample& sample : curve.samples) {
             const MedianInterval& time = sample.milliseconds;
-            text += fmt::format("{:9.0f} {:10.3f} ({:.3f} .. {:.3f})\n", sample.count, time.median,
-                                time.lower, time.upper);
+            unsure = unsure || !sample.isSure();
+            text += fmt::format("{:9.0f} {:10.3f} ({:.3f} .. {:.3f}){}\n", sample.count,
+                                time.median, time.lower, time.upper, sample.isSure() ? "" : "!");
         }
         text += lawText(curve) + "\n";
     }
-    return text;
+    return unsure ? text + "! too few runs for an interval: from the least to the greatest\n"
+                  : text;
 }
 
 std::string scalingCsv(const std::vector<ScalingCurve>& curves) {
-    std::string text = "axis,count,milliseconds,milliseconds_lower,milliseconds_upper\n";
+    std::string text = "axis,count,milliseconds,milliseconds_lower,milliseconds_upper,runs\n";
     for (const ScalingCurve& curve : curves) {
         for (const GrowthSample& sample : curve.samples) {
             const MedianInterval& time = sample.milliseconds;
             text += fmt::format("{},{},{},{},{}\n", axisText(curve.axis), sample.count,
-                                time.median, time.lower, time.upper);
+                                time.median, boundsCsv(time, sample.runs), sample.runs);
         }
     }
     return text;

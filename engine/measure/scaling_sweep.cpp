@@ -97,6 +97,11 @@ class ScalingSweep::Implementation {
         return finished() || all == 0 ? 1.0 : double(steps_) / double(all);
     }
 
+    Turn turn() const {
+        const std::size_t index = std::min(ladder_, ladders_.size() - 1);
+        return {ladders_[index].axis, index + 1, ladders_.size(), round_, options_.rounds};
+    }
+
     const std::vector<ScalingCurve>& curves() const { return curves_; }
     int rounds() const { return rounds_; }
     std::string timer() const { return drawn_->method(); }
@@ -146,7 +151,8 @@ class ScalingSweep::Implementation {
         const Ladder& ladder = ladders_[ladder_];
         ScalingCurve curve{ladder.axis, {}, std::nullopt};
         for (const Rung& rung : ladder.rungs) {
-            curve.samples.push_back({rung.count, medianInterval(rung.times)});
+            curve.samples.push_back(
+                {rung.count, medianInterval(rung.times), int(rung.times.size())});
         }
         curve.law = growthLaw(curve.samples);
         if (curves_.size() == ladder_) {
@@ -203,6 +209,10 @@ bool ScalingSweep::finished() const {
 
 double ScalingSweep::progress() const {
     return implementation_->progress();
+}
+
+ScalingSweep::Turn ScalingSweep::turn() const {
+    return implementation_->turn();
 }
 
 const std::vector<ScalingCurve>& ScalingSweep::curves() const {

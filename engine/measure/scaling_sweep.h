@@ -38,6 +38,16 @@ class ScalingSweep {
     bool finished() const;
     double progress() const; ///< 0 .. 1
 
+    /// Which axis is measured now, and how often it was.
+    struct Turn {
+        ScalingCurve::Axis axis = ScalingCurve::Axis::Pixels;
+        std::size_t number = 1; ///< of the axis, from 1 on
+        std::size_t of = 1;
+        int round = 0; ///< 0 makes programs
+        int rounds = 1;
+    };
+    Turn turn() const;
+
     /// Of the rounds that are done; an axis appears with its first one.
     const std::vector<ScalingCurve>& curves() const;
 

@@ -44,7 +44,14 @@ Result<bool> SlicedCapture::step(std::chrono::milliseconds patience) {
         continued_ = true;
         return false;
     }
+    isDone_ = true;
     return true;
+}
+
+double SlicedCapture::progress() const {
+    const int wanted = frame_.view.environmentSamples;
+    const int samples = continued_ ? renderer_.environmentSamples() : 0;
+    return isDone_ ? 1.0 : wanted > 0 ? std::min(double(samples) / wanted, 1.0) : 0.0;
 }
 
 Result<LinearFrame> SlicedCapture::frame() const {

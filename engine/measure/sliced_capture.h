@@ -18,6 +18,9 @@ class SlicedCapture {
     /// Draws for about so long; true when all is there.
     Result<bool> step(std::chrono::milliseconds patience);
 
+    /// 0 .. 1, by the samples of an environment, which are what takes long.
+    double progress() const;
+
     /// Before exposure; no pixel of it counts yet.
     Result<LinearFrame> frame() const;
 
@@ -29,6 +32,7 @@ class SlicedCapture {
     const MeshSource& meshes_;
     ChosenFrame frame_;
     bool begun_ = false;
+    bool isDone_ = false;
     bool continued_ = false; ///< an environment's light is added to what is there
 };
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "measure/cost_table.h"
+#include "measure/ranking_table.h"
 #include "measure/sweep_plan.h"
 
 namespace patina {
@@ -232,15 +233,51 @@ TEST(LevelsText, IsReadAgain) {
     EXPECT_FALSE(levelsFromText("a="));
 }
 
-TEST(CostTable, TiesAndTimesBelowTheNoise_AreNamed) {
+/// An exact time that is nothing, as far as can be told, is no measure for others.
+TEST(CostTable, TimesBesideABound_AreAtLeastThat) {
     CostChart chart;
-    chart.points = {point({}, 1.0, 0.0), point({{"a", "same"}}, 1.01, 0.0)};
-    EXPECT_NE(costText(chart).find("exact cannot be told from a=same"), std::string::npos);
-    EXPECT_EQ(costJson(chart)["points"][0]["ties"], nlohmann::json({1}));
-    chart.points = {point({}, 1.0, 0.0), point({{"a", "none"}}, 0.02, 0.1)};
-    EXPECT_EQ(costText(chart).find("cannot be told from a"), std::string::npos);
-    chart.points[1].cost.belowNoise = true;
-    EXPECT_NE(costText(chart).find("<0.020"), std::string::npos);
+    chart.points = {point({}, 1.0, 0.0), point({{"a", "slow"}}, 4.0, 0.1),
+                    point({{"a", "none"}}, 1.0, 0.2)};
+    chart.points[0].cost.belowNoise = true;
+    chart.points[2].cost.belowNoise = true;
+    chart.points[0].cost.nanosecondsPerPixel = 2.5;
+    chart.points[1].cost.nanosecondsPerPixel = 10.0;
+    const std::string text = costText(chart);
+    EXPECT_NE(text.find(">4.000 ("), std::string::npos) << text;
+    EXPECT_NE(text.find(" <2.50 "), std::string::npos) << text;
+    EXPECT_NE(text.find(" 10.00 "), std::string::npos) << text;
+    EXPECT_EQ(text.find("1.000 ("), std::string::npos) << text;
+}
+
+ModelCost modelCost(const char* name, double ratio, bool belowNoise) {
+    ModelCost made{name, name, point({}, ratio, 0.0).cost, std::nullopt, std::nullopt};
+    made.cost.belowNoise = belowNoise;
+    return made;
+}
+
+TEST(CountFromQuickest, QuickestThatIsABound_LeavesLeastRatios) {
+    std::vector<ModelCost> costs{modelCost("a", 0.5, true), modelCost("b", 0.6, true),
+                                 modelCost("c", 2.0, false)};
+    countFromQuickest(costs);
+    EXPECT_EQ(costs[0].bound, RatioBound::Unknown);
+    EXPECT_EQ(costs[1].bound, RatioBound::Unknown);
+    EXPECT_EQ(costs[2].bound, RatioBound::AtLeast);
+    EXPECT_DOUBLE_EQ(costs[2].cost.ratio.median, 4.0);
+    EXPECT_NE(rankingText(costs).find(">4.00 ("), std::string::npos) << rankingText(costs);
+    EXPECT_EQ(rankingJson(costs)[1]["belowNoise"], true);
+}
+
+TEST(CountFromQuickest, BoundBesideAQuickerModel_IsTheMostThatItTakes) {
+    std::vector<ModelCost> costs{modelCost("a", 0.5, false), modelCost("b", 0.6, true)};
+    countFromQuickest(costs);
+    EXPECT_EQ(costs[0].bound, RatioBound::None);
+    EXPECT_EQ(costs[1].bound, RatioBound::AtMost);
+}
+
+TEST(RankingText, TooFewPairs_AreMarked) {
+    std::vector<ModelCost> costs{modelCost("a", 1.0, false)};
+    costs[0].cost.runs = 2;
+    EXPECT_NE(rankingText(costs).find(")! "), std::string::npos) << rankingText(costs);
 }
 
 TEST(CostPairs, Times_FollowFromTheRatio) {
@@ -318,27 +355,6 @@ TEST(SweepPlan, WhatGainsNothing_IsNotCombined) {
         chart.points.push_back(point(*levels, levels->contains("b") ? 1.2 : 0.8, 0.1));
     }
     EXPECT_EQ(chart.points.size(), 3u);
-}
-
-TEST(CostTable, PointsAgainstAConvergedRender_SaySo) {
-    CostChart chart;
-    chart.points = {point({}, 1.0, 0.0), point({{"picture.environment", "16"}}, 0.1, 0.3)};
-    EXPECT_EQ(costText(chart).find('~'), std::string::npos);
-    EXPECT_TRUE(costJson(chart)["converged"].is_null());
-    chart.converged = ConvergedRender{"picture.environment", 4096, {}, {}};
-    chart.converged->noise.p99 = 0.002;
-    EXPECT_NE(costText(chart).find("~ 3.0e-01"), std::string::npos) << costText(chart);
-    EXPECT_NE(costText(chart).find("4096 other directions"), std::string::npos);
-    const nlohmann::json json = costJson(chart);
-    EXPECT_EQ(json["converged"]["noise"]["p99"], 0.002);
-    EXPECT_EQ(json["points"][0]["againstConverged"], false);
-    EXPECT_EQ(json["points"][1]["againstConverged"], true);
-}
-
-TEST(CostCsv, QuotationMarksInAName_AreDoubled) {
-    CostChart chart;
-    chart.points = {point({}, 1.0, 0.0)};
-    EXPECT_TRUE(costCsv(chart, "5\" ball", false).starts_with("\"5\"\" ball\",\"exact\","));
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 // The instrument is calibrated: a model whose work and whose errors are known.
 #include "measure/cost_sweep.h"
 
+#include <set>
+
 #include "gpu_fixture.h"
 #include "material/block_values.h"
 #include "material/preset_file.h"
@@ -130,6 +132,27 @@ TEST_F(CostSweepTest, ShippedPresetTwice_GivesTheSameFrontButForTies) {
     EXPECT_GT(first.points.size(), 2u);
     EXPECT_GE(tests::frontShare(first, second).share(), 0.95);
     EXPECT_GE(tests::frontShare(second, first).share(), 0.95);
+}
+
+TEST_F(CostSweepTest, WhatIsDone_IsToldFromTheStart) {
+    CostSweep::Options options;
+    options.size = {16, 16};
+    options.pairs.most = 3;
+    options.combinations = false;
+    auto sweep = CostSweep::create({scene_, 0, scene_.camera, meshSource(), catalog}, options);
+    ASSERT_TRUE(sweep);
+    std::set<std::size_t> numbers;
+    double before = 0.0;
+    while (!(*sweep)->finished()) {
+        const SweepStep step = (*sweep)->doing();
+        EXPECT_EQ(step.of, 6u); // the right frame, the empty one, the exact one, three levels
+        EXPECT_GE(step.progress(), before);
+        numbers.insert(step.number);
+        before = step.progress();
+        (*sweep)->step(std::chrono::milliseconds(1));
+    }
+    EXPECT_EQ(numbers.size(), 6u);
+    EXPECT_EQ((*sweep)->progress(), 1.0);
 }
 
 TEST_F(CostSweepTest, SlowLevels_EndAfterTheirShareOfTheTime) {

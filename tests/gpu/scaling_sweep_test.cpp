@@ -71,6 +71,14 @@ TEST(LawText, OfACurve_SaysWhatTwiceAsManyTake) {
     EXPECT_TRUE(text.starts_with("twice the objects take 1.41 times as long")) << text;
 }
 
+TEST(ScalingText, TooFewRounds_AreMarked) {
+    ScalingCurve curve{Axis::Lights, {{1.0, {2.0, 1.0, 3.0}, 5}}, {}};
+    EXPECT_NE(scalingText({curve}).find("(1.000 .. 3.000)!\n"), std::string::npos);
+    EXPECT_NE(scalingText({curve}).find("! too few"), std::string::npos);
+    curve.samples[0].runs = 6;
+    EXPECT_EQ(scalingText({curve}).find('!'), std::string::npos);
+}
+
 class ScalingSweepTest : public GpuTest {};
 
 TEST_F(ScalingSweepTest, Lights_AreThoseThatAreOnAgainAndAgain) {
@@ -119,6 +127,7 @@ TEST_F(ScalingSweepTest, WithoutTime_EndsAfterARoundOfEachAxis) {
     }
     EXPECT_EQ((*sweep)->rounds(), 3);
     EXPECT_EQ((*sweep)->curves().size(), 3u);
+    EXPECT_EQ((*sweep)->curves()[0].samples[0].runs, 1);
 }
 
 TEST_F(ScalingSweepTest, EveryAxis_HasATimeForEachCount) {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What tables, CSV and JSON say of measurements, from made-up ones.
+#include "measure/cost_table.h"
+
+#include <gtest/gtest.h>
+
+namespace patina {
+namespace {
+
+/// An exact point, and another with these levels.
+CostChart chartWith(const ChosenLevels& levels, double ratio, double error) {
+    CostChart chart;
+    chart.points.resize(2);
+    chart.points[1].levels = levels;
+    chart.points[1].error.p99 = error;
+    const auto time = [](CostPoint& point, double times) {
+        point.cost.ratio = {times, 0.99 * times, 1.01 * times};
+        point.cost.milliseconds = {10.0 * times, 9.9 * times, 10.1 * times};
+    };
+    time(chart.points[0], 1.0);
+    time(chart.points[1], ratio);
+    return chart;
+}
+
+TEST(CostTable, TiesAndTimesBelowTheNoise_AreNamed) {
+    CostChart chart = chartWith({{"a", "same"}}, 1.01, 0.0);
+    EXPECT_NE(costText(chart).find("exact cannot be told from a=same"), std::string::npos);
+    EXPECT_EQ(costJson(chart)["points"][0]["ties"], nlohmann::json({1}));
+    chart = chartWith({{"a", "none"}}, 0.02, 0.1);
+    EXPECT_EQ(costText(chart).find("cannot be told from a"), std::string::npos);
+    chart.points[1].cost.belowNoise = true;
+    EXPECT_NE(costText(chart).find("<0.020"), std::string::npos);
+}
+
+TEST(CostTable, PointsAgainstAConvergedRender_SaySo) {
+    CostChart chart = chartWith({{"picture.environment", "16"}}, 0.1, 0.3);
+    EXPECT_EQ(costText(chart).find('~'), std::string::npos);
+    EXPECT_TRUE(costJson(chart)["converged"].is_null());
+    chart.converged = ConvergedRender{"picture.environment", 4096, {}, {}};
+    chart.converged->noise.p99 = 0.002;
+    EXPECT_NE(costText(chart).find("~ 3.0e-01"), std::string::npos) << costText(chart);
+    EXPECT_NE(costText(chart).find("4096 other directions"), std::string::npos);
+    const nlohmann::json json = costJson(chart);
+    EXPECT_EQ(json["converged"]["noise"]["p99"], 0.002);
+    EXPECT_EQ(json["points"][0]["againstConverged"], false);
+    EXPECT_EQ(json["points"][1]["againstConverged"], true);
+}
+
+TEST(CostTable, PointOfTooFewRuns_HasNoBounds) {
+    CostChart chart = chartWith({{"a", "fast"}}, 0.5, 0.1);
+    chart.points[1].cost.runs = 1;
+    const std::string csv = costCsv(chart, "ball", false);
+    EXPECT_NE(csv.find("\"ball\",\"a=fast\",0.5,,,"), std::string::npos) << csv;
+    const nlohmann::json json = costJson(chart);
+    EXPECT_TRUE(json["points"][0]["ratio"]["lower"].is_number());
+    EXPECT_TRUE(json["points"][1]["ratio"]["lower"].is_null());
+    EXPECT_TRUE(json["points"][1]["ratio"]["upper"].is_null());
+    EXPECT_EQ(json["points"][1]["ratio"]["median"], 0.5);
+}
+
+TEST(CostCsv, QuotationMarksInAName_AreDoubled) {
+    const std::string csv = costCsv(chartWith({}, 1.0, 0.0), "5\" ball", false);
+    EXPECT_TRUE(csv.starts_with("\"5\"\" ball\",\"exact\",")) << csv;
+}
+
+} // namespace
+} // namespace patina
