@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "catalog/json_text.h"
 #include "catalog/suggestion.h"
 #include "cli/command.h"
+#include "cli/long_work.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "measure/finding_text.h"
@@ -26,13 +24,6 @@ struct CheckOptions {
     std::size_t cases = 300000;
     bool json = false;
 };
-
-/// Set by Ctrl-C; the sweep then ends after its slice.
-std::atomic<bool> interrupted{false};
-
-void interrupt(int) {
-    interrupted = true;
-}
 
 /// Blocks of that id, or of that "kind/id"; the same id may be a model and something else.
 std::vector<const Block*> blocksNamed(const Catalog& catalog, const std::string& name) {
@@ -89,35 +80,13 @@ Checked<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const std::str
     return file ? variantsOfPreset(catalog, subject) : variantsOfBlocks(catalog, subject);
 }
 
-/// A line that is written over; only where somebody watches.
-class ProgressLine {
-  public:
-    void show(const StabilitySweep& sweep) {
-        if (terminal_) {
-            std::cerr << fmt::format("\r{:3.0f} %  {} cases ", 100.0 * sweep.progress(),
-                                     sweep.report().cases)
-                      << std::flush;
-        }
-    }
-    ~ProgressLine() {
-        if (terminal_) {
-            std::cerr << "\r\033[K" << std::flush;
-        }
-    }
-
-  private:
-    bool terminal_ = isatty(STDERR_FILENO) == 1;
-};
-
 void runSweep(StabilitySweep& sweep) {
-    ProgressLine line;
-    interrupted = false;
-    const auto before = std::signal(SIGINT, interrupt);
-    while (!sweep.finished() && !interrupted) {
+    LongWork work;
+    while (!sweep.finished() && !work.isStopped()) {
         sweep.step();
-        line.show(sweep);
+        work.tell(fmt::format("{:3.0f} %  {} cases ", 100.0 * sweep.progress(),
+                              sweep.report().cases));
     }
-    std::signal(SIGINT, before);
 }
 
 void printFinding(const SweepTally& tally, bool gpu, Defect defect) {

@@ -107,7 +107,7 @@ int runCommand(int argc, char** argv) {
                      "reader that stays\n";
         return 1;
     }
-    return status == 0 ? 0 : 1;
+    return status;
 }
 
 void report(const Errors& messages) {

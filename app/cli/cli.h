@@ -9,8 +9,9 @@ namespace patina {
 /// command (or a word that can only be one, misspelt), --help or --version.
 bool isCommand(std::string_view firstArgument);
 
-/// Runs `patina <command> ...` and gives the exit status: 0 for success, else 1. Results go to
-/// standard output, messages to standard error. Needs no display and no Qt.
+/// Runs `patina <command> ...` and gives the exit status: 0 for success, 130 where Ctrl-C has ended
+/// what took long, else 1. Results go to standard output, messages to standard error. Needs no
+/// display and no Qt.
 int runCommand(int argc, char** argv);
 
 } // namespace patina

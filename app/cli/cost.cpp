@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
-#include <array>
 #include <iostream>
 #include <memory>
 
@@ -11,37 +10,22 @@
 #include "assets/asset_client.h"
 #include "catalog/json_text.h"
 #include "cli/cost_plot.h"
-#include "cli/cost_request.h"
+#include "cli/cost_sweeps.h"
 #include "cli/environment_setup.h"
-#include "cli/mapped_point.h"
-#include "cli/picture.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "core/display_image.h"
 #include "gl/headless_context.h"
-#include "measure/cost_sweep.h"
 #include "measure/cost_table.h"
 #include "measure/error_colors.h"
 #include "measure/ranking_table.h"
-#include "measure/scaling_sweep.h"
 #include "render/hdr_target.h"
 #include "render/texture_loader.h"
 
 namespace patina {
 namespace {
 
-/// Of a picture whose edge is a scaling's largest: the edges of the other ones, in 24ths.
-constexpr std::array partsOfEdge{3, 4, 6, 8, 12, 16, 24};
-constexpr int wholeEdge = 24;
-
 constexpr glm::ivec2 plotSize{960, 600};
-
-/// A chart, and where one of its points goes wrong.
-struct Sweep {
-    CostChart chart;
-    ChosenLevels mapped;
-    std::vector<double> errors; ///< as CostSweep::errorMap(); empty where it is not asked for
-};
 
 /// A preset's chart.
 struct Measured {
@@ -50,90 +34,6 @@ struct Measured {
     ChosenLevels mapped;
     std::vector<double> errors;
 };
-
-CostSweep::Options sweepOptions(const CostRequest& options) {
-    CostSweep::Options wanted;
-    wanted.size = options.picture.size;
-    wanted.scope = options.ofPicture ? Choice::Scope::Picture : Choice::Scope::Material;
-    wanted.programCache = programCacheFolder();
-    wanted.seconds = options.seconds;
-    wanted.combinations = !options.singles;
-    return wanted;
-}
-
-Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options) {
-    const auto named = namedWay(options.ofPicture
-                                    ? choicesOfPicture(subject.scene, *subject.catalog)
-                                    : materialChoices(subject.scene, subject.object,
-                                                      *subject.catalog),
-                                options);
-    if (!named) {
-        return tl::unexpected(oneError(named.error()));
-    }
-    CostSweep::Options wanted = sweepOptions(options);
-    wanted.present = *named;
-    auto sweep = CostSweep::create(std::move(subject), wanted);
-    if (!sweep) {
-        return tl::unexpected(oneError(sweep.error()));
-    }
-    while (!(*sweep)->finished()) {
-        (*sweep)->step(std::chrono::seconds(1));
-    }
-    if (!(*sweep)->problems().empty()) {
-        return tl::unexpected((*sweep)->problems());
-    }
-    Sweep made{(*sweep)->chart(), {}, {}};
-    if (!options.errorMap.empty()) {
-        made.mapped = mappedPoint(made.chart, *named, options).levels;
-        made.errors = (*sweep)->errorMap(made.mapped);
-    }
-    return made;
-}
-
-/// The pixel axis of a scaling whose largest picture has this edge.
-std::vector<int> edgesUpTo(int edge) {
-    std::vector<int> edges;
-    for (const int part : partsOfEdge) {
-        const int each = std::max(1, edge * part / wholeEdge);
-        if (edges.empty() || edges.back() < each) {
-            edges.push_back(each);
-        }
-    }
-    return edges;
-}
-
-Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const CostRequest& options) {
-    ScalingSweep::Options wanted;
-    if (const int edge = options.picture.size.x; edge > 0) {
-        wanted.edge = edge;
-        wanted.edges = edgesUpTo(edge);
-    }
-    wanted.programCache = programCacheFolder();
-    wanted.seconds = options.seconds;
-    auto sweep = ScalingSweep::create(std::move(subject), wanted);
-    if (!sweep) {
-        return tl::unexpected(oneError(sweep.error()));
-    }
-    while (!(*sweep)->finished()) {
-        (*sweep)->step();
-    }
-    return (*sweep)->problems().empty()
-               ? Checked<std::vector<ScalingCurve>>((*sweep)->curves())
-               : tl::unexpected((*sweep)->problems());
-}
-
-Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostRequest& options) {
-    auto ranking = ModelRanking::create(std::move(subject), sweepOptions(options));
-    if (!ranking) {
-        return tl::unexpected(oneError(ranking.error()));
-    }
-    while (!(*ranking)->finished()) {
-        (*ranking)->step();
-    }
-    return (*ranking)->problems().empty()
-               ? Checked<std::vector<ModelCost>>((*ranking)->costs())
-               : tl::unexpected((*ranking)->problems());
-}
 
 /// What is read of a preset before anything is measured.
 struct Prepared {
@@ -162,17 +62,23 @@ Checked<Prepared> prepared(const std::string& preset, const CostRequest& options
     return Prepared{preset, std::move(setup->scene), std::move(*loaded), *environment};
 }
 
+/// What all measurements are made with.
+struct Tools {
+    std::shared_ptr<const Catalog> catalog;
+    AssetClient& files;
+    LongWork& work;
+};
+
 /// Calls `measure` with what was prepared.
 template <class Measure>
-auto withSubject(const Prepared& subject, const CostRequest& options,
-                 const std::shared_ptr<const Catalog>& catalog, AssetClient& files,
+auto withSubject(const Prepared& subject, const CostRequest& options, const Tools& tools,
                  const Measure& measure) {
-    TextureLoader textures(files);
+    TextureLoader textures(tools.files);
     auto measured = measure(
         {subject.scene, 0, subject.scene.camera,
-         [&subject](const Object& object) { return subject.meshes.view(object); }, catalog,
-         textures.source(), subject.environment},
-        options);
+         [&subject](const Object& object) { return subject.meshes.view(object); },
+         tools.catalog, textures.source(), subject.environment},
+        options, tools.work);
     report(textures.takeProblems());
     return measured;
 }
@@ -213,9 +119,10 @@ Result<void> writePictures(const Measured& measured, const CostRequest& options)
 }
 
 std::string budgetText(const CostPoint& point, const BudgetAnswer& answer) {
-    return fmt::format("{}: {}, {:.3f} ms, error {:.2e}\n",
+    return fmt::format("{}: {}, {}{:.3f} ms, error {:.2e}\n",
                        answer.fits ? "the budget buys" : "no point fits the budget; the nearest is",
-                       levelsText(point.levels), point.cost.milliseconds.median, errorOf(point));
+                       levelsText(point.levels), point.cost.belowNoise ? "at most " : "",
+                       point.cost.milliseconds.median, errorOf(point));
 }
 
 /// False when nothing fits the budget. `name` says of which chart it is, where there are several.
@@ -260,14 +167,12 @@ void print(const std::vector<Measured>& all, const CostRequest& options) {
     }
 }
 
-Checked<bool> rankModels(const CostRequest& options,
-                         const std::shared_ptr<const Catalog>& catalog) {
-    AssetClient files;
-    const auto subject = prepared({}, options, *catalog, files);
+Checked<bool> rankModels(const CostRequest& options, const Tools& tools) {
+    const auto subject = prepared({}, options, *tools.catalog, tools.files);
     if (!subject) {
         return tl::unexpected(subject.error());
     }
-    const auto costs = withSubject(*subject, options, catalog, files, ranked);
+    const auto costs = withSubject(*subject, options, tools, ranked);
     if (!costs) {
         return tl::unexpected(costs.error());
     }
@@ -277,14 +182,13 @@ Checked<bool> rankModels(const CostRequest& options,
     return true;
 }
 
-Checked<bool> scale(const CostRequest& options, const std::shared_ptr<const Catalog>& catalog) {
-    AssetClient files;
+Checked<bool> scale(const CostRequest& options, const Tools& tools) {
     const std::string preset = options.presets.empty() ? std::string() : options.presets.front();
-    const auto subject = prepared(preset, options, *catalog, files);
+    const auto subject = prepared(preset, options, *tools.catalog, tools.files);
     if (!subject) {
         return tl::unexpected(subject.error());
     }
-    const auto curves = withSubject(*subject, options, catalog, files, scaled);
+    const auto curves = withSubject(*subject, options, tools, scaled);
     if (!curves) {
         return tl::unexpected(curves.error());
     }
@@ -318,18 +222,19 @@ std::string nameOf(const Prepared& subject, const CostRequest& options) {
     return options.picture.model.empty() ? options.picture.scene : options.picture.model;
 }
 
-/// The charts of all presets.
+/// The charts of all presets, or of those that were begun before it was stopped.
 Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
-                                        const CostRequest& options,
-                                        const std::shared_ptr<const Catalog>& catalog) {
-    AssetClient files;
-    const auto subjects = readAll(presets, options, *catalog, files);
+                                        const CostRequest& options, const Tools& tools) {
+    const auto subjects = readAll(presets, options, *tools.catalog, tools.files);
     if (!subjects) {
         return tl::unexpected(subjects.error());
     }
     std::vector<Measured> all;
     for (const Prepared& subject : *subjects) {
-        auto sweep = withSubject(subject, options, catalog, files, swept);
+        auto sweep = withSubject(subject, options, tools, swept);
+        if (!sweep && tools.work.isStopped() && !all.empty()) {
+            break;
+        }
         if (!sweep) {
             return tl::unexpected(sweep.error());
         }
@@ -340,33 +245,17 @@ Checked<std::vector<Measured>> chartsOf(const std::vector<std::string>& presets,
 }
 
 /// True when every budget could be met.
-Checked<bool> cost(const CostRequest& options) {
-    if (const Errors wrong = checkRequest(options); !wrong.empty()) {
-        return tl::unexpected(wrong);
-    }
-    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
-    report(catalog->errors);
-    const auto context = gl::HeadlessContext::create();
-    if (!context) {
-        return tl::unexpected(oneError(context.error()));
-    }
-    const glm::ivec2 size = options.picture.size;
-    if (const auto checked = size.x > 0 ? checkPictureSize(size) : Result<void>(); !checked) {
-        return tl::unexpected(oneError(checked.error()));
-    }
-    if (options.allModels) {
-        return rankModels(options, catalog);
-    }
-    if (options.scaling) {
-        return scale(options, catalog);
-    }
+Checked<bool> chart(const CostRequest& options, const Tools& tools) {
     const auto all = chartsOf(options.presets.empty() ? std::vector<std::string>(1)
                                                       : options.presets,
-                              options, catalog);
+                              options, tools);
     if (!all) {
         return tl::unexpected(all.error());
     }
     print(*all, options);
+    if (tools.work.isStopped()) {
+        return true;
+    }
     if (const auto written = writePictures(all->front(), options); !written) {
         return tl::unexpected(oneError(written.error()));
     }
@@ -378,6 +267,46 @@ Checked<bool> cost(const CostRequest& options) {
     return met;
 }
 
+/// With what must stay: whatever is asked for.
+Checked<bool> measured(const CostRequest& options, LongWork& work) {
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
+    report(catalog->errors);
+    const auto context = gl::HeadlessContext::create();
+    if (!context) {
+        return tl::unexpected(oneError(context.error()));
+    }
+    const glm::ivec2 size = options.picture.size;
+    if (const auto checked = size.x > 0 ? checkPictureSize(size) : Result<void>(); !checked) {
+        return tl::unexpected(oneError(checked.error()));
+    }
+    AssetClient files;
+    const Tools tools{catalog, files, work};
+    return options.allModels ? rankModels(options, tools)
+           : options.scaling ? scale(options, tools)
+                             : chart(options, tools);
+}
+
+/// The status of the command.
+int cost(const CostRequest& options) {
+    if (const Errors wrong = checkRequest(options); !wrong.empty()) {
+        report(wrong);
+        return 1;
+    }
+    bool isStopped = false;
+    Checked<bool> done = false;
+    {
+        LongWork work;
+        done = measured(options, work);
+        isStopped = work.isStopped();
+    }
+    if (!done) {
+        report(done.error());
+    } else if (isStopped) {
+        std::cerr << "stopped: this is what was measured so far\n";
+    }
+    return isStopped ? LongWork::stoppedStatus : done && *done ? 0 : 1;
+}
+
 } // namespace
 
 void addCost(CLI::App& program, int& status) {
@@ -385,13 +314,7 @@ void addCost(CLI::App& program, int& status) {
         "cost", "Measure what every accuracy choice of a preset costs and how wrong it is");
     auto options = std::make_shared<CostRequest>();
     addCostOptions(*command, *options);
-    command->callback([options, &status] {
-        const auto done = cost(*options);
-        status = done && *done ? 0 : 1;
-        if (!done) {
-            report(done.error());
-        }
-    });
+    command->callback([options, &status] { status = cost(*options); });
 }
 
 } // namespace patina

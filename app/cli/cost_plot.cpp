@@ -26,6 +26,8 @@ constexpr double marginRight = 150.0;
 constexpr double marginTop = 40.0;
 constexpr double marginBottom = 50.0;
 constexpr double dotRadius = 5.0;
+constexpr double arrowLength = 22.0;
+constexpr double arrowHead = 4.0;
 
 /// Below this errors are the rounding of floats.
 constexpr double leastError = 1e-7;
@@ -102,13 +104,27 @@ void addFront(Shapes& shapes, const CostChart& chart, const Axes& axes,
     }
 }
 
-void addPoint(Shapes& shapes, const CostPoint& point, const Axes& axes, bool isOnFront) {
+/// From the point of a bound to where its time may be: -1 is to the left.
+void addArrow(Shapes& shapes, const glm::dvec2& from, double side, const glm::dvec3& color) {
+    const glm::dvec2 tip = from + glm::dvec2(arrowLength * side, 0.0);
+    shapes.push_back({PlotShape::Kind::Line, from, tip, color, {}});
+    for (const double up : {-1.0, 1.0}) {
+        const glm::dvec2 barb = tip + arrowHead * glm::dvec2(-side, up);
+        shapes.push_back({PlotShape::Kind::Line, tip, barb, color, {}});
+    }
+}
+
+void addPoint(Shapes& shapes, const CostPoint& point, RatioBound bound, const Axes& axes,
+              bool isOnFront) {
     const glm::dvec3 color = isOnFront ? onFront : beaten;
     const glm::dvec2 at = axes.place(point.cost.ratio.median, errorOf(point));
+    shapes.push_back({PlotShape::Kind::Dot, at, {}, color, {}});
+    if (bound == RatioBound::AtMost || bound == RatioBound::AtLeast) {
+        return addArrow(shapes, at, bound == RatioBound::AtMost ? -1.0 : 1.0, color);
+    }
     const glm::dvec2 left = axes.place(std::max(point.cost.ratio.lower, 1e-3), errorOf(point));
     const glm::dvec2 right = axes.place(std::max(point.cost.ratio.upper, 1e-3), errorOf(point));
     shapes.push_back({PlotShape::Kind::Line, left, right, color, {}});
-    shapes.push_back({PlotShape::Kind::Dot, at, {}, color, {}});
 }
 
 /// The fastest first: its label has the first choice of where it stands.
@@ -204,7 +220,7 @@ std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size) {
     addGrid(shapes, axes);
     addFront(shapes, chart, axes, front);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
-        addPoint(shapes, chart.points[i], axes,
+        addPoint(shapes, chart.points[i], chart.boundOf(chart.points[i]), axes,
                  std::ranges::find(front, i) != front.end());
     }
     addLabels(shapes, chart, axes, front, size);

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/option_numbers.h"
 #include "core/number_text.h"
 
 namespace patina {
@@ -61,7 +62,8 @@ bool isOneOf(const std::string& ending, std::initializer_list<std::string_view> 
 Errors checkCombinations(const CostRequest& request) {
     const bool isOther = request.allModels || request.scaling;
     const bool isChart = request.hasBudget() || !request.plot.empty() ||
-                         !request.errorMap.empty() || request.ofPicture || request.singles;
+                         !request.errorMap.empty() || !request.errorMapOf.empty() ||
+                         request.ofPicture || request.singles;
     const glm::ivec2 size = request.picture.size;
     const bool isPlot =
         request.plot.empty() || isOneOf(endingOf(request.plot), {".svg", ".png"});
@@ -72,8 +74,8 @@ Errors checkCombinations(const CostRequest& request) {
     const char* place = "a file in a folder that exists and may be written to";
     const std::array wrong{
         Combination{isOther && isChart,
-                    "budgets, --plot, --error-map, --picture and --singles are of charts of "
-                    "presets",
+                    "budgets, --plot, --error-map, --error-map-of, --picture and --singles are of "
+                    "charts of presets",
                     "--all-models or --scaling without them"},
         Combination{request.allModels && (!request.presets.empty() ||
                                           !request.picture.model.empty()),
@@ -107,24 +109,13 @@ std::optional<double> numberOrFraction(std::string_view text) {
 }
 
 double budgetIn(const char* option, const std::string& text, bool canBeNothing) {
-    const std::optional<double> budget = numberOrFraction(text);
-    if (!budget || *budget < 0.0 || (*budget == 0.0 && !canBeNothing)) {
-        throw CLI::ValidationError(
-            option, fmt::format("not a budget: \"{}\"; expected {} such as {}", text,
-                                canBeNothing ? "a share of 0 or more" : "milliseconds above 0",
-                                canBeNothing ? "0.004 or 1/255" : "2.5"));
-    }
-    return *budget;
-}
-
-double secondsIn(const std::string& text) {
-    const std::optional<double> seconds = parseNumber(text);
-    if (!seconds || *seconds <= 0.0) {
-        throw CLI::ValidationError(
-            "--seconds",
-            fmt::format("not a time: \"{}\"; expected seconds above 0 such as 30", text));
-    }
-    return *seconds;
+    return optionNumber(
+        option, text,
+        {"a budget",
+         canBeNothing ? "a share of 0 or more such as 0.004 or 1/255"
+                      : "milliseconds above 0 such as 2.5",
+         [canBeNothing](double budget) { return budget > 0.0 || (budget == 0.0 && canBeNothing); },
+         numberOrFraction});
 }
 
 void addBudgets(CLI::App& command, CostRequest& request) {
@@ -165,12 +156,9 @@ void addCostOptions(CLI::App& command, CostRequest& request) {
     command.add_flag("--picture", request.ofPicture,
                      "The picture's own choices, such as samples, instead of the material's");
     command.add_flag("--singles", request.singles, "Each choice by itself, no combinations");
-    command
-        .add_option_function<std::string>(
-            "--seconds",
-            [&request](const std::string& text) { request.seconds = secondsIn(text); },
-            "No combination and no round is begun after so long; slow frames are drawn less often")
-        ->default_str(fmt::format("{}", request.seconds));
+    addSecondsOption(command, request.seconds,
+                     "No combination and no round is begun after so long; slow frames are drawn "
+                     "less often");
     auto* all = command.add_flag("--all-models", request.allModels,
                                  "Rank all models with their defaults on one scene instead");
     command

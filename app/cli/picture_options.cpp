@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/option_numbers.h"
 #include "core/number_text.h"
 #include "material/material.h"
 #include "scene/scene_limits.h"
@@ -30,13 +31,9 @@ std::string sizeFrom(const std::string& text, glm::ivec2& size) {
 }
 
 double stopsIn(const std::string& text) {
-    const std::optional<double> stops = parseNumber(text);
-    if (!stops || std::abs(*stops) > mostStops) {
-        throw CLI::ValidationError("--exposure",
-                                   fmt::format("not an exposure: \"{}\"; expected stops, {} .. {}",
-                                               text, -mostStops, mostStops));
-    }
-    return *stops;
+    return optionNumber("--exposure", text,
+                        {"an exposure", fmt::format("stops, {} .. {}", -mostStops, mostStops),
+                         [](double stops) { return std::abs(stops) <= mostStops; }, parseNumber});
 }
 
 } // namespace

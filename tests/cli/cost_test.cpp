@@ -22,6 +22,15 @@ Outcome cost(const std::vector<std::string>& more) {
     return patina(command);
 }
 
+TEST(Cost, SceneWithoutObjects_IsRefused) {
+    const TemporaryFolder folder;
+    const auto scene = folder / "empty.patina-scene.json";
+    writeFile(scene, R"({"format": "patina.scene", "version": 1, "objects": []})");
+    const Outcome outcome = patina({"cost", "--scene", scene, "--size", "32x32"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("there is no object to measure"), std::string::npos) << outcome.err;
+}
+
 TEST(Cost, Table_NamesEveryLevel) {
     const Outcome outcome = cost({});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -177,6 +186,7 @@ void expectMistake(const std::vector<std::string>& arguments, const char* words)
 TEST(Cost, OptionsThatDoNotGoTogether_AreMistakes) {
     expectMistake({"--all-models", "--budget-ms", "2"}, "are of charts of presets");
     expectMistake({"--all-models", "--plot", "a.svg"}, "are of charts of presets");
+    expectMistake({"--all-models", "--error-map-of", "power=rational"}, "--error-map-of, ");
     expectMistake({"--all-models", "some.patina.json"}, "ranks models");
     expectMistake({"--model", "phong", "--scaling", "--error-map", "a.png"}, "of charts");
     expectMistake({"--model", "phong", "--scaling", "--size", "64x32"}, "square");
@@ -230,6 +240,20 @@ TEST(Cost, Budgets_AreNumbersOrFractions) {
     expectMistake({"--model", "phong", "--budget-error", "1/0"}, "1/255");
     const Outcome outcome = cost({"--budget-error", "1/2"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+}
+
+/// What would take minutes is interrupted after seconds, as Ctrl-C does.
+TEST(Cost, Interrupted_EndsAndSaysSo) {
+    const TemporaryFolder home;
+    const Outcome outcome =
+        run("/usr/bin/timeout",
+            Start{.arguments = {"--preserve-status", "-s", "INT", "5", patinaProgram().string(),
+                                "cost", "--model", "he-torrance", "--size", "1024x1024",
+                                "--seconds", "600"},
+                  .environment = {{"DISPLAY", ""}, {"XDG_CACHE_HOME", home.path().string()}},
+                  .input = {}});
+    EXPECT_EQ(outcome.exitCode, 130) << outcome.err;
+    EXPECT_NE(outcome.err.find("stopped"), std::string::npos) << outcome.err;
 }
 
 TEST(Cost, NothingToMeasure_IsAMistake) {

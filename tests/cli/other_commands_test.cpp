@@ -152,6 +152,44 @@ TEST_F(EffectsOfObjects, UnknownObject_IsAnError) {
     }
 }
 
+/// Neither the first one, nor one that has no name.
+TEST_F(EffectsOfObjects, EmptyName_IsAnError) {
+    auto scene = nlohmann::json::parse(readFile(file()));
+    scene["objects"][1]["name"] = "";
+    writeFile(file(), scene.dump());
+    const Outcome outcome = effects({"--object", ""});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("the scene has no such object"), std::string::npos) << outcome.err;
+}
+
+/// There is none; the table says why.
+TEST_F(EffectsOfObjects, SourceOfWhatIsNotDrawn_IsAnErrorThatSaysWhy) {
+    auto scene = nlohmann::json::parse(readFile(file()));
+    scene["objects"][0]["visible"] = false;
+    scene["objects"][1]["translation"] = {1000, 0, 0};
+    writeFile(file(), scene.dump());
+    for (const auto& [object, why] : {std::pair("1", "The object is hidden."),
+                                      std::pair("2", "The object is outside the view")}) {
+        EXPECT_NE(effects({"--object", object}).out.find(why), std::string::npos);
+        for (const char* option : {"--source", "--json"}) {
+            const Outcome outcome = effects({"--object", object, "--source", option});
+            EXPECT_EQ(outcome.exitCode, 1);
+            EXPECT_EQ(outcome.out, "");
+            EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+        }
+    }
+}
+
+TEST_F(EffectsOfObjects, SourceAsJson_StandsBesideTheList) {
+    const Outcome outcome = effects({"--source", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_FALSE(json["effects"].empty());
+    EXPECT_TRUE(json["vertex"].get<std::string>().starts_with("#version"));
+    EXPECT_TRUE(json["fragment"].get<std::string>().starts_with("#version"));
+}
+
 TEST_F(EffectsOfObjects, NameThatTwoHave_AsksForANumber) {
     auto scene = nlohmann::json::parse(readFile(file()));
     scene["objects"][0]["name"] = "Right";
@@ -162,21 +200,59 @@ TEST_F(EffectsOfObjects, NameThatTwoHave_AsksForANumber) {
     EXPECT_NE(outcome.err.find("1, 2"), std::string::npos) << outcome.err;
 }
 
-/// No frames are drawn in so short a time.
+/// Fewer frames than tell anything for certain are drawn in so short a time.
 TEST(EffectsCommand, SlowFrames_AreDrawnSmallerUnlessTheSizeIsGiven) {
     const std::vector<std::string> slow{"effects", "--model",   "lambert",
                                         "--json",  "--seconds", "0.001"};
     const auto pixelsOf = [](const std::vector<std::string>& command) {
         const Outcome outcome = patina(command);
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find("--seconds 0.001 is too short"), std::string::npos)
+            << outcome.err;
         const auto costs = nlohmann::json::parse(outcome.out)["costs"];
-        EXPECT_EQ(costs["pairs"], 7);
+        EXPECT_LT(costs["pairs"], 7);
+        EXPECT_GT(costs["secondsNeeded"], 0.001);
         return costs["size"][0].get<int>();
     };
     EXPECT_LT(pixelsOf(slow), 384);
     std::vector<std::string> sized = slow;
     sized.insert(sized.end(), {"--size", "80x80"});
     EXPECT_EQ(pixelsOf(sized), 80);
+}
+
+/// Before anything is drawn, in every command that takes one.
+TEST(Program, NumbersThatAreNone_AreRefused) {
+    const TemporaryFolder folder;
+    const std::string picture = (folder / "a.png").string();
+    const std::vector<std::vector<std::string>> commands{
+        {"effects", "--model", "lambert", "--seconds"},
+        {"cost", "--model", "lambert", "--seconds"},
+        {"cost", "--model", "lambert", "--budget-ms"},
+        {"cost", "--model", "lambert", "--budget-error"},
+        {"cost", "--model", "lambert", "--exposure"},
+        {"render", "--model", "lambert", "-o", picture, "--exposure"},
+        {"render", "--model", "lambert", "-o", picture, "--samples"},
+        {"render", "--model", "lambert", "-o", picture, "--size"},
+        {"compare", gold, plastic, "-o", picture, "--exposure"},
+        {"compare", gold, plastic, "-o", picture, "--samples"},
+        {"check", "lambert", "--cases"}};
+    for (const std::vector<std::string>& command : commands) {
+        for (const char* text : {"nan", "inf", "-inf", "1e999", "-1000000", "", "2x"}) {
+            std::vector<std::string> arguments = command;
+            arguments.back() += std::string("=") + text;
+            const Outcome outcome = patina(arguments);
+            EXPECT_NE(outcome.exitCode, 0) << command[0] << ' ' << arguments.back();
+            EXPECT_EQ(outcome.out, "") << command[0] << ' ' << arguments.back();
+            EXPECT_NE(outcome.err.find(command.back()), std::string::npos) << outcome.err;
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
+TEST(EffectsCommand, NoTime_IsRefused) {
+    const Outcome outcome = patina({"effects", "--model", "lambert", "--seconds", "0"});
+    EXPECT_NE(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("seconds above 0"), std::string::npos) << outcome.err;
 }
 
 TEST(EffectsCommand, List_NamesTheModel) {

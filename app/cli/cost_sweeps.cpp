@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cost_sweeps.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <iostream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/mapped_point.h"
+#include "cli/picture.h"
+#include "measure/picture_choices.h"
+#include "measure/scaling_sweep.h"
+
+namespace patina {
+namespace {
+
+/// Of a picture whose edge is a scaling's largest: the edges of the other ones, in 24ths.
+constexpr std::array partsOfEdge{3, 4, 6, 8, 12, 16, 24};
+constexpr int wholeEdge = 24;
+
+CostSweep::Options sweepOptions(const CostRequest& options) {
+    CostSweep::Options wanted;
+    wanted.size = options.picture.size;
+    wanted.scope = options.ofPicture ? Choice::Scope::Picture : Choice::Scope::Material;
+    wanted.programCache = programCacheFolder();
+    wanted.seconds = options.seconds;
+    wanted.combinations = !options.singles;
+    return wanted;
+}
+
+/// The pixel axis of a scaling whose largest picture has this edge.
+std::vector<int> edgesUpTo(int edge) {
+    std::vector<int> edges;
+    for (const int part : partsOfEdge) {
+        const int each = std::max(1, edge * part / wholeEdge);
+        if (edges.empty() || edges.back() < each) {
+            edges.push_back(each);
+        }
+    }
+    return edges;
+}
+
+std::string workText(const SweepStep& step) {
+    switch (step.work) {
+    case SweepStep::Work::RightFrame:
+        return "the right picture";
+    case SweepStep::Work::ConvergedFrame:
+        return "a converged picture";
+    case SweepStep::Work::EmptyFrame:
+        return "an empty picture";
+    default:
+        return levelsText(step.levels);
+    }
+}
+
+std::string stepText(const SweepStep& step) {
+    return fmt::format("step {} of {}: {}, {:.0f} %", step.number, step.of, workText(step),
+                       100.0 * step.share);
+}
+
+/// Said where it takes longer than it was given.
+std::string durationText(double seconds) {
+    return fmt::format("about {:.0f} minutes: each frame of so many directions takes seconds here; "
+                       "Ctrl-C ends with what is measured by then\n",
+                       std::max(seconds / 60.0, 1.0));
+}
+
+tl::unexpected<Errors> nothingYet() {
+    return tl::unexpected(
+        oneError(failure("stopped before anything was measured", "some patience").value()));
+}
+
+} // namespace
+
+Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, LongWork& work) {
+    const auto named = namedWay(options.ofPicture
+                                    ? choicesOfPicture(subject.scene, *subject.catalog)
+                                    : materialChoices(subject.scene, subject.object,
+                                                      *subject.catalog),
+                                options);
+    if (!named) {
+        return tl::unexpected(oneError(named.error()));
+    }
+    CostSweep::Options wanted = sweepOptions(options);
+    wanted.present = *named;
+    auto sweep = CostSweep::create(std::move(subject), wanted);
+    if (!sweep) {
+        return tl::unexpected(oneError(sweep.error()));
+    }
+    bool isWarned = false;
+    while (!(*sweep)->finished() && !work.isStopped()) {
+        (*sweep)->step(std::chrono::milliseconds(200));
+        const SweepStep step = (*sweep)->doing();
+        if (step.secondsInAll > wanted.seconds && !std::exchange(isWarned, true)) {
+            work.tell({});
+            std::cerr << durationText(step.secondsInAll);
+        }
+        work.tell(stepText(step));
+    }
+    if (!(*sweep)->problems().empty()) {
+        return tl::unexpected((*sweep)->problems());
+    }
+    Sweep made{(*sweep)->chart(), {}, {}};
+    if (made.chart.points.empty()) {
+        return nothingYet();
+    }
+    if (!options.errorMap.empty() && !work.isStopped()) {
+        made.mapped = mappedPoint(made.chart, *named, options).levels;
+        made.errors = (*sweep)->errorMap(made.mapped);
+    }
+    return made;
+}
+
+Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const CostRequest& options,
+                                          LongWork& work) {
+    ScalingSweep::Options wanted;
+    if (const int edge = options.picture.size.x; edge > 0) {
+        wanted.edge = edge;
+        wanted.edges = edgesUpTo(edge);
+    }
+    wanted.programCache = programCacheFolder();
+    wanted.seconds = options.seconds;
+    auto sweep = ScalingSweep::create(std::move(subject), wanted);
+    if (!sweep) {
+        return tl::unexpected(oneError(sweep.error()));
+    }
+    while (!(*sweep)->finished() && !work.isStopped()) {
+        (*sweep)->step();
+        const ScalingSweep::Turn turn = (*sweep)->turn();
+        work.tell(fmt::format("{} of {}: {}, round {} of {}", turn.number, turn.of,
+                              axisText(turn.axis), turn.round, turn.rounds));
+    }
+    if (!(*sweep)->problems().empty()) {
+        return tl::unexpected((*sweep)->problems());
+    }
+    if ((*sweep)->curves().empty()) {
+        return nothingYet();
+    }
+    return (*sweep)->curves();
+}
+
+Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostRequest& options,
+                                       LongWork& work) {
+    auto ranking = ModelRanking::create(std::move(subject), sweepOptions(options));
+    if (!ranking) {
+        return tl::unexpected(oneError(ranking.error()));
+    }
+    while (!(*ranking)->finished() && !work.isStopped()) {
+        (*ranking)->step();
+        const ModelRanking::Turn turn = (*ranking)->turn();
+        work.tell(fmt::format("model {} of {}: {}", turn.number, turn.of, turn.label));
+    }
+    if (!(*ranking)->problems().empty()) {
+        return tl::unexpected((*ranking)->problems());
+    }
+    std::vector<ModelCost> costs = (*ranking)->costs();
+    if (costs.empty()) {
+        return nothingYet();
+    }
+    return costs;
+}
+
+} // namespace patina
