@@ -107,6 +107,11 @@ class Document : public QObject {
     /// Starts comparing with what was last on side B of this object, at first with a copy of side
     /// A; or stops.
     void setComparing(bool on);
+    /// Compares two materials as one step. Side A shows the first one until comparing ends, keeps
+    /// its own meanwhile, also in files, and then has it again.
+    void look(const Material& first, const Material& second, const QString& label);
+    /// Chooses levels for good, also where side A shows others just to be looked at.
+    void setLevels(Side side, const AccuracyLevels& levels, const QString& label);
     void swapSides();
 
     // Lights, fog, objects.
@@ -199,6 +204,9 @@ class Document : public QObject {
     friend class DocumentCommand;
 
     void connectSignals();
+    void endComparing();
+    void putBack();
+    void setLookedAt(std::optional<LookedAt> lookedAt);
     void endEffectHold();
     void updateSecondScene(const BlockPath& path, const QString& parameterId);
     void keepCurrentInside();

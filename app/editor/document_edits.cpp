@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of a document that are more than one value.
 #include "commands/camera_command.h"
-#include "commands/compare_command.h"
 #include "commands/environment_command.h"
 #include "commands/fog_command.h"
 #include "commands/light_command.h"
@@ -90,36 +89,6 @@ void Document::replaceMaterial(Side side, const Material& wanted, const QString&
     if (held && !(*held == wanted)) {
         undoStack_.push(new MaterialCommand(*this, {currentObject_, side}, wanted, label));
     }
-}
-
-void Document::setSecondMaterial(std::optional<Material> wanted) {
-    if (wanted != state_.second) {
-        undoStack_.push(new CompareCommand(*this, std::move(wanted)));
-    }
-}
-
-void Document::setComparing(bool on) {
-    const Material* first = material(Side::A);
-    if (!on && state_.second) {
-        lastSecond_ = state_.second;
-        lastSecondObject_ = currentObject_;
-        setSecondMaterial(std::nullopt);
-    } else if (on && first && !state_.second) {
-        const bool returns = lastSecond_ && lastSecondObject_ == currentObject_;
-        setSecondMaterial(returns ? *lastSecond_ : *first);
-    }
-}
-
-void Document::swapSides() {
-    const Material* first = material(Side::A);
-    if (!first || !state_.second || *first == *state_.second) {
-        return;
-    }
-    const Material formerFirst = *first;
-    undoStack_.beginMacro(tr("Swap A and B"));
-    replaceMaterial(Side::A, *state_.second, tr("Swap A and B"));
-    setSecondMaterial(formerFirst);
-    undoStack_.endMacro();
 }
 
 void Document::addLight(std::string_view blockId) {

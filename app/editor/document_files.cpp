@@ -168,6 +168,7 @@ bool Document::openPreset(const std::filesystem::path& path) {
         return false;
     }
     DocumentState state = state_;
+    state.lookedAt.reset();
     if (state.scene.objects.empty()) {
         state.scene.objects.emplace_back();
     }
@@ -194,7 +195,12 @@ bool Document::applyPreset(const std::filesystem::path& path, Side side) {
 }
 
 Scene Document::sceneToSave() const {
-    return withSecond(state_.scene, state_.second, currentObject_);
+    Scene scene = state_.scene;
+    const int object = state_.lookedAt ? state_.lookedAt->object : -1;
+    if (const std::optional<Material> own = materialAside(state_, object)) {
+        scene.objects[static_cast<std::size_t>(object)].material = *own;
+    }
+    return withSecond(std::move(scene), state_.second, currentObject_);
 }
 
 bool Document::isOwnFile(const std::filesystem::path& path) const {
@@ -256,7 +262,12 @@ bool Document::savePreset(const std::filesystem::path& path, const BlockPath& of
     if (!mayOverwrite(path)) {
         return false;
     }
-    const Result<void> written = writePreset(path, saved);
+    Material kept = saved;
+    if (const auto own = materialAside(state_, of.index); own && of.side == Side::A) {
+        kept = *own;
+        kept.name = saved.name;
+    }
+    const Result<void> written = writePreset(path, kept);
     if (!written) {
         Q_EMIT message(written.error());
         return false;

@@ -100,6 +100,25 @@ Material* materialAt(DocumentState& state, int object, Side side) {
     return findMaterial(state, object, side);
 }
 
+std::optional<Material> materialAside(const DocumentState& state, int object) {
+    const Material* now = materialAt(state, object, Side::A);
+    if (!now || !state.lookedAt || state.lookedAt->object != object) {
+        return std::nullopt;
+    }
+    const LookedAt& looked = *state.lookedAt;
+    if (*now == looked.shown) {
+        return looked.own;
+    }
+    Material likeShown = looked.own;
+    likeShown.accuracy = looked.shown.accuracy;
+    if (!(likeShown == looked.shown) || now->accuracy != looked.shown.accuracy) {
+        return std::nullopt; // what it shows was made its own
+    }
+    Material own = *now;
+    own.accuracy = looked.own.accuracy;
+    return own;
+}
+
 const BlockValues* blockValuesAt(const DocumentState& state, const BlockPath& path) {
     return findBlockValues(state, path);
 }

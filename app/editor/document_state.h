@@ -12,10 +12,20 @@ namespace patina {
 /// The two materials that are compared. A is the object's own, B the second one.
 enum class Side { A, B };
 
+/// What side A shows for as long as it is compared, and its own material, which was put aside.
+struct LookedAt {
+    int object = 0;
+    Material own;
+    Material shown;
+
+    friend bool operator==(const LookedAt&, const LookedAt&) = default;
+};
+
 /// Everything an edit can change.
 struct DocumentState {
     Scene scene;
     std::optional<Material> second; ///< side B, shown on the current object; absent: no comparing
+    std::optional<LookedAt> lookedAt = std::nullopt; ///< absent: side A shows its own
 
     friend bool operator==(const DocumentState&, const DocumentState&) = default;
 };
@@ -60,6 +70,10 @@ std::string textureKey(BlockPath::Part part, std::string_view parameterId);
 /// The material a path lies in; null when the object or side B is not there.
 const Material* materialAt(const DocumentState& state, int object, Side side);
 Material* materialAt(DocumentState& state, int object, Side side);
+
+/// The material that side A of an object has where it shows another one just to be looked at, with
+/// what was edited of it since; nothing where it shows its own.
+std::optional<Material> materialAside(const DocumentState& state, int object);
 
 /// The block values a path names; null for the parts that no catalogue block describes and for
 /// what is not there.

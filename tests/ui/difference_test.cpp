@@ -88,8 +88,46 @@ TEST_F(Difference, NotWantedAnyMore_GivesTheCameraBack) {
     document().setComparing(true);
     const Camera before = camera();
     window().views().setDifferenceWanted(true);
+    EXPECT_GT(camera().distance, before.distance);
     window().views().setDifferenceWanted(false);
-    EXPECT_NEAR(camera().distance, before.distance, 1e-9);
+    EXPECT_EQ(camera(), before);
+}
+
+TEST_F(Difference, ComparedPointThatIsUndone_GivesTheCameraBack) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    const Camera before = camera();
+    dock().compare(pointOf("near"));
+    EXPECT_GT(camera().distance, before.distance);
+    EXPECT_EQ(secondView().camera(), camera());
+    document().undoStack().undo();
+    EXPECT_EQ(camera(), before);
+    document().undoStack().redo();
+    EXPECT_GT(camera().distance, before.distance);
+    document().setComparing(false);
+    EXPECT_EQ(camera(), before);
+}
+
+TEST_F(Difference, ComparedPoint_IsNoOtherView) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    dock().compare(pointOf("near"));
+    settle();
+    EXPECT_FALSE(state().contains("another view")) << state().toStdString();
+    document().setComparing(false);
+    settle();
+    EXPECT_FALSE(state().contains("another view")) << state().toStdString();
+}
+
+TEST_F(Difference, CameraMovedWhileComparing_StaysThereAfterwards) {
+    document().setComparing(true);
+    window().views().setDifferenceWanted(true);
+    Camera wished = camera();
+    wished.yaw += 30.0;
+    Q_EMIT window().views().first().cameraWished(wished);
+    EXPECT_EQ(camera().yaw, wished.yaw);
+    EXPECT_NEAR(camera().distance, wished.distance, 1e-12 * wished.distance);
+    document().setComparing(false);
+    EXPECT_EQ(camera(), document().scene().camera);
+    EXPECT_EQ(camera().yaw, wished.yaw);
 }
 
 TEST_F(Difference, ComparedPoint_ShowsItBesideTheExactWay) {

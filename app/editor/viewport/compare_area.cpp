@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <QShowEvent>
+
 #include "viewport/camera_moves.h"
 #include "viewport/difference_view.h"
 
@@ -17,15 +19,12 @@ CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path progr
     setChildrenCollapsible(false);
     setHandleWidth(3);
     connect(&document_, &Document::comparingChanged, this, &CompareArea::showSides);
-    connect(&document_, &Document::cameraChanged, this,
-            [this] { moveCamera(Side::A, document_.scene().camera); });
+    connect(&document_, &Document::cameraChanged, this, &CompareArea::showCamera);
     connect(&document_, &Document::sceneReplaced, this, [this] {
         home_ = document_.scene().camera;
-        views_ = wantedViews();
-        stepBack_ = 1.0;
-        moveCamera(Side::A, home_);
-        realignCameras();
         showSides();
+        showCamera();
+        realignCameras();
     });
     showSides();
 }
@@ -59,14 +58,14 @@ void CompareArea::realignCameras() {
 }
 
 void CompareArea::resetCamera(Side side) {
-    moveCamera(side, home_);
+    moveCamera(side, shownFrom(home_));
 }
 
 SideView* CompareArea::addView(Side side) {
     auto* view = new SideView(sources_, side, programCache_, this);
     addWidget(view);
     connect(view, &SideView::cameraWished, this,
-            [this, side](const Camera& camera) { moveCamera(side, camera); });
+            [this, side](const Camera& shown) { moveCamera(side, shown); });
     connect(view, &SideView::resetWished, this, [this, side] { resetCamera(side); });
     connect(view, &SideView::filesDropped, this,
             [this, side](const QStringList& files) { Q_EMIT filesDropped(files, side); });
@@ -107,35 +106,54 @@ void CompareArea::showDifference(bool shown) {
         return;
     }
     if (!difference_) {
-        difference_ = new DifferenceView(sources_, programCache_, this);
+        difference_ = new DifferenceView(sources_, first_->viewport(), programCache_, this);
         addWidget(difference_);
     }
     difference_->setVisible(shown);
     setSizes({1, 1, shown ? 1 : 0});
 }
 
-/// A part of the area may be too narrow for what filled all of it: the camera steps back while the
-/// document compares, so that nothing is cut off.
+/// Only now it has its size.
+void CompareArea::showEvent(QShowEvent* event) {
+    QSplitter::showEvent(event);
+    if (!event->spontaneous()) {
+        views_ = 0;
+        fitNarrowViews(wantedViews());
+    }
+}
+
+/// A part of the area may be too narrow for what filled all of it: the views step back while the
+/// document compares, so that nothing is cut off. The document's camera stays where it is.
 void CompareArea::fitNarrowViews(int views) {
     if (views == std::exchange(views_, views)) {
         return;
     }
     const double aspect = double(width()) / (views * std::max(height(), 1));
-    const double wanted = views == 1 ? 1.0 : std::max(1.0, 1.0 / aspect);
-    const double more = wanted / std::exchange(stepBack_, wanted);
-    if (more != 1.0) {
-        moveCamera(Side::A, dollied(first_->viewport().camera(), more));
+    stepBack_ = views == 1 ? 1.0 : std::max(1.0, 1.0 / aspect);
+    showCamera();
+}
+
+Camera CompareArea::shownFrom(const Camera& camera) const {
+    return stepBack_ == 1.0 ? camera : dollied(camera, stepBack_);
+}
+
+/// The document's camera in the views that follow it.
+void CompareArea::showCamera() {
+    const Camera shown = shownFrom(document_.scene().camera);
+    first_->viewport().setCamera(shown);
+    if (second_ && linked_) {
+        second_->viewport().setCamera(shown);
     }
 }
 
-void CompareArea::moveCamera(Side side, const Camera& camera) {
-    if (side == Side::A || linked_) {
-        first_->viewport().setCamera(camera);
-        document_.setCamera(camera);
+/// To where a view shall show the scene from.
+void CompareArea::moveCamera(Side side, const Camera& shown) {
+    if (side == Side::B && !linked_) {
+        second_->viewport().setCamera(shown);
+        return;
     }
-    if (second_ && (side == Side::B || linked_)) {
-        second_->viewport().setCamera(camera);
-    }
+    document_.setCamera(stepBack_ == 1.0 ? shown : dollied(shown, 1.0 / stepBack_));
+    showCamera();
 }
 
 } // namespace patina

@@ -12,8 +12,8 @@ namespace patina {
 class DifferenceView;
 
 /// The middle of the window: one view, or two side by side while the document compares, and beside
-/// them their difference where that is wanted. Side A's camera is the document's; side B's is the
-/// same one until they are unlinked.
+/// them their difference where that is wanted. Side A's camera is the document's, a step back where
+/// the views are narrow; side B's is the same one until they are unlinked.
 class CompareArea : public QSplitter {
     Q_OBJECT
 
@@ -48,13 +48,18 @@ class CompareArea : public QSplitter {
     void filesDropped(QStringList files, patina::Side side);
     void viewAdded(patina::SideView* view);
 
+  protected:
+    void showEvent(QShowEvent* event) override;
+
   private:
     SideView* addView(Side side);
     void showSides();
     int wantedViews() const;
     void showDifference(bool shown);
     void fitNarrowViews(int views);
-    void moveCamera(Side side, const Camera& camera);
+    void moveCamera(Side side, const Camera& shown);
+    void showCamera();
+    Camera shownFrom(const Camera& camera) const;
 
     ViewSources sources_;
     Document& document_;
@@ -64,7 +69,7 @@ class CompareArea : public QSplitter {
     bool wantsDifference_ = false;
     int views_ = 1; ///< side by side
     bool inspecting_ = false;
-    double stepBack_ = 1.0; ///< by how much that moved the camera away
+    double stepBack_ = 1.0; ///< by so much farther away than the document has it
     SideView* first_;
     SideView* second_ = nullptr;
     DifferenceView* difference_ = nullptr;

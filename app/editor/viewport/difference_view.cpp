@@ -18,7 +18,7 @@
 namespace patina {
 namespace {
 
-constexpr int settleMs = 60;
+constexpr int restMs = 60;
 constexpr int stepsPerDecade = 20; ///< of the gain
 constexpr double usualGain = 10.0;
 constexpr int longestEdge = 1024;  ///< pixels; what is shown larger is stretched
@@ -34,9 +34,9 @@ QString gainText(double gain) {
 
 } // namespace
 
-DifferenceView::DifferenceView(const ViewSources& sources, std::filesystem::path programCache,
-                               QWidget* parent)
-    : QFrame(parent), document_(sources.document), meshes_(sources.meshes),
+DifferenceView::DifferenceView(const ViewSources& sources, const Viewport& first,
+                               std::filesystem::path programCache, QWidget* parent)
+    : QFrame(parent), document_(sources.document), first_(first), meshes_(sources.meshes),
       environments_(sources.environments), switches_(sources.switches),
       worker_(std::move(programCache)), head_(new QWidget(this)), title_(new QLabel(head_)),
       mode_(new QComboBox(head_)), slider_(new QSlider(Qt::Horizontal, head_)),
@@ -44,7 +44,7 @@ DifferenceView::DifferenceView(const ViewSources& sources, std::filesystem::path
     setMinimumSize(leastSize);
     setAccessibleName(tr("View C: the difference of A and B"));
     settle_.setSingleShot(true);
-    settle_.setInterval(settleMs);
+    settle_.setInterval(restMs);
     layOut();
     connectParts();
     setGain(usualGain);
@@ -151,7 +151,7 @@ void DifferenceView::ask() {
     View view;
     view.size = {std::max(1, static_cast<int>(shrink * pixels.width())),
                  std::max(1, static_cast<int>(shrink * pixels.height()))};
-    view.camera = document_.scene().camera;
+    view.camera = first_.camera();
     view.environmentImage = environments_.image(document_.environmentPicture());
     const TextureLibrary* textures = document_.textureLibrary();
     worker_.ask({sideOf(Side::A), sideOf(Side::B), view,

@@ -20,8 +20,9 @@ class DifferenceView : public QFrame {
     Q_OBJECT
 
   public:
-    DifferenceView(const ViewSources& sources, std::filesystem::path programCache,
-                   QWidget* parent = nullptr);
+    /// `first` is side A's view.
+    DifferenceView(const ViewSources& sources, const Viewport& first,
+                   std::filesystem::path programCache, QWidget* parent = nullptr);
 
     enum class Mode {
         Difference, ///< |A - B| in linear light, times the gain
@@ -57,6 +58,7 @@ class DifferenceView : public QFrame {
     DifferenceWorker::Side sideOf(Side side);
 
     Document& document_;
+    const Viewport& first_;
     MeshLibrary& meshes_;
     EnvironmentLibrary& environments_;
     EffectSwitches& switches_;

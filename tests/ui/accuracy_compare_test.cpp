@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact way beside another one, which chooses nothing.
+#include "ui/accuracy_fixture.h"
+#include "viewport/side_view.h"
+
+namespace patina::tests {
+namespace {
+
+TEST_F(AccuracyPanel, Compared_HasTheExactWayInAAndTheChosenInB) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    dock().apply(pointOf("near"));
+    settle();
+    const int before = steps();
+    list().select(pointOf("far"));
+    dock().compare(list().selected());
+    EXPECT_EQ(steps(), before + 1);
+    EXPECT_EQ(level(Side::A), "");
+    EXPECT_EQ(level(Side::B), "far");
+    for (SideView* view : window().findChildren<SideView*>()) {
+        const QLabel& title = *view->findChild<QLabel*>("title");
+        const QString what = view->side() == Side::A ? "Exact" : "Work: Far";
+        EXPECT_TRUE(title.toolTip().startsWith(what + " – Burning"))
+            << title.toolTip().toStdString();
+        EXPECT_TRUE(title.text().contains(what.left(5))) << title.text().toStdString();
+    }
+}
+
+TEST_F(AccuracyPanel, EndOfComparing_PutsBackWhatWasThere) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    dock().apply(pointOf("near"));
+    const Material chosen = *document().material(Side::A);
+    dock().compare(pointOf("far"));
+    dock().compare(pointOf("near"));
+    EXPECT_EQ(level(Side::A), "");
+    const int before = steps();
+    document().setComparing(false);
+    EXPECT_EQ(steps(), before + 1);
+    EXPECT_EQ(*document().material(Side::A), chosen);
+    document().undoStack().undo();
+    EXPECT_EQ(level(Side::A), "");
+    EXPECT_EQ(level(Side::B), "near");
+    document().setComparing(false);
+    EXPECT_EQ(*document().material(Side::A), chosen);
+}
+
+TEST_F(AccuracyPanel, ComparedSideB_LeavesSideAAsItWas) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    const int far = pointOf("far");
+    document().setComparing(true);
+    document().setActiveSide(Side::B);
+    Material other = *document().material(Side::A);
+    other.opacity = 0.5;
+    document().replaceMaterial(Side::A, other, "Another");
+    dock().compare(far);
+    document().setComparing(false);
+    EXPECT_EQ(*document().material(Side::A), other);
+}
+
+TEST_F(AccuracyPanel, SavedWhileComparing_KeepsTheChoice) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    dock().apply(pointOf("near"));
+    dock().compare(pointOf("far"));
+    const std::filesystem::path preset = home("kept.patina.json");
+    ASSERT_TRUE(document().savePreset(preset, Side::A));
+    EXPECT_NE(readFile(preset).find("\"work\": \"near\""), std::string::npos);
+    EXPECT_EQ(level(Side::A), "");
+    const std::filesystem::path scene = home("kept.patina-scene.json");
+    ASSERT_TRUE(document().saveScene(scene));
+    ASSERT_TRUE(document().openScene(scene));
+    EXPECT_EQ(level(Side::A), "near");
+    EXPECT_EQ(level(Side::B), "far");
+}
+
+TEST_F(AccuracyPanel, EditedWhileComparing_StaysEditedAfterwards) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    const int far = pointOf("far");
+    dock().apply(pointOf("near"));
+    dock().compare(far);
+    document().setValue(document().currentPath(BlockPath::Part::Material), "opacity", 0.5);
+    document().setComparing(false);
+    EXPECT_EQ(document().material(Side::A)->opacity, 0.5);
+    EXPECT_EQ(level(Side::A), "near");
+}
+
+TEST_F(AccuracyPanel, ChosenWhileComparing_IsChosen) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    dock().apply(pointOf("near"));
+    dock().compare(pointOf("far"));
+    dock().apply(0); // the exact way
+    document().setComparing(false);
+    EXPECT_EQ(level(Side::A), "");
+    document().undoStack().undo();
+    document().undoStack().undo();
+    document().setComparing(false);
+    EXPECT_EQ(level(Side::A), "near");
+}
+
+} // namespace
+} // namespace patina::tests
