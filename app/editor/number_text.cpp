@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <QCoreApplication>
-#include <QLocale>
 
 namespace patina {
 namespace {
@@ -24,14 +23,14 @@ QString tr(const char* text) {
 QString twoDigits(double number) {
     constexpr double most = 9.95; // above it whole numbers have as many
     if (number >= most) {
-        return QLocale().toString(number, 'f', 0);
+        return numberLocale().toString(number, 'f', 0);
     }
     constexpr double least = 1e-4; // below it an exponent would be written
     if (number >= least || number <= 0.0) {
-        return QLocale().toString(number, 'g', 2);
+        return numberLocale().toString(number, 'g', 2);
     }
     const int places = 1 - static_cast<int>(std::floor(std::log10(number)));
-    QString text = QLocale().toString(number, 'f', places);
+    QString text = numberLocale().toString(number, 'f', places);
     return text.endsWith('0') ? text.chopped(1) : text;
 }
 
@@ -51,12 +50,12 @@ QString digitsText(double number) {
 }
 
 QString likeText(double number, double other) {
-    return QLocale().toString(number, 'f', placesOf(other));
+    return numberLocale().toString(number, 'f', placesOf(other));
 }
 
 QString roundText(double number) {
     QString text = digitsText(number);
-    const QString point = QLocale().decimalPoint();
+    const QString point = numberLocale().decimalPoint();
     if (text.contains(point)) {
         while (text.endsWith('0')) {
             text.chop(1);

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measured numbers as people read them, in the user's language, never with an exponent.
+// Measured numbers as people read them, never with an exponent, and written as the fields of the
+// window write theirs: with a point in every language, as what is typed may have either mark.
 #pragma once
 
+#include <QLocale>
 #include <QString>
 
 namespace patina {
 
-/// Three digits that count, and all of those before the point: "23.4", "0.0317", "9,346".
+/// How the window writes numbers, in every language.
+inline QLocale numberLocale() {
+    return QLocale::c();
+}
+
+/// Three digits that count, and all of those before the point: "23.4", "0.0317", "9346".
 QString digitsText(double number);
 
 /// With as many digits after the point as digitsText() gives another number.

@@ -2,13 +2,10 @@
 // The chart of what accuracy costs, on a user's model whose errors are known.
 #include <ctime>
 
-#include <QCheckBox>
-#include <QDoubleSpinBox>
-#include <QSpinBox>
 #include <QTimer>
 
+#include "accuracy/long_line.h"
 #include "ui/accuracy_fixture.h"
-#include "viewport/side_view.h"
 
 namespace patina::tests {
 namespace {
@@ -148,6 +145,17 @@ TEST_F(AccuracyPanel, MovedCamera_LeavesTheChartFreshAndSaysSo) {
     EXPECT_TRUE(state().startsWith("Measured from another view")) << state().toStdString();
 }
 
+TEST_F(AccuracyPanel, StateInASmallWindow_IsReadInFull) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    dock().apply(pointOf("near"));
+    document().setFog("exponential");
+    window().resize(1280, 720);
+    settle();
+    const auto& line = *dock().findChild<LongLine*>("state");
+    EXPECT_EQ(line.shown(), line.text());
+    EXPECT_GE(line.height(), line.heightForWidth(line.width()));
+}
+
 TEST_F(AccuracyPanel, Table_HasTheInstructionsOfEveryWay) {
     ASSERT_TRUE(measure()) << state().toStdString();
     const int column = list().columnCount() - 1;
@@ -197,46 +205,6 @@ TEST_F(AccuracyPanel, ChartOfAnotherModel_IsNotApplied) {
     EXPECT_EQ(steps(), before);
 }
 
-TEST_F(AccuracyPanel, ErrorBudget_PicksTheFastestWayWithinIt) {
-    ASSERT_TRUE(measure()) << state().toStdString();
-    budget().findChildren<QCheckBox*>().last()->setChecked(true);
-    budget().findChild<QSpinBox*>()->setValue(255);
-    ASSERT_TRUE(budget().answer().has_value());
-    EXPECT_TRUE(budget().answer()->fits);
-    EXPECT_EQ(static_cast<int>(budget().answer()->point), pointOf("near"));
-    press("Use it");
-    EXPECT_EQ(level(), "near");
-}
-
-TEST_F(AccuracyPanel, TimeBudgetThatNothingMeets_SaysSo) {
-    ASSERT_TRUE(measure()) << state().toStdString();
-    budget().findChildren<QCheckBox*>().first()->setChecked(true);
-    budget().findChild<QDoubleSpinBox*>()->setValue(0.01);
-    ASSERT_TRUE(budget().answer().has_value());
-    EXPECT_FALSE(budget().answer()->fits);
-    const QString text = budget().findChild<QLabel*>("budget")->text();
-    EXPECT_TRUE(text.startsWith("Nothing fits")) << text.toStdString();
-}
-
-TEST_F(AccuracyPanel, Compared_HasTheExactWayInAAndTheChosenInB) {
-    ASSERT_TRUE(measure()) << state().toStdString();
-    dock().apply(pointOf("near"));
-    settle();
-    const int before = steps();
-    list().select(pointOf("far"));
-    dock().compare(list().selected());
-    EXPECT_EQ(steps(), before + 1);
-    EXPECT_EQ(level(Side::A), "");
-    EXPECT_EQ(level(Side::B), "far");
-    for (SideView* view : window().findChildren<SideView*>()) {
-        const QLabel& title = *view->findChild<QLabel*>("title");
-        const QString what = view->side() == Side::A ? "Exact" : "Work: Far";
-        EXPECT_TRUE(title.toolTip().startsWith(what + " – Burning"))
-            << title.toolTip().toStdString();
-        EXPECT_TRUE(title.text().contains(what.left(5))) << title.text().toStdString();
-    }
-}
-
 TEST_F(AccuracyPanel, ExportedTable_HasALineForEveryPoint) {
     ASSERT_TRUE(measure()) << state().toStdString();
     EXPECT_EQ(exported("csv").trimmed().split('\n').size(), 1 + 3);
@@ -249,11 +217,45 @@ TEST_F(AccuracyPanel, ExportedChart_IsAPicture) {
     EXPECT_TRUE(exported("svg").contains("<svg"));
 }
 
+TEST_F(AccuracyPanel, ExportedChart_NamesWhatItShows) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    Material named = *document().material(Side::A);
+    named.name = "Candle";
+    named.accuracy["work"] = "far"; // the chosen way has its name, on the front or not
+    document().replaceMaterial(Side::A, named, "Name");
+    settle();
+    const QString chart = QString::fromUtf8(exported("svg"));
+    for (const char* text : {"What accuracy costs: Candle", "48 × 48 pixels", "OpenGL", ">Exact<",
+                             "Work: Far"}) {
+        EXPECT_TRUE(chart.contains(QString::fromUtf8(text))) << text;
+    }
+}
+
 TEST_F(AccuracyPanel, StoppedMeasurement_SaysSo) {
     dock().measure();
     press("Stop");
     ASSERT_TRUE(waitForEnd());
     EXPECT_TRUE(state().startsWith("Stopped")) << state().toStdString();
+}
+
+TEST_F(AccuracyPanel, RunningMeasurement_SaysWhichStepItIsAtFromTheStart) {
+    std::vector<QString> told;
+    dock().measure();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            told.push_back(state());
+            return state().contains("Work: ");
+        },
+        waitMs));
+    press("Stop");
+    ASSERT_TRUE(waitForEnd());
+    const auto said = [&told](const char* start) {
+        return std::ranges::any_of(told, [&](const QString& each) {
+            return each.startsWith(start);
+        });
+    };
+    EXPECT_TRUE(said("Measuring, step 1 of 5: the right picture, "));
+    EXPECT_TRUE(said("Measuring, step 3 of 5: Exact, "));
 }
 
 TEST_F(AccuracyPanel, MaterialWithoutChoices_SaysSo) {

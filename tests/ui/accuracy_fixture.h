@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QLabel>
@@ -10,6 +11,7 @@
 #include <QToolButton>
 
 #include "accuracy/accuracy_page.h"
+#include "accuracy/bound_box.h"
 #include "accuracy/budget_row.h"
 #include "accuracy/cost_list.h"
 #include "accuracy/cost_plot.h"
@@ -78,6 +80,18 @@ class AccuracyPanel : public WindowFixture {
     CostList& list() { return *dock().findChild<CostList*>(); }
     CostPlot& plot() { return *dock().findChild<CostPlot*>(); }
     BudgetRow& budget() { return *dock().findChild<BudgetRow*>(); }
+    /// A field of the budget, which is turned on.
+    BoundBox& bound(const char* name) {
+        const bool isTime = QLatin1String(name) == QLatin1String("milliseconds");
+        const auto asked = budget().findChildren<QCheckBox*>();
+        (isTime ? asked.first() : asked.last())->setChecked(true);
+        return *budget().findChild<BoundBox*>(name);
+    }
+    static void typeInto(BoundBox& box, const QString& text) {
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Return);
+    }
     QString state() { return dock().findChild<QLabel*>("state")->text(); }
 
     /// Few small frames: what is tested here is not the instrument.

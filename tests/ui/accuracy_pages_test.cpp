@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages beside the chart: all models, and how the time grows.
-#include <cmath>
-
 #include <QHeaderView>
-#include <QRegularExpression>
 
-#include "accuracy/axis_ticks.h"
-#include "accuracy/cost_text.h"
 #include "accuracy/growth_plot.h"
-#include "accuracy/long_line.h"
 #include "accuracy/model_list.h"
 #include "accuracy/models_page.h"
 #include "accuracy/scaling_page.h"
@@ -16,109 +10,6 @@
 
 namespace patina::tests {
 namespace {
-
-TEST(CostText, Shares_AreWrittenWithoutExponents) {
-    EXPECT_EQ(shareText(0.5e-6), "0.00005 %");
-    EXPECT_EQ(shareText(1.2e-7), "0.000012 %");
-    EXPECT_EQ(shareText(0.99e-8), "under 0.00001 %");
-    EXPECT_EQ(shareText(0.031), "3.1 %");
-    EXPECT_EQ(shareText(0.17), "17 %");
-}
-
-TEST(NumberText, MeasuredNumbers_AreWrittenWithoutExponents) {
-    const QLocale before;
-    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
-    EXPECT_EQ(digitsText(63457.0), "63,457");
-    EXPECT_EQ(digitsText(0.03171), "0.0317");
-    EXPECT_EQ(likeText(0.0704, 1.0), "0.07");
-    EXPECT_EQ(ratioText({0.953, 0.917, 0.989}), "0.953 ± 0.036");
-    EXPECT_EQ(ratioText({1.0, 0.2, 9.0}), "1.00 ± ?");
-    EXPECT_EQ(roundText(1000.0), "1,000");
-    EXPECT_EQ(roundText(2.5), "2.5");
-    EXPECT_EQ(shortText(5e4), "50 k");
-    EXPECT_EQ(shortText(2.5e6), "2.5 M");
-    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
-    EXPECT_EQ(roundText(2.5), "2,5");
-    EXPECT_EQ(digitsText(9346.0), "9.346");
-    QLocale::setDefault(before);
-}
-
-TEST(LongLine, WithoutRoom_EndsInDotsAndTellsAllInItsTooltip) {
-    const QString text = "256 × 256 pixels, 31,447 of them shaded; errors against the same frame";
-    LongLine line;
-    line.tell(text);
-    line.resize(1000, 20);
-    EXPECT_EQ(line.shown(), text);
-    line.resize(100, 20);
-    EXPECT_TRUE(line.shown().endsWith("…")) << line.shown().toStdString();
-    EXPECT_EQ(line.toolTip(), text);
-    EXPECT_EQ(line.text(), text);
-}
-
-/// How far to the left a chart's lines go in a file.
-double leftmostOf(const MedianInterval& ratio) {
-    CostChart chart;
-    chart.points.resize(2);
-    for (CostPoint& point : chart.points) {
-        point.cost.nanosecondsPerPixel = 100.0;
-    }
-    chart.points[1].levels = {{"a", "b"}};
-    chart.points[1].error.p99 = 0.01;
-    chart.points[1].cost.ratio = ratio;
-    CostPlot plot;
-    plot.setChart(chart, {}, false);
-    const QString svg = QString::fromUtf8(plot.svg());
-    static const QRegularExpression points("<polyline[^>]* points=\"([^\"]*)\"");
-    double leftmost = HUGE_VAL;
-    for (const QRegularExpressionMatch& line : points.globalMatch(svg)) {
-        for (const QString& point : line.captured(1).split(' ', Qt::SkipEmptyParts)) {
-            leftmost = std::min(leftmost, point.section(',', 0, 0).toDouble());
-        }
-    }
-    return leftmost;
-}
-
-TEST(CostPlot, WideIntervals_EndWithTheChartInAFileToo) {
-    EXPECT_GT(leftmostOf({1.0, 0.99, 1.01}), 10.0);
-    EXPECT_EQ(leftmostOf({1.0, 0.001, 50.0}), leftmostOf({1.0, 0.5, 2.0}));
-}
-
-TEST(CostText, WayName_SaysWhatIsChosenOfWhat) {
-    CostChart chart;
-    chart.choices = {{Choice::Scope::Picture, "picture.scale", "picture.scale", "Render scale", "",
-                      "Picture", {{"full", "Full size", ""}, {"half", "Half", "1 of 4."}}}};
-    CostPoint point;
-    EXPECT_EQ(wayName(point, chart), "Exact");
-    point.levels = {{"picture.scale", "half"}};
-    EXPECT_EQ(wayName(point, chart), "Render scale: Half");
-    EXPECT_EQ(wayDescription(point, chart), "Render scale: Half. 1 of 4.");
-}
-
-/// What a plot of some size writes beside a log axis.
-std::vector<QString> marksOf(int width, double from, double to) {
-    QCustomPlot plot;
-    plot.setViewport(QRect(0, 0, width, 200));
-    plot.xAxis->setScaleType(QCPAxis::stLogarithmic);
-    plot.xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot.xAxis, shortText)));
-    plot.xAxis->setRange(from, to);
-    plot.replot();
-    const QVector<QString> labels = plot.xAxis->tickVectorLabels();
-    return {labels.begin(), labels.end()};
-}
-
-TEST(AxisTicks, WhereThereIsRoom_AreAtOneTwoAndFive) {
-    EXPECT_EQ(marksOf(800, 900.0, 110000.0),
-              (std::vector<QString>{"1 k", "2 k", "5 k", "10 k", "20 k", "50 k", "100 k"}));
-}
-
-TEST(AxisTicks, WhereThereIsLittle_KeepTheirLabelsApart) {
-    EXPECT_EQ(marksOf(240, 900.0, 110000.0), (std::vector<QString>{"1 k", "10 k", "100 k"}));
-}
-
-TEST(AxisTicks, OfAShortAxis_AreEven) {
-    EXPECT_EQ(marksOf(500, 390.0, 810.0),
-              (std::vector<QString>{"400", "500", "600", "700", "800"}));
-}
 
 class ModelsPanel : public AccuracyPanel {
   protected:
@@ -160,7 +51,7 @@ TEST_F(ModelsPanel, OtherScene_PutsItOutOfDate) {
     EXPECT_TRUE(page().isStale());
 }
 
-TEST_F(ModelsPanel, LightLost_IsWrittenAsTheLanguageHasIt) {
+TEST_F(ModelsPanel, LightLost_IsWrittenAsTheFieldsWriteNumbers) {
     const QLocale before;
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     const auto textOf = [this](double loss) {
@@ -170,8 +61,8 @@ TEST_F(ModelsPanel, LightLost_IsWrittenAsTheLanguageHasIt) {
     const QString text = textOf(0.255);
     const QString nothing = textOf(-1e-7);
     QLocale::setDefault(before);
-    EXPECT_EQ(text, "25,5 %");
-    EXPECT_EQ(nothing, "0,0 %");
+    EXPECT_EQ(text, "25.5 %");
+    EXPECT_EQ(nothing, "0.0 %");
 }
 
 TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {
@@ -185,6 +76,14 @@ TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {
     settle();
     EXPECT_FALSE(page().isStale()) << first;
     EXPECT_EQ(models().topLevelItemCount(), static_cast<int>(page().costs().size()));
+}
+
+TEST_F(ModelsPanel, LongNumbers_WidenTheirColumns) {
+    ModelCost longest{"slow", "Slow", {}, std::nullopt, std::nullopt};
+    longest.cost.nanosecondsPerPixel = 1234567.0;
+    models().setCosts({longest}, false);
+    const QString text = models().topLevelItem(0)->text(2);
+    EXPECT_GT(models().columnWidth(2), models().fontMetrics().horizontalAdvance(text));
 }
 
 TEST_F(ModelsPanel, Columns_FitBesideEachOtherInADockOfUsualWidth) {
@@ -249,7 +148,7 @@ TEST_F(ScalingPanel, Measured_HasALawForEachAxis) {
     }
 }
 
-TEST_F(ScalingPanel, Laws_AreWrittenAsTheLanguageHasThem) {
+TEST_F(ScalingPanel, Laws_AreWrittenAsTheFieldsWriteNumbers) {
     const QLocale before;
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     ScalingCurve curve{ScalingCurve::Axis::Lights,
@@ -259,7 +158,7 @@ TEST_F(ScalingPanel, Laws_AreWrittenAsTheLanguageHasThem) {
     GrowthPlot plot(curve.axis);
     plot.setCurve(curve, false);
     QLocale::setDefault(before);
-    EXPECT_EQ(plot.law(), "linear: 2 ms + 0,5 ms per light, R² 1,000");
+    EXPECT_EQ(plot.law(), "linear: 2 ms + 0.5 ms per light, R² 1.000");
 }
 
 TEST_F(ScalingPanel, WhileAnotherPageMeasures_WaitsAndSaysWhy) {

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include <QCheckBox>
-#include <QSpinBox>
 
 #include "accuracy/picture_target.h"
 #include "scene/picture_choice_text.h"
@@ -36,6 +35,7 @@ class MeasuredPicture : public AccuracyPanel {
 
     AccuracyPage& dock() override { return *pages().findChild<AccuracyPage*>("picture"); }
 
+    using AccuracyPanel::bound;
     using AccuracyPanel::budget;
     using AccuracyPanel::document;
     using AccuracyPanel::list;
@@ -44,6 +44,7 @@ class MeasuredPicture : public AccuracyPanel {
     using AccuracyPanel::press;
     using AccuracyPanel::settle;
     using AccuracyPanel::state;
+    using AccuracyPanel::typeInto;
 
   private:
     void TestBody() override {}
@@ -89,12 +90,13 @@ class PicturePanel : public testing::Test {
         return {};
     }
 
+    MeasuredPicture& panel() { return *shared(); }
+
   private:
     static std::unique_ptr<MeasuredPicture>& shared() {
         static std::unique_ptr<MeasuredPicture> made;
         return made;
     }
-    MeasuredPicture& panel() { return *shared(); }
 };
 
 TEST_F(PicturePanel, Measured_HasEveryLevelAndWhatTheSceneHas) {
@@ -142,8 +144,7 @@ TEST_F(PicturePanel, ChangedScene_PutsTheChartOutOfDate) {
 }
 
 TEST_F(PicturePanel, ErrorBudget_PicksAWayWithinItAndTheSceneTakesIt) {
-    budget().findChildren<QCheckBox*>().last()->setChecked(true);
-    budget().findChild<QSpinBox*>()->setValue(2);
+    panel().typeInto(panel().bound("share"), "50 %");
     ASSERT_TRUE(budget().answer().has_value());
     ASSERT_TRUE(budget().answer()->fits);
     const CostPoint& bought = dock().shown()->chart.points[budget().answer()->point];

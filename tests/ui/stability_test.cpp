@@ -131,6 +131,22 @@ TEST_F(Stability, ChangedMaterial_PutsTheResultOutOfDate) {
     EXPECT_TRUE(verdict().contains("Out of date"));
 }
 
+TEST_F(Stability, BlocksThatAreReadAgain_PutTheResultOutOfDateWhenTheyDiffer) {
+    useBrokenModel();
+    ASSERT_TRUE(check());
+    const auto readAgain = [this] {
+        document().setCatalog(
+            std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+    };
+    readAgain();
+    EXPECT_FALSE(verdict().contains("Out of date"));
+    const std::filesystem::path file =
+        home("XDG_DATA_HOME") / "patina/shaders/models/homemade.glsl";
+    writeFile(file, readFile(file) + "// another\n");
+    readAgain();
+    EXPECT_TRUE(verdict().contains("Out of date"));
+}
+
 TEST_F(Stability, RunningCheck_ShowsItsProgressMeanwhile) {
     auto* progress = dock().findChild<QProgressBar*>();
     bool shownMeanwhile = false;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window_fixture.h"
 
+#include <QCursor>
 #include <QEventLoop>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
@@ -38,6 +40,7 @@ void WindowFixture::open() {
         std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), *theme_);
     ASSERT_TRUE(document().openTemplate(FileActions::defaultScene()));
     QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    QCursor::setPos(window_->screen()->geometry().bottomRight()); // where it rests on nothing
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), frameLimitMs));
     ASSERT_TRUE(!frames.isEmpty() || frames.wait(frameLimitMs));

@@ -6,6 +6,7 @@
 
 #include <QEvent>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
 #include <QSplitter>
@@ -50,8 +51,8 @@ AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarg
                              "apart in C"),
                           this)),
       export_(textButton(tr("Export"), tr("Write what was measured to a file"), this)),
-      progress_(new QProgressBar(this)), state_(new LongLine(this)), plot_(new CostPlot(this)),
-      list_(new CostList(this)), budget_(new BudgetRow(this)) {
+      progress_(new QProgressBar(this)), state_(new LongLine(this)), notes_(hintLabel(this)),
+      plot_(new CostPlot(this)), list_(new CostList(this)), budget_(new BudgetRow(this)) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     makeExportMenu();
@@ -65,6 +66,10 @@ void AccuracyPage::layOut() {
     progress_->setMaximumWidth(200);
     progress_->setAccessibleName(tr("Progress of the measurement"));
     state_->setObjectName("state");
+    state_->setWordWrap(true);
+    state_->setMinimumHeight(2 * fontMetrics().lineSpacing()); // another text moves nothing
+    notes_->setObjectName("notes");
+    notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* row = new QHBoxLayout;
     for (QWidget* widget : std::initializer_list<QWidget*>{start_, cancel_, progress_}) {
         row->addWidget(widget);
@@ -86,6 +91,7 @@ void AccuracyPage::layOut() {
     layout->addLayout(row);
     layout->addWidget(budget_);
     layout->addWidget(parts, 1);
+    layout->addWidget(notes_);
 }
 
 void AccuracyPage::makeExportMenu() {
@@ -113,8 +119,10 @@ void AccuracyPage::connectParts() {
     connect(plot_, &CostPlot::selectionMoved, this, &AccuracyPage::select);
     connect(list_, &CostList::selectionMoved, this, &AccuracyPage::select);
     connect(budget_, &BudgetRow::answered, this, &AccuracyPage::select);
-    connect(&measurement_, &CostMeasurement::progressed, this, [this](double share) {
-        progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
+    connect(&measurement_, &CostMeasurement::progressed, this, [this](const SweepStep& step) {
+        step_ = step;
+        progress_->setValue(static_cast<int>(std::lround(step.progress() * progressSteps)));
+        showState();
     });
     connect(&measurement_, &CostMeasurement::charted, this, [this](const CostChart& chart) {
         if (running_) {
@@ -186,9 +194,11 @@ void AccuracyPage::measure(CostSweep::Options options) {
         return;
     }
     running_ = KeptChart{target_->subject(), file(), document_.scene().camera, {}, false, {}};
+    running_->chart.choices = target_->choices();
+    step_ = {};
     options.programCache = cacheFolder() / "programs";
     options.scope = target_->scope();
-    options.present = target_->levels(target_->choices());
+    options.present = target_->levels(running_->chart.choices);
     progress_->setValue(0);
     measurement_.start(costSubject(document_, library_, environments_), std::move(options));
     select(-1);
@@ -231,16 +241,30 @@ void AccuracyPage::compare(int point) {
     }
 }
 
+std::string AccuracyPage::subjectName() const {
+    const Material* material = document_.material(document_.activeSide());
+    return material != nullptr ? material->name : std::string();
+}
+
+ChartHeading AccuracyPage::heading() const {
+    const QString name = QString::fromStdString(subjectName());
+    const QString title = tr("What accuracy costs");
+    QStringList lines{methodText(shown_->chart)};
+    if (const QString driver = driverLine(); !driver.isEmpty()) {
+        lines << driver;
+    }
+    return {name.isEmpty() ? title : QStringLiteral("%1: %2").arg(title, name), lines};
+}
+
 QByteArray AccuracyPage::bytesFor(const QString& ending) const {
     const CostChart& chart = shown_->chart;
     if (ending == "png") {
-        return plot_->png();
+        return plot_->png(heading());
     }
     if (ending == "svg") {
-        return plot_->svg();
+        return plot_->svg(heading());
     }
-    const Material* material = document_.material(document_.activeSide());
-    const std::string name = material != nullptr ? material->name : std::string();
+    const std::string name = subjectName();
     if (ending == "csv") {
         return QByteArray::fromStdString(costCsv(chart, name, true));
     }
@@ -264,9 +288,7 @@ QString AccuracyPage::stateText() const {
         return tr("There is no object.");
     }
     if (measurement_.isRunning()) {
-        return running_ && !running_->chart.points.empty()
-                   ? tr("Measuring … so far: %1").arg(running_->chart.points.size())
-                   : tr("Measuring … the right picture first");
+        return stepText(step_, running_->chart);
     }
     if (choices_.empty()) {
         return target_->noChoicesText();
@@ -312,6 +334,8 @@ void AccuracyPage::showState() {
     compare_->setEnabled(pointAt(list_->selected()) != nullptr);
     export_->setEnabled(hasPoints);
     state_->tell(stateText());
+    notes_->setText(hasPoints && !stale_ ? notesText(shown_->chart) : QString());
+    notes_->setVisible(!notes_->text().isEmpty());
 }
 
 } // namespace patina

@@ -13,6 +13,7 @@
 #include "check/cost_measurement.h"
 #include "docks/dock_context.h"
 
+class QLabel;
 class QProgressBar;
 class QToolButton;
 
@@ -22,6 +23,7 @@ class BudgetRow;
 class CostList;
 class CostPlot;
 class LongLine;
+struct ChartHeading;
 class MeasureTurn;
 
 /// What accuracy costs: every way to compute a material or to draw the picture, in time and error,
@@ -74,6 +76,8 @@ class AccuracyPage : public QWidget {
     std::string file() const; ///< the document's
     /// A point of the chart; null where the target has not the chart's choices.
     const CostPoint* pointAt(int point) const;
+    std::string subjectName() const;
+    ChartHeading heading() const;
     QByteArray bytesFor(const QString& ending) const;
 
     Document& document_;
@@ -85,6 +89,7 @@ class AccuracyPage : public QWidget {
     CostMeasurement measurement_;
     KeptResults<KeptChart> charts_;
     std::optional<KeptChart> running_; ///< what is being measured
+    SweepStep step_;                   ///< of that
     const KeptChart* shown_ = nullptr;
     bool stale_ = false;
     std::vector<Choice> choices_; ///< of the target
@@ -95,6 +100,7 @@ class AccuracyPage : public QWidget {
     QToolButton* export_;
     QProgressBar* progress_;
     LongLine* state_;
+    QLabel* notes_;
     CostPlot* plot_;
     CostList* list_;
     BudgetRow* budget_;

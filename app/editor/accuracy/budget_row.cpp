@@ -3,13 +3,11 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
-#include <QSpinBox>
 #include <QToolButton>
 
+#include "accuracy/bound_box.h"
 #include "accuracy/cost_text.h"
 #include "docks/panel.h"
 
@@ -17,7 +15,7 @@ namespace patina {
 namespace {
 
 constexpr double usualMilliseconds = 2.0;
-constexpr int usualShare = 255; ///< one of so many steps that 8 bits tell apart
+constexpr double usualShare = 1.0 / 255.0; ///< one of the steps that 8 bits tell apart
 
 /// Sizes of pictures that budgets are given for.
 struct PictureSize {
@@ -29,25 +27,26 @@ constexpr PictureSize sizes[] = {
     {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"1440p", 2560, 1440}, {"2160p", 3840, 2160}};
 constexpr int usualEntry = 1;
 
-QString millisecondsText(double milliseconds) {
-    return BudgetRow::tr("%1 ms").arg(digitsText(milliseconds));
+/// Of so many of the measured pictures.
+QString pictureTimeText(const ChoiceCost& cost, double pictures) {
+    const QString time = digitsText(cost.milliseconds.median * pictures);
+    return cost.belowNoise ? BudgetRow::tr("at most %1 ms").arg(time)
+                           : BudgetRow::tr("%1 ms").arg(time);
 }
 
 } // namespace
 
 BudgetRow::BudgetRow(QWidget* parent)
     : QWidget(parent), timed_(new QCheckBox(tr("At most"), this)),
-      milliseconds_(new QDoubleSpinBox(this)), size_(new QComboBox(this)),
-      bounded_(new QCheckBox(tr("Error below"), this)), share_(new QSpinBox(this)),
+      milliseconds_(new BoundBox(BoundBox::Of::Milliseconds, usualMilliseconds, this)),
+      size_(new QComboBox(this)),
+      bounded_(new QCheckBox(tr("Error below"), this)),
+      share_(new BoundBox(BoundBox::Of::Share, usualShare, this)),
       use_(textButton(tr("Use it"),
                       tr("Take what the budget buys"), this)),
       text_(new QLabel(this)) {
     timed_->setToolTip(tr("The most accurate way that is fast enough"));
-    milliseconds_->setRange(0.01, 10000.0);
-    milliseconds_->setDecimals(2);
-    milliseconds_->setSingleStep(0.1);
-    milliseconds_->setValue(usualMilliseconds);
-    milliseconds_->setSuffix(tr(" ms"));
+    milliseconds_->setObjectName("milliseconds");
     milliseconds_->setAccessibleName(tr("Milliseconds for a picture"));
     size_->setAccessibleName(tr("Size of the picture"));
     for (const PictureSize& size : sizes) {
@@ -59,10 +58,10 @@ BudgetRow::BudgetRow(QWidget* parent)
     size_->setCurrentIndex(usualEntry);
     size_->setToolTip(tr("The picture's size, filled as the measured one is"));
     bounded_->setToolTip(tr("The fastest way of which 99 of 100 pixels are off by no more"));
-    share_->setPrefix(QStringLiteral("1/"));
-    share_->setRange(2, 1000000);
-    share_->setValue(usualShare);
-    share_->setAccessibleName(tr("Greatest relative error, as one part of so many"));
+    share_->setObjectName("share");
+    share_->setAccessibleName(tr("Greatest relative error"));
+    share_->setToolTip(tr("As a fraction, a number or percents: 1/255, 0.004, 0.4 %"));
+    use_->setFocusPolicy(Qt::StrongFocus); // a click takes what is typed first
     text_->setObjectName("budget");
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -101,8 +100,8 @@ void BudgetRow::connectParts() {
     };
     connect(timed_, &QCheckBox::toggled, this, changed);
     connect(bounded_, &QCheckBox::toggled, this, changed);
-    connect(milliseconds_, &QDoubleSpinBox::valueChanged, this, changed);
-    connect(share_, &QSpinBox::valueChanged, this, changed);
+    connect(milliseconds_, &BoundBox::valueChanged, this, changed);
+    connect(share_, &BoundBox::valueChanged, this, changed);
     connect(size_, &QComboBox::currentIndexChanged, this, changed);
     connect(use_, &QToolButton::clicked, this, [this] {
         if (answer_) {
@@ -130,7 +129,7 @@ CostBudget BudgetRow::budget() const {
         budget.milliseconds = milliseconds_->value() / pictures();
     }
     if (bounded_->isChecked()) {
-        budget.error = 1.0 / double(share_->value());
+        budget.error = share_->value();
     }
     return budget;
 }
@@ -150,8 +149,8 @@ void BudgetRow::refresh() {
 /// What is bought, and what is given up for it.
 QString BudgetRow::answerText(const CostPoint& point, bool fits) const {
     const CostPoint& exact = chart_.points.front();
-    const QString time = millisecondsText(point.cost.milliseconds.median * pictures());
-    const QString exactTime = millisecondsText(exact.cost.milliseconds.median * pictures());
+    const QString time = pictureTimeText(point.cost, pictures());
+    const QString exactTime = pictureTimeText(exact.cost, pictures());
     const QString name = fits ? wayName(point, chart_)
                               : tr("Nothing fits. Nearest: %1").arg(wayName(point, chart_));
     if (point.isExact()) {

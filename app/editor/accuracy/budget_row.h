@@ -9,12 +9,12 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
-class QSpinBox;
 class QToolButton;
 
 namespace patina {
+
+class BoundBox;
 
 /// What may be spent, and which point of a chart that buys: "at most 2 ms at 1080p", "error below
 /// 1/255".
@@ -46,10 +46,10 @@ class BudgetRow : public QWidget {
     bool stale_ = false;
     std::optional<BudgetAnswer> answer_;
     QCheckBox* timed_;
-    QDoubleSpinBox* milliseconds_;
+    BoundBox* milliseconds_;
     QComboBox* size_;
     QCheckBox* bounded_;
-    QSpinBox* share_;
+    BoundBox* share_;
     QToolButton* use_;
     QLabel* text_;
 };

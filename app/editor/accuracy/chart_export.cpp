@@ -1,13 +1,193 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/chart_export.h"
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
 #include <QSaveFile>
+#include <QSvgGenerator>
 
+#include "accuracy/cost_text.h"
+#include "accuracy/plot_library.h"
+#include "gl/driver.h"
 #include "session.h"
 
 namespace patina {
+namespace {
+
+constexpr QSize fileSize{960, 600};
+constexpr double pngScale = 2.0;
+constexpr double headingMargin = 12.0;
+constexpr double markRadius = 8.0;     ///< of a point, with its ring
+constexpr double longestName = 320.0;  ///< pixels; of a longer one what is alike is cut
+constexpr double besideMark = 10.0;    ///< from a point to its name; from farther away a line leads
+
+/// In as many lines as fit.
+QString wrapped(const QString& text, const QFontMetrics& metrics, int width) {
+    QStringList lines{QString()};
+    for (const QString& word : text.split(' ')) {
+        const QString longer = lines.last().isEmpty() ? word : lines.last() + ' ' + word;
+        if (metrics.horizontalAdvance(longer) <= width) {
+            lines.last() = longer;
+        } else {
+            lines << word;
+        }
+    }
+    return lines.join('\n');
+}
+
+void addLine(QCustomPlot& plot, int row, const QString& text, const QFont& font,
+             const QColor& color) {
+    const int width = fileSize.width() - static_cast<int>(2.0 * headingMargin);
+    plot.plotLayout()->insertRow(row);
+    auto* line = new QCPTextElement(&plot, wrapped(text, QFontMetrics(font), width), font);
+    line->setTextColor(color);
+    line->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    line->setMargins({static_cast<int>(headingMargin), 0, 0, 0});
+    plot.plotLayout()->addElement(row, 0, line);
+}
+
+void addHeading(QCustomPlot& plot, const ChartHeading& heading, const QPalette& palette) {
+    int row = 0;
+    if (!heading.title.isEmpty()) {
+        QFont bold = plot.font();
+        bold.setBold(true);
+        addLine(plot, row++, heading.title, bold, palette.color(QPalette::Text));
+    }
+    for (const QString& line : heading.lines) {
+        addLine(plot, row++, line, plot.font(), palette.color(QPalette::PlaceholderText));
+    }
+}
+
+/// Names beside points, each where it covers no other one and no point.
+class Names {
+  public:
+    Names(QCustomPlot& plot, const QPalette& palette)
+        : plot_(plot), color_(palette.color(QPalette::Text)),
+          lead_(palette.color(QPalette::PlaceholderText)), room_(plot.axisRect()->rect()) {}
+
+    void addPoint(const QPointF& place) {
+        const QPointF corner(markRadius, markRadius);
+        taken_.emplace_back(place - corner, place + corner);
+    }
+
+    void addName(const QPointF& place, const std::vector<WayPart>& parts, const QString& whole) {
+        const QFontMetricsF metrics(plot_.font());
+        const QString text =
+            parts.empty() ? whole : fittingWay(parts, [&metrics](const QString& name) {
+                return metrics.horizontalAdvance(name) <= longestName;
+            });
+        const QSizeF size(metrics.horizontalAdvance(text) + 2.0, metrics.height());
+        for (const double distance : {besideMark, 18.0, 30.0, 46.0, 66.0, 90.0, 120.0}) {
+            if (const std::optional<QRectF> free = freeAt(place, size, distance)) {
+                draw(text, *free, place, distance);
+                taken_.push_back(*free);
+                return;
+            }
+        }
+    }
+
+  private:
+    /// Where a name of that size has room, so far from its point.
+    std::optional<QRectF> freeAt(const QPointF& place, const QSizeF& size, double distance) const {
+        constexpr double diagonal = 0.7;
+        const double along = diagonal * distance;
+        const QPointF half(0.5 * size.width(), 0.5 * size.height());
+        const QPointF corners[] = {
+            {distance, -half.y()},
+            {along, -along - size.height()},
+            {along, along},
+            {-half.x(), -distance - size.height()},
+            {-half.x(), distance},
+            {-distance - size.width(), -half.y()},
+            {-along - size.width(), -along - size.height()},
+            {-along - size.width(), along},
+        };
+        for (const QPointF& corner : corners) {
+            const QRectF name(place + corner, size);
+            const bool isFree =
+                room_.contains(name) && std::ranges::none_of(taken_, [&name](const QRectF& other) {
+                    return other.intersects(name);
+                });
+            if (isFree) {
+                return name;
+            }
+        }
+        return std::nullopt;
+    }
+
+    void draw(const QString& text, const QRectF& name, const QPointF& place, double distance) {
+        if (distance > besideMark) {
+            auto* line = new QCPItemLine(&plot_);
+            line->start->setType(QCPItemPosition::ptAbsolute);
+            line->end->setType(QCPItemPosition::ptAbsolute);
+            line->start->setCoords(place);
+            line->end->setCoords({std::clamp(place.x(), name.left(), name.right()),
+                                  std::clamp(place.y(), name.top(), name.bottom())});
+            line->setPen(QPen(lead_, 0.7));
+        }
+        auto* item = new QCPItemText(&plot_);
+        item->position->setType(QCPItemPosition::ptAbsolute);
+        item->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+        item->position->setCoords(name.topLeft());
+        item->setText(text);
+        item->setFont(plot_.font());
+        item->setColor(color_);
+    }
+
+    QCustomPlot& plot_;
+    QColor color_;
+    QColor lead_;
+    QRectF room_;
+    std::vector<QRectF> taken_;
+};
+
+/// The front's names come first, so that they are near their points.
+void addNames(QCustomPlot& plot, const PlotMarks& marks, const PlotMarks::Content& content,
+              const QPalette& palette) {
+    const CostChart& chart = content.chart;
+    Names names(plot, palette);
+    for (const CostPoint& point : chart.points) {
+        names.addPoint(marks.placeOf(point, chart));
+    }
+    std::vector<std::size_t> named = costFront(chart.points);
+    const auto current = static_cast<std::size_t>(content.current);
+    if (content.current >= 0 && std::ranges::find(named, current) == named.end()) {
+        named.push_back(current);
+    }
+    for (const std::size_t i : named) {
+        const CostPoint& point = chart.points[i];
+        names.addName(marks.placeOf(point, chart), wayParts(point, chart), wayName(point, chart));
+    }
+}
+
+/// The chart as it is drawn into files.
+class ChartPicture {
+  public:
+    ChartPicture(const PlotMarks::Content& content, const ChartHeading& heading,
+                 const QPalette& palette)
+        : marks_(plot_) {
+        plot_.setViewport({QPoint(), fileSize});
+        addHeading(plot_, heading, palette);
+        marks_.draw(content, palette);
+        plot_.replot(QCustomPlot::rpImmediateRefresh); // places are known after it
+        addNames(plot_, marks_, content, palette);
+    }
+
+    QCustomPlot& plot() { return plot_; }
+
+  private:
+    QCustomPlot plot_;
+    PlotMarks marks_;
+};
+
+} // namespace
 
 QString askForChartFile(QWidget* parent, const QString& ending) {
     Session session;
@@ -34,6 +214,49 @@ Result<void> writeWhole(const QString& file, const QByteArray& bytes) {
     }
     return tl::unexpected(
         Error{file.toStdString(), 0, 0, target.errorString().toStdString(), {}});
+}
+
+QByteArray chartPng(const PlotMarks::Content& content, const ChartHeading& heading,
+                    const QPalette& palette) {
+    ChartPicture picture(content, heading, palette);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    picture.plot()
+        .toPixmap(fileSize.width(), fileSize.height(), pngScale)
+        .save(&buffer, "PNG");
+    return bytes;
+}
+
+QByteArray chartSvg(const PlotMarks::Content& content, const ChartHeading& heading,
+                    const QPalette& palette) {
+    ChartPicture picture(content, heading, palette);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(fileSize);
+    generator.setViewBox(QRect(QPoint(), fileSize));
+    generator.setTitle(heading.title);
+    generator.setDescription(heading.lines.join(' '));
+    QCPPainter painter;
+    painter.begin(&generator);
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNoCaching);
+    picture.plot().toPainter(&painter, fileSize.width(), fileSize.height());
+    painter.end();
+    return bytes;
+}
+
+QString driverLine() {
+    QOpenGLContext context;
+    context.setFormat(QSurfaceFormat::defaultFormat());
+    QOffscreenSurface surface;
+    surface.create();
+    return context.create() && context.makeCurrent(&surface)
+               ? QCoreApplication::translate("ChartExport", "OpenGL %1")
+                     .arg(QString::fromStdString(gl::driverText()))
+               : QString();
 }
 
 } // namespace patina

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Charts as files, which have to be understood without the window.
 #pragma once
 
 #include <QByteArray>
-#include <QString>
+#include <QStringList>
 #include <QWidget>
 
+#include "accuracy/plot_marks.h"
 #include "core/error.h"
 
 namespace patina {
@@ -14,5 +16,21 @@ QString askForChartFile(QWidget* parent, const QString& ending);
 
 /// Writes all of it or nothing.
 Result<void> writeWhole(const QString& file, const QByteArray& bytes);
+
+/// What stands above the chart: what it is of, and below that how it was measured.
+struct ChartHeading {
+    QString title;
+    QStringList lines;
+};
+
+/// The chart with its heading; ways on the front and the one chosen now have their names beside
+/// them.
+QByteArray chartPng(const PlotMarks::Content& content, const ChartHeading& heading,
+                    const QPalette& palette);
+QByteArray chartSvg(const PlotMarks::Content& content, const ChartHeading& heading,
+                    const QPalette& palette);
+
+/// The driver of OpenGL, for people; empty where there is none.
+QString driverLine();
 
 } // namespace patina

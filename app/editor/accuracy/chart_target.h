@@ -34,7 +34,8 @@ class ChartTarget {
     /// Whether the exact way and another can be seen beside each other.
     virtual bool canCompare() const { return false; }
 
-    /// Shows the exact way in A and these levels in B, as one undo step, and the difference in C.
+    /// Shows the exact way in A and these levels in B, as one undo step, and the difference in C,
+    /// until comparing ends: nothing is chosen by it.
     virtual void compare(const std::vector<Choice>&, const ChosenLevels&) {}
 
     virtual QString measureText() const = 0;   ///< what measuring does, for a tool tip

@@ -2,7 +2,6 @@
 #include "accuracy/cost_list.h"
 
 #include <algorithm>
-#include <array>
 
 #include <QHeaderView>
 #include <QPainter>
@@ -18,8 +17,8 @@ namespace {
 constexpr int pointRole = Qt::UserRole;
 constexpr int markSize = 12;
 
-enum Column { Way, Time, Ratio, P99, Mean, Rms, Worst, Steps, Perceived, Count, Columns };
-constexpr std::array<int, Columns> widths{244, 70, 108, 80, 84, 84, 84, 70, 66, 90};
+enum Column { Way, Time, P99, Ratio, Mean, Rms, Worst, Steps, Perceived, Count, Columns };
+constexpr int wayWidth = 244;
 
 struct MarkColors {
     QColor front;
@@ -61,24 +60,22 @@ QIcon iconOf(bool onFront, bool isCurrent, bool stale, const QPalette& palette) 
 
 /// What nobody can tell from the exact time is said to be about as long.
 QString timeText(const CostPoint& point, const CostChart& chart) {
-    const QString text = costRatioText(point.cost);
-    const bool ties = !point.isExact() && tiesInTime(point, chart.points.front());
+    const QString text = costRatioText(point.cost, chart.boundOf(point));
+    const bool ties = !point.isExact() && chart.boundOf(point) == RatioBound::None &&
+                      tiesInTime(point, chart.points.front());
     return ties ? QStringLiteral("≈ %1").arg(text) : text;
 }
 
 void fillRow(NumberRow& row, const CostPoint& point, const CostChart& chart) {
     const FrameError& error = point.error;
     row.setText(Way, wayName(point, chart));
+    row.setData(Way, WayDelegate::partsRole, WayDelegate::partsData(wayParts(point, chart)));
     const QString ties = tieText(point, chart);
     row.setToolTip(Way, ties.isEmpty() ? wayDescription(point, chart)
                                        : wayDescription(point, chart) + '\n' + ties);
-    row.setNumber(Time, digitsText(point.cost.nanosecondsPerPixel), point.cost.nanosecondsPerPixel);
+    row.setNumber(Time, perPixelText(point.cost, false), point.cost.nanosecondsPerPixel);
     row.setNumber(Ratio, timeText(point, chart), point.cost.ratio.median);
-    row.setToolTip(Ratio, CostList::tr("Between %1 and %2 with a probability of 95 %, by %3 pairs "
-                                       "of frames")
-                              .arg(digitsText(point.cost.ratio.lower),
-                                   digitsText(point.cost.ratio.upper))
-                              .arg(point.cost.runs));
+    row.setToolTip(Ratio, ratioNote(point.cost, chart.boundOf(point)));
     row.setNumber(P99, shareText(error.p99), error.p99);
     row.setToolTip(P99, chart.isAgainstConverged(point) ? convergedNote(chart) : QString());
     row.setNumber(Mean, shareText(error.mean), error.mean);
@@ -92,16 +89,18 @@ void fillRow(NumberRow& row, const CostPoint& point, const CostChart& chart) {
 
 void nameColumns(QTreeWidget& list) {
     list.setHeaderLabels({CostList::tr("Way to compute it"), CostList::tr("ns/pixel"),
-                          CostList::tr("Of exact time"), CostList::tr("Error"),
+                          CostList::tr("Error"), CostList::tr("Of exact time"),
                           CostList::tr("Mean"), CostList::tr("RMS"), CostList::tr("Worst"),
                           CostList::tr("8 bit"), CostList::tr("FLIP"),
                           CostList::tr("Instructions")});
     QTreeWidgetItem& head = *list.headerItem();
     head.setToolTip(Way, CostList::tr("A disc: nothing as accurate is as fast. A ring: what is "
                                       "chosen now"));
-    head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that counts"));
+    head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that counts; <: no more than "
+                                       "that, nobody can tell it from none"));
     head.setToolTip(Ratio, CostList::tr("Time beside that of the exact way; ≈: nobody can tell it "
-                                        "from that. <: nobody can tell it from none"));
+                                        "from that. <: nobody can tell it from none. > and –: "
+                                        "nobody can tell the exact one's from none"));
     head.setToolTip(P99, CostList::tr("Relative error that 99 of 100 pixels keep"));
     head.setToolTip(Mean, CostList::tr("Mean relative error of the pixels"));
     head.setToolTip(Rms, CostList::tr("Root mean square of the relative errors"));
@@ -121,11 +120,12 @@ CostList::CostList(QWidget* parent) : QTreeWidget(parent) {
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
     header()->setStretchLastSection(false);
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        setColumnWidth(static_cast<int>(i), widths[i]);
-    }
+    setTextElideMode(Qt::ElideMiddle); // the ends tell ways apart
+    setItemDelegateForColumn(Way, new WayDelegate(this));
     setSortingEnabled(true);
     sortByColumn(Time, Qt::AscendingOrder);
+    setColumnWidth(Way, wayWidth);
+    fitColumns(*this, Time);
     connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
         Q_EMIT picked(row->data(Way, pointRole).toInt());
     });
@@ -157,6 +157,7 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
         addTopLevelItem(row);
     }
     setSortingEnabled(true);
+    widenColumns(*this, Time);
     select(kept);
     verticalScrollBar()->setValue(scrolled);
 }

@@ -4,26 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QBuffer>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QSvgGenerator>
 #include <QToolTip>
 #include <QVBoxLayout>
 
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_library.h"
-#include "accuracy/plot_marks.h"
 
 namespace patina {
 namespace {
 
 constexpr double reach = 11.0; ///< pixels from a point that still mean it
-constexpr double pngScale = 2.0;
 constexpr QSize usualPlotSize{380, 240};
 constexpr QSize leastSize{240, 130};
-constexpr QSize fileSize{720, 480};
 
 } // namespace
 
@@ -32,7 +27,8 @@ CostPlot::CostPlot(QWidget* parent)
       marks_(std::make_unique<PlotMarks>(*plot_)) {
     setObjectName("costPlot");
     setAccessibleName(tr("Chart of time against error"));
-    setToolTip(tr("Click on a point to compute it that way"));
+    setToolTip(tr("Click on a point to compute it that way. An arrow: it takes no longer than "
+                  "that, which is too little to tell"));
     setFocusPolicy(Qt::StrongFocus);
     plot_->setFocusPolicy(Qt::NoFocus);
     plot_->setMouseTracking(true);
@@ -69,11 +65,14 @@ QString CostPlot::textOf(int point) const {
     return stale_ ? wayName(it, chart_) + '\n' + staleText() : pointText(it, chart_);
 }
 
-void CostPlot::draw() {
+/// What is chosen now; -1: that was not measured.
+int CostPlot::currentPoint() const {
     const CostPoint* current = chart_.find(current_);
-    const int index =
-        current != nullptr ? static_cast<int>(current - chart_.points.data()) : -1;
-    marks_->draw({chart_, index, selected_, stale_}, palette());
+    return current != nullptr ? static_cast<int>(current - chart_.points.data()) : -1;
+}
+
+void CostPlot::draw() {
+    marks_->draw({chart_, currentPoint(), selected_, stale_}, palette());
 }
 
 QPoint CostPlot::placeOf(int point) const {
@@ -189,29 +188,12 @@ void CostPlot::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), palette().color(hasFocus() ? QPalette::Highlight : QPalette::Base));
 }
 
-QByteArray CostPlot::png() const {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    plot_->toPixmap(fileSize.width(), fileSize.height(), pngScale).save(&buffer, "PNG");
-    return bytes;
+QByteArray CostPlot::png(const ChartHeading& heading) const {
+    return chartPng({chart_, currentPoint(), -1, stale_}, heading, palette());
 }
 
-QByteArray CostPlot::svg() const {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(fileSize);
-    generator.setViewBox(QRect(QPoint(), fileSize));
-    generator.setTitle(tr("What accuracy costs"));
-    QCPPainter painter;
-    painter.begin(&generator);
-    painter.setMode(QCPPainter::pmVectorized);
-    painter.setMode(QCPPainter::pmNoCaching);
-    plot_->toPainter(&painter, fileSize.width(), fileSize.height());
-    painter.end();
-    return bytes;
+QByteArray CostPlot::svg(const ChartHeading& heading) const {
+    return chartSvg({chart_, currentPoint(), -1, stale_}, heading, palette());
 }
 
 QSize CostPlot::sizeHint() const {

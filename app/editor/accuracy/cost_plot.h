@@ -5,13 +5,11 @@
 
 #include <QWidget>
 
-#include "measure/cost_chart.h"
+#include "accuracy/chart_export.h"
 
 class QCustomPlot;
 
 namespace patina {
-
-class PlotMarks;
 
 /// The points of a chart: time per pixel against error, both on log axes, with the front as a line
 /// and what is chosen now in a ring. A click or Enter asks for a point, left and right go
@@ -33,8 +31,8 @@ class CostPlot : public QWidget {
     QPoint placeOf(int point) const;
 
     /// The chart as files.
-    QByteArray png() const;
-    QByteArray svg() const;
+    QByteArray png(const ChartHeading& heading = {}) const;
+    QByteArray svg(const ChartHeading& heading = {}) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -52,6 +50,7 @@ class CostPlot : public QWidget {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
+    int currentPoint() const;
     void draw();
     void hover(QPoint place, QPoint global);
     void moveSelection(int steps);

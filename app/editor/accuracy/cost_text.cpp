@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/cost_text.h"
 
+#include <cmath>
+
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 namespace patina {
@@ -35,16 +36,19 @@ std::vector<TakenLevel> takenLevels(const CostPoint& point, const CostChart& cha
     return taken;
 }
 
-/// "Half" says nothing without what it is half of.
-QString levelName(const TakenLevel& taken) {
-    return QStringLiteral("%1: %2").arg(asText(taken.choice->label), asText(taken.level->label));
-}
-
-QString timeLine(const ChoiceCost& cost) {
+QString timeLine(const ChoiceCost& cost, RatioBound bound) {
     const QString time = digitsText(cost.nanosecondsPerPixel);
     const QString ratio = digitsText(cost.ratio.median);
-    if (cost.belowNoise) {
-        return tr("At most %1 ns per pixel, %2 of the exact time").arg(time, ratio);
+    switch (bound) {
+    case RatioBound::AtMost:
+        return tr("At most %1 ns per pixel, %2 of the exact time: too little to tell it from none")
+            .arg(time, ratio);
+    case RatioBound::AtLeast:
+        return tr("%1 ns per pixel, at least %2 times the exact time").arg(time, ratio);
+    case RatioBound::Unknown:
+        return tr("At most %1 ns per pixel: too little to tell it from none").arg(time);
+    default:
+        break;
     }
     if (!cost.isSure()) {
         return tr("%1 ns per pixel, %2 of the exact time, by too few pairs of frames to tell")
@@ -54,20 +58,47 @@ QString timeLine(const ChoiceCost& cost) {
         .arg(time, ratio, digitsText(cost.ratio.lower), digitsText(cost.ratio.upper));
 }
 
+QString workText(const SweepStep& step, const CostChart& chart) {
+    switch (step.work) {
+    case SweepStep::Work::RightFrame:
+        return tr("the right picture");
+    case SweepStep::Work::ConvergedFrame:
+        return tr("a converged picture");
+    case SweepStep::Work::EmptyFrame:
+        return tr("an empty picture");
+    default:
+        return wayName({step.levels, {}, {}, {}}, chart);
+    }
+}
+
+/// Of the cost's ratio, or of a time that goes with it.
+QString asSure(const MedianInterval& interval, const ChoiceCost& cost) {
+    return cost.isSure() ? ratioText(interval)
+                         : QStringLiteral("%1 ± ?").arg(digitsText(interval.median));
+}
+
 } // namespace
 
-QString wayName(const CostPoint& point, const CostChart& chart) {
-    QStringList names;
+/// "Half" says nothing without what it is half of.
+std::vector<WayPart> wayParts(const CostPoint& point, const CostChart& chart) {
+    std::vector<WayPart> parts;
     for (const TakenLevel& taken : takenLevels(point, chart)) {
-        names << levelName(taken);
+        parts.push_back({asText(taken.choice->label), asText(taken.level->label)});
     }
-    return names.isEmpty() ? tr("Exact") : names.join(QStringLiteral(" + "));
+    return parts;
+}
+
+QString wayName(const CostPoint& point, const CostChart& chart) {
+    const std::vector<WayPart> parts = wayParts(point, chart);
+    return parts.empty() ? tr("Exact") : wayText(parts);
 }
 
 QString wayDescription(const CostPoint& point, const CostChart& chart) {
     QStringList lines;
     for (const TakenLevel& taken : takenLevels(point, chart)) {
-        lines << QStringLiteral("%1. %2").arg(levelName(taken), asText(taken.level->doc));
+        lines << QStringLiteral("%1: %2. %3").arg(asText(taken.choice->label),
+                                                  asText(taken.level->label),
+                                                  asText(taken.level->doc));
     }
     return lines.isEmpty() ? tr("Every choice is exact.") : lines.join('\n');
 }
@@ -80,16 +111,52 @@ QString ratioText(const MedianInterval& ratio) {
         digitsText(ratio.median), likeText(0.5 * (ratio.upper - ratio.lower), ratio.median));
 }
 
-QString costRatioText(const ChoiceCost& cost) {
-    if (cost.belowNoise) {
+QString costRatioText(const ChoiceCost& cost, RatioBound bound) {
+    switch (bound) {
+    case RatioBound::AtMost:
         return QStringLiteral("< %1").arg(digitsText(cost.ratio.median));
+    case RatioBound::AtLeast:
+        return QStringLiteral("> %1").arg(digitsText(cost.ratio.median));
+    case RatioBound::Unknown:
+        return QStringLiteral("–");
+    default:
+        return asSure(cost.ratio, cost);
     }
-    return cost.isSure() ? ratioText(cost.ratio)
-                         : QStringLiteral("%1 ± ?").arg(digitsText(cost.ratio.median));
+}
+
+QString ratioNote(const ChoiceCost& cost, RatioBound bound) {
+    const QString ratio = digitsText(cost.ratio.median);
+    switch (bound) {
+    case RatioBound::AtMost:
+        return tr("No more than %1: its time cannot be told from none").arg(ratio);
+    case RatioBound::AtLeast:
+        return tr("No less than %1: the time that it counts from cannot be told from none")
+            .arg(ratio);
+    case RatioBound::Unknown:
+        return tr("Neither its time nor the one that it would count from can be told from none");
+    default:
+        break;
+    }
+    return cost.isSure()
+               ? tr("Between %1 and %2 with a probability of 95 %, by %3 pairs of frames")
+                     .arg(digitsText(cost.ratio.lower), digitsText(cost.ratio.upper))
+                     .arg(cost.runs)
+               : tr("By %1 pairs of frames, which are too few to say how sure it is")
+                     .arg(cost.runs);
+}
+
+QString perPixelText(const ChoiceCost& cost, bool withInterval) {
+    const double time = cost.nanosecondsPerPixel;
+    if (cost.belowNoise) {
+        return QStringLiteral("< %1").arg(digitsText(time));
+    }
+    const double each = cost.ratio.median > 0.0 ? time / cost.ratio.median : 0.0;
+    return withInterval ? asSure({time, each * cost.ratio.lower, each * cost.ratio.upper}, cost)
+                        : digitsText(time);
 }
 
 QString countText(const std::optional<InstructionCount>& count) {
-    return count ? QLocale().toString(count->total()) : QStringLiteral("–");
+    return count ? numberLocale().toString(count->total()) : QStringLiteral("–");
 }
 
 QString kindsText(const std::optional<InstructionCount>& count) {
@@ -134,7 +201,7 @@ QString convergedNote(const CostChart& chart) {
 
 QString pointText(const CostPoint& point, const CostChart& chart) {
     QStringList lines{wayName(point, chart)};
-    lines << timeLine(point.cost);
+    lines << timeLine(point.cost, chart.boundOf(point));
     lines << tr("99 of 100 pixels are off by %1 or less, the worst by %2")
                  .arg(shareText(point.error.p99), shareText(point.error.max));
     if (chart.isAgainstConverged(point)) {
@@ -147,17 +214,37 @@ QString pointText(const CostPoint& point, const CostChart& chart) {
     return lines.join('\n');
 }
 
+QString stepText(const SweepStep& step, const CostChart& chart) {
+    if (step.of < 2) { // it has only begun
+        return tr("Measuring …");
+    }
+    const QString text = tr("Measuring, step %1 of %2: %3, %4 %")
+                             .arg(step.number)
+                             .arg(step.of)
+                             .arg(workText(step, chart))
+                             .arg(std::lround(100.0 * step.share));
+    constexpr double minute = 60.0;
+    return step.secondsInAll < 1.5 * minute
+               ? text
+               : tr("%1. It takes about %2 minutes in all.")
+                     .arg(text)
+                     .arg(std::lround(step.secondsInAll / minute));
+}
+
 QString staleText() {
     return tr("It can still be chosen, but its numbers are from before a change.");
 }
 
 QString methodText(const CostChart& chart) {
-    const QString method = tr("%1 × %2 pixels, %3 of them shaded; %4; errors against %5.")
-                               .arg(chart.size.x)
-                               .arg(chart.size.y)
-                               .arg(QLocale().toString(static_cast<qulonglong>(chart.pixels)))
-                               .arg(asText(chart.timer), asText(chart.right));
-    QStringList lines{method};
+    return tr("%1 × %2 pixels, %3 of them shaded; %4; errors against %5.")
+        .arg(chart.size.x)
+        .arg(chart.size.y)
+        .arg(numberLocale().toString(static_cast<qulonglong>(chart.pixels)))
+        .arg(asText(chart.timer), asText(chart.right));
+}
+
+QString notesText(const CostChart& chart) {
+    QStringList lines;
     for (const std::string& more : {convergedText(chart), sameText(chart)}) {
         if (!more.empty()) {
             lines << QStringLiteral("%1%2.").arg(asText(more).left(1).toUpper(),

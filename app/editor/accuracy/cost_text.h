@@ -4,10 +4,15 @@
 
 #include <QString>
 
+#include "accuracy/way_delegate.h"
 #include "measure/cost_chart.h"
+#include "measure/sweep_step.h"
 #include "number_text.h"
 
 namespace patina {
+
+/// The levels that are not exact.
+std::vector<WayPart> wayParts(const CostPoint& point, const CostChart& chart);
 
 /// "Render scale: Half + Fog: Per vertex"; "Exact" where every choice is.
 QString wayName(const CostPoint& point, const CostChart& chart);
@@ -19,8 +24,15 @@ QString wayDescription(const CostPoint& point, const CostChart& chart);
 /// interval that says nothing.
 QString ratioText(const MedianInterval& ratio);
 
-/// The same of a cost; "< 0.02" where the time cannot be told from none.
-QString costRatioText(const ChoiceCost& cost);
+/// The same of a cost; "< 0.02" and "> 3.5" of bounds, "–" where nothing is known of it.
+QString costRatioText(const ChoiceCost& cost, RatioBound bound);
+
+/// How sure that is.
+QString ratioNote(const ChoiceCost& cost, RatioBound bound);
+
+/// Nanoseconds per pixel, as sure as the ratio is; "< 12.3" of a bound. Without how sure they are
+/// where that stands beside it.
+QString perPixelText(const ChoiceCost& cost, bool withInterval);
 
 /// The number of instructions ("–": not known), their kinds line by line, and a number to sort by.
 QString countText(const std::optional<InstructionCount>& count);
@@ -36,10 +48,16 @@ QString convergedNote(const CostChart& chart);
 /// The name and the numbers of a point, line by line.
 QString pointText(const CostPoint& point, const CostChart& chart);
 
+/// What a measurement is doing, and how much of it is done.
+QString stepText(const SweepStep& step, const CostChart& chart);
+
 /// What is said beside points that were measured before something changed.
 QString staleText();
 
 /// How it was measured: pixels, timer, what errors are against.
 QString methodText(const CostChart& chart);
+
+/// What else is to be known of it: errors that are against something else, levels without a point.
+QString notesText(const CostChart& chart);
 
 } // namespace patina

@@ -6,7 +6,6 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include "accuracy/axis_ticks.h"
@@ -20,23 +19,17 @@ namespace {
 constexpr double pointSize = 7.0;
 constexpr double margin = 1.3; ///< of the axes, times what they hold
 constexpr int lawSteps = 48;   ///< of the line, which is bent on log axes
-constexpr QSize leastSize{140, 110};
+constexpr QSize leastGrowthSize{140, 110};
 
-QString nameOf(ScalingCurve::Axis axis) {
-    switch (axis) {
-    case ScalingCurve::Axis::Pixels:
-        return GrowthPlot::tr("pixels");
-    case ScalingCurve::Axis::Lights:
-        return GrowthPlot::tr("lights");
-    default:
-        return GrowthPlot::tr("objects");
-    }
+/// Whether the bars are intervals of 95 %.
+bool isSure(const ScalingCurve& curve) {
+    return std::ranges::all_of(curve.samples, &GrowthSample::isSure);
 }
 
 /// As lawText() asks for it.
 std::string localNumber(double number, char format, int digits) {
     const QString text =
-        format == 'g' ? roundText(number) : QLocale().toString(number, format, digits);
+        format == 'g' ? roundText(number) : numberLocale().toString(number, format, digits);
     return text.toStdString();
 }
 
@@ -48,7 +41,7 @@ GrowthPlot::GrowthPlot(ScalingCurve::Axis axis, QWidget* parent)
       intervals_(new QCPErrorBars(plot_->xAxis, plot_->yAxis)), law_(new QLabel(this)) {
     setAccessibleName(tr("Time against %1").arg(nameOf(axis)));
     plot_->setFocusPolicy(Qt::NoFocus);
-    plot_->setMinimumSize(leastSize);
+    plot_->setMinimumSize(leastGrowthSize);
     points_->setLineStyle(QCPGraph::lsNone);
     line_->setAdaptiveSampling(false);
     intervals_->setErrorType(QCPErrorBars::etValueError);
@@ -82,6 +75,17 @@ void GrowthPlot::setCurve(const std::optional<ScalingCurve>& curve, bool stale) 
     draw();
 }
 
+QString GrowthPlot::nameOf(ScalingCurve::Axis axis) {
+    switch (axis) {
+    case ScalingCurve::Axis::Pixels:
+        return tr("pixels");
+    case ScalingCurve::Axis::Lights:
+        return tr("lights");
+    default:
+        return tr("objects");
+    }
+}
+
 QString GrowthPlot::law() const {
     return law_->text();
 }
@@ -111,6 +115,9 @@ void GrowthPlot::draw() {
     law_->setText(curve_.samples.empty()
                       ? QString()
                       : QString::fromStdString(lawText(curve_, localNumber)));
+    plot_->setToolTip(isSure(curve_) ? QString()
+                                     : tr("Hollow points: too few rounds to say how sure they are. "
+                                          "Their bars go from the least to the greatest."));
     law_->setEnabled(!stale_);
     setAccessibleDescription(law_->text());
     plot_->replot(QCustomPlot::rpQueuedReplot);
@@ -158,8 +165,8 @@ void GrowthPlot::colour() {
                                  : look.color(QPalette::Highlight).lighter(115);
     intervals_->setPen(QPen(mixed(look.color(QPalette::Base), look.color(QPalette::Text), 0.45)));
     line_->setPen(QPen(mixed(look.color(QPalette::Base), accent, 0.7), 1.5));
-    points_->setScatterStyle(
-        {QCPScatterStyle::ssCircle, QPen(accent, 1.3), QBrush(accent), pointSize});
+    const QBrush inside(isSure(curve_) ? accent : look.color(QPalette::Base));
+    points_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(accent, 1.3), inside, pointSize});
 }
 
 } // namespace patina

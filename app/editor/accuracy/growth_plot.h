@@ -27,6 +27,9 @@ class GrowthPlot : public QWidget {
 
     QString law() const;
 
+    /// "pixels", "lights", "objects".
+    static QString nameOf(ScalingCurve::Axis axis);
+
   protected:
     void changeEvent(QEvent* event) override;
 

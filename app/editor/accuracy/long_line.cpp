@@ -18,6 +18,9 @@ void LongLine::tell(const QString& text) {
 }
 
 QString LongLine::shown() const {
+    if (wordWrap()) {
+        return text();
+    }
     return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
 }
 

@@ -6,7 +6,7 @@
 namespace patina {
 
 /// A line of text that never widens what it stands in: what has no room is left out behind dots and
-/// told by the tooltip.
+/// told by the tooltip. One that wraps its words leaves nothing out.
 class LongLine : public QLabel {
     Q_OBJECT
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/material_target.h"
 
+#include <optional>
+
 #include <QCoreApplication>
 
 #include "document.h"
@@ -47,7 +49,14 @@ std::vector<Choice> MaterialTarget::choices() const {
 
 ChosenLevels MaterialTarget::levels(const std::vector<Choice>& choices) const {
     const Material* material = document_.material(document_.activeSide());
-    return material != nullptr ? levelsOf(*material, choices) : ChosenLevels();
+    if (material == nullptr) {
+        return {};
+    }
+    const std::optional<Material> aside =
+        document_.activeSide() == Side::A
+            ? materialAside(document_.state(), document_.currentObject())
+            : std::nullopt;
+    return levelsOf(aside.value_or(*material), choices);
 }
 
 MeasuredSubject MaterialTarget::subject() const {
@@ -70,8 +79,8 @@ MeasuredSubject MaterialTarget::subject() const {
 void MaterialTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                            const QString& label) {
     if (const Material* held = document_.material(document_.activeSide())) {
-        document_.replaceMaterial(document_.activeSide(), withLevels(*held, choices, levels),
-                                  label);
+        document_.setLevels(document_.activeSide(), withLevels(*held, choices, levels).accuracy,
+                            label);
     }
 }
 
@@ -88,11 +97,8 @@ void MaterialTarget::compare(const std::vector<Choice>& choices, const ChosenLev
     if (isSo) {
         return;
     }
-    const QString label = QCoreApplication::translate("MaterialTarget", "Compare with exact");
-    document_.editAsOneStep(label, [&] {
-        document_.replaceMaterial(Side::A, exact, label);
-        document_.setSecondMaterial(chosen);
-    });
+    document_.look(exact, chosen,
+                   QCoreApplication::translate("MaterialTarget", "Compare with exact"));
 }
 
 QString MaterialTarget::measureText() const {

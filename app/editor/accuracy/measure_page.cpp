@@ -40,7 +40,11 @@ void MeasurePage::connectParts() {
             exportTo(file);
         }
     });
-    connect(&work_, &SteppedWork::progressed, bar_, &MeasureBar::setProgress);
+    connect(&work_, &SteppedWork::progressed, this, [this](double share, const QString& doing) {
+        doing_ = doing;
+        bar_->setProgress(share);
+        showState();
+    });
     connect(&work_, &SteppedWork::finished, this, &MeasurePage::finish);
     connect(turn_.get(), &MeasureTurn::changed, this, &MeasurePage::showState);
     connect(&settle_, &QTimer::timeout, this, &MeasurePage::follow);
@@ -98,6 +102,7 @@ void MeasurePage::start(SteppedWork::Maker make) {
         return;
     }
     running_ = PageResult{subject(), file(), {}, {}, false, {}};
+    doing_.clear();
     bar_->setProgress(0.0);
     work_.start(std::move(make));
     refresh();
@@ -140,7 +145,7 @@ QString MeasurePage::stateText() const {
         return tr("There is no object.");
     }
     if (isMeasuring()) {
-        return tr("Measuring …");
+        return doing_.isEmpty() ? tr("Measuring …") : tr("Measuring, %1").arg(doing_);
     }
     if (shown_ != nullptr && !shown_->problem.isEmpty()) {
         return tr("Could not be measured: %1").arg(shown_->problem);

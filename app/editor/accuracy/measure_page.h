@@ -100,6 +100,7 @@ class MeasurePage : public QWidget {
     std::shared_ptr<MeasureTurn> turn_;
     KeptResults<PageResult> results_;
     std::optional<PageResult> running_;   ///< what is being measured
+    QString doing_;                       ///< of that
     const PageResult* shown_ = nullptr;
     bool stale_ = false;
     QTimer settle_; ///< changes of the document are gathered

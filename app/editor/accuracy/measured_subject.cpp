@@ -1,107 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/measured_subject.h"
 
-#include <algorithm>
-#include <string_view>
 #include <utility>
 
-#include <QDateTime>
-#include <QDir>
-#include <QFile>
-#include <QFileInfo>
-#include <QHash>
-
 namespace patina {
-namespace {
-
-std::uint64_t printOf(const std::filesystem::path& file) {
-    QFile text(QString::fromStdString(file.string()));
-    return text.open(QIODevice::ReadOnly) ? qHash(text.readAll()) : 0;
-}
-
-/// Of the files that all shaders share. They come with Patina: their times tell whether somebody
-/// edits them.
-std::uint64_t printOfShared(const Catalog& catalog) {
-    std::size_t print = 0;
-    for (const char* name : {"lib", "passes"}) {
-        const std::filesystem::path root =
-            catalog.roots.empty() ? std::filesystem::path() : catalog.roots.front().folder;
-        const QDir folder(QString::fromStdString((root / name).string()));
-        for (const QFileInfo& file : folder.entryInfoList(QDir::Files, QDir::Name)) {
-            print = qHashMulti(print, file.fileName(), file.size(), file.lastModified());
-        }
-    }
-    return print;
-}
-
-/// Collects the blocks that a scene names, each once.
-class BlocksOfScene {
-  public:
-    BlocksOfScene(const Scene& scene, const Catalog& catalog) : catalog_(catalog) {
-        for (const Object& object : scene.objects) {
-            add("models", object.material.model.id);
-            for (const auto& [kind, values] : object.material.parts) {
-                add(kind, values.id);
-            }
-        }
-        for (const Light& light : scene.lights) {
-            add("lights", light.block.id);
-            addSome("shadows", light.shadow);
-        }
-        addSome("fog", scene.fog);
-        addSome("environment", scene.environment);
-        if (scene.transparency) { // any of its kind may be chosen in its place
-            for (const Block* block : catalog.ofKind("transparency")) {
-                add(block->kind, block->id);
-            }
-        }
-    }
-
-    std::vector<const Block*> found;
-
-  private:
-    void addSome(std::string_view kind, const std::optional<BlockValues>& values) {
-        if (values) {
-            add(kind, values->id);
-        }
-    }
-
-    void add(std::string_view kind, std::string_view id) {
-        const Block* block = catalog_.find(kind, id);
-        if (block == nullptr || std::ranges::find(found, block) != found.end()) {
-            return;
-        }
-        found.push_back(block);
-        for (const Slot& slot : block->slots) {
-            add(slot.kind, slot.defaultBlock);
-        }
-    }
-
-    const Catalog& catalog_;
-};
-
-std::vector<const Block*> allOf(const Catalog& catalog) {
-    std::vector<const Block*> all;
-    for (const Block& block : catalog.blocks) {
-        all.push_back(&block);
-    }
-    return all;
-}
-
-} // namespace
 
 MeasuredSubject subjectOf(Scene scene, int object, const Catalog& catalog, SubjectBlocks which) {
     scene.name.clear();
     scene.camera = {};
-    MeasuredSubject subject{std::move(scene), object, {}, {}};
-    const std::vector<const Block*> blocks = which == SubjectBlocks::All
-                                                 ? allOf(catalog)
-                                                 : BlocksOfScene(subject.scene, catalog).found;
-    for (const Block* block : blocks) {
-        subject.blocks.push_back(*block);
-        subject.texts.push_back(printOf(block->shaderFile));
-    }
-    subject.texts.push_back(printOfShared(catalog));
+    MeasuredSubject subject{std::move(scene), object, {}};
+    subject.blocks = which == SubjectBlocks::All ? readBlocks(catalog)
+                                                 : readBlocksOf(subject.scene, catalog);
     return subject;
 }
 

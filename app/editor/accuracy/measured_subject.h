@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "catalog/catalog.h"
-#include "scene/scene.h"
+#include "check/read_blocks.h"
 
 namespace patina {
 
@@ -13,8 +9,7 @@ namespace patina {
 struct MeasuredSubject {
     Scene scene; ///< without what makes no difference to the numbers
     int object = -1;
-    std::vector<Block> blocks;        ///< that the numbers depend on
-    std::vector<std::uint64_t> texts; ///< prints of their shaders, the last one of all they share
+    ReadBlocks blocks; ///< that the numbers depend on
 
     friend bool operator==(const MeasuredSubject&, const MeasuredSubject&) = default;
 };

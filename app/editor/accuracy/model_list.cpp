@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/model_list.h"
 
-#include <array>
 #include <cmath>
 
 #include <QHeaderView>
-#include <QLocale>
 #include <QScrollBar>
 #include <QSignalBlocker>
 
@@ -18,19 +16,12 @@ namespace {
 constexpr int modelRole = Qt::UserRole;
 
 enum Column { Model, Ratio, Time, Total, Sums, Roots, Images, Branches, Memory, Loss, Columns };
-constexpr std::array<int, Columns> widths{170, 96, 104, 84, 56, 56, 60, 70, 66, 80};
-
-/// Nanoseconds, as sure as the ratio is.
-QString nanosecondsText(const ChoiceCost& cost) {
-    const MedianInterval& ratio = cost.ratio;
-    const double each = ratio.median > 0.0 ? cost.nanosecondsPerPixel / ratio.median : 0.0;
-    return ratioText({cost.nanosecondsPerPixel, each * ratio.lower, each * ratio.upper});
-}
+constexpr int modelWidth = 170;
 
 /// Rounded first: nobody loses minus nothing.
 QString lossText(const std::optional<double>& loss) {
     return loss ? ModelList::tr("%1 %").arg(
-                      QLocale().toString(std::round(1000.0 * *loss) / 10.0 + 0.0, 'f', 1))
+                      numberLocale().toString(std::round(1000.0 * *loss) / 10.0 + 0.0, 'f', 1))
                 : QStringLiteral("–");
 }
 
@@ -46,7 +37,7 @@ void fillCounts(NumberRow& row, const std::optional<InstructionCount>& count) {
                                             {Branches, count->branch},
                                             {Memory, count->memory}};
     for (const auto& [column, number] : kinds) {
-        row.setNumber(column, QLocale().toString(number), number);
+        row.setNumber(column, numberLocale().toString(number), number);
     }
 }
 
@@ -56,13 +47,9 @@ void fillRow(NumberRow& row, const ModelCost& each) {
     row.setToolTip(Model, ModelList::tr("%1. Enter or a double click gives the selected object "
                                         "this model")
                               .arg(row.text(Model)));
-    row.setNumber(Ratio, costRatioText(each.cost), each.cost.ratio.median);
-    row.setToolTip(Ratio, ModelList::tr("Between %1 and %2 with a probability of 95 %, by %3 pairs "
-                                        "of frames")
-                              .arg(digitsText(each.cost.ratio.lower),
-                                   digitsText(each.cost.ratio.upper))
-                              .arg(each.cost.runs));
-    row.setNumber(Time, nanosecondsText(each.cost), each.cost.nanosecondsPerPixel);
+    row.setNumber(Ratio, costRatioText(each.cost, each.bound), each.cost.ratio.median);
+    row.setToolTip(Ratio, ratioNote(each.cost, each.bound));
+    row.setNumber(Time, perPixelText(each.cost, true), each.cost.nanosecondsPerPixel);
     fillCounts(row, each.instructions);
     row.setNumber(Loss, lossText(each.albedoLoss), each.albedoLoss.value_or(2.0));
 }
@@ -74,8 +61,11 @@ void nameColumns(QTreeWidget& list) {
                           ModelList::tr("Branches"), ModelList::tr("Memory"),
                           ModelList::tr("Light lost")});
     QTreeWidgetItem& head = *list.headerItem();
-    head.setToolTip(Ratio, ModelList::tr("Time beside that of the quickest model"));
-    head.setToolTip(Time, ModelList::tr("Nanoseconds for each pixel that shows the object"));
+    head.setToolTip(Ratio, ModelList::tr("Time beside that of the quickest model; <: nobody can "
+                                         "tell it from none. > and –: nobody can tell the "
+                                         "quickest one's from none"));
+    head.setToolTip(Time, ModelList::tr("Nanoseconds for each pixel that shows the object; <: no "
+                                        "more than that, nobody can tell it from none"));
     head.setToolTip(Total, ModelList::tr("Instructions of the whole program, lights included; the "
                                          "same on every machine"));
     head.setToolTip(Sums, ModelList::tr("Sums, products, comparisons, choices"));
@@ -97,11 +87,10 @@ ModelList::ModelList(QWidget* parent) : QTreeWidget(parent) {
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
     header()->setStretchLastSection(false);
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        setColumnWidth(static_cast<int>(i), widths[i]);
-    }
     setSortingEnabled(true);
     sortByColumn(Ratio, Qt::AscendingOrder);
+    setColumnWidth(Model, modelWidth);
+    fitColumns(*this, Ratio);
     connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
         Q_EMIT picked(row->data(Model, modelRole).toString());
     });
@@ -126,6 +115,7 @@ void ModelList::setCosts(const std::vector<ModelCost>& costs, bool stale) {
         }
     }
     setSortingEnabled(true);
+    widenColumns(*this, Model);
     verticalScrollBar()->setValue(scrolled);
 }
 

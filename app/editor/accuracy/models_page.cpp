@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include "accuracy/measure_bar.h"
@@ -11,6 +10,7 @@
 #include "catalog/json_text.h"
 #include "document.h"
 #include "measure/ranking_table.h"
+#include "number_text.h"
 #include "session.h"
 
 namespace patina {
@@ -25,6 +25,14 @@ class ModelsPage::Job : public SteppedWork::Job {
     double progress() const override { return ranking_->progress(); }
     const Errors& problems() const override { return ranking_->problems(); }
 
+    QString doing() const override {
+        const ModelRanking::Turn turn = ranking_->turn();
+        return tr("model %1 of %2: %3")
+            .arg(turn.number)
+            .arg(turn.of)
+            .arg(QString::fromStdString(turn.label));
+    }
+
     std::function<void()> news() override {
         std::vector<ModelCost> costs = ranking_->costs();
         if (costs.size() == told_) {
@@ -32,7 +40,7 @@ class ModelsPage::Job : public SteppedWork::Job {
         }
         told_ = costs.size();
         const QString method = tr("%1 pixels of the object; %2; times are beside the quickest.")
-                                   .arg(QLocale().toString(qulonglong(ranking_->pixels())),
+                                   .arg(numberLocale().toString(qulonglong(ranking_->pixels())),
                                         QString::fromStdString(ranking_->timer()));
         return [&page = page_, costs = std::move(costs), method] { page.take(costs, method); };
     }

@@ -1,12 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/number_row.h"
 
+#include <algorithm>
+
+#include <QHeaderView>
+#include <QStyle>
 #include <QTreeWidget>
 
 namespace patina {
 namespace {
 
 constexpr int sortRole = Qt::UserRole + 1;
+
+/// What a column's texts need; only the sorted one has room for its arrow: with such room in each
+/// column a table would not fit a dock.
+int widthOf(const QTreeWidget& list, int column) {
+    const int margin = list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
+    const int between = list.style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &list);
+    const QFontMetrics metrics = list.fontMetrics();
+    int width = list.header()->fontMetrics().horizontalAdvance(list.headerItem()->text(column)) +
+                2 * between;
+    for (int i = 0; i < list.topLevelItemCount(); ++i) {
+        const QString text = list.topLevelItem(i)->text(column);
+        width = std::max(width, metrics.horizontalAdvance(text) + 2 * margin);
+    }
+    return column == list.sortColumn()
+               ? std::max(width + between, list.header()->sectionSizeHint(column))
+               : width + between;
+}
 
 } // namespace
 
@@ -21,6 +42,21 @@ bool NumberRow::operator<(const QTreeWidgetItem& other) const {
     const QVariant number = data(column, sortRole);
     return number.isValid() ? number.toDouble() < other.data(column, sortRole).toDouble()
                             : text(column).localeAwareCompare(other.text(column)) < 0;
+}
+
+void fitColumns(QTreeWidget& list, int first) {
+    for (int column = first; column < list.columnCount(); ++column) {
+        list.setColumnWidth(column, widthOf(list, column));
+    }
+    QObject::connect(list.header(), &QHeaderView::sortIndicatorChanged, &list,
+                     [&list, first] { widenColumns(list, first); });
+}
+
+void widenColumns(QTreeWidget& list, int first) {
+    for (int column = first; column < list.columnCount(); ++column) {
+        list.setColumnWidth(column,
+                            std::max(list.columnWidth(column), widthOf(list, column)));
+    }
 }
 
 } // namespace patina

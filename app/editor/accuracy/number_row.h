@@ -14,4 +14,11 @@ class NumberRow : public QTreeWidgetItem {
     bool operator<(const QTreeWidgetItem& other) const override;
 };
 
+/// Makes the columns from `first` on as wide as what they hold, which is at least their names, and
+/// widens them where another one is sorted by. Once for a table.
+void fitColumns(QTreeWidget& list, int first);
+
+/// Widens the columns from `first` on to what they hold now; narrower ones stay as they are.
+void widenColumns(QTreeWidget& list, int first);
+
 } // namespace patina

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QPainterPath>
 
 #include "accuracy/axis_ticks.h"
 #include "accuracy/cost_text.h"
@@ -39,13 +40,26 @@ double shownTime(const CostPoint& point) {
     return std::max(point.cost.nanosecondsPerPixel, leastTime);
 }
 
-/// Nanoseconds per pixel, as sure as the ratio to the exact time is.
+/// Nanoseconds per pixel, as sure as the ratio to the exact time is; of a bound all that is less.
 MedianInterval timeInterval(const CostPoint& point) {
     const MedianInterval& ratio = point.cost.ratio;
     const double time = shownTime(point);
+    if (point.cost.belowNoise) {
+        return {time, 0.5 * leastTime, time};
+    }
     const double perRatio = ratio.median > 0.0 ? time / ratio.median : 0.0;
     return {time, std::clamp(ratio.lower * perRatio, 0.5 * leastTime, time),
             std::max(ratio.upper * perRatio, time)};
+}
+
+/// A bound's mark: an arrow to where the time is.
+QPainterPath arrowToLess() {
+    QPainterPath arrow;
+    arrow.moveTo(-4.0, 0.0);
+    arrow.lineTo(2.5, -3.4);
+    arrow.lineTo(2.5, 3.4);
+    arrow.closeSubpath();
+    return arrow;
 }
 
 /// The exact frame's own error is the rounding of floats: what errs no more is as exact.
@@ -68,7 +82,9 @@ PlotMarks::PlotMarks(QCustomPlot& plot)
     : plot_(plot), all_(makeGraph(plot, QCPGraph::lsNone)),
       intervals_(new QCPErrorBars(plot.xAxis, plot.yAxis)),
       line_(makeGraph(plot, QCPGraph::lsLine)), others_(makeGraph(plot, QCPGraph::lsNone)),
-      front_(makeGraph(plot, QCPGraph::lsNone)), current_(makeGraph(plot, QCPGraph::lsNone)),
+      otherBounds_(makeGraph(plot, QCPGraph::lsNone)),
+      front_(makeGraph(plot, QCPGraph::lsNone)),
+      frontBounds_(makeGraph(plot, QCPGraph::lsNone)), current_(makeGraph(plot, QCPGraph::lsNone)),
       selected_(makeGraph(plot, QCPGraph::lsNone)),
       errors_(new AxisTicks(*plot.yAxis, shareText)) {
     intervals_->setErrorType(QCPErrorBars::etKeyError);
@@ -95,7 +111,8 @@ void PlotMarks::draw(const Content& content, const QPalette& palette) {
 }
 
 void PlotMarks::drawPoints(const Content& content) {
-    for (QCPGraph* graph : {all_, line_, others_, front_, current_, selected_}) {
+    for (QCPGraph* graph : {all_, line_, others_, otherBounds_, front_, frontBounds_, current_,
+                            selected_}) {
         graph->data()->clear();
     }
     const std::vector<CostPoint>& points = content.chart.points;
@@ -104,7 +121,10 @@ void PlotMarks::drawPoints(const Content& content) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const QPointF place = shownAt(points[i], content.chart);
         const bool isOnFront = std::ranges::find(front, i) != front.end();
-        (isOnFront ? front_ : others_)->addData(place.x(), place.y());
+        const bool isBound = points[i].cost.belowNoise;
+        QCPGraph* graph = isOnFront ? (isBound ? frontBounds_ : front_)
+                                    : (isBound ? otherBounds_ : others_);
+        graph->addData(place.x(), place.y());
         if (static_cast<int>(i) == content.current) {
             current_->addData(place.x(), place.y());
         }
@@ -175,8 +195,10 @@ void PlotMarks::colour(const QPalette& palette, bool stale) {
     line_->setPen(QPen(mixed(base, accent, 0.7), 1.5));
     others_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(faint, 1.3), QBrush(base),
                               pointSize});
+    otherBounds_->setScatterStyle({arrowToLess(), QPen(faint, 1.3), QBrush(base), pointSize});
     front_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(accent, 1.3), QBrush(accent),
                              pointSize});
+    frontBounds_->setScatterStyle({arrowToLess(), QPen(accent, 1.3), QBrush(accent), pointSize});
     current_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(text, 1.5), QBrush(Qt::NoBrush),
                                ringSize});
     selected_->setScatterStyle({QCPScatterStyle::ssSquare, QPen(accent, 1.5),

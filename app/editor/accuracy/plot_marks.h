@@ -47,7 +47,9 @@ class PlotMarks {
     QCPErrorBars* intervals_;
     QCPGraph* line_;     ///< of the front
     QCPGraph* others_;
+    QCPGraph* otherBounds_; ///< of those, times that are bounds
     QCPGraph* front_;
+    QCPGraph* frontBounds_;
     QCPGraph* current_;
     QCPGraph* selected_;
     QSharedPointer<AxisTicks> errors_;

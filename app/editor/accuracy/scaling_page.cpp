@@ -25,6 +25,17 @@ class ScalingPage::Job : public SteppedWork::Job {
     double progress() const override { return sweep_->progress(); }
     const Errors& problems() const override { return sweep_->problems(); }
 
+    QString doing() const override {
+        const ScalingSweep::Turn turn = sweep_->turn();
+        const QString what = turn.round > 0
+                                 ? tr("round %1 of %2").arg(turn.round).arg(turn.rounds)
+                                 : tr("making programs");
+        return tr("%1 of %2: %3, %4")
+            .arg(turn.number)
+            .arg(turn.of)
+            .arg(GrowthPlot::nameOf(turn.axis), what);
+    }
+
     std::function<void()> news() override {
         if (sweep_->rounds() == told_) {
             return {};

@@ -65,7 +65,7 @@ CostMeasurement::Outcome CostMeasurement::measure(CostSweep::Subject subject,
 }
 
 void CostMeasurement::tell(const CostSweep& sweep) {
-    Q_EMIT progressed(sweep.progress());
+    QMetaObject::invokeMethod(this, [this, step = sweep.doing()] { Q_EMIT progressed(step); });
     if (sweep.chart().points.size() > told_) {
         told_ = sweep.chart().points.size();
         QMetaObject::invokeMethod(this,

@@ -33,7 +33,7 @@ class CostMeasurement : public QObject {
     };
 
   Q_SIGNALS:
-    void progressed(double share);                   ///< 0 .. 1
+    void progressed(const patina::SweepStep& step);
     void charted(const patina::CostChart& chart);    ///< there are more points than before
     void finished(const patina::CostMeasurement::Outcome& outcome); ///< also after cancel()
 

@@ -66,7 +66,7 @@ void SteppedWork::tell(Job& job, QElapsedTimer& sinceTold) {
     }
     if (sinceTold.elapsed() >= tellEveryMs) {
         sinceTold.restart();
-        Q_EMIT progressed(job.progress());
+        Q_EMIT progressed(job.progress(), job.doing());
     }
 }
 

@@ -26,6 +26,7 @@ class SteppedWork : public QObject {
         virtual void step() = 0;
         virtual bool finished() const = 0;
         virtual double progress() const = 0; ///< 0 .. 1
+        virtual QString doing() const = 0;   ///< "model 3 of 20: Phong"
         virtual const Errors& problems() const = 0;
 
         /// What there is to show since the last call, as a function that this object's thread
@@ -43,7 +44,7 @@ class SteppedWork : public QObject {
     bool isRunning() const { return running_; }
 
   Q_SIGNALS:
-    void progressed(double share); ///< 0 .. 1
+    void progressed(double share, const QString& doing); ///< see Job
     /// Also after cancel(); `problem`: why it ended before its time, else empty.
     void finished(bool complete, QString problem);
 

@@ -23,8 +23,8 @@
 namespace patina {
 namespace {
 
-constexpr int pictureSize = 72;
-const QString pictureGroup = QStringLiteral("preset/");
+constexpr int presetPictureSize = 72;
+const QString presetPictureGroup = QStringLiteral("preset/");
 
 QString joined(const std::vector<std::string>& tags) {
     QStringList words;
@@ -76,7 +76,7 @@ bool beginsAWord(const QString& text, const QString& searched) {
 PresetsDock::PresetsDock(const DockContext& context)
     : document_(context.document), files_(context.files), presets_(context.presets),
       thumbnails_(context.thumbnails), search_(new SearchBox(this)), hint_(hintLabel(this)),
-      grid_(new PictureGrid(pictureSize, this)) {
+      grid_(new PictureGrid(presetPictureSize, this)) {
     auto* save = textButton(tr("Save…"), tr("Save the active material as a preset of your own"),
                             this);
     search_->setPlaceholderText(tr("Search name, tag or model"));
@@ -100,8 +100,8 @@ PresetsDock::PresetsDock(const DockContext& context)
     connect(grid_, &PictureGrid::pictureWished, this, &PresetsDock::askForPicture);
     connect(&thumbnails_, &ThumbnailMaker::ready, this,
             [this](const QString& name, const QImage& picture) {
-                if (name.startsWith(pictureGroup)) {
-                    grid_->setPicture(name.mid(pictureGroup.size()), picture);
+                if (name.startsWith(presetPictureGroup)) {
+                    grid_->setPicture(name.mid(presetPictureGroup.size()), picture);
                 }
             });
     fill();
@@ -121,7 +121,7 @@ void PresetsDock::fill() {
 void PresetsDock::askForPicture(const QString& file) {
     for (const PresetEntry& entry : presets_.entries()) {
         if (QString::fromStdString(entry.file.string()) == file) {
-            thumbnails_.ask(pictureGroup + file, entry.material);
+            thumbnails_.ask(presetPictureGroup + file, entry.material);
         }
     }
 }

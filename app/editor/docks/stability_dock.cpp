@@ -8,7 +8,6 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QShortcut>
 #include <QToolButton>
@@ -17,6 +16,7 @@
 
 #include "docks/panel.h"
 #include "document.h"
+#include "number_text.h"
 
 namespace patina {
 namespace {
@@ -28,7 +28,7 @@ enum Column { What, Cases, Where, Amount };
 constexpr std::pair<Column, int> columnWidths[] = {{What, 230}, {Cases, 70}, {Amount, 230}};
 
 QString grouped(std::size_t number) {
-    return QLocale().toString(static_cast<qulonglong>(number));
+    return numberLocale().toString(static_cast<qulonglong>(number));
 }
 
 QString verdictOf(const StabilityOutcome& outcome) {
@@ -110,12 +110,14 @@ void StabilityDock::start() {
         return;
     }
     checked_ = *material;
-    checkedCatalog_ = document_.sharedCatalog();
+    Scene scene;
+    scene.objects.emplace_back().material = checked_;
+    blocks_ = KnownBlocks(document_.sharedCatalog(), std::move(scene));
     verdict_.clear();
     list_->clear();
     remarks_->clear();
     progress_->setValue(0);
-    check_.start(checkedCatalog_, checked_);
+    check_.start(blocks_.catalog(), checked_);
     showState();
 }
 
@@ -150,7 +152,7 @@ void StabilityDock::fill(const StabilityOutcome& outcome) {
 bool StabilityDock::isStale() const {
     const Material* material = document_.material(document_.activeSide());
     return material == nullptr || !(*material == checked_) ||
-           document_.sharedCatalog() != checkedCatalog_;
+           !blocks_.areIn(document_.sharedCatalog());
 }
 
 void StabilityDock::showState() {

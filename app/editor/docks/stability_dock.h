@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 
 #include <QWidget>
 
+#include "check/read_blocks.h"
 #include "check/stability_check.h"
 #include "docks/dock_context.h"
 
@@ -37,7 +37,7 @@ class StabilityDock : public QWidget {
 
     Document& document_;
     StabilityCheck check_;
-    std::shared_ptr<const Catalog> checkedCatalog_;
+    KnownBlocks blocks_; ///< of what was checked
     Material checked_;
     QString verdict_; ///< of the last check; empty: there was none
     QToolButton* start_;

@@ -41,9 +41,7 @@ void NumberBox::setValue(double value) {
 }
 
 void NumberBox::showValue() {
-    const std::string text =
-        hasFocus() ? shortestText(static_cast<float>(value_)) : shownNumber(value_, decimals_);
-    if (const QString shown = QString::fromStdString(text); shown != this->text()) {
+    if (const QString shown = textOf(value_); shown != text()) {
         setText(shown);
         setCursorPosition(0);
     }
@@ -52,6 +50,11 @@ void NumberBox::showValue() {
     if (hasFocus()) {
         selectAll();
     }
+}
+
+QString NumberBox::textOf(double value) const {
+    return QString::fromStdString(hasFocus() ? shortestText(static_cast<float>(value))
+                                             : shownNumber(value, decimals_));
 }
 
 void NumberBox::commit() {

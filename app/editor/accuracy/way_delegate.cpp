@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/way_delegate.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QStyle>
+
+namespace patina {
+namespace {
+
+/// With choices of at most so many letters, of which none is no choice at all.
+QString withShortChoices(const std::vector<WayPart>& parts, qsizetype most) {
+    QStringList names;
+    for (const WayPart& part : parts) {
+        const QString choice = part.choice.size() <= most
+                                   ? part.choice
+                                   : part.choice.left(most).trimmed() + QStringLiteral("…");
+        names << (most > 0 ? QStringLiteral("%1: %2").arg(choice, part.level) : part.level);
+    }
+    return names.join(QStringLiteral(" + "));
+}
+
+qsizetype longestChoice(const std::vector<WayPart>& parts) {
+    qsizetype longest = 0;
+    for (const WayPart& part : parts) {
+        longest = std::max(longest, part.choice.size());
+    }
+    return longest;
+}
+
+std::vector<WayPart> partsOf(const QStringList& texts) {
+    std::vector<WayPart> parts;
+    for (qsizetype i = 0; i + 1 < texts.size(); i += 2) {
+        parts.push_back({texts[i], texts[i + 1]});
+    }
+    return parts;
+}
+
+const QStyle& styleOf(const QStyleOptionViewItem& option) {
+    return option.widget != nullptr ? *option.widget->style() : *QApplication::style();
+}
+
+/// For the text of an item, between the margins that styles leave it.
+int roomOf(const QStyleOptionViewItem& option) {
+    const QStyle& style = styleOf(option);
+    const int margin =
+        style.pixelMetric(QStyle::PM_FocusFrameHMargin, &option, option.widget) + 1;
+    return style.subElementRect(QStyle::SE_ItemViewItemText, &option, option.widget).width() -
+           2 * margin;
+}
+
+} // namespace
+
+QString wayText(const std::vector<WayPart>& parts) {
+    return withShortChoices(parts, longestChoice(parts));
+}
+
+QString fittingWay(const std::vector<WayPart>& parts,
+                   const std::function<bool(const QString&)>& fits) {
+    constexpr qsizetype fewestLetters = 3; // of a choice, to say anything
+    for (qsizetype most = longestChoice(parts); most >= fewestLetters; --most) {
+        if (const QString text = withShortChoices(parts, most); fits(text)) {
+            return text;
+        }
+    }
+    return withShortChoices(parts, 0);
+}
+
+QStringList WayDelegate::partsData(const std::vector<WayPart>& parts) {
+    QStringList texts;
+    for (const WayPart& part : parts) {
+        texts << part.choice << part.level;
+    }
+    return texts;
+}
+
+void WayDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                        const QModelIndex& index) const {
+    QStyleOptionViewItem shown = option;
+    initStyleOption(&shown, index);
+    if (const auto parts = partsOf(index.data(partsRole).toStringList()); !parts.empty()) {
+        const int room = roomOf(shown);
+        shown.text = fittingWay(parts, [&shown, room](const QString& text) {
+            return shown.fontMetrics.horizontalAdvance(text) <= room;
+        });
+    }
+    styleOf(shown).drawControl(QStyle::CE_ItemViewItem, &shown, painter, shown.widget);
+}
+
+} // namespace patina
