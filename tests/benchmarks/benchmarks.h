@@ -20,4 +20,7 @@ bool assembly();
 bool switches();
 bool offEffects();
 
+/// Leaves the driver without its cache and talking: nothing is measured after it.
+bool assemblyCount();
+
 } // namespace patina::benchmarks

@@ -34,7 +34,8 @@ int main(int count, char** arguments) {
                                         {"many-objects", patina::benchmarks::manyObjects},
                                         {"assembly", patina::benchmarks::assembly},
                                         {"switches", patina::benchmarks::switches},
-                                        {"off-effects", patina::benchmarks::offEffects}};
+                                        {"off-effects", patina::benchmarks::offEffects},
+                                        {"assembly-count", patina::benchmarks::assemblyCount}};
     const std::vector<std::string_view> wanted(arguments + 1, arguments + count);
     bool kept = true;
     for (const Entry& entry : entries) {
