@@ -30,6 +30,7 @@ struct Directions {
     float tH;    // t.(l + v) and b.(l + v), which keep their digits where l and v oppose
     float bH;
     float versineL; // 1 - n.l
+    float vercosineL; // 1 + n.l
     vec2 pixel; // where on the picture, in its pixels, for models that draw marks; 0 without one
 };
 
@@ -41,7 +42,7 @@ float perpendicular2(vec3 u, vec3 n, float nu) {
 
 // The geometry for unit n, t, b (orthogonal), l and v. With H = l + v, which is never normalised:
 //   tan^2 theta_h = |H - (n.H) n|^2 : (n.H)^2      1 - l.h = |l - v|^2 / 4 / (1 + l.h)
-//   1 - n.l = |n - l|^2 / 2
+//   1 - n.l = |n - l|^2 / 2                        1 + n.l = |n + l|^2 / 2
 //   1 - r.v = |2 (n.l) n - H|^2 / 2                l.h = |H| / 2
 //   r.v = (2 (n.l) n - l).v far from the mirror direction, where it is the small one
 // so small angles keep all their digits: 1 - cos is never formed from a rounded cosine.
@@ -77,6 +78,8 @@ Directions directions(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v) {
 
     vec3 rise = n - l;
     d.versineL = 0.5 * dot(rise, rise);
+    vec3 fall = n + l;
+    d.vercosineL = 0.5 * dot(fall, fall);
     vec3 chord = l - v;
     d.versineLh = 0.25 * dot(chord, chord) / (1.0 + d.lh);
     // r - v: near the mirror direction they have the same digits, and l + v would round first.

@@ -7,11 +7,11 @@
 
 // Beckmann: D = exp(-tan^2 / alpha^2) / (pi alpha^2 cos^4), alpha the RMS slope.
 // Cook and Torrance, A Reflectance Model for Computer Graphics, ACM TOG 1(1), 1982, with
-// the 1/pi that their print leaves out. alpha 1e-4 .. 3. The caps only matter within 1e-15 rad of
+// the 1/pi that their print leaves out. alpha 1e-4 .. 3. The cap only matters within 3e-8 rad of
 // the horizon, where the exponential is 0 and 1/cos^4 would otherwise make 0 x infinity.
 float beckmannDistribution(float sin2h, float cos2h, float alpha) {
-    float tan2 = cos2h > 1e-30 * sin2h ? sin2h / cos2h : 1e30;
-    float sec2 = 1.0 + min(tan2, 1e15);
+    float tan2 = min(sin2h / max(cos2h, 1e-30), 1e15);
+    float sec2 = 1.0 + tan2;
     float inverse2 = 1.0 / (alpha * alpha);
     return exp2(-1.4426950408889634 * (tan2 * inverse2)) * sec2 * sec2 * (inverse2 / PI);
 }

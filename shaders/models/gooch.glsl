@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/directions.glsl"
 
-// (1 + n.l) / 2 and (1 - n.l) / 2, each without cancellation: their product is sin^2 / 4, which
-// gives the smaller one.
-void goochWeights(Directions d, OUT(float) towards, OUT(float) away) {
-    float most = 0.5 + 0.5 * min(abs(d.nl), 1.0);
-    float least = 0.25 * d.sin2l / most;
-    towards = d.nl > 0.0 ? most : least;
-    away = d.nl > 0.0 ? least : most;
-}
-
 // Gooch, Gooch, Shirley and Cohen, A Non-Photorealistic Lighting Model for Automatic Technical
 // Illustration, SIGGRAPH 1998, equation 2: u warm + (1 - u) cool, u = (1 + n.l) / 2. Their print
 // has l away from the light. With two lights (their approximation) the mean of both tones is lit by
 // a warm light from l and a cool one from -l; negative lights are left out, so no tone is darkened.
 vec3 goochTone(Directions d, Gooch p, vec3 warm, vec3 cool) {
-    float towards;
-    float away;
-    goochWeights(d, towards, away);
+    float towards = 0.5 * d.vercosineL;
+    float away = 0.5 * d.versineL;
     if (p.blending == GOOCH_BLENDING_PRINTED) {
         return towards * cool + away * warm;
     }

@@ -38,10 +38,11 @@ vec3 toonSpot(Directions d, Toon p) {
 // Two or three flat tones by n.l, per fragment. A. Lake et al., Stylized Rendering Techniques for
 // Scalable Real-Time 3D Animation, NPAR 2000, with soft edges and a spot.
 vec3 toon(Directions d, Toon p) {
+    vec3 spot = toonSpot(d, p); // needs most directions, and then they are over
     vec3 tone = toonEdge(toonLead(d, p.threshold), p.softness, p.shadowColor, p.diffuseColor);
     if (p.tones == TOON_TONES_THREE) {
         float brightAt = max(p.brightThreshold, p.threshold);
         tone = toonEdge(toonLead(d, brightAt), p.softness, tone, p.brightColor);
     }
-    return tone + toonSpot(d, p);
+    return tone + spot;
 }
