@@ -66,7 +66,7 @@ void SurfaceWriter::writeShadowCode() {
                          dispatch(parallel, local, "ShadowDepths", "(s, stored)")));
     out_.addFile("passes/shadow_taps.glsl");
     main_ += "    shadowFace = faceNormal(s.v);\n    shadowLift = shadingNormal(s.v);\n"
-             "    shadowAside = shadowInset();\n";
+             "    shadowAside = shadowInset(s.v);\n";
 }
 
 /// `arriving<index>`: the share of a light of this group that nothing keeps away; 0 where the model

@@ -69,23 +69,20 @@ vec3 shadowLift;
 // farther in, as a pixel at the body's edge may lie beyond it. Below zero elsewhere.
 float shadowAside;
 
-float shadowInset() {
-    float pixel = length(dFdx(toEye)) + length(dFdy(toEye));
-    return dot(worldNormal, shadowLift) < 0.0 ? pixel : -1.0;
+float shadowInset(vec3 v) {
+    vec3 across = dFdx(toEye);
+    vec3 along = dFdy(toEye);
+    float pixel = sqrt(2.0 * (dot(across, across) + dot(along, along)));
+    return isSeenFromBehind(v) ? pixel : -1.0;
 }
 
-// The sine of the angle between a normal and the way that depths are measured along: the light's
-// own, or of a light with a place that of the face of its map. There a surface that faces the light
-// may lie aslant all the same.
-float shadowSlant(vec3 n, vec3 l, vec3 way, ShadowView view, bool isParallel) {
-    float slant = safeSqrt(1.0 - sqr(max(dot(n, l), LEAST_SHADOWED_NL)));
-    if (isParallel) {
-        return slant;
-    }
+// The sine of the angle between a normal and the axis of the map's face that a light with a place
+// sees it by: depths are measured along that, so a surface that faces the light may lie aslant.
+float shadowFaceSlant(vec3 n, vec3 way, ShadowView view) {
     vec3 size = abs(vec3(dot(way, view.right), dot(way, view.up), dot(way, view.forward)));
     vec3 axis = size.x >= size.y ? view.right : view.up;
     axis = view.faces < 2.0 || size.z >= max(size.x, size.y) ? view.forward : axis;
-    return max(slant, safeSqrt(1.0 - sqr(dot(n, axis))));
+    return safeSqrt(1.0 - sqr(dot(n, axis)));
 }
 
 // The slope by which a surface may rise above its own plane, away from the point, without shading
@@ -114,12 +111,14 @@ ShadowPoint shadowPoint(Surface s, vec3 l, ShadowView view, bool isParallel) {
     float range = max(length(way), 1e-6);
     p.inverseRange = isParallel ? 0.0 : 1.0 / range;
     p.texel = isParallel ? view.texel : view.texel * range;
-    float slant = shadowSlant(shadowFace, l, way, view, isParallel);
-    p.x = s.x + shadowLift * (p.texel * (0.25 + 1.5 * slant));
+    float nl = max(dot(shadowFace, l), LEAST_SHADOWED_NL);
+    float slant = safeSqrt(1.0 - sqr(nl));
+    float lift = isParallel ? slant : max(slant, shadowFaceSlant(shadowFace, way, view));
+    p.x = s.x + shadowLift * (p.texel * (0.25 + 1.5 * lift));
     if (shadowAside >= 0.0) {
         vec3 inwards = shadowFace - dot(shadowFace, l) * l;
         float inset = 2.0 * p.texel + min(shadowAside, 8.0 * p.texel);
-        p.x += inwards * (inset * inversesqrt(max(dot(inwards, inwards), 1e-4)));
+        p.x += inwards * (inset / max(slant, 0.01));
     }
     p.turn = 2.0 * PI * pixelNoise();
     p.rise = shadowedRise(p, SHADOWED_RISE);

@@ -20,12 +20,15 @@ vec3 faceNormal(vec3 v) {
     return seen * inversesqrt(max(dot(seen, seen), 1e-30));
 }
 
+bool isSeenFromBehind(vec3 v) {
+    vec3 face = cross(dFdx(toEye), dFdy(toEye));
+    return (dot(worldNormal, face) < 0.0) != (dot(face, v) < 0.0);
+}
+
 // The interpolated normal, turned to the side that is seen whatever the winding of the triangle,
 // so that a back side is shaded like a front. Vertices have unit normals or none (surface.vert).
 vec3 shadingNormal(vec3 v) {
-    vec3 face = cross(dFdx(toEye), dFdy(toEye));
-    bool isBehind = (dot(worldNormal, face) < 0.0) != (dot(face, v) < 0.0);
-    return unitTowardsViewer(isBehind ? -worldNormal : worldNormal, v);
+    return unitTowardsViewer(isSeenFromBehind(v) ? -worldNormal : worldNormal, v);
 }
 
 Surface surface() {
