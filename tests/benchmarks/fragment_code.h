@@ -16,8 +16,9 @@ class FragmentCode {
     /// from there is not compiled. Fails where no LLVM compiles shaders, or it takes no options.
     static Result<FragmentCode> create();
 
-    /// Instructions of all fragment functions that are compiled while `work` runs, those of the loop
-    /// over a block's pixels twice: eight of the sixteen are computed at once. 0: there were none.
+    /// Instructions of all fragment functions that are compiled while `work` runs, those of the
+    /// loop over a block's pixels twice: eight of its sixteen are computed at once. 0: there were
+    /// none.
     long instructionsOf(const std::function<void()>& work) const;
 
   private:
