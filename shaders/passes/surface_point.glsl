@@ -30,8 +30,9 @@ vec3 towardsViewer(vec3 n, vec3 v) {
 
 // The same for an n of at most length 1, blended of unit ones, made unit by one root. LEAST_NV is
 // kept towards the viewer whatever the length of n is, which is no less than that share of it, and
-// enough for nothing to cancel where n is -v or zero, which gives v. 1e-36 is there for a v of zero,
-// at the eye itself.
+// enough for nothing to cancel where n is -v or zero, which gives v. Only on slivers, thinner than
+// the 1/256 pixel to which devices place vertices, n may be somewhat longer, and the share less.
+// 1e-36 is there for a v of zero, at the eye itself.
 vec3 unitTowardsViewer(vec3 n, vec3 v) {
     vec3 bent = n + max(LEAST_NV - dot(n, v), 0.0) * v;
     return bent * inversesqrt(dot(bent, bent) + 1e-36);
