@@ -6,6 +6,7 @@
 
 #include "free_memory.h"
 #include "gl/headless_context.h"
+#include "render/stand_in_size.h"
 
 namespace patina {
 namespace {
@@ -28,11 +29,19 @@ Mesh standInFor(const Bounds& bounds, int triangles) {
     return mesh;
 }
 
+/// In the proportions of the view.
+glm::ivec2 smallSizeFor(const ProgramWorker::Frame& frame) {
+    const glm::ivec2 size = frame.view.size;
+    const double shrinking = double(side) / std::max(size.x, size.y);
+    return standInSize(size, glm::ivec2(glm::dvec2(size) * shrinking),
+                       frame.scene.accuracy.scale());
+}
+
 /// What there is more triangles than pixels of is drawn into another kind of buffer, for which
 /// drivers compile anew.
-int trianglesFor(const ProgramWorker::Frame& frame) {
+int trianglesFor(const ProgramWorker::Frame& frame, glm::ivec2 small) {
     const glm::ivec2 size = frame.view.size;
-    return frame.triangles > std::int64_t(size.x) * size.y ? side * side + 1 : 1;
+    return frame.triangles > std::int64_t(size.x) * size.y ? small.x * small.y + 1 : 1;
 }
 
 /// Images that are there need not be sent to the device for this.
@@ -61,13 +70,13 @@ class Workshop {
 
     void make(const ProgramWorker::Frame& frame) {
         renderer_->setCatalog(frame.catalog);
+        View view = frame.view;
+        view.size = smallSizeFor(frame);
+        const int triangles = trianglesFor(frame, view.size);
         std::vector<Mesh> meshes;
         for (const Bounds& bounds : frame.meshes) {
-            meshes.push_back(bounds.empty() ? Mesh() : standInFor(bounds, trianglesFor(frame)));
+            meshes.push_back(bounds.empty() ? Mesh() : standInFor(bounds, triangles));
         }
-        View view = frame.view;
-        const double scale = double(side) / std::max(view.size.x, view.size.y);
-        view.size = glm::max(glm::ivec2(glm::dvec2(view.size) * scale), glm::ivec2(1));
         view.effects = frame.effects ? &*frame.effects : nullptr;
         const Object* const first = frame.scene.objects.data();
         renderer_->foresee(frame.scene, view, [&](const Object& object) {
