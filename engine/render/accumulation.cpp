@@ -8,18 +8,26 @@
 
 namespace patina {
 
+Result<void> Accumulation::prepare(const Catalog& catalog, ProgramCache& cache) {
+    if (program_) {
+        return {};
+    }
+    const std::array<std::string, 1> files{"passes/accumulate.frag"};
+    const auto source = passProgram(catalog, "passes/screen.vert", files);
+    if (!source) {
+        return tl::unexpected(source.error().front());
+    }
+    const ProgramCache::Found found = cache.get(*source);
+    if (!found.program) {
+        return tl::unexpected(found.errors.front());
+    }
+    program_ = found.program;
+    return {};
+}
+
 Result<bool> Accumulation::fit(glm::ivec2 size, const Catalog& catalog, ProgramCache& cache) {
-    if (!program_) {
-        const std::array<std::string, 1> files{"passes/accumulate.frag"};
-        const auto source = passProgram(catalog, "passes/screen.vert", files);
-        if (!source) {
-            return tl::unexpected(source.error().front());
-        }
-        const ProgramCache::Found found = cache.get(*source);
-        if (!found.program) {
-            return tl::unexpected(found.errors.front());
-        }
-        program_ = found.program;
+    if (auto prepared = prepare(catalog, cache); !prepared) {
+        return tl::unexpected(prepared.error());
     }
     if (mean_.size() == size) {
         return true;

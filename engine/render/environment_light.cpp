@@ -11,6 +11,7 @@
 
 #include "render/binding.h"
 #include "render/environment_units.h"
+#include "render/long_pieces.h"
 #include "shading/data_layout.h"
 #include "shading/effect_key.h"
 #include "shading/parameter_packer.h"
@@ -64,20 +65,35 @@ const gl::Program* EnvironmentLight::program(Known& known, EnvironmentOutput out
 void EnvironmentLight::follow(const Scene& effects, const Scene& scene,
                               const std::shared_ptr<const EnvironmentImage>& image,
                               const Catalog& catalog, ProgramCache& cache) {
+    while (followSome(effects, scene, image, catalog, cache)) {
+    }
+}
+
+bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
+                                  const std::shared_ptr<const EnvironmentImage>& image,
+                                  const Catalog& catalog, ProgramCache& cache) {
     const std::uint64_t key = EffectKey::ofEnvironment(effects, catalog);
     const bool fits =
         key != 0 && scene.environment && effects.environment->id == scene.environment->id;
     current_ = fits ? &known(key, effects, catalog) : nullptr;
     background_ = nullptr;
     if (current_ == nullptr) {
-        return;
+        return false;
     }
     const BlockValues& values = *scene.environment;
     pack(values);
-    const bool isOther = takeImage(pictureParameter(*current_->block) ? image : nullptr);
-    if (looksOtherwise() || isOther || madeFor_ != current_) {
-        makeTable(program(*current_, EnvironmentOutput::Small, catalog, cache));
-        madeFor_ = current_;
+    if (takeImage(pictureParameter(*current_->block) ? image : nullptr)) {
+        return true;
+    }
+    if (looksOtherwise() || madeFor_ != current_) {
+        madeFor_ = nullptr;
+        const int built = cache.builtCount();
+        const gl::Program* small = program(*current_, EnvironmentOutput::Small, catalog, cache);
+        if (cache.builtCount() == built) {
+            makeTable(small);
+            madeFor_ = current_;
+        }
+        return true;
     }
     const Backdrop backdrop = backdropOf(values, *current_->block);
     blur_ = 0.5 * glm::radians(environmentNumber(values, *current_->block, "background.blur"));
@@ -87,6 +103,7 @@ void EnvironmentLight::follow(const Scene& effects, const Scene& scene,
                                                             : EnvironmentOutput::SharpBackground,
                               catalog, cache);
     }
+    return false;
 }
 
 void EnvironmentLight::pack(const BlockValues& values) {
@@ -108,16 +125,20 @@ void EnvironmentLight::pack(const BlockValues& values) {
     }
 }
 
-/// True when the picture is another one.
+/// Another picture, or the next part of it. False where all of it is there.
 bool EnvironmentLight::takeImage(const std::shared_ptr<const EnvironmentImage>& image) {
-    if (hasImage_ && image == image_) {
-        return false;
+    const EnvironmentTexels& texels = image ? image->whole : blackTexels();
+    if (!hasImage_ || image != image_) {
+        image_ = image;
+        hasImage_ = true;
+        madeFor_ = nullptr;
+        small_.fill(image ? image->small : blackTexels());
+        whole_.begin(texels.size);
+        if (takesLong(texels.size)) {
+            return true;
+        }
     }
-    image_ = image;
-    hasImage_ = true;
-    whole_.fill(image ? image->whole : blackTexels());
-    small_.fill(image ? image->small : blackTexels());
-    return true;
+    return whole_.fillSome(texels);
 }
 
 bool EnvironmentLight::looksOtherwise() {

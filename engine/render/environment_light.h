@@ -27,6 +27,12 @@ class EnvironmentLight {
                 const std::shared_ptr<const EnvironmentImage>& image, const Catalog& catalog,
                 ProgramCache& cache);
 
+    /// The same up to and with the first thing that takes long, a part of the picture, a program or
+    /// the table: true as long as there may be more, and the next call goes on.
+    bool followSome(const Scene& effects, const Scene& scene,
+                    const std::shared_ptr<const EnvironmentImage>& image, const Catalog& catalog,
+                    ProgramCache& cache);
+
     /// Whether programs look at an environment.
     bool isIn() const { return current_ != nullptr; }
 

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gl/driver.h"
+#include "render/long_pieces.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -59,25 +60,38 @@ void set(const gl::Program& program, const char* name, const glm::dvec3& value) 
 
 } // namespace
 
-Result<void> EnvironmentPass::begin(const SceneToPack& scene, const View& view,
+Result<bool> EnvironmentPass::begin(const SceneToPack& scene, const View& view,
                                     const Catalog& catalog, ProgramCache& cache) {
-    light_.follow(scene.effects, scene.scene, view.environmentImage, catalog, cache);
+    const int built = cache.builtCount();
+    if (light_.followSome(scene.effects, scene.scene, view.environmentImage, catalog, cache) ||
+        cache.builtCount() > built) {
+        return true;
+    }
     if (!isIn()) {
         if (accumulation_.mean().size().x > 0) {
             accumulation_ = Accumulation();
         }
         done_ = 0;
-        return {};
+        return false;
+    }
+    if (auto prepared = accumulation_.prepare(catalog, cache); !prepared) {
+        return tl::unexpected(prepared.error());
+    }
+    if (cache.builtCount() > built) {
+        return true;
     }
     const auto kept = accumulation_.fit(view.size, catalog, cache);
     if (!kept) {
         return tl::unexpected(kept.error());
     }
     done_ = *kept && view.isContinued ? done_ : 0;
+    if (!*kept && takesLong(view.size)) {
+        return true;
+    }
     count_ = samplesOf(view, scene.effects, catalog, done_);
     light_.setSamples(
         {(done_ + roundSamples - 1) / roundSamples, count_, view.environmentSeries});
-    return {};
+    return false;
 }
 
 void EnvironmentPass::foresee(const SceneToPack& scene, const View& view, const Catalog& catalog,

@@ -12,8 +12,9 @@ namespace patina {
 /// and the mean of the frames of one picture. Nothing of it exists without an environment.
 class EnvironmentPass {
   public:
-    /// Prepares a frame of the scene.
-    Result<void> begin(const SceneToPack& scene, const View& view, const Catalog& catalog,
+    /// Prepares a frame of the scene, up to and with the first thing that takes long: true as long
+    /// as there may be more, and the next call goes on.
+    Result<bool> begin(const SceneToPack& scene, const View& view, const Catalog& catalog,
                        ProgramCache& cache);
 
     /// Whether the frame that was prepared looks at an environment.

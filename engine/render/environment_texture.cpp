@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/environment_texture.h"
 
+#include <algorithm>
+
 #include <epoxy/gl.h>
 #include <glm/common.hpp>
 
@@ -19,6 +21,9 @@ void bindTo(unsigned unit, const gl::Texture& texture) {
 std::size_t area(glm::ivec2 size) {
     return std::size_t(size.x) * std::size_t(size.y);
 }
+
+/// 8 MiB of a picture: a few milliseconds.
+constexpr std::size_t halvesAtOnce = std::size_t(4) << 20;
 
 /// The size of the next coarser level.
 glm::ivec2 halved(glm::ivec2 size) {
@@ -50,11 +55,32 @@ void makePanorama(GLint smallest) {
 } // namespace
 
 void EnvironmentTexture::fill(const EnvironmentTexels& texels) {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    texture_ = gl::Texture::create(texels.size, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT,
-                                   texels.halves.data());
+    begin(texels.size);
+    while (fillSome(texels)) {
+    }
+}
+
+void EnvironmentTexture::begin(glm::ivec2 size) {
+    texture_ = gl::Texture::create(size, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT);
     makePanorama(GL_LINEAR);
     glBindTexture(GL_TEXTURE_2D, 0);
+    rows_ = 0;
+}
+
+bool EnvironmentTexture::fillSome(const EnvironmentTexels& texels) {
+    const std::size_t inRow = std::size_t(4) * static_cast<std::size_t>(texels.size.x);
+    const int most = static_cast<int>(std::max<std::size_t>(halvesAtOnce / inRow, 1));
+    const int count = std::min(most, texels.size.y - rows_);
+    if (count <= 0) {
+        return false;
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, rows_, texels.size.x, count, GL_RGBA, GL_HALF_FLOAT,
+                    &texels.halves[static_cast<std::size_t>(rows_) * inRow]);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    rows_ += count;
+    return true;
 }
 
 void EnvironmentTexture::fill(const EnvironmentTable& table) {

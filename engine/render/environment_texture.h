@@ -20,6 +20,11 @@ class EnvironmentTexture {
     /// A picture, which goes on over its left and right edges and is smooth between texels.
     void fill(const EnvironmentTexels& texels);
 
+    /// The same bit by bit: room for a picture, and then some megabytes of it for each call, from
+    /// where the last one came to. False where there was nothing left of it.
+    void begin(glm::ivec2 size);
+    bool fillSome(const EnvironmentTexels& texels);
+
     /// A table, whose texels are read one by one.
     void fill(const EnvironmentTable& table);
 
@@ -28,6 +33,7 @@ class EnvironmentTexture {
 
   private:
     gl::Texture texture_;
+    int rows_ = 0; ///< of a picture that are filled
 };
 
 /// The small picture of an environment that its own program draws.

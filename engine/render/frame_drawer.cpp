@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <epoxy/gl.h>
 #include <glm/geometric.hpp>
@@ -15,7 +16,6 @@
 #include "render/refraction_packer.h"
 #include "shading/effect_choice.h"
 #include "shading/material_print.h"
-#include "shading/refraction_choice.h"
 #include "shading/texture_choice.h"
 
 namespace patina {
@@ -67,72 +67,6 @@ void FrameDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     describedLost_ = -1;
 }
 
-bool FrameDrawer::begin(const Scene& scene, const View& view, const MeshSource& meshes,
-                        Purpose purpose) {
-    report_.programs = 0;
-    report_.compiled = 0;
-    report_.uploadedBuffers = 0;
-    report_.drawnObjects = 0;
-    report_.drawCalls = 0;
-    report_.isWaiting = false;
-    report_.shadowMaps = 0;
-    report_.filledTables = 0;
-    lostLights_ = 0;
-    cursor_ = Cursor();
-    fence_ = gl::Fence();
-    effects_ = &effectsOf(view, scene);
-    heldEffects_ = foreseesHeld_ || effects_ != &scene;
-    if (auto prepared = prepare(*effects_, purpose); !prepared) {
-        return fail(prepared.error());
-    }
-    textures_.beginFrame(textureBytes_);
-    meshes_.beginFrame();
-    collect(scene, view, meshes, purpose);
-    count();
-    planGround(scene, view);
-    makeRoomForLights();
-    planShadows(scene);
-    if (auto fitting = fitTarget(scene.accuracy, view, showsSceneBent(*effects_, *catalog_));
-        !fitting) {
-        return fail(fitting.error());
-    }
-    if (auto begun = beginEnvironment(scene, view, purpose); !begun) {
-        return fail(begun.error());
-    }
-    uploadView(view);
-    choosePipelines();
-    orderItems();
-    fillTables(scene);
-    if (auto begun = beginLayers(scene); !begun) {
-        return fail(begun.error());
-    }
-    if (auto begun = beginRefraction(); !begun) {
-        return fail(begun.error());
-    }
-    if (refraction_ && refraction_->looksBehind()) { // by a program from before a change, perhaps
-        if (auto fitting = fitTarget(scene.accuracy, view, true); !fitting) {
-            return fail(fitting.error());
-        }
-    }
-    pace_.begin(isLarge());
-    bands_.begin(sources_, target_.drawnSize(), triangles_, environment_.rounds());
-    clear(scene, view);
-    return true;
-}
-
-Result<void> FrameDrawer::beginEnvironment(const Scene& scene, const View& view,
-                                           Purpose purpose) {
-    const SceneToPack packing{scene, *effects_, {}};
-    if (purpose == Purpose::Foresight) {
-        environment_.foresee(packing, view, *catalog_, pipelines_.programs());
-        return {};
-    }
-    const int before = pipelines_.programs().compiledCount();
-    auto begun = environment_.begin(packing, view, *catalog_, pipelines_.programs());
-    report_.compiled += pipelines_.programs().compiledCount() - before;
-    return begun;
-}
-
 /// What is behind the objects.
 void FrameDrawer::clear(const Scene& scene, const View& view) {
     target_.bind();
@@ -146,6 +80,14 @@ void FrameDrawer::clear(const Scene& scene, const View& view) {
 
 bool FrameDrawer::proceed(const Scene& scene, const View& view, Deadline deadline) {
     effects_ = &effectsOf(view, scene); // both may have moved since the last turn
+    while (!isPrepared()) {
+        if (!prepareSome(scene, view)) {
+            return true;
+        }
+        if (deadline != never) {
+            return false;
+        }
+    }
     const bool quick = !isLarge() && pace() == FrameBands::Pace::Quick;
     const Deadline limit = quick ? never : deadline;
     if (!deviceIsDone(limit)) {
@@ -162,26 +104,6 @@ bool FrameDrawer::proceed(const Scene& scene, const View& view, Deadline deadlin
     describe();
     effects_ = nullptr;
     return true;
-}
-
-bool FrameDrawer::fail(Error error) {
-    report_.messages.assign(1, std::move(error));
-    report_.warnings = 0;
-    report_.effects.clear();
-    describedLost_ = -1;
-    return false;
-}
-
-Result<void> FrameDrawer::prepare(const Scene& scene, Purpose purpose) {
-    if (catalog_ == nullptr) {
-        return failure("there are no shaders to draw with", "a call of setCatalog before draw");
-    }
-    const int before = pipelines_.programs().compiledCount();
-    ProgramCache& programs = pipelines_.programs();
-    auto prepared = purpose == Purpose::Foresight ? display_.foresee(scene, *catalog_, programs)
-                                                  : display_.prepare(scene, *catalog_, programs);
-    report_.compiled += pipelines_.programs().compiledCount() - before;
-    return prepared;
 }
 
 bool FrameDrawer::deviceIsDone(Deadline deadline) {
@@ -277,17 +199,6 @@ bool FrameDrawer::isLarge() const {
     return triangles_ + edges_ + shadows_.pendingTriangles() > mostTrianglesAtOnce;
 }
 
-/// More triangles than pixels are dense.
-Result<void> FrameDrawer::fitTarget(const PictureAccuracy& accuracy, const View& view,
-                                    bool isReadBetween) {
-    const double scale = accuracy.scale();
-    const double pixels = scale * view.size.x * (scale * view.size.y);
-    const HdrNumbers numbers = accuracy.hasWholeNumbers() ? HdrNumbers::Full : view.numbers;
-    const int samples = view.samples > 0 ? view.samples : accuracy.samples();
-    return target_.fit(view.size, samples, static_cast<double>(triangles_) > pixels, numbers,
-                       scale, isReadBetween);
-}
-
 bool FrameDrawer::uploadMeshes(Deadline deadline) {
     for (const DrawItem& item : items_) {
         while (!item.mesh->isComplete()) {
@@ -310,17 +221,22 @@ void FrameDrawer::uploadView(const View& view) {
     viewData_.bind(binding::view);
 }
 
+/// The mean of an environment's frames is a step of its own.
 bool FrameDrawer::resolve(Deadline deadline) {
     if (!deviceIsDone(deadline)) {
         return false;
     }
-    if (!cursor_.resolved) {
+    if (!std::exchange(cursor_.resolved, true)) {
         target_.resolve();
         target_.stretch();
+        if (environment_.isIn() && deadline != never && mustStop(deadline)) {
+            return false;
+        }
+    }
+    if (!std::exchange(cursor_.isAdded, true)) {
         if (environment_.isIn()) {
             environment_.add(target_.resolved());
         }
-        cursor_.resolved = true;
         if (deadline != never) {
             fence_ = gl::Fence::afterCommandsSoFar();
         }

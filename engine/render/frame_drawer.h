@@ -55,6 +55,16 @@ class FrameDrawer {
         return begin(scene, view, meshes, Purpose::Frame);
     }
 
+    /// As begin(), but without what may take long: prepareSome() does that, or proceed().
+    bool plan(const Scene& scene, const View& view, const MeshSource& meshes) {
+        return plan(scene, view, meshes, Purpose::Frame);
+    }
+
+    /// Prepares the frame that was planned with this scene, up to and with the first image, table
+    /// or program that it lacks: those take so long that each is a step of its own.
+    bool prepareSome(const Scene& scene, const View& view);
+    bool isPrepared() const;
+
     /// Whether the frame that was begun has so many triangles that it is drawn in steps.
     bool isLarge() const;
 
@@ -67,7 +77,9 @@ class FrameDrawer {
     /// Works on the frame that was begun with this scene: its meshes into the GPU's memory, its
     /// triangles into the linear target. False when the deadline came before the end; frames of few
     /// triangles that are quick do not heed it, the others also wait for the device before they say
-    /// that they are done. The picture does not depend on the steps.
+    /// that they are done. The picture does not depend on the steps. With a deadline a frame that
+    /// is not prepared gets one thing that it lacks. Done is one, too, that cannot be prepared:
+    /// there is nothing to show, and the report's first message says why.
     bool proceed(const Scene& scene, const View& view, Deadline deadline);
 
     /// See Renderer::lackedPrograms().
@@ -128,6 +140,7 @@ class FrameDrawer {
         std::size_t outlined = 0; ///< batches of solid objects whose outlines are drawn
         bool hasOutlines = false;
         bool resolved = false;
+        bool isAdded = false; ///< to the mean of an environment's frames
     };
     struct Cameras {
         glm::dmat4 worldToCamera{1.0};
@@ -138,11 +151,23 @@ class FrameDrawer {
     enum class Purpose { Frame, Foresight };
 
     bool begin(const Scene& scene, const View& view, const MeshSource& meshes, Purpose purpose);
-    Result<void> beginEnvironment(const Scene& scene, const View& view, Purpose purpose);
+    bool plan(const Scene& scene, const View& view, const MeshSource& meshes, Purpose purpose);
+
+    /// True where something was made that takes long: there may be more, and the next call goes on.
+    using Stage = Result<bool> (FrameDrawer::*)(const Scene& scene, const View& view);
+    static std::span<const Stage> stages();
+    Result<bool> prepareDisplay(const Scene& scene, const View& view);
+    Result<bool> prepareShadows(const Scene& scene, const View& view);
+    Result<bool> prepareTarget(const Scene& scene, const View& view);
+    Result<bool> prepareEnvironment(const Scene& scene, const View& view);
+    Result<bool> preparePrograms(const Scene& scene, const View& view);
+    Result<bool> prepareData(const Scene& scene, const View& view);
+    Result<bool> prepareLayers(const Scene& scene, const View& view);
+    Result<bool> prepareRefraction(const Scene& scene, const View& view);
+    void startDrawing(const Scene& scene, const View& view);
 
     /// The scene whose effects the programs have.
     static const Scene& effectsOf(const View& view, const Scene& scene);
-    Result<void> prepare(const Scene& scene, Purpose purpose);
     bool hasPipelines(const Scene& effects);
     void drawUnseen(const Scene& scene, const View& view, const MeshSource& meshes);
     bool fail(Error error);
@@ -151,7 +176,7 @@ class FrameDrawer {
     std::size_t lackOf(std::size_t lights);
     void makeRoomForLights();
     void count();
-    Result<void> fitTarget(const PictureAccuracy& accuracy, const View& view,
+    Result<bool> fitTarget(const PictureAccuracy& accuracy, const View& view,
                            bool isReadBetween);
     void uploadView(const View& view);
     void clear(const Scene& scene, const View& view);
@@ -168,7 +193,7 @@ class FrameDrawer {
     double lowestHeight(const DrawItem& item);
     void chooseGround();
     void drawGround(const Scene& scene);
-    Result<void> beginLayers(const Scene& scene);
+    Result<bool> beginLayers(const Scene& scene);
     Result<void> addLayers();
     bool isLayered(const DrawMaterial& material) const;
     std::span<const DrawBatch> transparentBatches() const;
@@ -176,7 +201,7 @@ class FrameDrawer {
     bool drawLayers(const Scene& scene, Deadline deadline);
     bool drawLayer(const Scene& scene, TransparencyPass::Stage stage, Deadline deadline);
     static bool refracts(const DrawMaterial& material);
-    Result<void> beginRefraction();
+    Result<bool> beginRefraction();
     bool drawRefracting(const Scene& scene, const DrawBatch& batch, Deadline deadline);
     void addLost();
     bool uploadMeshes(Deadline deadline);
@@ -243,6 +268,9 @@ class FrameDrawer {
     std::optional<RefractionPass> refraction_; ///< while something bends light
     Cameras cameras_;
     DepthRange depths_;
+    Purpose purpose_ = Purpose::Frame;
+    std::size_t stage_ = 0; ///< of the preparation; one more than there are: drawing may begin
+    bool hasFailed_ = false;
     Cursor cursor_;
     FrameBands bands_;
     SlicePace pace_;

@@ -33,7 +33,7 @@ std::span<const DrawBatch> FrameDrawer::transparentBatches() const {
     return list_.batches().subspan(list_.opaqueBatches());
 }
 
-Result<void> FrameDrawer::beginLayers(const Scene& scene) {
+Result<bool> FrameDrawer::beginLayers(const Scene& scene) {
     const bool isNeeded =
         effects_->transparency &&
         std::ranges::any_of(transparentBatches(), [this](const DrawBatch& batch) {
@@ -43,19 +43,17 @@ Result<void> FrameDrawer::beginLayers(const Scene& scene) {
         isNeeded ? catalog_->find("transparency", effects_->transparency->id) : nullptr;
     if (block == nullptr) {
         transparency_.leaveOut();
-        return {};
+        return false;
     }
-    const int before = pipelines_.programs().compiledCount();
-    auto begun = transparency_.begin(target_, layersOf(valuesOf(scene, *effects_), *block),
-                                     *catalog_, pipelines_.programs());
-    if (begun) {
-        begun = addLayers();
+    const auto isMade = transparency_.begin(target_, layersOf(valuesOf(scene, *effects_), *block),
+                                            *catalog_, pipelines_.programs());
+    if (!isMade || *isMade) {
+        return isMade;
     }
-    report_.compiled += pipelines_.programs().compiledCount() - before;
-    return begun;
+    return addLayers().map([] { return false; });
 }
 
-/// Their programs for depths, and how deep they reach.
+/// Their programs for depths, until one was made, and how deep they reach.
 Result<void> FrameDrawer::addLayers() {
     layerDepths_ = DepthRange();
     for (const DrawBatch& batch : transparentBatches()) {
@@ -65,8 +63,9 @@ Result<void> FrameDrawer::addLayers() {
         if (!isLayered(material)) {
             continue;
         }
+        const int built = pipelines_.programs().builtCount();
         auto added = transparency_.addPipeline(material.pipeline, pipelines_.programs());
-        if (!added) {
+        if (!added || pipelines_.programs().builtCount() > built) {
             return added;
         }
     }
@@ -86,6 +85,9 @@ bool FrameDrawer::drawLayers(const Scene& scene, Deadline deadline) {
     }
     if (!std::exchange(cursor_.hasLayerLines, true)) {
         drawLayerOutlines(scene);
+        if (deadline != never && mustStop(deadline)) {
+            return false;
+        }
     }
     const auto drawObjects = [this, &scene, deadline](TransparencyPass::Stage stage) {
         if (stage == TransparencyPass::Stage::Layers) {

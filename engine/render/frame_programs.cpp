@@ -6,8 +6,9 @@
 
 namespace patina {
 
+/// Those of all objects and the ground, unless one had to be made: the next call goes on then.
 void FrameDrawer::choosePipelines() {
-    const int before = pipelines_.programs().compiledCount();
+    const int built = pipelines_.programs().builtCount();
     beginSurroundings();
     sources_.clear();
     if (lastGood_.size() < effects_->objects.size()) {
@@ -15,6 +16,9 @@ void FrameDrawer::choosePipelines() {
     }
     for (DrawMaterial& material : materials_) {
         choosePipeline(material);
+        if (pipelines_.programs().builtCount() > built) {
+            return;
+        }
     }
     for (const DrawItem& item : items_) {
         const std::shared_ptr<const Pipeline>& chosen = materials_[item.material].pipeline;
@@ -23,7 +27,6 @@ void FrameDrawer::choosePipelines() {
         }
     }
     chooseGround();
-    report_.compiled += pipelines_.programs().compiledCount() - before;
 }
 
 /// While a value is dragged neither depth nor place decides anything.

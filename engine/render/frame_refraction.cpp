@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include "render/frame_drawer.h"
+#include "render/long_pieces.h"
 #include "shading/refraction_choice.h"
 
 namespace patina {
@@ -13,7 +14,7 @@ bool FrameDrawer::refracts(const DrawMaterial& material) {
     return material.pipeline && material.pipeline->object.refraction.has_value();
 }
 
-Result<void> FrameDrawer::beginRefraction() {
+Result<bool> FrameDrawer::beginRefraction() {
     RefractionPass::Needs needs;
     bool isNeeded = false;
     for (const DrawBatch& batch : transparentBatches()) {
@@ -26,16 +27,15 @@ Result<void> FrameDrawer::beginRefraction() {
     }
     if (!isNeeded) {
         refraction_.reset();
-        return {};
+        return false;
     }
-    if (!refraction_) {
+    const bool isNew = !refraction_;
+    if (isNew) {
         refraction_.emplace();
     }
-    const int before = pipelines_.programs().compiledCount();
-    auto begun = refraction_->begin(target_.averagedSize(), needs, *catalog_,
-                                    pipelines_.programs());
-    report_.compiled += pipelines_.programs().compiledCount() - before;
-    return begun;
+    const glm::ivec2 size = target_.averagedSize();
+    return refraction_->begin(size, needs, *catalog_, pipelines_.programs())
+        .map([isNew, size] { return isNew && takesLong(size); });
 }
 
 /// In steps as any other object.

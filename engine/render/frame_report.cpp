@@ -96,6 +96,9 @@ void FrameDrawer::addLost() {
 }
 
 void FrameDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
+    if (hasFailed_) {
+        return;
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);
     display_.draw(environment_.hasPicture() ? environment_.picture() : target_.resolved(),

@@ -37,10 +37,8 @@ void FrameDrawer::planShadows(const Scene& scene) {
                                object.material);
         }
     }
-    const int before = pipelines_.programs().compiledCount();
     auto planned = shadows_.plan(scene, *effects_, cameras_.cameraToWorld, pipelines_.programs(),
                                  textures_);
-    report_.compiled += pipelines_.programs().compiledCount() - before;
     shadowError_ = planned ? std::nullopt : std::optional(planned.error());
     report_.shadowMaps = shadows_.pending();
 }

@@ -57,15 +57,15 @@ Result<void> checkPictureSize(glm::ivec2 size) {
                                mostPixels / 1000000));
 }
 
-Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers numbers,
+Result<bool> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers numbers,
                             double scale, bool isReadBetween) {
     const glm::ivec2 scaled = scaledSize(size, scale);
     const Shape wanted{size, scaled, samples, dense ? 2 : 1, numbers, isReadBetween};
     if (wanted == wanted_) {
-        return {};
+        return false;
     }
     if (auto checked = checkPictureSize(size); !checked) {
-        return checked;
+        return tl::unexpected(checked.error());
     }
     *this = HdrTarget();
     const int fineness = dense ? finenessFor(scaled, samples) : 1;
@@ -75,10 +75,11 @@ Result<void> HdrTarget::fit(glm::ivec2 size, int samples, bool dense, HdrNumbers
     if (!built && (offered > 1 || fineness > 1)) {
         built = build({size, scaled, 1, 1, numbers, isReadBetween});
     }
-    if (built) {
-        wanted_ = wanted;
+    if (!built) {
+        return tl::unexpected(built.error());
     }
-    return built;
+    wanted_ = wanted;
+    return true;
 }
 
 Result<void> HdrTarget::build(const Shape& shape) {

@@ -18,7 +18,8 @@ Result<void> checkPictureSize(glm::ivec2 size);
 class HdrTarget {
   public:
     /// Makes the target fit; nothing happens when it does already. Fewer samples are used where
-    /// the driver offers fewer. The error says which sizes are possible.
+    /// the driver offers fewer. True where it was made anew. The error says which sizes are
+    /// possible.
     ///
     /// `dense`: there are more triangles than pixels. Then each sample is a pixel of a finer image
     /// instead of a share of one that is shaded once (MSAA): hardly two samples belong to the same
@@ -30,7 +31,7 @@ class HdrTarget {
     /// With one sample per pixel the averaged image is what is drawn into: it is in memory once and
     /// resolve() copies nothing. `isReadBetween`: it is read while there is more to draw, and so
     /// has to be another one.
-    Result<void> fit(glm::ivec2 size, int samples, bool dense,
+    Result<bool> fit(glm::ivec2 size, int samples, bool dense,
                      HdrNumbers numbers = HdrNumbers::Half, double scale = 1.0,
                      bool isReadBetween = false);
 

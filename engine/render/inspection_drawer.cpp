@@ -46,7 +46,7 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
                                           const MeshSource& meshes) {
     Result<void> ready = prepare(scene, view, meshes);
     if (ready) {
-        ready = target_.fit(view.size, 1, false);
+        ready = target_.fit(view.size, 1, false).map([](bool) {});
     }
     if (!ready) {
         items_.report().messages.assign(1, ready.error());

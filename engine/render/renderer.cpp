@@ -187,8 +187,15 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
     implementation_->endSketch();
     implementation_->limitTextures(textureBytesAtOnce);
     const Clock::time_point began = Clock::now();
-    if (!implementation_->begin(scene, view, meshes)) {
+    if (!implementation_->plan(scene, view, meshes)) {
         return true;
+    }
+    if (!implementation_->prepareSome(scene, view)) {
+        return true;
+    }
+    if (!implementation_->isPrepared()) {
+        implementation_->keep(scene, view);
+        return false;
     }
     const bool isSlow = Clock::now() - began > firstPatience / 2; // and drawing may compile, too
     const bool isLarge = implementation_->isLarge();

@@ -74,6 +74,7 @@ Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
     layer_ = 0;
     isBegun_ = false;
     lost_ = 0;
+    hasNewImages_ = false;
     makeViews(scene, effects, cameraToWorld, mostTexels);
     if (neededLayers() == 0) {
         layers_.clear();
@@ -195,6 +196,7 @@ Result<void> ShadowMaps::makeTexture(int texels, int layers) {
     if (framebuffer_.name() == 0) {
         framebuffer_ = gl::Framebuffer::create();
     }
+    hasNewImages_ = true;
     framebuffer_.attachDepth(texture_, 0);
     return framebuffer_.check();
 }

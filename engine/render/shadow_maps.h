@@ -34,6 +34,9 @@ class ShadowMaps {
     Result<void> plan(const Scene& scene, const Scene& effects, const glm::dmat4& cameraToWorld,
                       ProgramCache& programs, const GpuTextureStore& textures);
 
+    /// Whether the last plan() has made the images of the maps.
+    bool hasNewImages() const { return hasNewImages_; }
+
     /// Maps (faces) that are still to be drawn, and their triangles.
     int pending() const;
     std::int64_t pendingTriangles() const;
@@ -99,6 +102,7 @@ class ShadowMaps {
     std::size_t run_ = 0;
     DrawSlices slices_;
     int lost_ = 0;
+    bool hasNewImages_ = false;
 };
 
 } // namespace patina

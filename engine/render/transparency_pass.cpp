@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "render/binding.h"
+#include "render/long_pieces.h"
 #include "shading/layer_source.h"
 #include "shading/texture_writer.h"
 
@@ -42,20 +43,29 @@ Result<std::shared_ptr<const gl::Program>> found(const Checked<ProgramSource>& s
 
 } // namespace
 
-Result<void> TransparencyPass::begin(const HdrTarget& target, int layers, const Catalog& catalog,
+Result<bool> TransparencyPass::begin(const HdrTarget& target, int layers, const Catalog& catalog,
                                      ProgramCache& cache) {
     const Shape wanted{target.drawnSize(), samplesOf(target), layers > 0};
     if (!(wanted == shape_)) {
         leaveOut();
-        if (auto built = build(wanted); !built) {
+        shape_ = wanted;
+    }
+    while (!isBuilt_) {
+        if (auto built = buildNext(); !built) {
             leaveOut();
-            return built;
+            return tl::unexpected(built.error());
         }
+        if (takesLong(shape_.size)) {
+            return true;
+        }
+    }
+    if (!composition_) {
+        return makeComposition(catalog, cache).map([] { return true; });
     }
     layers_ = layers;
     progress_ = Progress();
     isIn_ = true;
-    return composition_ ? Result<void>() : makeComposition(catalog, cache);
+    return false;
 }
 
 void TransparencyPass::leaveOut() {
@@ -65,7 +75,8 @@ void TransparencyPass::leaveOut() {
         sum_ = gl::TargetTexture();
         share_ = gl::TargetTexture();
         mixed_ = gl::Framebuffer();
-        sides_.reset();
+        sides_ = {};
+        isBuilt_ = false;
         forget();
     }
 }
@@ -75,33 +86,32 @@ void TransparencyPass::forget() {
     depthPrograms_.clear();
 }
 
-Result<void> TransparencyPass::build(const Shape& shape) {
-    shape_ = shape;
-    sum_ = gl::TargetTexture::create(shape.size, GL_RGBA32F, shape.samples);
-    if (shape.isPeeled) {
-        return buildSides();
+/// An image, and the last time what holds them together.
+Result<void> TransparencyPass::buildNext() {
+    if (sum_.name() == 0) {
+        sum_ = gl::TargetTexture::create(shape_.size, GL_RGBA32F, shape_.samples);
+        return {};
     }
-    share_ = gl::TargetTexture::create(shape.size, GL_R32F, shape.samples);
+    if (shape_.isPeeled) {
+        const bool isFirst = sides_[0].framebuffer.name() == 0;
+        isBuilt_ = !isFirst;
+        return buildSide(sides_[isFirst ? 0 : 1]);
+    }
+    share_ = gl::TargetTexture::create(shape_.size, GL_R32F, shape_.samples);
     mixed_ = gl::Framebuffer::create();
     mixed_.attachColor(sum_, 0);
     mixed_.attachColor(share_, 1);
+    isBuilt_ = true;
     return mixed_.check();
 }
 
-Result<void> TransparencyPass::buildSides() {
-    sides_.emplace();
-    for (Side& side : *sides_) {
-        side.depths =
-            gl::TargetTexture::create(shape_.size, GL_DEPTH_COMPONENT32F, shape_.samples);
-        side.framebuffer = gl::Framebuffer::create();
-        side.framebuffer.attachColor(sum_, 0);
-        side.framebuffer.attachDepth(side.depths);
-        side.isAnySeen = gl::SampleQuery::create();
-        if (auto checked = side.framebuffer.check(); !checked) {
-            return checked;
-        }
-    }
-    return {};
+Result<void> TransparencyPass::buildSide(Side& side) {
+    side.depths = gl::TargetTexture::create(shape_.size, GL_DEPTH_COMPONENT32F, shape_.samples);
+    side.framebuffer = gl::Framebuffer::create();
+    side.framebuffer.attachColor(sum_, 0);
+    side.framebuffer.attachDepth(side.depths);
+    side.isAnySeen = gl::SampleQuery::create();
+    return side.framebuffer.check();
 }
 
 Result<void> TransparencyPass::makeComposition(const Catalog& catalog, ProgramCache& cache) {

@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 
 #include "catalog/catalog.h"
 #include "gl/framebuffer.h"
@@ -31,8 +30,10 @@ class TransparencyPass {
     /// False where it is time to stop; Layers are not all drawn then, and the next call goes on.
     using DrawObjects = std::function<bool(Stage)>;
 
-    /// `layers`: so many are put in order; 0: all are mixed. The target has been fitted.
-    Result<void> begin(const HdrTarget& target, int layers, const Catalog& catalog,
+    /// `layers`: so many are put in order; 0: all are mixed. The target has been fitted. Stops
+    /// behind an image or a program, which take long to make: true as long as there may be more,
+    /// and the next call goes on.
+    Result<bool> begin(const HdrTarget& target, int layers, const Catalog& catalog,
                        ProgramCache& cache);
 
     /// The frame needs none of this.
@@ -80,8 +81,8 @@ class TransparencyPass {
         bool isUnseen = false;
     };
 
-    Result<void> build(const Shape& shape);
-    Result<void> buildSides();
+    Result<void> buildNext();
+    Result<void> buildSide(Side& side);
     Result<void> makeComposition(const Catalog& catalog, ProgramCache& cache);
     bool drawInOrder(const HdrTarget& target, const DrawObjects& drawObjects);
     void clearLayers() const;
@@ -90,7 +91,7 @@ class TransparencyPass {
     void beginConditionOf(const Side& side) const;
     void endCondition() const;
     bool drawMixed(const HdrTarget& target, const DrawObjects& drawObjects);
-    const Side& side(int layer) const { return (*sides_)[static_cast<std::size_t>(layer % 2)]; }
+    const Side& side(int layer) const { return sides_[static_cast<std::size_t>(layer % 2)]; }
     void compose(const HdrTarget& target) const;
     bool isMultisampled() const { return shape_.samples > 1; }
 
@@ -98,10 +99,11 @@ class TransparencyPass {
     int layers_ = 0;
     Progress progress_;
     Shape shape_;
+    bool isBuilt_ = false; ///< all that follows
     gl::TargetTexture sum_;
     gl::TargetTexture share_; ///< of mixed layers: what they let through
     gl::Framebuffer mixed_;
-    std::optional<std::array<Side, 2>> sides_;
+    std::array<Side, 2> sides_; ///< of layers in order
     gl::VertexArray noVertices_ = gl::VertexArray::create();
     std::shared_ptr<const gl::Program> composition_; ///< for shape_
     std::map<std::shared_ptr<const Pipeline>, std::shared_ptr<const gl::Program>>

@@ -31,6 +31,9 @@ class ProgramCache {
     /// How many programs were compiled since the start.
     int compiledCount() const { return compiledCount_; }
 
+    /// How many were compiled or loaded from the disk since the start.
+    int builtCount() const { return static_cast<int>(found_.size()); }
+
   private:
     Found build(const ProgramSource& source, const std::string& hash);
 
