@@ -25,8 +25,10 @@ constexpr glm::ivec2 plainSize{256, 128};
 /// What does not change where the environment is bright, seen from within.
 constexpr std::array<std::string_view, 3> otherValues{"rotate", "background", "background.blur"};
 
+/// In place of a picture that is on its way. A software driver compiles programs anew where one
+/// with coarser versions, or with sides that are powers of two, takes the place of one without.
 const EnvironmentTexels& blackTexels() {
-    static const EnvironmentTexels black{glm::ivec2(1), {0, 0, 0, 0}};
+    static const EnvironmentTexels black{glm::ivec2(4), std::vector<std::uint16_t>(4 * 16)};
     return black;
 }
 

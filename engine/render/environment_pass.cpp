@@ -137,6 +137,16 @@ void EnvironmentPass::add(const gl::Texture& frame) {
     accumulation_.add(frame, static_cast<float>(double(count_) / double(done_)));
 }
 
+/// The first frame of a mean takes its place; those that follow are mixed with it.
+void EnvironmentPass::addUnseen(const gl::Texture& frame, const Catalog& catalog,
+                                ProgramCache& cache) const {
+    Accumulation mean;
+    if (isIn() && mean.fit(glm::ivec2(1), catalog, cache)) {
+        mean.add(frame, 1.0f);
+        mean.add(frame, 0.5f);
+    }
+}
+
 int EnvironmentPass::samples() const {
     return done_;
 }

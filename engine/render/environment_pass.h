@@ -36,6 +36,10 @@ class EnvironmentPass {
     /// All of the frame is in this picture: its samples join the mean.
     void add(const gl::Texture& frame);
 
+    /// Uses the program that add() does on a mean of its own, behind foresee(): drivers compile
+    /// when something is drawn.
+    void addUnseen(const gl::Texture& frame, const Catalog& catalog, ProgramCache& cache) const;
+
     /// Samples per pixel that are in the mean; 0 until the first frame of a picture is done.
     int samples() const;
 

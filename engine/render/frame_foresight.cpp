@@ -103,6 +103,7 @@ void FrameDrawer::drawUnseen(const Scene& scene, const View& view, const MeshSou
         isUnseen_ = true;
         drawItems(scene, never);
         isUnseen_ = false;
+        environment_.addUnseen(target_.resolved(), *catalog_, pipelines_.programs());
         glDisable(GL_SCISSOR_TEST);
         leaveState();
     }
