@@ -23,18 +23,18 @@ Document::~Document() {
 }
 
 void Document::connectSignals() {
-    connect(this, &Document::valueChanged, this, &Document::updateSecondScene);
-    const auto forgetSecondScene = [this] { secondScene_.reset(); };
-    connect(this, &Document::materialChanged, this, forgetSecondScene);
-    connect(this, &Document::textureChanged, this, forgetSecondScene);
-    connect(this, &Document::fogReplaced, this, forgetSecondScene);
-    connect(this, &Document::environmentReplaced, this, forgetSecondScene);
-    connect(this, &Document::transparencyReplaced, this, forgetSecondScene);
-    connect(this, &Document::lightsChanged, this, forgetSecondScene);
-    connect(this, &Document::objectsChanged, this, forgetSecondScene);
-    connect(this, &Document::sceneReplaced, this, forgetSecondScene);
-    connect(this, &Document::catalogChanged, this, forgetSecondScene);
-    connect(this, &Document::cameraChanged, this, forgetSecondScene);
+    connect(this, &Document::valueChanged, this, &Document::updateShownScenes);
+    const auto forget = [this] { forgetShownScenes(); };
+    connect(this, &Document::materialChanged, this, forget);
+    connect(this, &Document::textureChanged, this, forget);
+    connect(this, &Document::fogReplaced, this, forget);
+    connect(this, &Document::environmentReplaced, this, forget);
+    connect(this, &Document::transparencyReplaced, this, forget);
+    connect(this, &Document::lightsChanged, this, forget);
+    connect(this, &Document::objectsChanged, this, forget);
+    connect(this, &Document::sceneReplaced, this, forget);
+    connect(this, &Document::catalogChanged, this, forget);
+    connect(this, &Document::cameraChanged, this, forget);
     connect(this, &Document::lightsChanged, this, &Document::keepCurrentInside);
     connect(this, &Document::objectsChanged, this, &Document::keepCurrentInside);
     connect(this, &Document::comparingChanged, this, &Document::keepCurrentInside);
@@ -76,37 +76,58 @@ void Document::connectSignals() {
 }
 
 const Scene& Document::scene(Side side) const {
-    if (side == Side::A || !state_.second || currentObject_ < 0) {
+    const bool isOwn = side == Side::A && pictureLaidOver(state_, side) == nullptr;
+    if (isOwn || !state_.second || currentObject_ < 0) {
         return state_.scene;
     }
-    if (!secondScene_) {
-        secondScene_ = shownScene(state_, currentObject_, Side::B);
+    std::optional<Scene>& shown = shownScenes_[static_cast<std::size_t>(side)];
+    if (!shown) {
+        shown = shownScene(state_, currentObject_, side);
     }
-    return *secondScene_;
+    return *shown;
 }
 
-/// A slider's tick changes the second scene in place: copying it would cost more than drawing it.
-void Document::updateSecondScene(const BlockPath& path, const QString& parameterId) {
-    if (!secondScene_) {
+Scene Document::ownScene(Side side) const {
+    return patina::ownScene(state_, currentObject_, side);
+}
+
+/// A slider's tick changes what is shown in place: copying it would cost more than drawing it.
+void Document::updateShownScenes(const BlockPath& path, const QString& parameterId) {
+    updateShownScene(Side::A, path, parameterId.toStdString());
+    updateShownScene(Side::B, path, parameterId.toStdString());
+}
+
+void Document::updateShownScene(Side side, const BlockPath& path, const std::string& id) {
+    std::optional<Scene>& shown = shownScenes_[static_cast<std::size_t>(side)];
+    const std::optional<Value> stored = storedValue(state_, path, id);
+    if (!shown || !stored) {
         return;
     }
-    const std::string id = parameterId.toStdString();
-    const std::optional<Value> stored = storedValue(state_, path, id);
     const bool isOfMaterial =
         materialAt(state_, path.index, path.side) &&
         (path.part == BlockPath::Part::Model || !partKind(path.part).empty() ||
          path.part == BlockPath::Part::Accuracy || path.part == BlockPath::Part::Material);
-    if (!stored || (isOfMaterial && path.side == Side::A && path.index == currentObject_)) {
-        return; // side B does not show it
+    const bool isOfB = isOfMaterial && path.side == Side::B;
+    if (isOfB && state_.picture) {
+        shown.reset(); // side B may have its own material from now on
+        return;
     }
-    BlockPath shown = path;
-    if (isOfMaterial && path.side == Side::B) {
-        shown.side = Side::A;
-        shown.index = currentObject_;
+    const bool isHidden = isOfMaterial && !isOfB && path.index == currentObject_ &&
+                          side == Side::B && hasSecondMaterial(state_);
+    if (isHidden || (isOfB && side == Side::A)) {
+        return;
     }
-    DocumentState second{std::move(*secondScene_), std::nullopt};
-    storeValue(second, shown, id, *stored);
-    secondScene_ = std::move(second.scene);
+    BlockPath there = path;
+    if (isOfB) {
+        there.side = Side::A;
+        there.index = currentObject_;
+    }
+    DocumentState changed{std::move(*shown), std::nullopt};
+    storeValue(changed, there, id, *stored);
+    if (const SidePicture* picture = pictureLaidOver(state_, side)) {
+        layOver(changed.scene, *picture);
+    }
+    shown = std::move(changed.scene);
 }
 
 const Material* Document::material(Side side) const {
@@ -117,7 +138,7 @@ void Document::setCurrentObject(int index) {
     const int inside = std::min(index, static_cast<int>(state_.scene.objects.size()) - 1);
     if (inside != currentObject_) {
         currentObject_ = inside;
-        secondScene_.reset();
+        forgetShownScenes();
         Q_EMIT currentChanged();
         if (state_.second) {
             Q_EMIT changed(); // side B moved to another object
@@ -220,9 +241,21 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
         return;
     }
     const Value after = roundedToFloat(conformed(*parameter, wanted));
-    if (after != value(path, *parameter)) {
-        undoStack_.push(new ParameterCommand(*this, path, *described, *parameter, after));
+    if (after == value(path, *parameter)) {
+        return;
     }
+    const auto edit = [&] {
+        undoStack_.push(new ParameterCommand(*this, path, *described, *parameter, after));
+    };
+    if (!isLaidOver(path, parameterId)) {
+        edit();
+        return;
+    }
+    const QString label = tr("Change %1").arg(QString::fromStdString(parameter->label));
+    editAsOneStep(label, [&] {
+        showOwnPicture(); // so that the edit is seen
+        edit();
+    });
 }
 
 void Document::resetValue(const BlockPath& path, std::string_view parameterId) {

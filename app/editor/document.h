@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -45,6 +46,8 @@ class Document : public QObject {
     const Scene& scene() const { return state_.scene; }
     /// The scene as one side shows it: B has the second material on the current object.
     const Scene& scene(Side side) const;
+    /// The same without what is laid over it while ways to draw the picture are compared.
+    Scene ownScene(Side side) const;
     /// The current object's material of that side; null when there is none.
     const Material* material(Side side) const;
     /// What a scene file of this document holds: the scene, in its extras side B and its object.
@@ -110,6 +113,11 @@ class Document : public QObject {
     /// Compares two materials as one step. Side A shows the first one until comparing ends, keeps
     /// its own meanwhile, also in files, and then has it again.
     void look(const Material& first, const Material& second, const QString& label);
+    /// Compares two ways to draw the scene's picture, which is otherwise the active side's, as one
+    /// step, until comparing ends: the scene keeps its own.
+    void lookAtPictures(const Scene& first, const Scene& second, const QString& label);
+    /// Side A draws the picture as its scene says, where another way was shown there.
+    void showOwnPicture();
     /// Chooses levels for good, also where side A shows others just to be looked at.
     void setLevels(Side side, const AccuracyLevels& levels, const QString& label);
     void swapSides();
@@ -207,8 +215,12 @@ class Document : public QObject {
     void endComparing();
     void putBack();
     void setLookedAt(std::optional<LookedAt> lookedAt);
+    bool isLaidOver(const BlockPath& path, std::string_view parameterId) const;
+    void setPicture(std::optional<ComparedPicture> picture);
     void endEffectHold();
-    void updateSecondScene(const BlockPath& path, const QString& parameterId);
+    void forgetShownScenes() const { shownScenes_ = {}; }
+    void updateShownScenes(const BlockPath& path, const QString& parameterId);
+    void updateShownScene(Side side, const BlockPath& path, const std::string& id);
     void keepCurrentInside();
     std::optional<Errors> takeScene(const std::filesystem::path& path);
     void replaceState(DocumentState state, DocumentFile file, int object = 0);
@@ -222,7 +234,8 @@ class Document : public QObject {
     std::shared_ptr<const Catalog> catalog_;
     TextureLibrary* textureLibrary_ = nullptr;
     DocumentState state_;
-    mutable std::optional<Scene> secondScene_; ///< what side B shows, made on demand
+    /// By side, where it is not the scene itself; made on demand.
+    mutable std::array<std::optional<Scene>, 2> shownScenes_;
     int currentObject_ = -1;
     int currentLight_ = -1;
     Side activeSide_ = Side::A;

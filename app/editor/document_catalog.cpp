@@ -16,6 +16,9 @@ void Document::setCatalog(std::shared_ptr<const Catalog> catalog) {
     if (state_.second) {
         state_.second = reconciled(*state_.second, *before, *catalog_);
     }
+    if (state_.picture) {
+        state_.picture->material = reconciled(state_.picture->material, *before, *catalog_);
+    }
     for (Light& light : state_.scene.lights) {
         light.block = reconciled(light.block, "lights", *before, *catalog_);
         if (light.shadow) {

@@ -169,6 +169,10 @@ bool Document::openPreset(const std::filesystem::path& path) {
     }
     DocumentState state = state_;
     state.lookedAt.reset();
+    if (!hasSecondMaterial(state)) {
+        state.second.reset();
+    }
+    state.picture.reset();
     if (state.scene.objects.empty()) {
         state.scene.objects.emplace_back();
     }
@@ -200,7 +204,9 @@ Scene Document::sceneToSave() const {
     if (const std::optional<Material> own = materialAside(state_, object)) {
         scene.objects[static_cast<std::size_t>(object)].material = *own;
     }
-    return withSecond(std::move(scene), state_.second, currentObject_);
+    return hasSecondMaterial(state_)
+               ? withSecond(std::move(scene), state_.second, currentObject_)
+               : scene;
 }
 
 bool Document::isOwnFile(const std::filesystem::path& path) const {
@@ -231,7 +237,7 @@ bool Document::saveScene(const std::filesystem::path& path) {
         return false;
     }
     state_.scene.name = saved.name;
-    secondScene_.reset(); // it has the name too
+    forgetShownScenes(); // they have the name too
     for (const Object& object : state_.scene.objects) {
         tell(imagesOutside(object.material, path));
     }

@@ -67,9 +67,29 @@ std::optional<Value> storedInBlock(const BlockValues& block, std::string_view pa
 
 } // namespace
 
+bool hasSecondMaterial(const DocumentState& state) {
+    return state.second && !(state.picture && state.picture->material == *state.second);
+}
+
+const SidePicture* pictureLaidOver(const DocumentState& state, Side side) {
+    if (!state.picture || !state.second) {
+        return nullptr;
+    }
+    const auto& picture = side == Side::A ? state.picture->first : state.picture->second;
+    return picture ? &*picture : nullptr;
+}
+
 Scene shownScene(const DocumentState& state, int object, Side side) {
+    Scene scene = ownScene(state, object, side);
+    if (const SidePicture* picture = pictureLaidOver(state, side)) {
+        layOver(scene, *picture);
+    }
+    return scene;
+}
+
+Scene ownScene(const DocumentState& state, int object, Side side) {
     Scene scene = state.scene;
-    if (side == Side::B && state.second) {
+    if (side == Side::B && hasSecondMaterial(state)) {
         if (Object* shown = elementAt(scene.objects, object)) {
             shown->material = *state.second;
         }

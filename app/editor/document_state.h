@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "compared_picture.h"
 #include "scene/scene.h"
 
 namespace patina {
@@ -26,6 +27,7 @@ struct DocumentState {
     Scene scene;
     std::optional<Material> second; ///< side B, shown on the current object; absent: no comparing
     std::optional<LookedAt> lookedAt = std::nullopt; ///< absent: side A shows its own
+    std::optional<ComparedPicture> picture = std::nullopt; ///< absent: both draw as the scene says
 
     friend bool operator==(const DocumentState&, const DocumentState&) = default;
 };
@@ -57,6 +59,15 @@ struct BlockPath {
 
 /// The scene as one side shows it: B has the second material on the current object.
 Scene shownScene(const DocumentState& state, int object, Side side);
+
+/// The same without what is laid over it where ways to draw its picture are compared.
+Scene ownScene(const DocumentState& state, int object, Side side);
+
+/// What is laid over a side's scene while its picture is compared; null: nothing.
+const SidePicture* pictureLaidOver(const DocumentState& state, Side side);
+
+/// Whether side B has another material than what its object has.
+bool hasSecondMaterial(const DocumentState& state);
 
 /// The kind of block that a part of a material is beside the model; empty for the other parts.
 std::string_view partKind(BlockPath::Part part);

@@ -148,7 +148,7 @@ std::vector<DocumentState> foreseen(const DocumentState& state, const BlockPath&
 
 void EffectHold::begin(const DocumentState& state, int object, const BlockPath& path,
                        const Parameter& parameter, const Catalog& catalog) {
-    Held held{state, std::nullopt, object, path, parameter.id};
+    Held held{state, {}, object, path, parameter.id};
     const auto keysWith = [&](const Value& value) {
         storeValue(held.state, path, parameter.id, value);
         return keysOf(held.state, path, catalog);
@@ -164,21 +164,21 @@ void EffectHold::begin(const DocumentState& state, int object, const BlockPath& 
     if (decides) {
         storeValue(held.state, path, parameter.id, apart(parameter, edges));
         held_ = std::move(held);
-        showSecond();
+        showSides();
     }
 }
 
 void EffectHold::keepTexture(const DocumentState& state, int object, const BlockPath& path,
                              const std::string& key) {
     if (!held_) {
-        held_ = Held{state, std::nullopt, object, path, {}};
+        held_ = Held{state, {}, object, path, {}};
     }
     Material* material = materialAt(held_->state, path.index, path.side);
     const auto use = material->textures.find(key);
     if (use != material->textures.end()) {
         use->second.strength = 1.0;
     }
-    showSecond();
+    showSides();
 }
 
 void EffectHold::follow(const DocumentState& state, const BlockPath& path,
@@ -188,7 +188,7 @@ void EffectHold::follow(const DocumentState& state, const BlockPath& path,
     }
     if (const std::optional<Value> value = storedValue(state, path, parameterId)) {
         storeValue(held_->state, path, parameterId, *value);
-        showSecond();
+        showSides();
     }
 }
 
@@ -201,13 +201,18 @@ const Scene* EffectHold::scene(Side side) const {
     if (!held_) {
         return nullptr;
     }
-    return side == Side::B && held_->second ? &*held_->second : &held_->state.scene;
+    const std::optional<Scene>& shown = held_->shown[static_cast<std::size_t>(side)];
+    return shown ? &*shown : &held_->state.scene;
 }
 
-void EffectHold::showSecond() {
-    const bool isShown = held_->state.second.has_value() && held_->object >= 0;
-    held_->second = isShown ? std::optional(shownScene(held_->state, held_->object, Side::B))
-                            : std::nullopt;
+void EffectHold::showSides() {
+    const DocumentState& state = held_->state;
+    for (const Side side : {Side::A, Side::B}) {
+        const bool differs = state.second && held_->object >= 0 &&
+                             (side == Side::B || pictureLaidOver(state, side) != nullptr);
+        held_->shown[static_cast<std::size_t>(side)] =
+            differs ? std::optional(shownScene(state, held_->object, side)) : std::nullopt;
+    }
 }
 
 } // namespace patina

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -48,13 +49,14 @@ class EffectHold {
   private:
     struct Held {
         DocumentState state;
-        std::optional<Scene> second; ///< what side B shows
+        /// What the sides show, where that is not the state's scene.
+        std::array<std::optional<Scene>, 2> shown;
         int object = -1;
         BlockPath path;
         std::string parameterId;
     };
 
-    void showSecond();
+    void showSides();
 
     std::optional<Held> held_;
 };

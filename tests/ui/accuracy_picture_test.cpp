@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The chart of what the scene's own choices cost.
+#include <algorithm>
 #include <memory>
 
 #include <QCheckBox>
 
 #include "accuracy/picture_target.h"
 #include "scene/picture_choice_text.h"
+#include "scene/scene_file.h"
 #include "ui/accuracy_fixture.h"
+#include "viewport/difference_view.h"
+#include "viewport/side_view.h"
 
 namespace patina::tests {
 namespace {
@@ -37,7 +41,9 @@ class MeasuredPicture : public AccuracyPanel {
 
     using AccuracyPanel::bound;
     using AccuracyPanel::budget;
+    using AccuracyPanel::camera;
     using AccuracyPanel::document;
+    using AccuracyPanel::home;
     using AccuracyPanel::list;
     using AccuracyPanel::pages;
     using AccuracyPanel::plot;
@@ -45,6 +51,7 @@ class MeasuredPicture : public AccuracyPanel {
     using AccuracyPanel::settle;
     using AccuracyPanel::state;
     using AccuracyPanel::typeInto;
+    using AccuracyPanel::window;
 
   private:
     void TestBody() override {}
@@ -168,7 +175,7 @@ TEST_F(PicturePanel, ShadowsLayersAndDirections_AreGivenToWhatHasThem) {
         })) << each.first;
     }
     const int count = steps();
-    PictureTarget(document()).apply(choices, wanted, "Accuracy");
+    PictureTarget(document(), panel().window().views()).apply(choices, wanted, "Accuracy");
     EXPECT_EQ(steps(), count + 1);
     EXPECT_EQ(levelsOfPicture(document().scene(), choices, document().catalog()), wanted);
     document().undoStack().undo();
@@ -189,6 +196,132 @@ TEST_F(PicturePanel, PicturesAccuracy_LeavesTheMaterialsChartFresh) {
                         std::string("half"));
     settle();
     EXPECT_FALSE(material.isStale());
+}
+
+/// Side by side, by the row and the button as an artist takes them.
+class ComparedPicturePanel : public PicturePanel {
+  protected:
+    void compareHalf() {
+        list().select(pointOf({{"picture.scale", "half"}}));
+        const QPoint row = list().visualItemRect(list().currentItem()).center();
+        list().select(-1);
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, {20, row.y()});
+        press("Compare with exact");
+        settle();
+    }
+
+    void TearDown() override {
+        document().setComparing(false);
+        PicturePanel::TearDown();
+    }
+
+    std::string savedScene() {
+        const std::filesystem::path file = panel().home("compared.patina-scene.json");
+        EXPECT_TRUE(writeScene(file, document().sceneToSave()));
+        return readFile(file);
+    }
+
+    static double scaleOf(const Scene& scene) { return scene.accuracy.scale(); }
+};
+
+TEST_F(ComparedPicturePanel, HasTheExactPictureInAAndTheChosenInBInOneStep) {
+    const Scene before = document().scene();
+    const int count = steps();
+    compareHalf();
+    EXPECT_EQ(steps(), count + 1);
+    EXPECT_EQ(document().scene(), before); // nothing is chosen by looking
+    EXPECT_EQ(document().scene(Side::A).accuracy.samples(), 8);
+    EXPECT_TRUE(document().scene(Side::A).accuracy.hasWholeNumbers());
+    EXPECT_EQ(scaleOf(document().scene(Side::A)), 1.0);
+    EXPECT_EQ(scaleOf(document().scene(Side::B)), 0.5);
+    EXPECT_FALSE(dock().isStale());
+    press("Compare with exact");
+    EXPECT_EQ(steps(), count + 1);
+    document().undoStack().undo();
+    EXPECT_FALSE(document().isComparing());
+    EXPECT_EQ(document().scene(Side::A), before);
+    document().undoStack().redo();
+    EXPECT_EQ(scaleOf(document().scene(Side::B)), 0.5);
+}
+
+TEST_F(ComparedPicturePanel, TitlesSayHowEachSideIsDrawn) {
+    compareHalf();
+    for (SideView* view : panel().window().findChildren<SideView*>()) {
+        const QString told = view->findChild<QLabel*>("title")->toolTip();
+        EXPECT_TRUE(told.startsWith(view->side() == Side::A ? "Exact" : "Render scale: "))
+            << told.toStdString();
+    }
+}
+
+TEST_F(ComparedPicturePanel, DifferenceIsThatOfThePictures) {
+    compareHalf();
+    DifferenceView& view = *panel().window().views().difference();
+    const auto greatest = [&view] {
+        QTest::qWait(20);
+        EXPECT_TRUE(QTest::qWaitFor([&view] { return view.isUpToDate(); }, waitMs));
+        return std::ranges::max(view.difference()->relative);
+    };
+    EXPECT_GT(greatest(), 0.01f);
+    dock().compare(0); // the exact one beside itself
+    EXPECT_EQ(greatest(), 0.0f);
+    dock().compare(pointOf({{"picture.numbers", "half"}}));
+    EXPECT_GT(greatest(), 0.0f); // not hidden by floats
+}
+
+TEST_F(ComparedPicturePanel, EndOfComparing_LeavesTheSceneAndTheCamera) {
+    const Scene before = document().scene();
+    const Camera seen = panel().camera();
+    compareHalf();
+    document().setComparing(false);
+    EXPECT_EQ(document().scene(), before);
+    EXPECT_EQ(document().scene(Side::A), before);
+    EXPECT_EQ(panel().camera(), seen);
+    document().undoStack().undo();
+    EXPECT_EQ(scaleOf(document().scene(Side::B)), 0.5);
+}
+
+TEST_F(ComparedPicturePanel, SavedScene_HasItsOwnPictureAndNoOtherSide) {
+    const std::string before = savedScene();
+    compareHalf();
+    EXPECT_EQ(savedScene(), before);
+}
+
+TEST_F(ComparedPicturePanel, EditedMaterial_IsShownOnBothSides) {
+    compareHalf();
+    const BlockPath path = document().currentPath(BlockPath::Part::Material);
+    document().setValue(path, "opacity", 0.5);
+    for (const Side side : {Side::A, Side::B}) {
+        EXPECT_EQ(document().scene(side).objects.front().material.opacity, 0.5);
+    }
+    EXPECT_EQ(scaleOf(document().scene(Side::B)), 0.5);
+}
+
+TEST_F(ComparedPicturePanel, ChosenPicture_IsShownInA) {
+    compareHalf();
+    dock().apply(pointOf({{"picture.scale", "half"}}));
+    EXPECT_EQ(scaleOf(document().scene()), 0.5);
+    EXPECT_EQ(scaleOf(document().scene(Side::A)), 0.5);
+    const int count = steps();
+    document().undoStack().undo();
+    EXPECT_EQ(scaleOf(document().scene(Side::A)), 1.0);
+    document().setValue(document().currentPath(BlockPath::Part::Scene), "picture.scale",
+                        std::string("half"));
+    EXPECT_EQ(scaleOf(document().scene(Side::A)), 0.5);
+    EXPECT_EQ(steps(), count);
+}
+
+TEST_F(ComparedPicturePanel, SwappedSides_SwapThePictures) {
+    compareHalf();
+    document().swapSides();
+    EXPECT_EQ(scaleOf(document().scene(Side::A)), 0.5);
+    EXPECT_EQ(scaleOf(document().scene(Side::B)), 1.0);
+}
+
+TEST_F(ComparedPicturePanel, MaterialsThatAreComparedNext_HaveTheScenesPicture) {
+    compareHalf();
+    document().look(*document().material(Side::A), *document().material(Side::B), "Compare");
+    EXPECT_EQ(document().scene(Side::A), document().scene());
+    EXPECT_EQ(scaleOf(document().scene(Side::B)), scaleOf(document().scene()));
 }
 
 } // namespace

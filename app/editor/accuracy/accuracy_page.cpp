@@ -76,7 +76,6 @@ void AccuracyPage::layOut() {
     }
     row->addWidget(state_, 1);
     row->addWidget(compare_);
-    compare_->setVisible(target_->canCompare());
     row->addWidget(export_);
     auto* parts = new QSplitter(this);
     parts->setChildrenCollapsible(false);

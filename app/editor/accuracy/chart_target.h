@@ -31,12 +31,9 @@ class ChartTarget {
     virtual void apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                        const QString& label) = 0;
 
-    /// Whether the exact way and another can be seen beside each other.
-    virtual bool canCompare() const { return false; }
-
     /// Shows the exact way in A and these levels in B, as one undo step, and the difference in C,
     /// until comparing ends: nothing is chosen by it.
-    virtual void compare(const std::vector<Choice>&, const ChosenLevels&) {}
+    virtual void compare(const std::vector<Choice>& choices, const ChosenLevels& levels) = 0;
 
     virtual QString measureText() const = 0;   ///< what measuring does, for a tool tip
     virtual QString noChoicesText() const = 0; ///< that there is nothing to choose

@@ -11,7 +11,7 @@ namespace patina {
 
 CostSweep::Subject costSubject(const Document& document, MeshLibrary& meshes,
                                EnvironmentLibrary& environments) {
-    const Scene& scene = document.scene(document.activeSide());
+    const Scene scene = document.ownScene(document.activeSide());
     const TextureLibrary* textures = document.textureLibrary();
     return {scene,
             static_cast<std::size_t>(document.currentObject()),

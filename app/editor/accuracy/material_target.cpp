@@ -43,7 +43,7 @@ void forgetPicture(Scene& scene, const Catalog& catalog) {
 std::vector<Choice> MaterialTarget::choices() const {
     const int object = document_.currentObject();
     return object < 0 ? std::vector<Choice>()
-                      : materialChoices(document_.scene(document_.activeSide()),
+                      : materialChoices(document_.ownScene(document_.activeSide()),
                                         static_cast<std::size_t>(object), document_.catalog());
 }
 
@@ -61,7 +61,7 @@ ChosenLevels MaterialTarget::levels(const std::vector<Choice>& choices) const {
 
 MeasuredSubject MaterialTarget::subject() const {
     const int object = document_.currentObject();
-    Scene scene = document_.scene(document_.activeSide());
+    Scene scene = document_.ownScene(document_.activeSide());
     if (object >= 0) {
         Material& material = scene.objects[static_cast<std::size_t>(object)].material;
         material.accuracy.clear();

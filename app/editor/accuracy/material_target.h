@@ -21,7 +21,6 @@ class MaterialTarget : public ChartTarget {
     MeasuredSubject subject() const override;
     void apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                const QString& label) override;
-    bool canCompare() const override { return true; }
     void compare(const std::vector<Choice>& choices, const ChosenLevels& levels) override;
     QString measureText() const override;
     QString noChoicesText() const override;

@@ -66,7 +66,7 @@ void MeasurePage::changeEvent(QEvent* event) {
 
 MeasuredSubject MeasurePage::subject() const {
     const int object = document_.currentObject();
-    return subjectOf(measuredPart(document_.scene(document_.activeSide()), object), object,
+    return subjectOf(measuredPart(document_.ownScene(document_.activeSide()), object), object,
                      document_.catalog(), measuredBlocks());
 }
 

@@ -7,6 +7,7 @@
 
 #include "document.h"
 #include "picture_accuracy_form.h"
+#include "viewport/compare_area.h"
 
 namespace patina {
 namespace {
@@ -51,7 +52,7 @@ void takePicture(Document& document, const Scene& wanted) {
 
 Scene PictureTarget::withLevels(const std::vector<Choice>& choices,
                                 const ChosenLevels& levels) const {
-    ChosenFrame frame{document_.scene(document_.activeSide()), View()};
+    ChosenFrame frame{document_.ownScene(document_.activeSide()), View()};
     if (!frame.scene.objects.empty()) {
         choose(frame, 0, choices, levels, document_.catalog());
     }
@@ -59,13 +60,14 @@ Scene PictureTarget::withLevels(const std::vector<Choice>& choices,
 }
 
 std::vector<Choice> PictureTarget::choices() const {
-    const Scene& scene = document_.scene(document_.activeSide());
+    const Scene scene = document_.ownScene(document_.activeSide());
     return scene.objects.empty() ? std::vector<Choice>()
                                  : choicesOfPicture(scene, document_.catalog());
 }
 
 ChosenLevels PictureTarget::levels(const std::vector<Choice>& choices) const {
-    return levelsOfPicture(document_.scene(document_.activeSide()), choices, document_.catalog());
+    return levelsOfPicture(document_.ownScene(document_.activeSide()), choices,
+                           document_.catalog());
 }
 
 MeasuredSubject PictureTarget::subject() const {
@@ -75,9 +77,21 @@ MeasuredSubject PictureTarget::subject() const {
 void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                           const QString& label) {
     const Scene wanted = withLevels(choices, levels);
-    if (!(levelsOfPicture(wanted, choices, document_.catalog()) == this->levels(choices))) {
-        document_.editAsOneStep(label, [&] { takePicture(document_, wanted); });
+    const bool isSo =
+        levelsOfPicture(wanted, choices, document_.catalog()) == this->levels(choices);
+    if (isSo && pictureLaidOver(document_.state(), Side::A) == nullptr) {
+        return;
     }
+    document_.editAsOneStep(label, [&] {
+        document_.showOwnPicture();
+        takePicture(document_, wanted);
+    });
+}
+
+void PictureTarget::compare(const std::vector<Choice>& choices, const ChosenLevels& levels) {
+    views_.setDifferenceWanted(true);
+    document_.lookAtPictures(withLevels(choices, {}), withLevels(choices, levels),
+                             tr("Compare with exact"));
 }
 
 QString PictureTarget::measureText() const {

@@ -5,12 +5,15 @@
 
 namespace patina {
 
+class CompareArea;
 class Document;
 
 /// The picture of the scene, whatever its materials.
 class PictureTarget : public ChartTarget {
   public:
-    explicit PictureTarget(Document& document) : document_(document) {}
+    /// `views` show what is compared.
+    PictureTarget(Document& document, CompareArea& views)
+        : document_(document), views_(views) {}
 
     Choice::Scope scope() const override { return Choice::Scope::Picture; }
     std::vector<Choice> choices() const override;
@@ -18,6 +21,7 @@ class PictureTarget : public ChartTarget {
     MeasuredSubject subject() const override;
     void apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                const QString& label) override;
+    void compare(const std::vector<Choice>& choices, const ChosenLevels& levels) override;
     QString measureText() const override;
     QString noChoicesText() const override;
 
@@ -26,6 +30,7 @@ class PictureTarget : public ChartTarget {
     Scene withLevels(const std::vector<Choice>& choices, const ChosenLevels& levels) const;
 
     Document& document_;
+    CompareArea& views_;
 };
 
 } // namespace patina

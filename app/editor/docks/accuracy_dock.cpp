@@ -17,8 +17,8 @@ AccuracyDock::AccuracyDock(const DockContext& context) {
     const auto turn = std::make_shared<MeasureTurn>();
     auto* material = new AccuracyPage(
         context, std::make_unique<MaterialTarget>(context.document, context.views), turn);
-    auto* picture =
-        new AccuracyPage(context, std::make_unique<PictureTarget>(context.document), turn);
+    auto* picture = new AccuracyPage(
+        context, std::make_unique<PictureTarget>(context.document, context.views), turn);
     material->setObjectName("material");
     picture->setObjectName("picture");
     const auto add = [this](QWidget* page, const QString& title, const QString& what) {

@@ -142,6 +142,7 @@ void DifferenceView::ask() {
     }
     if (!worker_.isIdle()) {
         isAskedAgain_ = true;
+        worker_.hurry();
         return;
     }
     isAskedAgain_ = false;

@@ -7,6 +7,7 @@
 
 #include "free_memory.h"
 #include "gl/headless_context.h"
+#include "scene/environment.h"
 
 namespace patina {
 namespace {
@@ -18,6 +19,19 @@ constexpr std::chrono::seconds patience{3};
 constexpr std::chrono::milliseconds slice{20};
 
 constexpr int sampledDirections = 64; ///< of an environment's light, the same on both sides
+
+/// How many directions of an environment's light a side's own view has; 0: there is none.
+int ownDirections(const Scene& scene, const Catalog& catalog) {
+    const Block* block =
+        scene.environment ? catalog.find("environment", scene.environment->id) : nullptr;
+    return block != nullptr ? directionsOf(*scene.environment, *block) : 0;
+}
+
+/// What a worker wants of the work.
+struct Course {
+    std::function<bool()> goesOn;
+    std::function<bool()> isHurried;
+};
 
 } // namespace
 
@@ -39,36 +53,57 @@ class DifferenceWorker::Workshop {
         return shop;
     }
 
-    Result<FrameDifference> draw(const Request& request, const std::function<bool()>& goesOn) {
+    Result<FrameDifference> draw(const Request& request, const Course& course) {
         if (catalog_ != request.catalog) {
             catalog_ = request.catalog;
             renderer_->setCatalog(catalog_);
         }
         renderer_->setTextures(request.textures);
-        auto a = picture(request.a, request, goesOn);
+        const int ofA = ownDirections(request.a.scene, *request.catalog);
+        const int ofB = ownDirections(request.b.scene, *request.catalog);
+        auto a = picture(request.a, request, ofA == ofB ? sampledDirections : ofA, course);
         if (!a) {
             return tl::unexpected(a.error());
         }
-        auto b = picture(request.b, request, goesOn);
+        auto b = picture(request.b, request, ofA == ofB ? sampledDirections : ofB, course);
         return b ? Result<FrameDifference>(differenceOf(*a, *b)) : tl::unexpected(b.error());
     }
 
   private:
-    Result<Image> picture(const Side& side, const Request& request,
-                          const std::function<bool()>& goesOn) {
+    /// In whole floats, where the sides do not differ in their numbers.
+    Result<Image> picture(const Side& side, const Request& request, int directions,
+                          const Course& course) {
+        const bool sameNumbers = request.a.scene.accuracy.hasWholeNumbers() ==
+                                 request.b.scene.accuracy.hasWholeNumbers();
         View view = request.view;
-        view.numbers = HdrNumbers::Full;
-        view.environmentSamples = sampledDirections;
+        view.numbers = sameNumbers ? HdrNumbers::Full : HdrNumbers::Half;
         view.effects = side.effects ? &*side.effects : nullptr;
-        if (auto begun = renderer_->beginCapture(side.scene, view, request.meshes); !begun) {
-            return tl::unexpected(begun.error());
-        }
-        while (!renderer_->proceed(slice)) {
-            if (!goesOn()) {
-                return failure("the window has gone");
+        for (int drawn = 0; drawn < directions || drawn == 0;) {
+            view.isContinued = drawn > 0;
+            view.environmentSamples = directions - drawn;
+            if (auto begun = drawFrame(side.scene, view, request.meshes, course); !begun) {
+                return tl::unexpected(begun.error());
+            }
+            const int before = std::exchange(drawn, renderer_->environmentSamples());
+            const bool isEnough = drawn >= sampledDirections && course.isHurried();
+            if (drawn <= before || isEnough) { // no environment, or no more of it
+                break;
             }
         }
         return renderer_->captured(false);
+    }
+
+    Result<void> drawFrame(const Scene& scene, const View& view, const MeshSource& meshes,
+                           const Course& course) {
+        if (auto begun = renderer_->beginCapture(scene, view, meshes); !begun) {
+            return begun;
+        }
+        while (!renderer_->proceed(slice)) {
+            if (!course.goesOn()) {
+                return failure("the window has gone");
+            }
+        }
+        return {};
     }
 
     std::unique_ptr<gl::HeadlessContext> context_;
@@ -101,6 +136,11 @@ void DifferenceWorker::ask(Request request) {
     news_.notify_all();
 }
 
+void DifferenceWorker::hurry() {
+    const std::lock_guard lock(mutex_);
+    isHurried_ = true;
+}
+
 /// The next frames; nothing when there were none for a while.
 std::optional<DifferenceWorker::Job> DifferenceWorker::next() {
     std::unique_lock lock(mutex_);
@@ -109,17 +149,22 @@ std::optional<DifferenceWorker::Job> DifferenceWorker::next() {
         isWorking_ = false;
         return std::nullopt;
     }
+    isHurried_ = false;
     return std::exchange(job_, std::nullopt);
 }
 
 void DifferenceWorker::work() {
     auto shop = Workshop::open(programCache_);
-    const auto goesOn = [this] {
-        const std::lock_guard lock(mutex_);
-        return !isEnding_;
-    };
+    const Course course{[this] {
+                            const std::lock_guard lock(mutex_);
+                            return !isEnding_;
+                        },
+                        [this] {
+                            const std::lock_guard lock(mutex_);
+                            return isHurried_;
+                        }};
     while (const std::optional<Job> job = next()) {
-        answer(job->number, shop ? (*shop)->draw(job->request, goesOn)
+        answer(job->number, shop ? (*shop)->draw(job->request, course)
                                  : tl::unexpected(shop.error()));
     }
     if (shop) {

@@ -15,8 +15,9 @@
 
 namespace patina {
 
-/// Draws both sides of a comparison in whole floats and takes one from the other, in a thread with
-/// a context of its own: half floats, as views draw with, are too coarse for small differences. The
+/// Draws both sides of a comparison and takes one from the other, in a thread with a context of its
+/// own: in whole floats unless the sides differ in that, as half floats are too coarse for small
+/// differences; with the sides' own numbers of an environment's directions where these differ. The
 /// context goes when there was nothing to do for some seconds.
 class DifferenceWorker : public QObject {
     Q_OBJECT
@@ -44,6 +45,10 @@ class DifferenceWorker : public QObject {
     /// Asks in place of what was asked for and not begun yet; finished() follows for the last.
     void ask(Request request);
 
+    /// Something else will be asked for: of an environment no more directions are drawn than it
+    /// takes to show anything.
+    void hurry();
+
     /// Whether nothing is asked for that is not finished.
     bool isIdle() const { return asked_ == answered_; }
 
@@ -65,10 +70,11 @@ class DifferenceWorker : public QObject {
     std::filesystem::path programCache_;
     quint64 asked_ = 0;
     quint64 answered_ = 0;
-    std::mutex mutex_; ///< guards the three below, which the thread shares
+    std::mutex mutex_; ///< guards the four below, which the thread shares
     std::optional<Job> job_;
     bool isWorking_ = false;
     bool isEnding_ = false;
+    bool isHurried_ = false;
     std::condition_variable news_;
     QThreadPool thread_;
 };

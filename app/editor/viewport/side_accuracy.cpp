@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include "material/blocks_in_use.h"
+#include "measure/choices.h"
 
 namespace patina {
 namespace {
@@ -30,6 +31,31 @@ QStringList cheapLevels(const Material& material, const Catalog& catalog) {
     return names;
 }
 
+QString levelName(const Choice& choice, const std::string& level) {
+    const ChoiceLevel* known = choice.level(level);
+    return QStringLiteral("%1: %2").arg(
+        QString::fromStdString(choice.label),
+        QString::fromStdString(known != nullptr ? known->label : level));
+}
+
+/// The same of how the picture of a scene is drawn.
+QStringList cheapLevels(const Scene& scene, const Catalog& catalog) {
+    const std::vector<Choice> choices = choicesOfPicture(scene, catalog);
+    const ChosenLevels levels = levelsOfPicture(scene, choices, catalog);
+    QStringList names;
+    for (const Choice& choice : choices) {
+        if (const auto level = levels.find(choice.id); level != levels.end()) {
+            names << levelName(choice, level->second);
+        }
+    }
+    return names;
+}
+
+QString textOf(const QStringList& names) {
+    return names.isEmpty() ? QCoreApplication::translate("SideView", "Exact")
+                           : names.join(QStringLiteral(" + "));
+}
+
 bool differInAccuracyAlone(Material a, const Material& b) {
     a.accuracy = b.accuracy;
     return a == b;
@@ -38,6 +64,10 @@ bool differInAccuracyAlone(Material a, const Material& b) {
 } // namespace
 
 QString accuracyOfSide(const Document& document, Side side) {
+    const DocumentState& state = document.state();
+    if (state.second && state.picture && !hasSecondMaterial(state)) {
+        return textOf(cheapLevels(document.scene(side), document.catalog()));
+    }
     const Material* a = document.material(Side::A);
     const Material* b = document.material(Side::B);
     if (!document.isComparing() || a == nullptr || b == nullptr ||
@@ -49,9 +79,7 @@ QString accuracyOfSide(const Document& document, Side side) {
     if (ofA == ofB) {
         return {};
     }
-    const QStringList& names = side == Side::A ? ofA : ofB;
-    return names.isEmpty() ? QCoreApplication::translate("SideView", "Exact")
-                           : names.join(QStringLiteral(" + "));
+    return textOf(side == Side::A ? ofA : ofB);
 }
 
 } // namespace patina
