@@ -26,6 +26,7 @@ constexpr double marginRight = 150.0;
 constexpr double marginTop = 40.0;
 constexpr double marginBottom = 50.0;
 constexpr double dotRadius = 5.0;
+constexpr double ringRadius = 8.0; ///< around a dot, where both lie upon each other
 constexpr double arrowLength = 22.0;
 constexpr double arrowHead = 4.0;
 
@@ -94,6 +95,16 @@ void addGrid(Shapes& shapes, const Axes& axes) {
                       "time to the exact one"});
 }
 
+/// What rings mean, where there are any.
+void addLegend(Shapes& shapes, const std::vector<bool>& ties, glm::ivec2 size) {
+    if (std::ranges::find(ties, true) != ties.end()) {
+        const double left = size.x - 400.0;
+        shapes.push_back({PlotShape::Kind::Ring, {left, 18.0}, {}, onFront, {}});
+        shapes.push_back({PlotShape::Kind::Text, {left + 16.0, 10.0}, {}, ink,
+                          "cannot be told from a point on the line"});
+    }
+}
+
 void addFront(Shapes& shapes, const CostChart& chart, const Axes& axes,
               const std::vector<std::size_t>& front) {
     for (std::size_t i = 1; i < front.size(); ++i) {
@@ -114,11 +125,16 @@ void addArrow(Shapes& shapes, const glm::dvec2& from, double side, const glm::dv
     }
 }
 
+/// What a point is beside the front.
+enum class Standing { OnFront, Tie, Beaten };
+
 void addPoint(Shapes& shapes, const CostPoint& point, RatioBound bound, const Axes& axes,
-              bool isOnFront) {
-    const glm::dvec3 color = isOnFront ? onFront : beaten;
+              Standing standing) {
+    const glm::dvec3 color = standing == Standing::Beaten ? beaten : onFront;
+    const auto mark =
+        standing == Standing::Tie ? PlotShape::Kind::Ring : PlotShape::Kind::Dot;
     const glm::dvec2 at = axes.place(point.cost.ratio.median, errorOf(point));
-    shapes.push_back({PlotShape::Kind::Dot, at, {}, color, {}});
+    shapes.push_back({mark, at, {}, color, {}});
     if (bound == RatioBound::AtMost || bound == RatioBound::AtLeast) {
         return addArrow(shapes, at, bound == RatioBound::AtMost ? -1.0 : 1.0, color);
     }
@@ -161,6 +177,10 @@ std::string svgOf(const PlotShape& shape) {
         return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" "
                            "stroke=\"{}\"/>\n",
                            shape.from.x, shape.from.y, shape.to.x, shape.to.y, color);
+    case PlotShape::Kind::Ring:
+        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" fill=\"none\" "
+                           "stroke=\"{}\" stroke-width=\"2\"/>\n",
+                           shape.from.x, shape.from.y, ringRadius, color);
     case PlotShape::Kind::Dot:
         return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" fill=\"{}\"/>\n",
                            shape.from.x, shape.from.y, dotRadius, color);
@@ -190,10 +210,12 @@ void drawLine(Image& image, const PlotShape& line) {
 }
 
 void drawDot(Image& image, const PlotShape& dot) {
-    const int radius = static_cast<int>(dotRadius);
+    const bool isRing = dot.kind == PlotShape::Kind::Ring;
+    const int radius = static_cast<int>(isRing ? ringRadius : dotRadius);
+    const int hole = isRing ? (radius - 2) * (radius - 2) : -1; // of that radius, squared
     for (int y = -radius; y <= radius; ++y) {
         for (int x = -radius; x <= radius; ++x) {
-            if (x * x + y * y <= radius * radius) {
+            if (x * x + y * y <= radius * radius && x * x + y * y > hole) {
                 put(image, static_cast<int>(dot.from.x) + x, static_cast<int>(dot.from.y) + y,
                     dot.color);
             }
@@ -204,7 +226,7 @@ void drawDot(Image& image, const PlotShape& dot) {
 void draw(Image& image, const PlotShape& shape) {
     if (shape.kind == PlotShape::Kind::Line) {
         drawLine(image, shape);
-    } else if (shape.kind == PlotShape::Kind::Dot) {
+    } else if (shape.kind != PlotShape::Kind::Text) {
         drawDot(image, shape);
     } else {
         drawLabel(image, shape.text, glm::ivec2(shape.from), 1, image.width);
@@ -216,12 +238,16 @@ void draw(Image& image, const PlotShape& shape) {
 std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size) {
     const Axes axes = axesOf(chart, size);
     const std::vector<std::size_t> front = costFront(chart.points);
+    const std::vector<bool> ties = tiesOfFront(chart.points, front);
     Shapes shapes;
     addGrid(shapes, axes);
+    addLegend(shapes, ties, size);
     addFront(shapes, chart, axes, front);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         addPoint(shapes, chart.points[i], chart.boundOf(chart.points[i]), axes,
-                 std::ranges::find(front, i) != front.end());
+                 std::ranges::find(front, i) != front.end() ? Standing::OnFront
+                 : ties[i]                                  ? Standing::Tie
+                                                            : Standing::Beaten);
     }
     addLabels(shapes, chart, axes, front, size);
     return shapes;

@@ -12,10 +12,10 @@
 
 namespace patina {
 
-/// A line from `from` to `to`, a dot at `from`, or a text that begins there: pixels from the top
-/// left.
+/// A line from `from` to `to`, a dot or a ring at `from`, or a text that begins there: pixels from
+/// the top left.
 struct PlotShape {
-    enum class Kind { Line, Dot, Text };
+    enum class Kind { Line, Dot, Ring, Text };
 
     Kind kind = Kind::Line;
     glm::dvec2 from{0.0};
@@ -27,7 +27,8 @@ struct PlotShape {
 };
 
 /// The chart as a drawing: the time to the right, the error upwards, both on logarithmic scales;
-/// bars show how sure the times are, and a line the front.
+/// bars show how sure the times are, a line the front, and rings what ties with one of its
+/// points.
 std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size);
 
 /// The drawing as an SVG file, and as a picture with sRGB values.

@@ -2,6 +2,7 @@
 #include "cli/mapped_point.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,7 +48,10 @@ const CostPoint& mappedPoint(const CostChart& chart, const ChosenLevels& named,
         return chart.points[answer->point];
     }
     const CostPoint& fastest = chart.points[costFront(chart.points).front()];
-    return fastest.isExact() ? *std::ranges::max_element(chart.points, {}, errorOf) : fastest;
+    const auto howWrong = [](const CostPoint& point) {
+        return std::pair(errorOf(point), point.error.max);
+    };
+    return fastest.isExact() ? *std::ranges::max_element(chart.points, {}, howWrong) : fastest;
 }
 
 } // namespace patina

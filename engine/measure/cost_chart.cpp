@@ -22,17 +22,34 @@ double timeOf(const CostPoint& point) {
     return point.cost.ratio.median;
 }
 
-/// What is drawn as this level is, by name.
-std::string namesOfSame(const std::vector<SameLevel>& same, const Choice& choice,
-                        const ChoiceLevel& level) {
-    std::string names;
+/// What is drawn as a level is.
+struct SameNames {
+    std::string names; ///< of the other levels
+    int count = 0;
+    int samples = 0; ///< SameLevel::samples
+};
+
+SameNames namesOfSame(const std::vector<SameLevel>& same, const Choice& choice,
+                      const ChoiceLevel& level) {
+    SameNames found;
     for (const SameLevel& each : same) {
         const ChoiceLevel* other = choice.level(each.level);
         if (each.choice == choice.id && each.as == level.id && other != nullptr) {
-            names += (names.empty() ? "" : ", ") + other->label;
+            found.names += (found.count++ > 0 ? ", " : "") + other->label;
+            found.samples = each.samples;
         }
     }
-    return names;
+    return found;
+}
+
+/// Of samples it is said what the device draws, which may be none of these levels.
+std::string sentenceOf(const SameNames& same, const Choice& choice, const ChoiceLevel& level) {
+    if (same.samples > 0) {
+        return fmt::format("{}: {}, {} are {} drawn with {} here", choice.label, level.label,
+                           same.names, same.count > 1 ? "all" : "both", same.samples);
+    }
+    return fmt::format("{}: {} {} drawn as {}", choice.label, same.names,
+                       same.count > 1 ? "are" : "is", level.label);
 }
 
 double knownError(const CostPoint& point) {
@@ -130,11 +147,9 @@ std::string sameText(const CostChart& chart) {
     std::string text;
     for (const Choice& choice : chart.choices) {
         for (const ChoiceLevel& level : choice.levels) {
-            const std::string names = namesOfSame(chart.same, choice, level);
-            if (!names.empty()) {
-                const bool isOne = names.find(", ") == std::string::npos;
-                text += fmt::format("{}{}: {} {} drawn as {}", text.empty() ? "" : "; ",
-                                    choice.label, names, isOne ? "is" : "are", level.label);
+            const SameNames same = namesOfSame(chart.same, choice, level);
+            if (same.count > 0) {
+                text += (text.empty() ? "" : "; ") + sentenceOf(same, choice, level);
             }
         }
     }
@@ -147,6 +162,14 @@ bool CostChart::isAgainstConverged(const CostPoint& point) const {
 
 RatioBound CostChart::boundOf(const CostPoint& point) const {
     return points.empty() ? RatioBound::None : patina::boundOf(point.cost, points.front().cost);
+}
+
+std::string leftOutText(const CostChart& chart) {
+    return chart.leftOut == 0
+               ? ""
+               : fmt::format("{} {} left out for want of time", chart.leftOut,
+                             chart.leftOut == 1 ? "combination of choices was"
+                                                : "combinations of choices were");
 }
 
 std::string convergedText(const CostChart& chart) {
@@ -186,6 +209,17 @@ std::vector<std::size_t> tiesOf(const std::vector<CostPoint>& points, const Cost
         if (points[i].levels != point.levels && tiesInTime(points[i], point) &&
             tiesInError(points[i], point)) {
             ties.push_back(i);
+        }
+    }
+    return ties;
+}
+
+std::vector<bool> tiesOfFront(const std::vector<CostPoint>& points,
+                              const std::vector<std::size_t>& front) {
+    std::vector<bool> ties(points.size());
+    for (const std::size_t i : front) {
+        for (const std::size_t other : tiesOf(points, points[i])) {
+            ties[other] = std::ranges::find(front, other) == front.end();
         }
     }
     return ties;

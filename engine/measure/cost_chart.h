@@ -31,6 +31,7 @@ struct SameLevel {
     std::string choice; ///< Choice::id
     std::string level;
     std::string as;
+    int samples = 0; ///< per pixel that the device looks at for both of them; 0: of no such choice
 
     friend bool operator==(const SameLevel&, const SameLevel&) = default;
 };
@@ -58,6 +59,7 @@ struct CostChart {
     std::string right;             ///< what errors are measured against, for people
     std::vector<SameLevel> same;   ///< which have no points of their own
     std::optional<ConvergedRender> converged{}; ///< what some errors are against instead
+    std::size_t leftOut = 0; ///< combinations that may be on the front, for which there was no time
 
     /// Whether the point's errors are against that render.
     bool isAgainstConverged(const CostPoint& point) const;
@@ -74,11 +76,15 @@ struct CostChart {
     friend bool operator==(const CostChart&, const CostChart&) = default;
 };
 
-/// "Samples per pixel: 4 samples, 2 samples are drawn as 8 samples"; empty where all levels differ.
+/// "Samples per pixel: 8 samples, 4 samples are all drawn with 4 here"; "Lobe: Table is drawn as
+/// Exact" of other choices; empty where all levels differ.
 std::string sameText(const CostChart& chart);
 
 /// Which errors are against a converged render, and how good that is; empty where none are.
 std::string convergedText(const CostChart& chart);
+
+/// That combinations were left out for want of time, and how many; empty where none were.
+std::string leftOutText(const CostChart& chart);
 
 /// The error by which points are compared: the relative error that 99 of 100 pixels keep.
 double errorOf(const CostPoint& point);
@@ -89,6 +95,10 @@ bool tiesInError(const CostPoint& a, const CostPoint& b);
 
 /// The other points that tie with this one in both.
 std::vector<std::size_t> tiesOf(const std::vector<CostPoint>& points, const CostPoint& point);
+
+/// By point: whether it is not on the front and ties with one that is.
+std::vector<bool> tiesOfFront(const std::vector<CostPoint>& points,
+                              const std::vector<std::size_t>& front);
 
 /// The points that are worth choosing, the fastest first: from the most accurate one on, each that
 /// is faster than those before it by more than the noise. So each of the others has one on the

@@ -26,7 +26,6 @@ constexpr double shareOfPairs = 0.6;
 
 /// Of the time, after which no single choice has more than one pair: it ends with that.
 constexpr double shareOfSingles = 0.95;
-
 /// Times a point's share of the time: with so much it ends, whatever it has.
 constexpr double longestShare = 3.0;
 
@@ -93,8 +92,7 @@ class CostSweep::Implementation {
         while (drawn && !*drawn) {
             drawn = capture.step(std::chrono::seconds(1));
         }
-        const Result<LinearFrame> frame =
-            drawn ? capture.frame() : tl::unexpected(drawn.error());
+        const Result<LinearFrame> frame = drawn ? capture.frame() : tl::unexpected(drawn.error());
         return frame ? standard_->meterOf(levels).mapOf(*frame) : std::vector<double>();
     }
 
@@ -178,6 +176,8 @@ class CostSweep::Implementation {
         singles_ = plan_.waiting();
     }
 
+    bool hasTime() const { return spent_ + longestPoint_ < options_.seconds; }
+
     void timeEmpty() {
         const ChosenFrame frame = frames_.empty();
         const double time = drawn_->timeOf(frame.scene, frame.view);
@@ -191,7 +191,7 @@ class CostSweep::Implementation {
     /// No combination is begun that would hardly end in time, and nothing that is known by another
     /// name.
     std::optional<ChosenLevels> nextLevels() {
-        while (begun_ < singles_ || spent_ + longestPoint_ < options_.seconds) {
+        while (begun_ < singles_ || hasTime()) {
             std::optional<ChosenLevels> levels = plan_.next(chart_);
             if (!levels || chart_.find(*levels) == nullptr) {
                 return levels;
@@ -203,6 +203,7 @@ class CostSweep::Implementation {
     void beginPoint() {
         const std::optional<ChosenLevels> levels = nextLevels();
         if (!levels) {
+            chart_.leftOut = hasTime() ? 0 : plan_.leftOver(chart_);
             done_ = true;
             return;
         }
@@ -239,9 +240,8 @@ class CostSweep::Implementation {
 
     void countPoint() {
         const Subject& subject = frames_.subject();
-        point_.instructions = surfaceInstructions(pointFrame_.scene, subject.object,
-                                                  subject.camera,
-                                                  {subject.catalog, subject.meshes});
+        point_.instructions = surfaceInstructions(
+            pointFrame_.scene, subject.object, subject.camera, {subject.catalog, subject.meshes});
         if (point_.isExact()) {
             exactColors_ = pointColors_.colors;
         } else if (changesNothing()) {

@@ -58,6 +58,11 @@ std::string tiesText(const CostChart& chart) {
     return text;
 }
 
+/// A line below the table; none for an empty text.
+std::string lineOf(const std::string& text) {
+    return text.empty() ? text : text + '\n';
+}
+
 std::string convergedLine(const CostChart& chart) {
     const std::string text = convergedText(chart);
     return text.empty() ? "" : "~ " + text + '\n';
@@ -104,14 +109,19 @@ nlohmann::json choiceJson(const Choice& choice) {
     for (const ChoiceLevel& level : choice.levels) {
         levels.push_back({{"id", level.id}, {"label", level.label}, {"doc", level.doc}});
     }
-    return {{"id", choice.id},       {"label", choice.label}, {"doc", choice.doc},
-            {"block", choice.block}, {"levels", levels}};
+    const bool isOfPicture = choice.scope == Choice::Scope::Picture;
+    return {{"id", choice.id},       {"key", choice.key}, {"label", choice.label},
+            {"doc", choice.doc},     {"block", choice.block},
+            {"levels", levels},      {"scope", isOfPicture ? "picture" : "material"}};
 }
 
 nlohmann::json sameJson(const std::vector<SameLevel>& same) {
     nlohmann::json all = nlohmann::json::array();
     for (const SameLevel& each : same) {
-        all.push_back({{"choice", each.choice}, {"level", each.level}, {"as", each.as}});
+        all.push_back({{"choice", each.choice},
+                       {"level", each.level},
+                       {"as", each.as},
+                       {"samples", each.samples}});
     }
     return all;
 }
@@ -120,19 +130,18 @@ nlohmann::json sameJson(const std::vector<SameLevel>& same) {
 
 std::string costText(const CostChart& chart) {
     const std::vector<std::size_t> front = costFront(chart.points);
+    const std::vector<bool> ties = tiesOfFront(chart.points, front);
     const std::size_t columns = widest(chart);
     std::string text = headText(columns);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
-        text += fmt::format("{} {:<{}}  {}\n", isOnFront(front, i) ? '*' : ' ',
+        text += fmt::format("{} {:<{}}  {}\n",
+                            isOnFront(front, i) ? '*' : ties[i] ? '=' : ' ',
                             levelsText(point.levels), columns, pointText(point, chart));
     }
-    text += tiesText(chart);
-    if (const std::string same = sameText(chart); !same.empty()) {
-        text += same + '\n';
-    }
+    text += tiesText(chart) + lineOf(sameText(chart)) + lineOf(leftOutText(chart));
     return text + fmt::format("* worth choosing: nothing measured errs no more and is as fast, "
-                              "as far as can be told; {}\n"
+                              "as far as can be told; = cannot be told from one of these; {}\n"
                               "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
                               "errors against {}\n{}",
                               signsText("the exact way"), chart.size.x, chart.size.y,
@@ -144,21 +153,22 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
     std::string text =
         withNames ? "preset,levels,ratio,ratio_lower,ratio_upper,milliseconds,ns_per_pixel,"
                     "instructions,runs,p99,max,mean,rms,step_share,shown,flip,front,"
-                    "settled,below_noise\n"
+                    "settled,below_noise,tie\n"
                   : "";
     const std::vector<std::size_t> front = costFront(chart.points);
+    const std::vector<bool> ties = tiesOfFront(chart.points, front);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
         const ChoiceCost& cost = point.cost;
         const FrameError& error = point.error;
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                             csvText(name), csvText(levelsText(point.levels)), cost.ratio.median,
                             boundsCsv(cost.ratio, cost.runs), cost.milliseconds.median,
                             cost.nanosecondsPerPixel,
                             instructionsText(point.instructions), cost.runs, error.p99, error.max,
                             error.mean, error.rms, error.stepShare, error.shown, error.flip,
                             isOnFront(front, i) ? 1 : 0, cost.settled ? 1 : 0,
-                            cost.belowNoise ? 1 : 0);
+                            cost.belowNoise ? 1 : 0, ties[i] ? 1 : 0);
     }
     return text;
 }
@@ -182,6 +192,7 @@ nlohmann::json costJson(const CostChart& chart) {
             {"timer", chart.timer},
             {"right", chart.right},
             {"same", sameJson(chart.same)},
+            {"leftOut", chart.leftOut},
             {"converged", convergedJson(chart)}};
 }
 

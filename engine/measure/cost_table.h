@@ -11,13 +11,18 @@
 
 namespace patina {
 
-/// What `patina cost` prints about a chart, for people: the points on the front marked.
+/// What `patina cost` prints about a chart, for people: the points on the front and those
+/// that tie with one of them marked.
 std::string costText(const CostChart& chart);
 
 /// One line for each point, with a line of names before them; `name` goes in the first column.
 std::string costCsv(const CostChart& chart, const std::string& name, bool withNames);
 
 nlohmann::json costJson(const CostChart& chart);
+
+/// What costJson() wrote, to the precision of floats; bounds of too few runs are the median. An
+/// error where something is missing or of another type.
+Result<CostChart> costFromJson(const nlohmann::json& json);
 
 /// What tables of measurements have in common: an interval of so many samples, whose bounds are
 /// null or left empty where those are too few for one, and a count, null where there is none.

@@ -27,7 +27,9 @@ void addSame(std::vector<SameLevel>& same, const Choice& choice, glm::ivec2 size
         if (found == known.end()) {
             known.push_back({target.sampling(), level.id});
         } else {
-            same.push_back({choice.id, level.id, found->level});
+            const PixelSampling drawn = found->sampling;
+            same.push_back({choice.id, level.id, found->level,
+                            drawn.samples * drawn.fineness * drawn.fineness});
         }
     }
 }

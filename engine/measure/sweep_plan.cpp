@@ -77,6 +77,23 @@ std::optional<ChosenLevels> SweepPlan::next(const CostChart& chart) {
     return levels;
 }
 
+/// Times that are not sure tie with many, so that too little would gain.
+std::size_t SweepPlan::leftOver(CostChart chart) const {
+    for (CostPoint& point : chart.points) {
+        if (!point.cost.settled) {
+            const double ratio = point.cost.ratio.median;
+            point.cost.ratio = {ratio, ratio, ratio};
+            point.cost.runs = 0; // as if it were given
+        }
+    }
+    SweepPlan rest = *this;
+    std::size_t count = 0;
+    while (const std::optional<ChosenLevels> levels = rest.next(chart)) {
+        count += chart.find(*levels) == nullptr ? 1 : 0;
+    }
+    return count;
+}
+
 /// By choice, the levels that are faster than the exact one and that no other level of the choice
 /// beats: what gains nothing by itself gains nothing in company.
 SweepPlan::Candidates SweepPlan::gaining(const CostChart& chart) const {

@@ -22,6 +22,9 @@ class SweepPlan {
     /// The next point, given what was measured; nothing: all are.
     std::optional<ChosenLevels> next(const CostChart& chart);
 
+    /// How many points it would name that are not on the chart, if all times were sure.
+    std::size_t leftOver(CostChart chart) const;
+
     /// How many are known to be still to come.
     std::size_t waiting() const { return waiting_.size(); }
 

@@ -36,6 +36,12 @@ TEST(CostFront, Beaten_AreLeftOut) {
     EXPECT_EQ(costFront(someFront()), (std::vector<std::size_t>{3, 1, 0}));
 }
 
+TEST(CostFront, PointsThatTieWithOneOfIt_AreTold) {
+    const std::vector<CostPoint> points{point({}, 1.0, 0.0), point({{"a", "same"}}, 0.99, 0.0),
+                                        point({{"a", "worse"}}, 0.99, 0.5)};
+    EXPECT_EQ(tiesOfFront(points, costFront(points)), (std::vector<bool>{false, true, false}));
+}
+
 TEST(CostFront, OfTiesInBoth_TheExactOneIsOnIt) {
     EXPECT_EQ(costFront({point({{"a", "same"}}, 0.99, 0.0), point({}, 1.0, 0.0)}),
               std::vector<std::size_t>{1});
@@ -345,6 +351,27 @@ TEST(SweepPlan, ManyCombinations_AreGoneThroughGreedily) {
     const CostChart chart = followed(plan);
     EXPECT_EQ(chart.points.size(), 1u + 24u + 11u);
     EXPECT_EQ(chart.points.back().levels.size(), 12u);
+}
+
+TEST(SweepPlan, EndedBeforeCombinations_KnowsHowManyAreLeft) {
+    SweepPlan plan({choiceOf("a", 3), choiceOf("b", 3)}, true);
+    SweepPlan singles({choiceOf("a", 3), choiceOf("b", 3)}, false);
+    CostChart chart = followed(singles);
+    for (std::size_t i = 0; i < chart.points.size(); ++i) {
+        plan.next(chart);
+    }
+    EXPECT_EQ(plan.leftOver(chart), 4u);
+    CostChart unsure = chart;
+    for (CostPoint& each : unsure.points) {
+        each.cost.runs = 1; // for want of time
+    }
+    EXPECT_EQ(plan.leftOver(unsure), 4u);
+    chart.points.push_back(point(*plan.next(chart), 0.5, 0.1));
+    EXPECT_EQ(plan.leftOver(chart), 3u);
+    while (plan.next(chart)) {
+    }
+    EXPECT_EQ(plan.leftOver(chart), 0u);
+    EXPECT_EQ(singles.leftOver(chart), 0u);
 }
 
 /// A level that is slower than the exact one is in no combination.

@@ -259,7 +259,9 @@ TEST_F(CostSweepTest, LevelsThatTheDeviceDrawsAlike_ShareAPoint) {
     EXPECT_EQ(chart.points.size() + chart.same.size(), 4u);
     for (const SameLevel& each : chart.same) {
         EXPECT_NE(chart.find({{each.choice, each.level}}), nullptr);
-        EXPECT_NE(sameText(chart).find("drawn as"), std::string::npos);
+        EXPECT_GT(each.samples, 1);
+        EXPECT_NE(sameText(chart).find("drawn with " + std::to_string(each.samples)),
+                  std::string::npos);
     }
     EXPECT_NE(chart.find(options.present), nullptr);
     EXPECT_NE(chart.find({{"picture.samples", "1"}}), nullptr);

@@ -245,7 +245,7 @@ QString methodText(const CostChart& chart) {
 
 QString notesText(const CostChart& chart) {
     QStringList lines;
-    for (const std::string& more : {convergedText(chart), sameText(chart)}) {
+    for (const std::string& more : {leftOutText(chart), convergedText(chart), sameText(chart)}) {
         if (!more.empty()) {
             lines << QStringLiteral("%1%2.").arg(asText(more).left(1).toUpper(),
                                                  asText(more).mid(1));

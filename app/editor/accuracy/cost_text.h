@@ -57,7 +57,8 @@ QString staleText();
 /// How it was measured: pixels, timer, what errors are against.
 QString methodText(const CostChart& chart);
 
-/// What else is to be known of it: errors that are against something else, levels without a point.
+/// What else is to be known of it: what was left out, errors that are against something else,
+/// levels without a point.
 QString notesText(const CostChart& chart);
 
 } // namespace patina
