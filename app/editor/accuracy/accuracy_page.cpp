@@ -44,6 +44,7 @@ AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarg
                            std::shared_ptr<MeasureTurn> turn)
     : document_(context.document), library_(context.meshes), environments_(context.environments),
       messages_(context.messages), target_(std::move(target)), turn_(std::move(turn)),
+      store_(stateFolder() / "measurements"),
       start_(textButton(tr("Measure"), target_->measureText(), this)),
       cancel_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
       compare_(textButton(tr("Compare with exact"),
@@ -158,7 +159,7 @@ void AccuracyPage::follow() {
         return;
     }
     choices_ = target_->choices();
-    showChart(running_ ? &*running_ : charts_.find(target_->subject(), file()));
+    showChart(running_ ? &*running_ : keptFor(target_->subject()));
 }
 
 std::string AccuracyPage::file() const {
@@ -214,6 +215,7 @@ void AccuracyPage::take(const CostMeasurement::Outcome& outcome) {
     running_->problem = outcome.problem.toStdString();
     const KeptChart& kept = charts_.keep(std::move(*running_));
     running_.reset();
+    store(kept);
     showChart(&kept);
     follow();
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <QTimer>
 #include <QWidget>
 
+#include "accuracy/chart_store.h"
 #include "accuracy/chart_target.h"
 #include "accuracy/kept_chart.h"
 #include "check/cost_measurement.h"
@@ -27,7 +30,8 @@ struct ChartHeading;
 class MeasureTurn;
 
 /// What accuracy costs: every way to compute a material or to draw the picture, in time and error,
-/// measured on demand; one of them is taken by a click, or by a budget.
+/// measured on demand; one of them is taken by a click, or by a budget. Charts are kept
+/// in files: who starts Patina again finds that of the document.
 class AccuracyPage : public QWidget {
     Q_OBJECT
 
@@ -70,6 +74,12 @@ class AccuracyPage : public QWidget {
     void showState();
     void select(int point);
     void take(const CostMeasurement::Outcome& outcome);
+    const KeptChart* keptFor(const MeasuredSubject& subject);
+    const KeptChart* fromBefore(const MeasuredSubject& subject);
+    void read(const ChartKey& key);
+    void store(const KeptChart& chart);
+    ChartKey keyOf(const std::string& file, int object) const;
+    const std::string& device();
     QString stateText() const;
     QString staleStateText() const;
     QString measuredText() const;
@@ -88,6 +98,10 @@ class AccuracyPage : public QWidget {
     std::shared_ptr<MeasureTurn> turn_;
     CostMeasurement measurement_;
     KeptResults<KeptChart> charts_;
+    ChartStore store_;
+    std::set<ChartKey> stored_;               ///< what was read of the store or written to it
+    std::optional<std::string> device_;       ///< its name, once it was asked for
+    std::map<ChartKey, StoredChart> before_;  ///< what was read, while it is of another subject
     std::optional<KeptChart> running_; ///< what is being measured
     SweepStep step_;                   ///< of that
     const KeptChart* shown_ = nullptr;

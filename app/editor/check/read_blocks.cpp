@@ -93,6 +93,7 @@ ReadBlocks printed(const std::vector<const Block*>& blocks, const Catalog& catal
     for (const Block* block : blocks) {
         read.blocks.push_back(*block);
         read.texts.push_back(printOf(block->shaderFile));
+        read.texts.push_back(printOf(block->descriptorFile));
     }
     read.texts.push_back(printOfShared(catalog));
     return read;

@@ -13,7 +13,8 @@ namespace patina {
 /// Blocks as they were when they were read: equal however often that happens, until one changes.
 struct ReadBlocks {
     std::vector<Block> blocks;
-    std::vector<std::uint64_t> texts; ///< prints of their shaders, the last one of all they share
+    std::vector<std::uint64_t> texts; ///< prints of their shaders and descriptors, the last one of
+                                      ///< all they share
 
     friend bool operator==(const ReadBlocks&, const ReadBlocks&) = default;
 };

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "accuracy/kept_chart.h"
+
+namespace patina {
+
+/// Which document a chart is of, on which page.
+struct ChartKey {
+    std::string page;
+    std::string file; ///< empty: the document has none yet
+    int object = -1;
+
+    friend auto operator<=>(const ChartKey&, const ChartKey&) = default;
+};
+
+/// A chart that was written: its subject is known by its print alone.
+struct StoredChart {
+    KeptChart chart;
+    std::string print; ///< see printOf()
+};
+
+/// Charts in files of a folder, one for each key, so that who starts Patina again finds them.
+class ChartStore {
+  public:
+    explicit ChartStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// In place of what was written for that key. The oldest of very many files goes.
+    Result<void> write(const ChartKey& key, const StoredChart& stored) const;
+
+    /// Nothing where none was written. A file that is damaged is put aside, and the error names
+    /// where it is then.
+    Result<std::optional<StoredChart>> read(const ChartKey& key) const;
+
+    std::filesystem::path fileOf(const ChartKey& key) const;
+
+  private:
+    void removeOldest() const;
+
+    std::filesystem::path folder_;
+};
+
+/// Tells subjects apart over many starts of the program: a print of the scene, the blocks and the
+/// name of the device.
+std::string printOf(const MeasuredSubject& subject, const std::string& device);
+
+} // namespace patina
