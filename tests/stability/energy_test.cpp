@@ -34,6 +34,14 @@ Row rowOf(const std::string& name, const EvalCase& request) {
     return row;
 }
 
+/// But for what sums in double precision are rounded by.
+bool areEqual(const std::vector<double>& a, const std::vector<double>& b) {
+    constexpr double rounding = 1e-9;
+    return std::ranges::equal(a, b, [](double x, double y) {
+        return std::abs(x - y) <= rounding * std::max(1.0, std::abs(x));
+    });
+}
+
 /// The model's colours in turn at their largest, all others black; not those that are switched off.
 void addParts(std::vector<Row>& rows, const std::string& name, const EvalCase& variant) {
     const auto& parameters = variant.block.block->parameters;
@@ -51,7 +59,7 @@ void addParts(std::vector<Row>& rows, const std::string& name, const EvalCase& v
         const bool dark =
             std::all_of(row.albedos.begin(), row.albedos.end(), [](double x) { return x == 0.0; });
         const bool known = dark || std::any_of(rows.begin(), rows.end(), [&row](const Row& old) {
-                               return old.albedos == row.albedos;
+                               return areEqual(old.albedos, row.albedos);
                            });
         if (!known) {
             rows.push_back(row);
