@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -10,7 +11,7 @@
 
 #include "assets/texture_maker.h"
 #include "environment_fixture.h"
-#include "gl/framebuffer.h"
+#include "frame_target.h"
 #include "render/binding.h"
 #include "render/pipeline_store.h"
 #include "shading/effect_key.h"
@@ -26,26 +27,23 @@ class EnvironmentFrames : public EnvironmentTest {
     void SetUp() override {
         EnvironmentTest::SetUp();
         size_ = 64;
-        color_ = gl::Texture::create({size_, size_}, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
-        target_ = gl::Framebuffer::create();
-        target_.attachColor(color_);
+        target_.emplace(size_);
     }
 
     void TearDown() override {
-        target_ = gl::Framebuffer();
-        color_ = gl::Texture();
+        target_.reset();
         EnvironmentTest::TearDown();
     }
 
     bool begin(const Scene& scene, const View& view) {
-        return renderer->drawSmall(scene, view, squares(), target_.name());
+        return renderer->drawSmall(scene, view, squares(), target_->name());
     }
 
     void finish(bool isDone) {
         while (!isDone && !renderer->proceed(noPatience)) {
         }
         if (!isDone) {
-            renderer->show(target_.name());
+            renderer->show(target_->name());
         }
     }
 
@@ -72,8 +70,7 @@ class EnvironmentFrames : public EnvironmentTest {
         return scene;
     }
 
-    gl::Texture color_;
-    gl::Framebuffer target_;
+    std::optional<FrameTarget> target_;
 };
 
 TEST_F(EnvironmentFrames, InBands_AreThePictureDrawnAtOnce) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,8 +11,7 @@
 
 #include "bound_programs.h"
 #include "environment_fixture.h"
-#include "gl/framebuffer.h"
-#include "gl/texture.h"
+#include "frame_target.h"
 
 namespace patina {
 namespace {
@@ -96,19 +96,16 @@ class PreparedFrame : public EnvironmentTest {
     void SetUp() override {
         EnvironmentTest::SetUp();
         size_ = pixels;
-        color_ = gl::Texture::create({size_, size_}, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
-        target_ = gl::Framebuffer::create();
-        target_.attachColor(color_);
+        target_.emplace(size_);
     }
 
     void TearDown() override {
-        target_ = gl::Framebuffer();
-        color_ = gl::Texture();
+        target_.reset();
         EnvironmentTest::TearDown();
     }
 
     bool begin(const Scene& scene) {
-        return renderer->drawSmall(scene, viewWith(scene, 4), squares(), target_.name());
+        return renderer->drawSmall(scene, viewWith(scene, 4), squares(), target_->name());
     }
 
     /// What each step of a frame has made.
@@ -121,23 +118,18 @@ class PreparedFrame : public EnvironmentTest {
             isDone = renderer->proceed(noPatience);
             steps.push_back(PiecesHeard::taken());
         }
-        renderer->show(target_.name());
+        renderer->show(target_->name());
         return steps;
     }
 
-    unsigned target() const { return target_.name(); }
+    unsigned target() const { return target_->name(); }
 
     std::vector<std::uint8_t> drawnAtOnce(const Scene& scene) {
-        renderer->draw(scene, viewWith(scene, 4), squares(), target_.name());
+        renderer->draw(scene, viewWith(scene, 4), squares(), target_->name());
         return picture();
     }
 
-    std::vector<std::uint8_t> picture() const {
-        std::vector<std::uint8_t> bytes(std::size_t(4) * pixels * pixels);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.name());
-        glReadPixels(0, 0, pixels, pixels, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-        return bytes;
-    }
+    std::vector<std::uint8_t> picture() const { return target_->picture(); }
 
     Scene layered(const std::string& transparency) const {
         Scene scene = simpleScene("phong");
@@ -164,8 +156,7 @@ class PreparedFrame : public EnvironmentTest {
     }
 
   private:
-    gl::Texture color_;
-    gl::Framebuffer target_;
+    std::optional<FrameTarget> target_;
 };
 
 TEST_F(PreparedFrame, TheFirstOne_MakesOneThingAtAStep) {

@@ -2,8 +2,9 @@
 // Counts what the draw path asks of the heap on its own thread.
 #include <cstdlib>
 #include <new>
+#include <optional>
 
-#include "gl/framebuffer.h"
+#include "frame_target.h"
 #include "gpu_fixture.h"
 
 namespace {
@@ -47,10 +48,7 @@ class SteadyStateTest : public GpuTest {
     void SetUp() override {
         GpuTest::SetUp();
         makeRenderer();
-        color_ = gl::Texture::create({33, 33}, 0x8058 /* GL_RGBA8 */, 0x1908 /* GL_RGBA */,
-                                     0x1401 /* GL_UNSIGNED_BYTE */);
-        target_ = gl::Framebuffer::create();
-        target_.attachColor(color_);
+        target_.emplace(33);
         source_ = meshSource();
         scene_ = simpleScene("cook-torrance");
         scene_.objects.push_back(object("strauss", "torus"));
@@ -64,25 +62,23 @@ class SteadyStateTest : public GpuTest {
     }
 
     void TearDown() override {
-        color_ = gl::Texture();
-        target_ = gl::Framebuffer();
+        target_.reset();
         GpuTest::TearDown();
     }
 
-    void draw() { renderer->draw(scene_, viewOf(scene_), source_, target_.name()); }
+    void draw() { renderer->draw(scene_, viewOf(scene_), source_, target_->name()); }
 
     /// Allocations of the next frame after the working memory has been made.
     long ofTheNextFrame() {
         const View view = viewOf(scene_);
         const long before = allocations;
-        renderer->draw(scene_, view, source_, target_.name());
+        renderer->draw(scene_, view, source_, target_->name());
         return allocations - before;
     }
 
     Scene scene_;
     MeshSource source_;
-    gl::Texture color_;
-    gl::Framebuffer target_;
+    std::optional<FrameTarget> target_;
 };
 
 TEST_F(SteadyStateTest, FirstFrame_Allocates) {

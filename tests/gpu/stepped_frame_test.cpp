@@ -3,12 +3,12 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <epoxy/gl.h>
 
-#include "gl/framebuffer.h"
-#include "gl/texture.h"
+#include "frame_target.h"
 #include "gpu_fixture.h"
 #include "render/frame_bands.h"
 
@@ -50,14 +50,11 @@ class SteppedFrame : public GpuTest {
         GpuTest::SetUp();
         makeRenderer();
         meshes["grid"] = wavyGrid();
-        image_ = gl::Texture::create({pixels, pixels}, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
-        target_ = gl::Framebuffer::create();
-        target_.attachColor(image_);
+        target_.emplace(pixels);
     }
 
     void TearDown() override {
-        target_ = gl::Framebuffer();
-        image_ = gl::Texture();
+        target_.reset();
         GpuTest::TearDown();
     }
 
@@ -70,7 +67,7 @@ class SteppedFrame : public GpuTest {
     }
 
     bool beginFrame(const Scene& scene) {
-        return renderer->drawSmall(scene, viewOf(scene, pixels), meshSource(), target_.name());
+        return renderer->drawSmall(scene, viewOf(scene, pixels), meshSource(), target_->name());
     }
 
     /// A frame that takes as long as it likes, and what it is then said to have taken.
@@ -87,25 +84,19 @@ class SteppedFrame : public GpuTest {
         while (!renderer->proceed(noPatience)) {
             ++steps;
         }
-        renderer->show(target_.name());
+        renderer->show(target_->name());
         return steps;
     }
 
     std::vector<std::uint8_t> drawnAtOnce(const Scene& scene) {
-        renderer->draw(scene, viewOf(scene, pixels), meshSource(), target_.name());
+        renderer->draw(scene, viewOf(scene, pixels), meshSource(), target_->name());
         return picture();
     }
 
-    std::vector<std::uint8_t> picture() const {
-        std::vector<std::uint8_t> bytes(std::size_t(4) * pixels * pixels);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.name());
-        glReadPixels(0, 0, pixels, pixels, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-        return bytes;
-    }
+    std::vector<std::uint8_t> picture() const { return target_->picture(); }
 
   private:
-    gl::Texture image_;
-    gl::Framebuffer target_;
+    std::optional<FrameTarget> target_;
 };
 
 TEST_F(SteppedFrame, OfManyTriangles_TakesMoreThanOneStepForEachMegabyte) {
