@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace patina {
 namespace {
@@ -10,15 +11,16 @@ namespace {
 constexpr double confidence = 0.95;
 
 /// How many samples may be cut off at each end: the most k for which the chance that at most k of
-/// n fair coins show heads stays below half of what may be missed.
+/// n fair coins show heads stays below half of what may be missed. By logarithms: of very many coins
+/// the chance that none does is no number of its own.
 std::size_t cutOff(std::size_t count) {
-    double chance = std::exp2(-static_cast<double>(count));
-    double below = chance;
+    double logChance = -static_cast<double>(count) * std::numbers::ln2;
+    double below = std::exp(logChance);
     std::size_t cut = 0;
     while (below <= 0.5 * (1.0 - confidence)) {
         ++cut;
-        chance *= static_cast<double>(count - cut + 1) / static_cast<double>(cut);
-        below += chance;
+        logChance += std::log(static_cast<double>(count - cut + 1) / static_cast<double>(cut));
+        below += std::exp(logChance);
     }
     return cut == 0 ? 0 : cut - 1;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <utility>
 
 #include "gpu_fixture.h"
 #include "measure/median_interval.h"
@@ -20,20 +22,33 @@ TEST(MedianInterval, FewSamples_SpanAll) {
     EXPECT_EQ(medianInterval({3.0, 1.0, 2.0}), (MedianInterval{2.0, 1.0, 3.0}));
 }
 
-/// The ranks of the tables, for n = 6, 9, 15 and 20: 1 6, 2 8, 4 12, 6 15.
+/// The ranks of the least and the greatest sample that the interval of so many has.
+std::pair<double, double> ranksOf(int count) {
+    std::vector<double> samples;
+    for (int i = count; i > 0; --i) {
+        samples.push_back(i);
+    }
+    const MedianInterval interval = medianInterval(samples);
+    return {interval.lower, interval.upper};
+}
+
+/// Of the tables, for n = 6, 9, 15 and 20: 1 6, 2 8, 4 12, 6 15.
 TEST(MedianInterval, Ranks_AreThoseOfTheTables) {
-    const auto ranks = [](int count) {
-        std::vector<double> samples;
-        for (int i = count; i > 0; --i) {
-            samples.push_back(i);
-        }
-        const MedianInterval interval = medianInterval(samples);
-        return std::pair(interval.lower, interval.upper);
-    };
-    EXPECT_EQ(ranks(6), std::pair(1.0, 6.0));
-    EXPECT_EQ(ranks(9), std::pair(2.0, 8.0));
-    EXPECT_EQ(ranks(15), std::pair(4.0, 12.0));
-    EXPECT_EQ(ranks(20), std::pair(6.0, 15.0));
+    EXPECT_EQ(ranksOf(6), std::pair(1.0, 6.0));
+    EXPECT_EQ(ranksOf(9), std::pair(2.0, 8.0));
+    EXPECT_EQ(ranksOf(15), std::pair(4.0, 12.0));
+    EXPECT_EQ(ranksOf(20), std::pair(6.0, 15.0));
+}
+
+/// Of 1.96 standard deviations of n fair coins, sqrt(n) / 2, on each side of the middle. A chance of
+/// 2^-n, from n = 1075 on, is 0.
+TEST(MedianInterval, VeryManySamples_HaveTheRanksOfTheNormalDistribution) {
+    for (const int count : {1000, 1074, 1075, 1200, 100000}) {
+        const auto [lower, upper] = ranksOf(count);
+        const double reach = 0.98 * std::sqrt(count);
+        EXPECT_NEAR(lower, 0.5 * count - reach, 1.5) << count;
+        EXPECT_EQ(upper, count + 1 - lower) << count;
+    }
 }
 
 TEST(MedianInterval, EvenCount_TakesTheMiddleOfTwo) {
