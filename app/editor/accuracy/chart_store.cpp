@@ -90,12 +90,6 @@ fs::path asidePath(const fs::path& file) {
     return aside;
 }
 
-/// Whether a newer program wrote it, which can still read it.
-bool isOfNewer(const json& from) {
-    const json version = from.is_object() ? from.value("version", json()) : json();
-    return version.is_number_integer() && version > formatVersion;
-}
-
 Error putAside(const fs::path& file, const Error& why) {
     const fs::path aside = asidePath(file);
     std::error_code failed;
@@ -109,8 +103,9 @@ Error putAside(const fs::path& file, const Error& why) {
 
 } // namespace
 
+/// With the format's version: what a newer Patina wrote stays for that one.
 fs::path ChartStore::fileOf(const ChartKey& key) const {
-    const json name{key.page, key.file, key.object};
+    const json name{formatVersion, key.page, key.file, key.object};
     return folder_ / (hashed(writeJson(name)).substr(0, 32) + ending);
 }
 
@@ -134,9 +129,6 @@ Result<std::optional<StoredChart>> ChartStore::read(const ChartKey& key) const {
     const auto text = readJson(file);
     if (!text) {
         return tl::unexpected(putAside(file, text.error()));
-    }
-    if (isOfNewer(text->value)) {
-        return std::nullopt;
     }
     auto stored = chartFrom(key, text->value);
     if (!stored) {
