@@ -160,6 +160,52 @@ TEST_F(CostSweepTest, SlowLevels_EndAfterTheirShareOfTheTime) {
     EXPECT_FALSE(chart.points.back().cost.settled);
 }
 
+/// Without any time the singles have their one pair; that tells by far that both save most of it.
+TEST_F(CostSweepTest, OutOfTime_LeavesCombinationsOutAndCountsThem) {
+    tests::writeFile(folder_ / "models/burn-twice-test.json", R"({
+  "id": "burn-twice-test", "version": 1, "label": "Burn twice", "summary": "s",
+  "applications": "a", "source": "a test", "doc": "d", "parameters": [], "claims": [],
+  "accuracy": [
+    {"id": "first", "label": "First", "doc": "d", "values": [
+      {"id": "all", "label": "All", "doc": "d", "exact": true},
+      {"id": "none", "label": "None", "doc": "d"}]},
+    {"id": "second", "label": "Second", "doc": "d", "values": [
+      {"id": "all", "label": "All", "doc": "d", "exact": true},
+      {"id": "none", "label": "None", "doc": "d"}]}
+  ]
+})");
+    tests::writeFile(folder_ / "models/burn-twice-test.glsl", R"(// SPDX-License-Identifier: MIT-0
+#include "lib/directions.glsl"
+
+vec3 burnTwiceTest(Directions d, BurnTwiceTest p) {
+    bool first = p.first == BURN_TWICE_TEST_FIRST_ALL;
+    bool second = p.second == BURN_TWICE_TEST_SECOND_ALL;
+    float sum = 0.0;
+    for (int i = 0; i < (first ? 4800 : 0) + (second ? 4800 : 0); ++i) {
+        sum += sin(d.nl + float(i) * sum);
+    }
+    return vec3(0.5 + (first ? 0.0 : 0.01) + (second ? 0.0 : 0.02) + 1e-12 * sum);
+}
+)");
+    const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true},
+                           BlockRoot{folder_.path(), false}};
+    catalog = std::make_shared<const Catalog>(loadCatalog(roots));
+    ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
+    scene_.objects[0] = object("burn-twice-test");
+    CostSweep::Options options;
+    options.size = {48, 48};
+    options.seconds = 1e-3;
+    const CostChart chart = measured(options);
+    EXPECT_EQ(chart.points.size(), 3u);
+    EXPECT_EQ(chart.leftOut, 1u);
+    EXPECT_EQ(leftOutText(chart), "1 combination of choices was left out for want of time");
+    options.seconds = 60.0;
+    options.pairs.most = 7;
+    const CostChart whole = measured(options);
+    EXPECT_EQ(whole.points.size(), 4u);
+    EXPECT_EQ(whole.leftOut, 0u);
+}
+
 TEST_F(CostSweepTest, LevelsThatChangeNothing_AreFolded) {
     scene_ = simpleScene("lambert");
     scene_.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");

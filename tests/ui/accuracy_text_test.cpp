@@ -81,6 +81,13 @@ CostChart chartOfABound() {
     return chart;
 }
 
+TEST(CostText, Notes_TellWhatWasLeftOutOnlyWhereSomethingWas) {
+    CostChart chart = chartOfABound();
+    EXPECT_EQ(notesText(chart), "");
+    chart.leftOut = 27;
+    EXPECT_EQ(notesText(chart), "27 combinations of choices were left out for want of time.");
+}
+
 TEST(CostList, TimesThatAreBounds_HaveTheirSignInEveryColumnOfTimes) {
     CostList list;
     list.setChart(chartOfABound(), {}, false);
