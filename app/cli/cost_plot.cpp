@@ -96,12 +96,12 @@ void addGrid(Shapes& shapes, const Axes& axes) {
 }
 
 /// What rings mean, where there are any.
-void addLegend(Shapes& shapes, const std::vector<bool>& ties, glm::ivec2 size) {
-    if (std::ranges::find(ties, true) != ties.end()) {
+void addLegend(Shapes& shapes, const std::vector<Standing>& standing, glm::ivec2 size) {
+    if (std::ranges::find(standing, Standing::Tie) != standing.end()) {
         const double left = size.x - 400.0;
         shapes.push_back({PlotShape::Kind::Ring, {left, 18.0}, {}, onFront, {}});
         shapes.push_back({PlotShape::Kind::Text, {left + 16.0, 10.0}, {}, ink,
-                          "cannot be told from a point on the line"});
+                          "may be on the line, too: within the noise"});
     }
 }
 
@@ -124,9 +124,6 @@ void addArrow(Shapes& shapes, const glm::dvec2& from, double side, const glm::dv
         shapes.push_back({PlotShape::Kind::Line, tip, barb, color, {}});
     }
 }
-
-/// What a point is beside the front.
-enum class Standing { OnFront, Tie, Beaten };
 
 void addPoint(Shapes& shapes, const CostPoint& point, RatioBound bound, const Axes& axes,
               Standing standing) {
@@ -238,16 +235,13 @@ void draw(Image& image, const PlotShape& shape) {
 std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size) {
     const Axes axes = axesOf(chart, size);
     const std::vector<std::size_t> front = costFront(chart.points);
-    const std::vector<bool> ties = tiesOfFront(chart.points, front);
+    const std::vector<Standing> standing = standings(chart.points);
     Shapes shapes;
     addGrid(shapes, axes);
-    addLegend(shapes, ties, size);
+    addLegend(shapes, standing, size);
     addFront(shapes, chart, axes, front);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
-        addPoint(shapes, chart.points[i], chart.boundOf(chart.points[i]), axes,
-                 std::ranges::find(front, i) != front.end() ? Standing::OnFront
-                 : ties[i]                                  ? Standing::Tie
-                                                            : Standing::Beaten);
+        addPoint(shapes, chart.points[i], chart.boundOf(chart.points[i]), axes, standing[i]);
     }
     addLabels(shapes, chart, axes, front, size);
     return shapes;

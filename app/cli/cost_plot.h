@@ -27,8 +27,8 @@ struct PlotShape {
 };
 
 /// The chart as a drawing: the time to the right, the error upwards, both on logarithmic scales;
-/// bars show how sure the times are, a line the front, and rings what ties with one of its
-/// points.
+/// bars show how sure the times are, a line the front, and rings what may be on it but for the
+/// noise.
 std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size);
 
 /// The drawing as an SVG file, and as a picture with sRGB values.

@@ -22,6 +22,13 @@ double timeOf(const CostPoint& point) {
     return point.cost.ratio.median;
 }
 
+/// Of the ratio to the exact frame. The noise of pairs of that and itself is none of it: others'
+/// ratios have their own.
+MedianInterval intervalOf(const CostPoint& point) {
+    const double time = timeOf(point);
+    return point.isExact() ? MedianInterval{time, time, time} : point.cost.ratio;
+}
+
 /// What is drawn as a level is.
 struct SameNames {
     std::string names; ///< of the other levels
@@ -66,6 +73,14 @@ bool comesBefore(const CostPoint& a, const CostPoint& b) {
         return knownError(a) < knownError(b);
     }
     return a.isExact() != b.isExact() ? a.isExact() : timeOf(a) < timeOf(b);
+}
+
+/// Whether it is faster than all of the front that err no more, if by no more than the noise.
+bool isNearlyFaster(const CostPoint& point, const std::vector<CostPoint>& points,
+                    const std::vector<std::size_t>& front) {
+    return std::ranges::all_of(front, [&](std::size_t before) {
+        return !comesBefore(points[before], point) || timeOf(point) < timeOf(points[before]);
+    });
 }
 
 bool fits(const CostBudget& budget, const CostPoint& point) {
@@ -191,8 +206,8 @@ bool tiesInTime(const CostPoint& a, const CostPoint& b) {
     if (!a.cost.isSure() || !b.cost.isSure()) {
         return true;
     }
-    const MedianInterval& x = a.cost.ratio;
-    const MedianInterval& y = b.cost.ratio;
+    const MedianInterval x = intervalOf(a);
+    const MedianInterval y = intervalOf(b);
     const bool meet = x.lower <= y.upper && y.lower <= x.upper;
     return meet || std::abs(x.median - y.median) <= timeNoise * std::max(x.median, y.median);
 }
@@ -209,17 +224,6 @@ std::vector<std::size_t> tiesOf(const std::vector<CostPoint>& points, const Cost
         if (points[i].levels != point.levels && tiesInTime(points[i], point) &&
             tiesInError(points[i], point)) {
             ties.push_back(i);
-        }
-    }
-    return ties;
-}
-
-std::vector<bool> tiesOfFront(const std::vector<CostPoint>& points,
-                              const std::vector<std::size_t>& front) {
-    std::vector<bool> ties(points.size());
-    for (const std::size_t i : front) {
-        for (const std::size_t other : tiesOf(points, points[i])) {
-            ties[other] = std::ranges::find(front, other) == front.end();
         }
     }
     return ties;
@@ -246,6 +250,25 @@ std::vector<std::size_t> costFront(const std::vector<CostPoint>& points) {
     }
     std::ranges::reverse(front);
     return front;
+}
+
+std::vector<Standing> standings(const std::vector<CostPoint>& points) {
+    const std::vector<std::size_t> front = costFront(points);
+    std::vector<Standing> standings(points.size(), Standing::Beaten);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (isNearlyFaster(points[i], points, front)) {
+            standings[i] = Standing::Tie;
+        }
+    }
+    for (const std::size_t i : front) {
+        for (const std::size_t other : tiesOf(points, points[i])) {
+            standings[other] = Standing::Tie;
+        }
+    }
+    for (const std::size_t i : front) {
+        standings[i] = Standing::OnFront;
+    }
+    return standings;
 }
 
 std::optional<BudgetAnswer> bestFor(const CostBudget& budget,

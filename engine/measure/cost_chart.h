@@ -96,15 +96,22 @@ bool tiesInError(const CostPoint& a, const CostPoint& b);
 /// The other points that tie with this one in both.
 std::vector<std::size_t> tiesOf(const std::vector<CostPoint>& points, const CostPoint& point);
 
-/// By point: whether it is not on the front and ties with one that is.
-std::vector<bool> tiesOfFront(const std::vector<CostPoint>& points,
-                              const std::vector<std::size_t>& front);
-
 /// The points that are worth choosing, the fastest first: from the most accurate one on, each that
 /// is faster than those before it by more than the noise. So each of the others has one on the
 /// front that errs no more and is as fast as far as can be told, whatever else was measured; of
 /// points that nobody can tell apart one is on it: the exact one where it is among them.
 std::vector<std::size_t> costFront(const std::vector<CostPoint>& points);
+
+/// What a point is beside the front.
+enum class Standing {
+    OnFront,
+    Tie, ///< only the noise keeps it from the front: it ties with one that is on it, or is faster
+         ///< than all of those that err no more, but not by more than the noise
+    Beaten
+};
+
+/// By point.
+std::vector<Standing> standings(const std::vector<CostPoint>& points);
 
 /// What may be spent: milliseconds of a frame, or an error as errorOf() has it.
 struct CostBudget {

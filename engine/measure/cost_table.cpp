@@ -10,8 +10,8 @@ namespace {
 
 constexpr int ratioDigits = 3;
 
-bool isOnFront(const std::vector<std::size_t>& front, std::size_t point) {
-    return std::ranges::find(front, point) != front.end();
+char signOf(Standing standing) {
+    return standing == Standing::OnFront ? '*' : standing == Standing::Tie ? '=' : ' ';
 }
 
 std::size_t widest(const CostChart& chart) {
@@ -74,7 +74,7 @@ nlohmann::json errorJson(const FrameError& error) {
             {"flip", error.flip}, {"pixels", error.pixels}};
 }
 
-nlohmann::json pointJson(const CostPoint& point, const CostChart& chart, bool onFront) {
+nlohmann::json pointJson(const CostPoint& point, const CostChart& chart, Standing standing) {
     nlohmann::json levels = nlohmann::json::object();
     for (const auto& [choice, level] : point.levels) {
         levels[choice] = level;
@@ -88,7 +88,8 @@ nlohmann::json pointJson(const CostPoint& point, const CostChart& chart, bool on
             {"runs", point.cost.runs},
             {"settled", point.cost.settled},
             {"belowNoise", point.cost.belowNoise},
-            {"front", onFront},
+            {"front", standing == Standing::OnFront},
+            {"tie", standing == Standing::Tie},
             {"ties", tiesOf(chart.points, point)},
             {"againstConverged", chart.isAgainstConverged(point)}};
 }
@@ -129,19 +130,17 @@ nlohmann::json sameJson(const std::vector<SameLevel>& same) {
 } // namespace
 
 std::string costText(const CostChart& chart) {
-    const std::vector<std::size_t> front = costFront(chart.points);
-    const std::vector<bool> ties = tiesOfFront(chart.points, front);
+    const std::vector<Standing> standing = standings(chart.points);
     const std::size_t columns = widest(chart);
     std::string text = headText(columns);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
-        text += fmt::format("{} {:<{}}  {}\n",
-                            isOnFront(front, i) ? '*' : ties[i] ? '=' : ' ',
-                            levelsText(point.levels), columns, pointText(point, chart));
+        text += fmt::format("{} {:<{}}  {}\n", signOf(standing[i]), levelsText(point.levels),
+                            columns, pointText(point, chart));
     }
     text += tiesText(chart) + lineOf(sameText(chart)) + lineOf(leftOutText(chart));
     return text + fmt::format("* worth choosing: nothing measured errs no more and is as fast, "
-                              "as far as can be told; = cannot be told from one of these; {}\n"
+                              "as far as can be told; = may be, too: the difference is within the noise; {}\n"
                               "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
                               "errors against {}\n{}",
                               signsText("the exact way"), chart.size.x, chart.size.y,
@@ -155,8 +154,7 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
                     "instructions,runs,p99,max,mean,rms,step_share,shown,flip,front,"
                     "settled,below_noise,tie\n"
                   : "";
-    const std::vector<std::size_t> front = costFront(chart.points);
-    const std::vector<bool> ties = tiesOfFront(chart.points, front);
+    const std::vector<Standing> standing = standings(chart.points);
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         const CostPoint& point = chart.points[i];
         const ChoiceCost& cost = point.cost;
@@ -167,21 +165,21 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
                             cost.nanosecondsPerPixel,
                             instructionsText(point.instructions), cost.runs, error.p99, error.max,
                             error.mean, error.rms, error.stepShare, error.shown, error.flip,
-                            isOnFront(front, i) ? 1 : 0, cost.settled ? 1 : 0,
-                            cost.belowNoise ? 1 : 0, ties[i] ? 1 : 0);
+                            standing[i] == Standing::OnFront ? 1 : 0, cost.settled ? 1 : 0,
+                            cost.belowNoise ? 1 : 0, standing[i] == Standing::Tie ? 1 : 0);
     }
     return text;
 }
 
 nlohmann::json costJson(const CostChart& chart) {
-    const std::vector<std::size_t> front = costFront(chart.points);
+    const std::vector<Standing> standing = standings(chart.points);
     nlohmann::json choices = nlohmann::json::array();
     for (const Choice& choice : chart.choices) {
         choices.push_back(choiceJson(choice));
     }
     nlohmann::json points = nlohmann::json::array();
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
-        points.push_back(pointJson(chart.points[i], chart, isOnFront(front, i)));
+        points.push_back(pointJson(chart.points[i], chart, standing[i]));
     }
     return {{"choices", choices},
             {"points", points},

@@ -224,8 +224,7 @@ bool frontTwice() {
         const tests::FrontShare share = tests::frontShare(first, second);
         report(fmt::format("Front twice, {}", shipped.name),
                fmt::format("{} of {} points", share.same, share.points), true, "");
-        whole.same += share.same;
-        whole.points += share.points;
+        whole += share;
     }
     const bool kept = whole.share() >= leastShare;
     report("Front twice, all presets",

@@ -38,8 +38,26 @@ TEST(CostFront, Beaten_AreLeftOut) {
 
 TEST(CostFront, PointsThatTieWithOneOfIt_AreTold) {
     const std::vector<CostPoint> points{point({}, 1.0, 0.0), point({{"a", "same"}}, 0.99, 0.0),
-                                        point({{"a", "worse"}}, 0.99, 0.5)};
-    EXPECT_EQ(tiesOfFront(points, costFront(points)), (std::vector<bool>{false, true, false}));
+                                        point({{"a", "worse"}}, 1.01, 0.5)};
+    EXPECT_EQ(standings(points),
+              (std::vector<Standing>{Standing::OnFront, Standing::Tie, Standing::Beaten}));
+}
+
+TEST(CostFront, FasterByNoMoreThanTheNoise_IsATie) {
+    const std::vector<CostPoint> points{point({}, 1.0, 0.0), point({{"a", "fast"}}, 0.5, 0.01),
+                                        point({{"a", "faster"}}, 0.495, 0.1),
+                                        point({{"a", "slower"}}, 0.505, 0.1),
+                                        point({{"a", "between"}}, 0.9, 0.1)};
+    EXPECT_EQ(standings(points),
+              (std::vector<Standing>{Standing::OnFront, Standing::OnFront, Standing::Tie,
+                                     Standing::Beaten, Standing::Beaten}));
+}
+
+/// Pairs of the exact frame and itself have their noise, too, but no other point's ratio has it.
+TEST(CostFront, NoiseOfTheExactFrame_CountsOnce) {
+    std::vector<CostPoint> points{point({}, 1.0, 0.0), point({{"a", "fast"}}, 0.95, 0.1)};
+    points[0].cost.ratio = {1.0, 0.95, 1.05};
+    EXPECT_EQ(costFront(points), (std::vector<std::size_t>{1, 0}));
 }
 
 TEST(CostFront, OfTiesInBoth_TheExactOneIsOnIt) {
@@ -166,44 +184,6 @@ TEST(BestFor, NoPoints_HaveNoAnswer) {
     EXPECT_FALSE(bestFor({1.0, {}}, {}));
 }
 
-TEST(CostPairs, EqualTimes_SettleAtOnce) {
-    CostPairs pairs({}, {});
-    for (int i = 0; i < 7; ++i) {
-        EXPECT_FALSE(pairs.finished());
-        pairs.add(2.0, 1.0);
-    }
-    EXPECT_TRUE(pairs.finished());
-    EXPECT_TRUE(pairs.cost().settled);
-    EXPECT_DOUBLE_EQ(pairs.cost().ratio.median, 0.5);
-}
-
-TEST(CostPairs, EmptyFrame_CountsForNothing) {
-    CostPairs pairs({}, {1.0, 1.0, 1.0});
-    pairs.add(3.0, 2.0);
-    EXPECT_DOUBLE_EQ(pairs.cost().ratio.median, 0.5);
-}
-
-TEST(CostPairs, TimesThatAreNoLongerThanAnEmptyFrames_AreBoundsAndSayIt) {
-    CostPairs pairs({}, {1.0, 0.99, 1.03});
-    for (int i = 0; i < 7; ++i) {
-        pairs.add(5.0, i % 2 == 0 ? 0.98 : 1.01);
-    }
-    EXPECT_TRUE(pairs.cost().belowNoise);
-    EXPECT_DOUBLE_EQ(pairs.cost().ratio.median, (1.03 - 0.99) / 4.0);
-    CostPairs others({}, {1.0, 0.99, 1.03});
-    others.add(5.0, 1.2);
-    EXPECT_FALSE(others.cost().belowNoise);
-}
-
-TEST(CostPairs, ExactTimesBelowTheNoise_AreNeverSettled) {
-    CostPairs pairs({}, {1.0, 0.99, 1.03});
-    for (int i = 0; i < 7; ++i) {
-        pairs.add(1.01, 1.01);
-    }
-    EXPECT_DOUBLE_EQ(pairs.cost().ratio.upper - pairs.cost().ratio.lower, 0.0);
-    EXPECT_FALSE(pairs.cost().settled);
-}
-
 TEST(EmptyFrames, OneThatTookLong_IsNoNoise) {
     std::vector<double> times(emptyFrames, 1.0);
     times.front() = 100.0;
@@ -284,23 +264,6 @@ TEST(RankingText, TooFewPairs_AreMarked) {
     std::vector<ModelCost> costs{modelCost("a", 1.0, false)};
     costs[0].cost.runs = 2;
     EXPECT_NE(rankingText(costs).find(")! "), std::string::npos) << rankingText(costs);
-}
-
-TEST(CostPairs, Times_FollowFromTheRatio) {
-    ChoiceCost cost;
-    cost.ratio = {0.5, 0.25, 1.0};
-    const ChoiceCost timed = withTimes(cost, {3.0, {1.0, 1.0, 1.0}, 1000});
-    EXPECT_EQ(timed.milliseconds, (MedianInterval{2.0, 1.5, 3.0}));
-    EXPECT_DOUBLE_EQ(timed.nanosecondsPerPixel, 1000.0);
-}
-
-TEST(CostPairs, RestlessTimes_EndUnsettled) {
-    CostPairs pairs({0.03, 7, 20}, {});
-    for (int i = 0; i < 20; ++i) {
-        pairs.add(1.0, i % 2 == 0 ? 0.5 : 2.0);
-    }
-    EXPECT_TRUE(pairs.finished());
-    EXPECT_FALSE(pairs.cost().settled);
 }
 
 Choice choiceOf(const std::string& id, int levels) {

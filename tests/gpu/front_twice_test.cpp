@@ -81,9 +81,7 @@ TEST(FrontTwice, BusyMachine_HasNineteenOfTwentyPointsAgain) {
         const std::vector<KnownWay> ways = someWays(random);
         const CostChart first = measured(ways, machine);
         const CostChart second = measured(ways, machine);
-        const tests::FrontShare share = tests::frontShare(first, second);
-        whole.same += share.same;
-        whole.points += share.points;
+        whole += tests::frontShare(first, second);
     }
     EXPECT_GT(whole.points, std::size_t(3 * charts));
     EXPECT_GE(whole.share(), leastShare);

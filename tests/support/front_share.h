@@ -7,26 +7,30 @@
 
 namespace patina::tests {
 
-/// How many points of a chart's front are on that of another chart of the same, or are shown there
-/// as ties of one that is.
+/// How many points of a chart's front are on that of another chart of the same, or are shown
+/// there as ties of it.
 struct FrontShare {
     std::size_t same = 0;
     std::size_t points = 0;
+
+    FrontShare& operator+=(const FrontShare& other) {
+        same += other.same;
+        points += other.points;
+        return *this;
+    }
 
     double share() const { return points == 0 ? 1.0 : double(same) / double(points); }
 };
 
 inline FrontShare frontShare(const CostChart& chart, const CostChart& other) {
-    const std::vector<std::size_t> front = costFront(other.points);
+    const std::vector<Standing> standing = standings(other.points);
     FrontShare share;
     for (const std::size_t i : costFront(chart.points)) {
-        const CostPoint* again = other.find(chart.points[i].levels);
+        const auto again =
+            std::ranges::find(other.points, chart.points[i].levels, &CostPoint::levels);
         ++share.points;
-        share.same += again != nullptr && std::ranges::any_of(front, [&](std::size_t k) {
-            const CostPoint& each = other.points[k];
-            return each.levels == again->levels ||
-                   (tiesInTime(each, *again) && tiesInError(each, *again));
-        });
+        share.same += again != other.points.end() &&
+                      standing[std::size_t(again - other.points.begin())] != Standing::Beaten;
     }
     return share;
 }

@@ -26,16 +26,17 @@ struct MarkColors {
     QColor ring;
 };
 
-/// As in the chart: a disc on the front, a circle elsewhere, and one round the current point.
-QPixmap markOf(bool onFront, bool isCurrent, const MarkColors& colors) {
+/// As in the chart: a disc on the front, a circle elsewhere, in the front's colour for a tie, and
+/// one round the current point.
+QPixmap markOf(Standing standing, bool isCurrent, const MarkColors& colors) {
     QPixmap pixmap(2 * markSize, 2 * markSize);
     pixmap.setDevicePixelRatio(2.0);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     const QPointF middle(0.5 * markSize, 0.5 * markSize);
-    painter.setPen(QPen(onFront ? colors.front : colors.other, 1.2));
-    painter.setBrush(onFront ? QBrush(colors.front) : QBrush(Qt::NoBrush));
+    painter.setPen(QPen(standing == Standing::Beaten ? colors.other : colors.front, 1.2));
+    painter.setBrush(standing == Standing::OnFront ? QBrush(colors.front) : QBrush(Qt::NoBrush));
     painter.drawEllipse(middle, 2.6, 2.6);
     if (isCurrent) {
         painter.setPen(QPen(colors.ring, 1.2));
@@ -47,14 +48,14 @@ QPixmap markOf(bool onFront, bool isCurrent, const MarkColors& colors) {
 
 /// Old points are no front to choose from: their discs are as faint as their numbers. On a selected
 /// row the highlight is the ground.
-QIcon iconOf(bool onFront, bool isCurrent, bool stale, const QPalette& palette) {
+QIcon iconOf(Standing standing, bool isCurrent, bool stale, const QPalette& palette) {
     const QColor faint = palette.color(QPalette::PlaceholderText);
     const QColor selected = palette.color(QPalette::HighlightedText);
     QIcon icon;
-    icon.addPixmap(markOf(onFront, isCurrent,
+    icon.addPixmap(markOf(standing, isCurrent,
                           {stale ? faint : palette.color(QPalette::Highlight), faint,
                            palette.color(QPalette::Text)}));
-    icon.addPixmap(markOf(onFront, isCurrent, {selected, selected, selected}), QIcon::Selected);
+    icon.addPixmap(markOf(standing, isCurrent, {selected, selected, selected}), QIcon::Selected);
     return icon;
 }
 
@@ -94,8 +95,9 @@ void nameColumns(QTreeWidget& list) {
                           CostList::tr("8 bit"), CostList::tr("FLIP"),
                           CostList::tr("Instructions")});
     QTreeWidgetItem& head = *list.headerItem();
-    head.setToolTip(Way, CostList::tr("A disc: nothing as accurate is as fast. A ring: what is "
-                                      "chosen now"));
+    head.setToolTip(Way, CostList::tr("A disc: nothing as accurate is as fast. A coloured "
+                                      "circle: it may be so, the difference is within the "
+                                      "noise. A ring: what is chosen now"));
     head.setToolTip(Time, CostList::tr("Nanoseconds for each pixel that counts; <: no more than "
                                        "that, nobody can tell it from none"));
     head.setToolTip(Ratio, CostList::tr("Time beside that of the exact way; ≈: nobody can tell it "
@@ -137,7 +139,7 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
     const QSignalBlocker blocker(this);
     const int kept = selected();
     const int scrolled = verticalScrollBar()->value();
-    const std::vector<std::size_t> front = costFront(chart.points);
+    const std::vector<Standing> standing = standings(chart.points);
     const CostPoint* now = chart.find(current);
     setSortingEnabled(false);
     clear();
@@ -149,8 +151,7 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
         if (stale) {
             row->setToolTip(Way, staleText() + '\n' + row->toolTip(Way));
         }
-        row->setIcon(Way, iconOf(std::ranges::find(front, i) != front.end(), &point == now, stale,
-                                 palette()));
+        row->setIcon(Way, iconOf(standing[i], &point == now, stale, palette()));
         for (int column = 0; stale && column < Columns; ++column) {
             row->setForeground(column, palette().placeholderText());
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/cost_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QCoreApplication>
@@ -175,6 +176,12 @@ double countOf(const std::optional<InstructionCount>& count) {
     return count ? double(count->total()) : -1.0;
 }
 
+bool isTie(const CostPoint& point, const CostChart& chart) {
+    const auto found = std::ranges::find(chart.points, point.levels, &CostPoint::levels);
+    return found != chart.points.end() &&
+           standings(chart.points)[std::size_t(found - chart.points.begin())] == Standing::Tie;
+}
+
 QString tieText(const CostPoint& point, const CostChart& chart) {
     constexpr int most = 4;
     QStringList names;
@@ -187,7 +194,8 @@ QString tieText(const CostPoint& point, const CostChart& chart) {
         }
     }
     if (names.isEmpty()) {
-        return {};
+        return isTie(point, chart) ? tr("Faster than what is as accurate, within the noise")
+                                   : QString();
     }
     const QString text = tr("Cannot be told from: %1").arg(names.join(QStringLiteral("; ")));
     return more > 0 ? tr("%1 and %2 more").arg(text).arg(more) : text;

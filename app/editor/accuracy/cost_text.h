@@ -39,7 +39,8 @@ QString countText(const std::optional<InstructionCount>& count);
 QString kindsText(const std::optional<InstructionCount>& count);
 double countOf(const std::optional<InstructionCount>& count);
 
-/// Which other points cannot be told from this one, neither in time nor in error; empty: all can.
+/// Which other points cannot be told from this one, neither in time nor in error; or that only the
+/// noise keeps it from the front; else empty.
 QString tieText(const CostPoint& point, const CostChart& chart);
 
 /// What the errors are against of points that are compared with the chart's converged render.

@@ -36,6 +36,10 @@ QCPGraph* makeGraph(QCustomPlot& plot, QCPGraph::LineStyle line) {
     return graph;
 }
 
+PlotMarks::Dots makeDots(QCustomPlot& plot) {
+    return {makeGraph(plot, QCPGraph::lsNone), makeGraph(plot, QCPGraph::lsNone)};
+}
+
 double shownTime(const CostPoint& point) {
     return std::max(point.cost.nanosecondsPerPixel, leastTime);
 }
@@ -81,10 +85,8 @@ QPointF shownAt(const CostPoint& point, const CostChart& chart) {
 PlotMarks::PlotMarks(QCustomPlot& plot)
     : plot_(plot), all_(makeGraph(plot, QCPGraph::lsNone)),
       intervals_(new QCPErrorBars(plot.xAxis, plot.yAxis)),
-      line_(makeGraph(plot, QCPGraph::lsLine)), others_(makeGraph(plot, QCPGraph::lsNone)),
-      otherBounds_(makeGraph(plot, QCPGraph::lsNone)),
-      front_(makeGraph(plot, QCPGraph::lsNone)),
-      frontBounds_(makeGraph(plot, QCPGraph::lsNone)), current_(makeGraph(plot, QCPGraph::lsNone)),
+      line_(makeGraph(plot, QCPGraph::lsLine)), beaten_(makeDots(plot)), ties_(makeDots(plot)),
+      front_(makeDots(plot)), current_(makeGraph(plot, QCPGraph::lsNone)),
       selected_(makeGraph(plot, QCPGraph::lsNone)),
       errors_(new AxisTicks(*plot.yAxis, shareText)) {
     intervals_->setErrorType(QCPErrorBars::etKeyError);
@@ -103,6 +105,12 @@ PlotMarks::PlotMarks(QCustomPlot& plot)
     plot.yAxis->setLabel(QCoreApplication::translate("PlotMarks", "error"));
 }
 
+void PlotMarks::Dots::colour(const QColor& edge, const QColor& inside) const {
+    const QPen pen(edge, 1.3);
+    known->setScatterStyle({QCPScatterStyle::ssCircle, pen, QBrush(inside), pointSize});
+    bounds->setScatterStyle({arrowToLess(), pen, QBrush(inside), pointSize});
+}
+
 void PlotMarks::draw(const Content& content, const QPalette& palette) {
     scaleAxes(content.chart);
     drawPoints(content);
@@ -111,20 +119,19 @@ void PlotMarks::draw(const Content& content, const QPalette& palette) {
 }
 
 void PlotMarks::drawPoints(const Content& content) {
-    for (QCPGraph* graph : {all_, line_, others_, otherBounds_, front_, frontBounds_, current_,
-                            selected_}) {
+    for (QCPGraph* graph : {all_, line_, beaten_.known, beaten_.bounds, ties_.known, ties_.bounds,
+                            front_.known, front_.bounds, current_, selected_}) {
         graph->data()->clear();
     }
     const std::vector<CostPoint>& points = content.chart.points;
-    const std::vector<std::size_t> front = costFront(points);
-    drawLine(content.chart, front);
+    const std::vector<Standing> standing = standings(points);
+    drawLine(content.chart, costFront(points));
     for (std::size_t i = 0; i < points.size(); ++i) {
         const QPointF place = shownAt(points[i], content.chart);
-        const bool isOnFront = std::ranges::find(front, i) != front.end();
-        const bool isBound = points[i].cost.belowNoise;
-        QCPGraph* graph = isOnFront ? (isBound ? frontBounds_ : front_)
-                                    : (isBound ? otherBounds_ : others_);
-        graph->addData(place.x(), place.y());
+        const Dots& dots = standing[i] == Standing::OnFront ? front_
+                           : standing[i] == Standing::Tie   ? ties_
+                                                            : beaten_;
+        (points[i].cost.belowNoise ? dots.bounds : dots.known)->addData(place.x(), place.y());
         if (static_cast<int>(i) == content.current) {
             current_->addData(place.x(), place.y());
         }
@@ -193,12 +200,9 @@ void PlotMarks::colour(const QPalette& palette, bool stale) {
     colourPlot(plot_, palette, stale);
     intervals_->setPen(QPen(mixed(base, text, 0.45), 1.0));
     line_->setPen(QPen(mixed(base, accent, 0.7), 1.5));
-    others_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(faint, 1.3), QBrush(base),
-                              pointSize});
-    otherBounds_->setScatterStyle({arrowToLess(), QPen(faint, 1.3), QBrush(base), pointSize});
-    front_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(accent, 1.3), QBrush(accent),
-                             pointSize});
-    frontBounds_->setScatterStyle({arrowToLess(), QPen(accent, 1.3), QBrush(accent), pointSize});
+    beaten_.colour(faint, base);
+    ties_.colour(accent, base);
+    front_.colour(accent, accent);
     current_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(text, 1.5), QBrush(Qt::NoBrush),
                                ringSize});
     selected_->setScatterStyle({QCPScatterStyle::ssSquare, QPen(accent, 1.5),

@@ -32,6 +32,14 @@ class PlotMarks {
     };
     void draw(const Content& content, const QPalette& palette);
 
+    /// Points of one standing.
+    struct Dots {
+        QCPGraph* known;  ///< discs
+        QCPGraph* bounds; ///< arrows, where times are bounds
+
+        void colour(const QColor& edge, const QColor& inside) const;
+    };
+
     /// Where a point is drawn, in the plot.
     QPointF placeOf(const CostPoint& point, const CostChart& chart) const;
 
@@ -46,10 +54,9 @@ class PlotMarks {
     QCPGraph* all_;      ///< carries the intervals, draws nothing itself
     QCPErrorBars* intervals_;
     QCPGraph* line_;     ///< of the front
-    QCPGraph* others_;
-    QCPGraph* otherBounds_; ///< of those, times that are bounds
-    QCPGraph* front_;
-    QCPGraph* frontBounds_;
+    Dots beaten_;
+    Dots ties_;
+    Dots front_;
     QCPGraph* current_;
     QCPGraph* selected_;
     QSharedPointer<AxisTicks> errors_;
