@@ -140,7 +140,8 @@ std::string costText(const CostChart& chart) {
     }
     text += tiesText(chart) + lineOf(sameText(chart)) + lineOf(leftOutText(chart));
     return text + fmt::format("* worth choosing: nothing measured errs no more and is as fast, "
-                              "as far as can be told; = may be, too: the difference is within the noise; {}\n"
+                              "as far as can be told; = may be, too: the difference is within the "
+                              "noise; {}\n"
                               "{} x {} pixels, {} of them shaded; {}; {:.3f} ms without them\n"
                               "errors against {}\n{}",
                               signsText("the exact way"), chart.size.x, chart.size.y,

@@ -40,8 +40,8 @@ TEST(MedianInterval, Ranks_AreThoseOfTheTables) {
     EXPECT_EQ(ranksOf(20), std::pair(6.0, 15.0));
 }
 
-/// Of 1.96 standard deviations of n fair coins, sqrt(n) / 2, on each side of the middle. A chance of
-/// 2^-n, from n = 1075 on, is 0.
+/// Of 1.96 standard deviations of n fair coins, sqrt(n) / 2, on each side of the middle. A chance
+/// of 2^-n, from n = 1075 on, is 0.
 TEST(MedianInterval, VeryManySamples_HaveTheRanksOfTheNormalDistribution) {
     for (const int count : {1000, 1074, 1075, 1200, 100000}) {
         const auto [lower, upper] = ranksOf(count);

@@ -106,6 +106,53 @@ TEST(CostList, SortedColumn_HasRoomForItsArrow) {
     }
 }
 
+struct Mark {
+    QColor edge;
+    bool isFilled = false;
+};
+
+/// What is drawn before a row's name.
+Mark markOf(const QTreeWidgetItem& row) {
+    const QImage image = row.icon(0).pixmap(12, 12).toImage();
+    const int middle = image.height() / 2;
+    QColor edge(Qt::transparent);
+    for (int x = 0; x < image.width() / 2 - 1; ++x) {
+        const QColor here = image.pixelColor(x, middle);
+        edge = here.alpha() > edge.alpha() ? here : edge;
+    }
+    return {edge, image.pixelColor(image.width() / 2, middle).alpha() > 0};
+}
+
+/// But for the rounding of what is half transparent.
+bool isColour(const QColor& color, const QColor& wanted) {
+    return std::abs(color.red() - wanted.red()) <= 4 &&
+           std::abs(color.green() - wanted.green()) <= 4 &&
+           std::abs(color.blue() - wanted.blue()) <= 4;
+}
+
+TEST(CostList, TiesOfTheFront_HaveACircleInItsColour) {
+    CostChart chart = chartOfABound();
+    chart.points[1].cost = costOf(0.99, false);
+    chart.points.push_back(chart.points[1]);
+    chart.points[2].levels = {{"power", "slower"}};
+    chart.points[2].cost = costOf(1.2, false);
+    CostList list;
+    list.setChart(chart, {}, false);
+    const auto row = [&list](int point) {
+        list.select(point);
+        return list.currentItem();
+    };
+    EXPECT_TRUE(row(1)->toolTip(0).contains("Faster than what is as accurate, within the noise"));
+    EXPECT_FALSE(row(2)->toolTip(0).contains("noise"));
+    EXPECT_TRUE(markOf(*row(0)).isFilled);
+    EXPECT_FALSE(markOf(*row(1)).isFilled);
+    EXPECT_FALSE(markOf(*row(2)).isFilled);
+    const QColor front = list.palette().color(QPalette::Highlight);
+    EXPECT_TRUE(isColour(markOf(*row(0)).edge, front));
+    EXPECT_TRUE(isColour(markOf(*row(1)).edge, front));
+    EXPECT_FALSE(isColour(markOf(*row(2)).edge, front));
+}
+
 TEST(CostPlot, TimesThatAreBounds_SayItOnHover) {
     CostPlot plot;
     plot.setChart(chartOfABound(), {}, false);

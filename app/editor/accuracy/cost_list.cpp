@@ -67,11 +67,11 @@ QString timeText(const CostPoint& point, const CostChart& chart) {
     return ties ? QStringLiteral("≈ %1").arg(text) : text;
 }
 
-void fillRow(NumberRow& row, const CostPoint& point, const CostChart& chart) {
+void fillRow(NumberRow& row, const CostPoint& point, const CostChart& chart, Standing standing) {
     const FrameError& error = point.error;
     row.setText(Way, wayName(point, chart));
     row.setData(Way, WayDelegate::partsRole, WayDelegate::partsData(wayParts(point, chart)));
-    const QString ties = tieText(point, chart);
+    const QString ties = tieText(point, chart, standing);
     row.setToolTip(Way, ties.isEmpty() ? wayDescription(point, chart)
                                        : wayDescription(point, chart) + '\n' + ties);
     row.setNumber(Time, perPixelText(point.cost, false), point.cost.nanosecondsPerPixel);
@@ -147,7 +147,7 @@ void CostList::setChart(const CostChart& chart, const ChosenLevels& current, boo
         const CostPoint& point = chart.points[i];
         auto* row = new NumberRow;
         row->setData(Way, pointRole, static_cast<int>(i));
-        fillRow(*row, point, chart);
+        fillRow(*row, point, chart, standing[i]);
         if (stale) {
             row->setToolTip(Way, staleText() + '\n' + row->toolTip(Way));
         }

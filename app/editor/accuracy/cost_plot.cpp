@@ -61,8 +61,9 @@ void CostPlot::select(int point) {
 
 /// Of a point of old only its name is worth anything.
 QString CostPlot::textOf(int point) const {
-    const CostPoint& it = chart_.points[static_cast<std::size_t>(point)];
-    return stale_ ? wayName(it, chart_) + '\n' + staleText() : pointText(it, chart_);
+    const auto number = static_cast<std::size_t>(point);
+    return stale_ ? wayName(chart_.points[number], chart_) + '\n' + staleText()
+                  : pointText(number, chart_);
 }
 
 /// What is chosen now; -1: that was not measured.

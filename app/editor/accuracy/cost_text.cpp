@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/cost_text.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <QCoreApplication>
@@ -176,13 +175,7 @@ double countOf(const std::optional<InstructionCount>& count) {
     return count ? double(count->total()) : -1.0;
 }
 
-bool isTie(const CostPoint& point, const CostChart& chart) {
-    const auto found = std::ranges::find(chart.points, point.levels, &CostPoint::levels);
-    return found != chart.points.end() &&
-           standings(chart.points)[std::size_t(found - chart.points.begin())] == Standing::Tie;
-}
-
-QString tieText(const CostPoint& point, const CostChart& chart) {
+QString tieText(const CostPoint& point, const CostChart& chart, Standing standing) {
     constexpr int most = 4;
     QStringList names;
     int more = 0;
@@ -194,8 +187,8 @@ QString tieText(const CostPoint& point, const CostChart& chart) {
         }
     }
     if (names.isEmpty()) {
-        return isTie(point, chart) ? tr("Faster than what is as accurate, within the noise")
-                                   : QString();
+        return standing == Standing::Tie ? tr("Faster than what is as accurate, within the noise")
+                                         : QString();
     }
     const QString text = tr("Cannot be told from: %1").arg(names.join(QStringLiteral("; ")));
     return more > 0 ? tr("%1 and %2 more").arg(text).arg(more) : text;
@@ -207,7 +200,8 @@ QString convergedNote(const CostChart& chart) {
         .arg(shareText(chart.converged->noise.p99));
 }
 
-QString pointText(const CostPoint& point, const CostChart& chart) {
+QString pointText(std::size_t number, const CostChart& chart) {
+    const CostPoint& point = chart.points[number];
     QStringList lines{wayName(point, chart)};
     lines << timeLine(point.cost, chart.boundOf(point));
     lines << tr("99 of 100 pixels are off by %1 or less, the worst by %2")
@@ -216,7 +210,8 @@ QString pointText(const CostPoint& point, const CostChart& chart) {
         lines << convergedNote(chart);
     }
     lines << tr("%1 of the pixels differ on the screen").arg(shareText(point.error.stepShare));
-    if (const QString ties = tieText(point, chart); !ties.isEmpty()) {
+    const QString ties = tieText(point, chart, standings(chart.points)[number]);
+    if (!ties.isEmpty()) {
         lines << ties;
     }
     return lines.join('\n');

@@ -41,13 +41,13 @@ double countOf(const std::optional<InstructionCount>& count);
 
 /// Which other points cannot be told from this one, neither in time nor in error; or that only the
 /// noise keeps it from the front; else empty.
-QString tieText(const CostPoint& point, const CostChart& chart);
+QString tieText(const CostPoint& point, const CostChart& chart, Standing standing);
 
 /// What the errors are against of points that are compared with the chart's converged render.
 QString convergedNote(const CostChart& chart);
 
-/// The name and the numbers of a point, line by line.
-QString pointText(const CostPoint& point, const CostChart& chart);
+/// The name and the numbers of the chart's point of that number, line by line.
+QString pointText(std::size_t number, const CostChart& chart);
 
 /// What a measurement is doing, and how much of it is done.
 QString stepText(const SweepStep& step, const CostChart& chart);
