@@ -186,12 +186,15 @@ QString tieText(const CostPoint& point, const CostChart& chart, Standing standin
             ++more;
         }
     }
-    if (names.isEmpty()) {
-        return standing == Standing::Tie ? tr("Faster than what is as accurate, within the noise")
-                                         : QString();
+    QStringList lines;
+    if (!names.isEmpty()) {
+        const QString text = tr("Cannot be told from: %1").arg(names.join(QStringLiteral("; ")));
+        lines << (more > 0 ? tr("%1 and %2 more").arg(text).arg(more) : text);
     }
-    const QString text = tr("Cannot be told from: %1").arg(names.join(QStringLiteral("; ")));
-    return more > 0 ? tr("%1 and %2 more").arg(text).arg(more) : text;
+    if (standing == Standing::Tie) {
+        lines << tr("May be worth choosing, too: the difference is within the noise");
+    }
+    return lines.join('\n');
 }
 
 QString convergedNote(const CostChart& chart) {

@@ -39,8 +39,8 @@ QString countText(const std::optional<InstructionCount>& count);
 QString kindsText(const std::optional<InstructionCount>& count);
 double countOf(const std::optional<InstructionCount>& count);
 
-/// Which other points cannot be told from this one, neither in time nor in error; or that only the
-/// noise keeps it from the front; else empty.
+/// Which other points cannot be told from this one, neither in time nor in error, and whether only
+/// the noise keeps it from the front; empty: neither.
 QString tieText(const CostPoint& point, const CostChart& chart, Standing standing);
 
 /// What the errors are against of points that are compared with the chart's converged render.
