@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include "accuracy/long_line.h"
+#include "support/full_disk.h"
 #include "ui/accuracy_fixture.h"
 
 namespace patina::tests {
@@ -209,6 +210,15 @@ TEST_F(AccuracyPanel, ExportedTable_HasALineForEveryPoint) {
     ASSERT_TRUE(measure()) << state().toStdString();
     EXPECT_EQ(exported("csv").trimmed().split('\n').size(), 1 + 3);
     EXPECT_TRUE(exported("json").contains("\"points\""));
+}
+
+TEST_F(AccuracyPanel, ExportToAFullDisk_LeavesTheOldFileAndSaysSo) {
+    ASSERT_TRUE(measure()) << state().toStdString();
+    const QByteArray before = exported("csv");
+    const int messages = window().messages().count();
+    const FullDisk full(16);
+    EXPECT_EQ(exported("csv"), before);
+    EXPECT_EQ(window().messages().count(), messages + 1);
 }
 
 TEST_F(AccuracyPanel, ExportedChart_IsAPicture) {

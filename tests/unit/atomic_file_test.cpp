@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <csignal>
 #include <iostream>
 #include <thread>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "catalog/json_text.h"
+#include "support/full_disk.h"
 #include "support/program.h"
 
 namespace patina {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::FullDisk;
 using tests::readFile;
 using tests::TemporaryFolder;
 using tests::writeFile;
@@ -23,26 +23,6 @@ std::size_t filesIn(const fs::path& folder) {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
-
-/// Files cannot grow beyond this while the object lives, as on a disk that is full.
-class FullDisk {
-  public:
-    explicit FullDisk(rlim_t bytes) {
-        ::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limited{bytes, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limited);
-    }
-    ~FullDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        ::signal(SIGXFSZ, SIG_DFL);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-
-  private:
-    rlimit before_{};
-};
 
 class AtomicFile : public testing::Test {
   protected:

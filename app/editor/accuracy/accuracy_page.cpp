@@ -278,7 +278,8 @@ void AccuracyPage::exportTo(const QString& file) {
     if (shown_ == nullptr) {
         return;
     }
-    const auto written = writeWhole(file, bytesFor(QFileInfo(file).suffix().toLower()));
+    const QByteArray bytes = bytesFor(QFileInfo(file).suffix().toLower());
+    const auto written = writeFileAtomically(file.toStdString(), bytes.toStdString());
     if (!written) {
         messages_.add(written.error());
     }

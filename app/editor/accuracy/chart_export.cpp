@@ -10,7 +10,6 @@
 #include <QFileDialog>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 #include "accuracy/cost_text.h"
@@ -204,16 +203,6 @@ QString askForChartFile(QWidget* parent, const QString& ending) {
     const QString file = dialog.selectedFiles().value(0);
     session.setFolderOf("chart", file);
     return file;
-}
-
-Result<void> writeWhole(const QString& file, const QByteArray& bytes) {
-    QSaveFile target(file);
-    if (target.open(QIODevice::WriteOnly) && target.write(bytes) == bytes.size() &&
-        target.commit()) {
-        return {};
-    }
-    return tl::unexpected(
-        Error{file.toStdString(), 0, 0, target.errorString().toStdString(), {}});
 }
 
 QByteArray chartPng(const PlotMarks::Content& content, const ChartHeading& heading,

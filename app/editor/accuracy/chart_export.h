@@ -14,9 +14,6 @@ namespace patina {
 /// Asks for a file with the given ending ("csv") and returns it, or an empty text.
 QString askForChartFile(QWidget* parent, const QString& ending);
 
-/// Writes all of it or nothing.
-Result<void> writeWhole(const QString& file, const QByteArray& bytes);
-
 /// What stands above the chart: what it is of, and below that how it was measured.
 struct ChartHeading {
     QString title;

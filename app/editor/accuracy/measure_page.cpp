@@ -10,6 +10,7 @@
 #include "accuracy/cost_subject.h"
 #include "accuracy/measure_bar.h"
 #include "accuracy/measure_turn.h"
+#include "catalog/json_text.h"
 #include "docks/settling.h"
 #include "document.h"
 #include "message_log.h"
@@ -130,7 +131,8 @@ void MeasurePage::exportTo(const QString& file) {
     if (!hasNumbers()) {
         return;
     }
-    const auto written = writeWhole(file, bytesFor(QFileInfo(file).suffix().toLower()));
+    const QByteArray bytes = bytesFor(QFileInfo(file).suffix().toLower());
+    const auto written = writeFileAtomically(file.toStdString(), bytes.toStdString());
     if (!written) {
         messages_.add(written.error());
     }

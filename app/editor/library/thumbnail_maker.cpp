@@ -130,10 +130,11 @@ class Studio {
     std::map<std::string, Mesh> meshes_;
 };
 
+/// On a full disk only flush() fails, commit() does not.
 void keep(const QImage& picture, const QString& file) {
     QSaveFile target(file);
     if (QDir().mkpath(QFileInfo(file).path()) && target.open(QIODevice::WriteOnly) &&
-        picture.save(&target, "PNG")) {
+        picture.save(&target, "PNG") && target.flush()) {
         target.commit();
     }
 }
