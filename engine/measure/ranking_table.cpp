@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/ranking_table.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "measure/cost_table.h"
@@ -10,8 +12,9 @@ namespace {
 
 constexpr int rankedDigits = 2;
 
+/// What rounds to nothing has no sign.
 std::string shareText(const std::optional<double>& share) {
-    return share ? fmt::format("{:.1f} %", 100.0 * *share) : "-";
+    return share ? fmt::format("{:.1f} %", std::round(1000.0 * *share) / 10.0 + 0.0) : "-";
 }
 
 nlohmann::json numberJson(const std::optional<double>& number) {

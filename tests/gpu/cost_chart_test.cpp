@@ -266,6 +266,13 @@ TEST(RankingText, TooFewPairs_AreMarked) {
     EXPECT_NE(rankingText(costs).find(")! "), std::string::npos) << rankingText(costs);
 }
 
+TEST(RankingText, LossThatRoundsToNothing_HasNoSign) {
+    std::vector<ModelCost> costs{modelCost("a", 1.0, false)};
+    costs[0].albedoLoss = -1e-7;
+    EXPECT_EQ(rankingText(costs).find("-0.0 %"), std::string::npos) << rankingText(costs);
+    EXPECT_NE(rankingText(costs).find(" 0.0 %"), std::string::npos) << rankingText(costs);
+}
+
 Choice choiceOf(const std::string& id, int levels) {
     Choice choice;
     choice.id = id;
