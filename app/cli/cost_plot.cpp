@@ -140,16 +140,19 @@ void addPoint(Shapes& shapes, const CostPoint& point, RatioBound bound, const Ax
     shapes.push_back({PlotShape::Kind::Line, left, right, color, {}});
 }
 
-/// The fastest first: its label has the first choice of where it stands.
-void addLabels(Shapes& shapes, const CostChart& chart, const Axes& axes,
-               const std::vector<std::size_t>& front, glm::ivec2 size) {
+/// The first one's label has the first choice of where it stands.
+void addLabels(Shapes& shapes, const CostChart& chart, const Axes& axes, glm::ivec2 size) {
     std::vector<NamedPoint> named;
-    for (const std::size_t i : front) {
+    for (const std::size_t i : frontAndTies(chart.points)) {
         const CostPoint& point = chart.points[i];
         named.push_back({axes.place(point.cost.ratio.median, errorOf(point)),
                          levelsText(point.levels), point.isExact()});
     }
-    for (PlotShape& label : labelsOf(named, size, onFront)) {
+    std::vector<glm::dvec2> marks;
+    for (const CostPoint& point : chart.points) {
+        marks.push_back(axes.place(point.cost.ratio.median, errorOf(point)));
+    }
+    for (PlotShape& label : labelsOf(named, marks, size, onFront)) {
         shapes.push_back(std::move(label));
     }
 }
@@ -243,7 +246,7 @@ std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size) {
     for (std::size_t i = 0; i < chart.points.size(); ++i) {
         addPoint(shapes, chart.points[i], chart.boundOf(chart.points[i]), axes, standing[i]);
     }
-    addLabels(shapes, chart, axes, front, size);
+    addLabels(shapes, chart, axes, size);
     return shapes;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -14,6 +15,7 @@ constexpr double samePlace = 11.0; ///< pixels between points that nobody tells 
 constexpr double lineHeight = 14.0;
 constexpr double letterWidth = 7.0; ///< of most letters, in the picture and in the SVG file
 constexpr double beside = 8.0;      ///< from a point
+constexpr double markRadius = 6.0;
 
 struct Place {
     glm::dvec2 at{0.0};
@@ -53,7 +55,7 @@ std::string textOf(const Place& place) {
 }
 
 /// To the right of its point and above it, else where there is room.
-Box boxOf(const Place& place, const std::vector<Box>& taken, glm::ivec2 size) {
+std::optional<Box> boxOf(const Place& place, const std::vector<Box>& taken, glm::ivec2 size) {
     const glm::dvec2 extent{letterWidth * double(textOf(place).size()), lineHeight};
     const double right = beside;
     const double left = -beside - extent.x;
@@ -72,23 +74,35 @@ Box boxOf(const Place& place, const std::vector<Box>& taken, glm::ivec2 size) {
             return box;
         }
     }
-    return {place.at + ways.front(), place.at + ways.front() + extent};
+    return std::nullopt;
 }
 
 } // namespace
 
-std::vector<PlotShape> labelsOf(const std::vector<NamedPoint>& points, glm::ivec2 size,
+std::vector<PlotShape> labelsOf(const std::vector<NamedPoint>& points,
+                                const std::vector<glm::dvec2>& marks, glm::ivec2 size,
                                 const glm::dvec3& color) {
     std::vector<Place> places;
     for (const NamedPoint& point : points) {
         add(places, point);
     }
     std::vector<Box> taken;
+    std::vector<Box> takenOrMarked;
+    for (const glm::dvec2& mark : marks) {
+        takenOrMarked.push_back({mark - markRadius, mark + markRadius});
+    }
     std::vector<PlotShape> labels;
     for (const Place& place : places) {
-        taken.push_back(boxOf(place, taken, size));
-        labels.push_back(
-            {PlotShape::Kind::Text, taken.back().low, {}, color, textOf(place)});
+        std::optional<Box> box = boxOf(place, takenOrMarked, size);
+        if (!box) {
+            box = boxOf(place, taken, size);
+        }
+        if (!box) {
+            continue;
+        }
+        taken.push_back(*box);
+        takenOrMarked.push_back(*box);
+        labels.push_back({PlotShape::Kind::Text, box->low, {}, color, textOf(place)});
     }
     return labels;
 }

@@ -15,9 +15,11 @@ struct NamedPoint {
     bool isMain = false; ///< names the place where points lie upon each other
 };
 
-/// One text for each place ("exact and 4 more"), beside its points and beside each other, in a
-/// drawing of this size.
-std::vector<PlotShape> labelsOf(const std::vector<NamedPoint>& points, glm::ivec2 size,
+/// One text for each place ("exact and 4 more") that has room for one, beside its points and beside
+/// each other, in a drawing of this size; the first points have the first choice. Where they can,
+/// they keep clear of the middles of all marks.
+std::vector<PlotShape> labelsOf(const std::vector<NamedPoint>& points,
+                                const std::vector<glm::dvec2>& marks, glm::ivec2 size,
                                 const glm::dvec3& color);
 
 } // namespace patina

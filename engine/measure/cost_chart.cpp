@@ -271,6 +271,17 @@ std::vector<Standing> standings(const std::vector<CostPoint>& points) {
     return standings;
 }
 
+std::vector<std::size_t> frontAndTies(const std::vector<CostPoint>& points) {
+    std::vector<std::size_t> both = costFront(points);
+    const std::vector<Standing> standing = standings(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (standing[i] == Standing::Tie) {
+            both.push_back(i);
+        }
+    }
+    return both;
+}
+
 std::optional<BudgetAnswer> bestFor(const CostBudget& budget,
                                     const std::vector<CostPoint>& points) {
     std::vector<std::size_t> all(points.size());

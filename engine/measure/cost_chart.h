@@ -113,6 +113,9 @@ enum class Standing {
 /// By point.
 std::vector<Standing> standings(const std::vector<CostPoint>& points);
 
+/// The points that may be worth choosing: the front, the fastest first, then its ties.
+std::vector<std::size_t> frontAndTies(const std::vector<CostPoint>& points);
+
 /// What may be spent: milliseconds of a frame, or an error as errorOf() has it.
 struct CostBudget {
     std::optional<double> milliseconds;

@@ -155,7 +155,7 @@ void addNames(QCustomPlot& plot, const PlotMarks& marks, const PlotMarks::Conten
     for (const CostPoint& point : chart.points) {
         names.addPoint(marks.placeOf(point, chart));
     }
-    std::vector<std::size_t> named = costFront(chart.points);
+    std::vector<std::size_t> named = frontAndTies(chart.points);
     const auto current = static_cast<std::size_t>(content.current);
     if (content.current >= 0 && std::ranges::find(named, current) == named.end()) {
         named.push_back(current);
