@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/accuracy_page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -253,6 +254,11 @@ ChartHeading AccuracyPage::heading() const {
     QStringList lines{methodText(shown_->chart)};
     if (const QString driver = driverLine(); !driver.isEmpty()) {
         lines << driver;
+    }
+    const std::vector<Standing> standing = standings(shown_->chart.points);
+    if (std::ranges::find(standing, Standing::Tie) != standing.end()) {
+        lines << tr("A circle in the line's colour may be on it, too: the difference is within the "
+                    "noise.");
     }
     return {name.isEmpty() ? title : QStringLiteral("%1: %2").arg(title, name), lines};
 }

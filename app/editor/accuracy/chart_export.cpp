@@ -99,14 +99,14 @@ class Names {
         const double along = diagonal * distance;
         const QPointF half(0.5 * size.width(), 0.5 * size.height());
         const QPointF corners[] = {
-            {distance, -half.y()},
             {along, -along - size.height()},
             {along, along},
             {-half.x(), -distance - size.height()},
             {-half.x(), distance},
-            {-distance - size.width(), -half.y()},
             {-along - size.width(), -along - size.height()},
             {-along - size.width(), along},
+            {distance, -half.y()}, // where the point's interval is, as the next one
+            {-distance - size.width(), -half.y()},
         };
         for (const QPointF& corner : corners) {
             const QRectF name(place + corner, size);
