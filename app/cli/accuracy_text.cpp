@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/accuracy_text.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "material/blocks_in_use.h"

@@ -12,9 +12,9 @@
 #include "cli/long_work.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
-#include "measure/finding_text.h"
-#include "measure/stability_sweep.h"
-#include "measure/sweep_cases.h"
+#include "measure/stability/finding_text.h"
+#include "measure/stability/stability_sweep.h"
+#include "measure/stability/sweep_cases.h"
 
 namespace patina {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "catalog/suggestion.h"
 #include "cli/command.h"
+#include "gl/driver_cache.h"
 
 namespace patina {
 namespace {
@@ -100,6 +101,9 @@ int runCommand(int argc, char** argv) {
     } catch (const std::exception& reason) {
         std::cerr << "patina: " << reason.what() << '\n';
         return 1;
+    }
+    if (const auto& note = gl::driverCacheNote()) {
+        report({*note});
     }
     std::cout.flush();
     if (!std::cout) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,6 +34,7 @@ struct CompareOptions {
 struct Side {
     char letter = 'A';
     Scene scene;
+    std::set<std::string, std::less<>> withheld;
     Image image;
 
     std::string name() const {
@@ -49,7 +51,8 @@ Checked<std::vector<Side>> sidesFor(const CompareOptions& options, const Catalog
             return tl::unexpected(setup.error());
         }
         report(setup->notes);
-        sides.push_back({static_cast<char>('A' + sides.size()), std::move(setup->scene), {}});
+        sides.push_back({static_cast<char>('A' + sides.size()), std::move(setup->scene),
+                         std::move(setup->withheld), {}});
     }
     return sides;
 }
@@ -64,6 +67,7 @@ Checked<void> draw(std::vector<Side>& sides, const CompareOptions& options,
     TextureLoader textures(client);
     maker->setTextures(textures, filesIn(options.picture.textures));
     for (Side& side : sides) {
+        client.withhold(side.withheld);
         const auto meshes = SceneMeshes::load(side.scene, client);
         if (!meshes) {
             return tl::unexpected(meshes.error());

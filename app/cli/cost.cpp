@@ -9,18 +9,18 @@
 
 #include "assets/asset_client.h"
 #include "catalog/json_text.h"
-#include "cli/cost_plot.h"
+#include "cli/cost_drawing.h"
 #include "cli/cost_sweeps.h"
 #include "cli/environment_setup.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "core/display_image.h"
 #include "gl/headless_context.h"
-#include "measure/cost_table.h"
-#include "measure/error_colors.h"
-#include "measure/ranking_table.h"
-#include "render/hdr_target.h"
-#include "render/texture_loader.h"
+#include "measure/cost/cost_table.h"
+#include "measure/cost/ranking_table.h"
+#include "measure/error/error_colors.h"
+#include "render/gpu/hdr_target.h"
+#include "render/gpu/texture_loader.h"
 
 namespace patina {
 namespace {
@@ -50,6 +50,7 @@ Checked<Prepared> prepared(const std::string& preset, const CostRequest& options
         return tl::unexpected(setup.error());
     }
     report(setup->notes);
+    files.withhold(setup->withheld);
     auto loaded = SceneMeshes::load(setup->scene, files);
     if (!loaded) {
         return tl::unexpected(loaded.error());
@@ -95,12 +96,12 @@ Result<void> writePlot(const CostChart& chart, const std::string& file) {
 }
 
 /// What the map compares with.
-std::string rightOf(const Measured& measured) {
+std::string groundTruthOf(const Measured& measured) {
     const CostPoint* point = measured.chart.find(measured.mapped);
     return point != nullptr && measured.chart.isAgainstConverged(*point)
                ? fmt::format("a converged render of {} directions",
                              measured.chart.converged->directions)
-               : measured.chart.right;
+               : measured.chart.groundTruth;
 }
 
 /// The chart and the map, where they are asked for.
@@ -110,9 +111,8 @@ Result<void> writePictures(const Measured& measured, const CostRequest& options)
         if (auto written = writeShown(map, options.errorMap); !written) {
             return written;
         }
-        std::cerr << options.errorMap << " shows where "
-                  << levelsText(measured.mapped) << " is wrong, against "
-                  << rightOf(measured)
+        std::cerr << options.errorMap << " shows where " << levelsText(measured.mapped)
+                  << " is wrong, against " << groundTruthOf(measured)
                   << ": black 1e-6 of the light or less, each colour ten times more\n";
     }
     return options.plot.empty() ? Result<void>() : writePlot(measured.chart, options.plot);

@@ -11,13 +11,13 @@
 
 #include "cli/mapped_point.h"
 #include "cli/picture.h"
-#include "measure/picture_choices.h"
-#include "measure/scaling_sweep.h"
+#include "measure/choice/picture_choices.h"
+#include "measure/cost/scaling_sweep.h"
 
 namespace patina {
 namespace {
 
-/// Of a picture whose edge is a scaling's largest: the edges of the other ones, in 24ths.
+/// The edges of a scaling's pictures, in 24ths of the largest one's.
 constexpr std::array partsOfEdge{3, 4, 6, 8, 12, 16, 24};
 constexpr int wholeEdge = 24;
 
@@ -45,7 +45,7 @@ std::vector<int> edgesUpTo(int edge) {
 
 std::string workText(const SweepStep& step) {
     switch (step.work) {
-    case SweepStep::Work::RightFrame:
+    case SweepStep::Work::GroundTruthFrame:
         return "the right picture";
     case SweepStep::Work::ConvergedFrame:
         return "a converged picture";

@@ -5,8 +5,8 @@
 
 #include "cli/cost_request.h"
 #include "cli/long_work.h"
-#include "measure/model_ranking.h"
-#include "measure/scaling_curve.h"
+#include "measure/cost/model_ranking.h"
+#include "measure/cost/scaling_curve.h"
 
 namespace patina {
 

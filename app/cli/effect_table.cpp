@@ -2,11 +2,10 @@
 #include "cli/effect_table.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
-#include "measure/cost_table.h"
+#include "measure/cost/cost_table.h"
 
 namespace patina {
 namespace {
@@ -95,7 +94,7 @@ std::size_t widest(const std::vector<std::string>& cells) {
     return columns;
 }
 
-bool lacksTime(const EffectRow& row, const EffectCosts& costs) {
+bool hasNoTime(const EffectRow& row, const EffectCosts& costs) {
     return row.in && row.removable && costs.of(row.line.effect) == nullptr;
 }
 
@@ -103,7 +102,7 @@ std::string totalText(const EffectTable& table) {
     const EffectCosts& costs = *table.costs;
     const double sum = sumOf(costs, table.rows);
     const bool isPart = std::ranges::any_of(
-        table.rows, [&costs](const EffectRow& row) { return lacksTime(row, costs); });
+        table.rows, [&costs](const EffectRow& row) { return hasNoTime(row, costs); });
     return fmt::format("\neffects that are within none  {}\n"
                        "{}  {}\n"
                        "the whole frame               {} ({:.3f} .. {:.3f})\n"

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "measure/effect_cost.h"
+#include "measure/cost/effect_cost.h"
 
 namespace patina {
 

@@ -21,9 +21,9 @@
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "gl/headless_context.h"
-#include "render/object_rows.h"
-#include "render/scene_depth.h"
-#include "render/texture_loader.h"
+#include "render/gpu/texture_loader.h"
+#include "render/surfaces/object_rows.h"
+#include "render/surfaces/scene_depth.h"
 #include "shading/outline_source.h"
 #include "shading/program_source.h"
 
@@ -33,7 +33,7 @@ namespace {
 /// What the frames that are timed have where the command line does not say.
 constexpr glm::ivec2 usualSize{384, 384};
 
-struct Options {
+struct EffectsOptions {
     std::string preset;
     PictureOptions picture;
     bool source = false;
@@ -44,7 +44,7 @@ struct Options {
     std::optional<std::string> object; ///< its name, or its number from 1; none: the first one
 };
 
-/// Of a scene: the object of the options, counted from 0.
+/// A scene and the object of the options, counted from 0.
 struct Shown {
     const Scene& scene;
     std::size_t object = 0;
@@ -100,7 +100,7 @@ Result<std::size_t> chosenObject(const Scene& scene, const std::string& wanted) 
 }
 
 /// That the time is too short for certain costs, and what would be enough.
-void reportShortTime(const EffectCosts& costs, const Options& options) {
+void reportShortTime(const EffectCosts& costs, const EffectsOptions& options) {
     if (costs.secondsNeeded > 0.0) {
         report(oneError(
             failure(fmt::format("--seconds {:g} is too short for certain costs of all effects",
@@ -113,7 +113,7 @@ void reportShortTime(const EffectCosts& costs, const Options& options) {
 
 /// The costs; nothing, and a remark, where there is no graphics driver.
 Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject,
-                                             const Options& options) {
+                                             const EffectsOptions& options) {
     EffectCostMeter::Options wanted;
     wanted.size = options.picture.size;
     wanted.programCache = programCacheFolder();
@@ -137,7 +137,7 @@ Checked<std::optional<EffectCosts>> measured(EffectCostMeter::Subject subject,
     return costs;
 }
 
-double aspectOf(const Options& options) {
+double aspectOf(const EffectsOptions& options) {
     return double(options.picture.size.x) / double(std::max(options.picture.size.y, 1));
 }
 
@@ -156,13 +156,12 @@ struct Images {
     }
 };
 
-Checked<void> printTable(const Shown& subject, const Options& options,
+Checked<void> printTable(const Shown& subject, const EffectsOptions& options,
                          const std::shared_ptr<const Catalog>& catalog, Images& images) {
     const auto& [scene, object, meshes] = subject;
     EffectTable table;
     table.object = shownObject(subject);
-    table.rows =
-        objectRows(scene, object, *catalog, meshes, images.known(), aspectOf(options));
+    table.rows = objectRows(scene, object, *catalog, meshes, images.known(), aspectOf(options));
     if (!options.noCost) {
         auto costs = measured({scene, scene.camera, meshes, table.rows, catalog,
                                images.textures.source(), images.environment},
@@ -211,8 +210,8 @@ void printStages(const std::string& name, const ProgramSource& program,
 
 /// The program for what the table shows: seen from the scene's camera. An object that is not drawn
 /// has none.
-Checked<void> printSource(const Shown& subject, const Options& options, const Catalog& catalog,
-                          Images& images) {
+Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
+                          const Catalog& catalog, Images& images) {
     const auto& [scene, object, meshes] = subject;
     if (const std::string why = whyNotDrawn(scene, object, meshes, aspectOf(options));
         !why.empty()) {
@@ -227,11 +226,10 @@ Checked<void> printSource(const Shown& subject, const Options& options, const Ca
         return tl::unexpected(programs.error());
     }
     if (options.json) {
-        nlohmann::json json =
-            tableJson({shownObject(subject),
-                       objectRows(scene, object, catalog, meshes, images.known(),
-                                  aspectOf(options)),
-                       {}});
+        nlohmann::json json = tableJson(
+            {shownObject(subject),
+             objectRows(scene, object, catalog, meshes, images.known(), aspectOf(options)),
+             {}});
         json.update(sourceJson(programs->front()));
         if (set.outline) {
             json["outline"] = sourceJson(programs->back());
@@ -248,7 +246,7 @@ Checked<void> printSource(const Shown& subject, const Options& options, const Ca
     return {};
 }
 
-Checked<void> effects(const Options& options) {
+Checked<void> effects(const EffectsOptions& options) {
     if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
         return tl::unexpected(oneError(
             failure("there is nothing to look at", "a preset, --model or --scene").value()));
@@ -264,12 +262,13 @@ Checked<void> effects(const Options& options) {
         return tl::unexpected(oneError(
             failure("the scene is empty", "a preset, --model or --mesh beside it").value()));
     }
-    const auto object = options.object ? chosenObject(setup->scene, *options.object)
-                                       : Result<std::size_t>(0);
+    const auto object =
+        options.object ? chosenObject(setup->scene, *options.object) : Result<std::size_t>(0);
     if (!object) {
         return tl::unexpected(oneError(object.error()));
     }
     AssetClient files;
+    files.withhold(setup->withheld);
     const auto loaded = SceneMeshes::load(setup->scene, files);
     if (!loaded) {
         return tl::unexpected(loaded.error());
@@ -293,7 +292,7 @@ Checked<void> effects(const Options& options) {
 void addEffects(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "effects", "List which effects a preset needs in a scene, why, and what each costs");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EffectsOptions>();
     options->picture.size = usualSize;
     command->add_option("preset", options->preset, "A preset (*.patina.json)");
     addSceneOptions(*command, options->picture);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view environmentKind = "environment";
 
 /// Directions that a scene gets without being asked for: more of them take long.
-constexpr int mostUnasked = 256;
+constexpr int maxUnasked = 256;
 
 std::string knownIds(const Catalog& catalog) {
     std::string known;
@@ -93,8 +93,8 @@ int directionsFor(const Scene& scene, const PictureOptions& options, const Catal
     }
     const Block* block =
         scene.environment ? catalog.find("environment", scene.environment->id) : nullptr;
-    return block == nullptr ? mostUnasked
-                            : std::min(directionsOf(*scene.environment, *block), mostUnasked);
+    return block == nullptr ? maxUnasked
+                            : std::min(directionsOf(*scene.environment, *block), maxUnasked);
 }
 
 } // namespace patina

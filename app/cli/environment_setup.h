@@ -6,7 +6,7 @@
 #include "assets/asset_client.h"
 #include "catalog/catalog.h"
 #include "cli/picture_options.h"
-#include "render/environment_image.h"
+#include "render/lights/environment_image.h"
 #include "scene/scene.h"
 
 namespace patina {

@@ -12,8 +12,9 @@
 #include "cli/command.h"
 #include "cli/eval_line.h"
 #include "core/number_text.h"
-#include "measure/eval_gpu.h"
-#include "measure/eval_reference.h"
+#include "core/text.h"
+#include "measure/eval/eval_gpu.h"
+#include "measure/eval/eval_reference.h"
 #include "reference/reference.h"
 
 namespace patina {
@@ -108,7 +109,7 @@ class Evaluation {
     void take(std::string line) {
         bytes_ += line.size();
         lines_.push_back(std::move(line));
-        if (lines_.size() >= mostLines || bytes_ >= mostBytes) {
+        if (lines_.size() >= maxLines || bytes_ >= maxBytes) {
             answer();
         }
     }
@@ -142,8 +143,8 @@ class Evaluation {
 
   private:
     static constexpr std::ptrdiff_t enough = 1 << 17;   ///< GPU cases kept in memory at a time
-    static constexpr std::size_t mostLines = 1u << 14;  ///< lines answered at a time
-    static constexpr std::size_t mostBytes = 16u << 20; ///< of them
+    static constexpr std::size_t maxLines = 1u << 14;   ///< lines answered at a time
+    static constexpr std::size_t maxBytes = 16u << 20;  ///< of them
 
     void write() {
         answerWaiting();
@@ -178,10 +179,6 @@ class Evaluation {
     std::ptrdiff_t waiting_ = 0;
     bool failedOnce_ = false;
 };
-
-bool isBlank(std::string_view line) {
-    return line.find_first_not_of(" \t\r") == std::string_view::npos;
-}
 
 /// True when every line had a value.
 bool evaluateAll(const Catalog& catalog) {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "measure/eval_case.h"
+#include "measure/eval/eval_case.h"
 
 namespace patina {
 

@@ -2,10 +2,27 @@
 #include "cli/eval_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace patina {
 
+namespace {
+
 using Json = nlohmann::json;
+
+/// A direction of any length with one that floats can hold and square, scaled by a power of two so
+/// that no digit changes.
+glm::dvec3 ofUsualLength(const glm::dvec3& v) {
+    const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    constexpr double usual = 0x1p30;
+    if (size >= 1.0 / usual && size <= usual) {
+        return v;
+    }
+    const int exponent = -std::ilogb(size);
+    return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
+
+} // namespace
 
 Result<double> number(const Json& json, const std::string& key) {
     if (!json.contains(key)) {
@@ -39,7 +56,7 @@ Result<void> readDirection(const Json& json, const std::string& key, glm::dvec3&
     if (*value == glm::dvec3(0.0)) {
         return failure(key + " has no length", "a direction");
     }
-    target = *value;
+    target = ofUsualLength(*value);
     return {};
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/cost_request.h"
-#include "measure/cost_chart.h"
+#include "measure/cost/cost_chart.h"
 
 namespace patina {
 

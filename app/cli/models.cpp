@@ -17,10 +17,6 @@
 namespace patina {
 namespace {
 
-std::string shown(double value) {
-    return shortestText(static_cast<float>(value));
-}
-
 std::string joined(const std::vector<EnumValue>& values) {
     std::string out;
     for (const EnumValue& value : values) {
@@ -45,9 +41,9 @@ std::string rangeOf(const Parameter& parameter) {
     case ParameterType::Texture:
         return "a file";
     default:
-        return fmt::format("{} .. {}{}{}", shown(parameter.min), shown(parameter.max),
-                           parameter.unit.empty() ? "" : " " + parameter.unit,
-                           namesOf(parameter));
+        return fmt::format("{} .. {}{}{}", shortestFloatText(parameter.min),
+                           shortestFloatText(parameter.max),
+                           parameter.unit.empty() ? "" : " " + parameter.unit, namesOf(parameter));
     }
 }
 

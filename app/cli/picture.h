@@ -9,8 +9,8 @@
 #include "core/error.h"
 #include "core/image.h"
 #include "gl/headless_context.h"
+#include "render/gpu/texture_loader.h"
 #include "render/renderer.h"
-#include "render/texture_loader.h"
 
 namespace patina {
 

@@ -32,8 +32,8 @@ std::string sizeFrom(const std::string& text, glm::ivec2& size) {
 
 double stopsIn(const std::string& text) {
     return optionNumber("--exposure", text,
-                        {"an exposure", fmt::format("stops, {} .. {}", -mostStops, mostStops),
-                         [](double stops) { return std::abs(stops) <= mostStops; }, parseNumber});
+                        {"an exposure", fmt::format("stops, {} .. {}", -maxStops, maxStops),
+                         [](double stops) { return std::abs(stops) <= maxStops; }, parseNumber});
 }
 
 } // namespace
@@ -73,6 +73,9 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option_function<std::string>(
         "--exposure", [&options](const std::string& text) { options.exposure = stopsIn(text); },
         "Stops; 1 is twice as bright");
+    command.add_flag("--allow-outside", options.allowsOutside,
+                     "Also read what a scene or a preset names outside its own folder: meshes, "
+                     "pictures, presets, images");
 }
 
 void addSizeOption(CLI::App& command, PictureOptions& options) {

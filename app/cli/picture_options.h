@@ -24,13 +24,14 @@ struct PictureOptions {
     std::string scene;             ///< a file; empty: the shipped default scene
     std::string environment;       ///< a block's id, a file or "none"; empty: the scene's
     std::string transparency;      ///< a block's id or "sorted"; empty: the scene's
+    bool allowsOutside = false;    ///< files that lie outside the folder of who names them are read
     int samples = 0; ///< directions per pixel of an environment's light; 0: see directionsFor()
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};
 };
 
 /// --scene, --mesh, --set, --texture, --model, --fresnel, --specular, --environment,
-/// --transparency, --samples, --exposure.
+/// --transparency, --samples, --exposure, --allow-outside.
 void addSceneOptions(CLI::App& command, PictureOptions& options);
 
 /// --size.

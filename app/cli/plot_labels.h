@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/cost_plot.h"
+#include "cli/cost_drawing.h"
 
 namespace patina {
 

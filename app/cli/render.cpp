@@ -19,13 +19,13 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct RenderOptions {
     std::string preset;
     PictureOptions picture;
     PictureFile output;
 };
 
-Checked<void> checkRequest(const Options& options) {
+Checked<void> checkRequest(const RenderOptions& options) {
     if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
         return tl::unexpected(oneError(
             failure("there is nothing to render", "a preset, --model or --scene").value()));
@@ -37,7 +37,7 @@ Checked<void> checkRequest(const Options& options) {
 }
 
 /// The image of the request: meshes are read while the graphics driver starts.
-Checked<Image> picture(const Options& options, const std::shared_ptr<const Catalog>& catalog,
+Checked<Image> picture(const RenderOptions& options, const std::shared_ptr<const Catalog>& catalog,
                        const Scene& scene, AssetClient& client) {
     auto meshes = std::async(std::launch::async,
                              [&scene, &client] { return SceneMeshes::load(scene, client); });
@@ -77,7 +77,7 @@ Checked<void> write(const PictureFile& file, const Image& image, AssetClient& cl
     return {};
 }
 
-Checked<void> render(const Options& options) {
+Checked<void> render(const RenderOptions& options) {
     if (auto checked = checkRequest(options); !checked) {
         return checked;
     }
@@ -91,6 +91,7 @@ Checked<void> render(const Options& options) {
         return tl::unexpected(setup.error());
     }
     report(setup->notes);
+    files.withhold(setup->withheld);
     const auto image = picture(options, catalog, setup->scene, files);
     return image ? write(options.output, *image, files) : tl::unexpected(image.error());
 }
@@ -99,7 +100,7 @@ Checked<void> render(const Options& options) {
 
 void addRender(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand("render", "Draw a preset into an image file");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderOptions>();
     command->add_option("preset", options->preset, "A preset (*.patina.json)");
     addSceneOptions(*command, options->picture);
     addSizeOption(*command, options->picture);

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "catalog/fills.h"
-#include "cli/picture_accuracy.h"
-#include "cli/value_text.h"
+#include "cli/picture_levels.h"
+#include "cli/typed_value.h"
 
 namespace patina {
 

@@ -9,10 +9,6 @@
 
 namespace patina {
 
-SceneMeshes::Key SceneMeshes::keyOf(const Object& object) {
-    return {object.mesh, object.fitUnitBox, object.flipNormals};
-}
-
 Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, AssetClient& client) {
     SceneMeshes meshes;
     Errors errors;
@@ -39,9 +35,11 @@ void SceneMeshes::nameMissingPlaces(const Scene& scene) {
         if (!object.visible || !hasImages || hasImagePlaces(view(object).vertices)) {
             continue;
         }
-        const Error remark{
-            object.mesh, 0, 0,
-            "the mesh has no texture coordinates: an image is the same all over it", {}};
+        const Error remark{object.mesh,
+                           0,
+                           0,
+                           "the mesh has no texture coordinates: an image is the same all over it",
+                           {}};
         if (std::ranges::find(placeless_, remark) == placeless_.end()) {
             placeless_.push_back(remark);
         }
@@ -54,14 +52,14 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
         if (!mesh) {
             return tl::unexpected(mesh.error());
         }
-        made_.emplace(keyOf(object), std::move(*mesh));
+        made_.emplace(meshKey(object), std::move(*mesh));
         return {};
     }
     auto mesh = client.loadMesh({object.mesh, object.fitUnitBox, object.flipNormals});
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
-    read_.emplace(keyOf(object), std::move(*mesh));
+    read_.emplace(meshKey(object), std::move(*mesh));
     return {};
 }
 
@@ -69,18 +67,18 @@ Errors SceneMeshes::remarks() const {
     Errors remarks = placeless_;
     for (const auto& [key, mesh] : read_) {
         if (!mesh->remarks().empty()) {
-            remarks.push_back({std::get<std::string>(key), 0, 0, mesh->remarks(), {}});
+            remarks.push_back({key.mesh, 0, 0, mesh->remarks(), {}});
         }
     }
     return remarks;
 }
 
 MeshView SceneMeshes::view(const Object& object) const {
-    const auto made = made_.find(keyOf(object));
+    const auto made = made_.find(meshKey(object));
     if (made != made_.end()) {
         return made->second.view();
     }
-    const auto read = read_.find(keyOf(object));
+    const auto read = read_.find(meshKey(object));
     return read != read_.end() ? read->second->view() : MeshView{};
 }
 

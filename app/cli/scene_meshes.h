@@ -3,12 +3,11 @@
 
 #include <map>
 #include <memory>
-#include <string>
-#include <tuple>
 
 #include "assets/asset_client.h"
 #include "core/error.h"
 #include "core/mesh.h"
+#include "scene/mesh_key.h"
 #include "scene/scene.h"
 
 namespace patina {
@@ -26,15 +25,12 @@ class SceneMeshes {
     Errors remarks() const;
 
   private:
-    using Key = std::tuple<std::string, bool, bool>;
-
-    static Key keyOf(const Object& object);
     Result<void> add(const Object& object, AssetClient& client);
     void nameMissingPlaces(const Scene& scene);
 
     Errors placeless_;
-    std::map<Key, Mesh> made_;
-    std::map<Key, std::shared_ptr<const SharedMesh>> read_;
+    std::map<MeshKey, Mesh> made_;
+    std::map<MeshKey, std::shared_ptr<const SharedMesh>> read_;
 };
 
 } // namespace patina

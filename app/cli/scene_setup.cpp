@@ -8,11 +8,11 @@
 #include "catalog/fills.h"
 #include "cli/accuracy_text.h"
 #include "cli/environment_setup.h"
-#include "cli/picture_accuracy.h"
+#include "cli/picture_levels.h"
 #include "cli/scene_block.h"
 #include "cli/texture_text.h"
 #include "cli/transparency_setup.h"
-#include "cli/value_text.h"
+#include "cli/typed_value.h"
 #include "core/number_text.h"
 #include "material/model_swap.h"
 #include "material/preset_file.h"
@@ -23,27 +23,44 @@ namespace {
 
 constexpr std::string_view builtin = "builtin:";
 
-std::filesystem::path defaultScene() {
-    return dataFolder() / "presets" / "default.patina-scene.json";
-}
-
 /// Whether an option speaks of the object that is shown.
 bool needsObject(const std::string& preset, const PictureOptions& options) {
     return !preset.empty() || !options.model.empty() || !options.mesh.empty() ||
            !options.sets.empty() || !options.parts.empty() || !options.textures.empty();
 }
 
+/// Notes what a file named that is not read, and how it would be.
+void withhold(SceneSetup& setup, const OutsideFiles& outside, const std::string& by) {
+    for (const OutsideFile& each : outside) {
+        if (each.kind == OutsideFile::Kind::Mesh || each.kind == OutsideFile::Kind::Picture) {
+            setup.withheld.insert(each.file);
+        }
+    }
+    if (!outside.empty()) {
+        setup.notes.push_back({by, 0, 0, "names files outside its folder, which are not read",
+                               "--allow-outside, where you trust it"});
+    }
+}
+
+ReadingRights rightsFor(const PictureOptions& options) {
+    ReadingRights rights;
+    rights.everything = options.allowsOutside;
+    return rights;
+}
+
 /// The scene; where it is empty and options speak of an object, with that of the default scene.
 Checked<SceneSetup> startScene(const std::string& preset, const PictureOptions& options,
                                const Catalog& catalog) {
-    const auto file = options.scene.empty() ? defaultScene() : std::filesystem::path(options.scene);
-    const auto reading = readScene(file, catalog);
+    const auto file =
+        options.scene.empty() ? defaultSceneFile() : std::filesystem::path(options.scene);
+    const auto reading = readScene(file, catalog, rightsFor(options));
     if (!reading) {
         return tl::unexpected(reading.error());
     }
-    SceneSetup setup{reading->scene, reading->notes};
+    SceneSetup setup{reading->scene, reading->notes, {}};
+    withhold(setup, reading->outside, file.string());
     if (setup.scene.objects.empty() && needsObject(preset, options)) {
-        const auto shipped = readScene(defaultScene(), catalog);
+        const auto shipped = readScene(defaultSceneFile(), catalog);
         if (!shipped) {
             return tl::unexpected(shipped.error());
         }
@@ -52,13 +69,15 @@ Checked<SceneSetup> startScene(const std::string& preset, const PictureOptions& 
     return setup;
 }
 
-Checked<void> usePreset(SceneSetup& setup, const std::string& preset, const Catalog& catalog) {
-    const auto reading = readPreset(preset, catalog);
+Checked<void> usePreset(SceneSetup& setup, const std::string& preset, const ReadingRights& rights,
+                        const Catalog& catalog) {
+    const auto reading = readPreset(preset, catalog, rights);
     if (!reading) {
         return tl::unexpected(reading.error());
     }
     setup.scene.objects.front().material = reading->material;
     setup.notes.insert(setup.notes.end(), reading->notes.begin(), reading->notes.end());
+    withhold(setup, reading->outside, preset);
     return {};
 }
 
@@ -83,9 +102,9 @@ Result<bool> choosePart(Material& material, const std::string& kind, const std::
     }
     const Block* model = catalog.find("models", material.model.id);
     if (model != nullptr && !hasPlaceFor(*model, kind)) {
-        return failure(fmt::format("{} {}: the model \"{}\" has no place for it", kind, id,
-                                   material.model.id),
-                       fmt::format("a model with a {} slot", kind));
+        return failure(
+            fmt::format("{} {}: the model \"{}\" has no place for it", kind, id, material.model.id),
+            fmt::format("a model with a {} slot", kind));
     }
     const BlockValues* held = material.part(kind);
     const Block* before = held == nullptr ? nullptr : catalog.find(kind, held->id);
@@ -263,7 +282,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
         return setup;
     }
     if (!preset.empty()) {
-        if (auto used = usePreset(*setup, preset, catalog); !used) {
+        if (auto used = usePreset(*setup, preset, rightsFor(options), catalog); !used) {
             return tl::unexpected(used.error());
         }
     }
@@ -288,6 +307,10 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
     }
     if (options.exposure) {
         setup->scene.exposure = *options.exposure;
+    }
+    for (const std::string& named : {options.mesh, options.environment}) { // by the user himself
+        std::error_code isEmpty;
+        setup->withheld.erase(std::filesystem::absolute(named, isEmpty).generic_string());
     }
     noteEmptiness(*setup, options);
     return setup;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "catalog/catalog.h"
@@ -14,6 +15,7 @@ namespace patina {
 struct SceneSetup {
     Scene scene;
     Errors notes;
+    std::set<std::string, std::less<>> withheld; ///< meshes and pictures that are not to be read
 };
 
 /// The scene of the options (or the shipped default scene) with a preset, when `preset` is not

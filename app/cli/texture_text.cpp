@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/value_text.h"
+#include "cli/typed_value.h"
 #include "shading/texture_choice.h"
 
 namespace patina {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -56,9 +55,8 @@ Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog) {
     if (!descriptor) {
         return descriptor.error();
     }
-    Errors mistakes = slotMistakes(*descriptor, [&](const std::string& kind) {
-        return idsOfKind(kind, file, catalog);
-    });
+    Errors mistakes = slotMistakes(
+        *descriptor, [&](const std::string& kind) { return idsOfKind(kind, file, catalog); });
     const Errors names = nameMistakes(*descriptor, shaderNames(dataFolder() / "shaders"));
     mistakes.insert(mistakes.end(), names.begin(), names.end());
     sortByPlace(mistakes);
@@ -96,8 +94,7 @@ Errors absentFiles(const fs::path& file, const Scene& scene) {
                                              fmt::format("there is no file \"{}\"", object.mesh),
                                              "a path from the scene's folder, or builtin:<name>"));
         }
-        addImageMistakes(errors, *document, fmt::format("/objects/{}/preset", i),
-                         object.material);
+        addImageMistakes(errors, *document, fmt::format("/objects/{}/preset", i), object.material);
     }
     return errors;
 }
@@ -146,8 +143,7 @@ Errors mistakesIn(const fs::path& file, const Catalog& catalog) {
     if (format == "patina.scene") {
         return sceneMistakesIn(file, catalog);
     }
-    return format.empty() ? descriptorMistakesIn(file, catalog)
-                          : presetMistakesIn(file, catalog);
+    return format.empty() ? descriptorMistakesIn(file, catalog) : presetMistakesIn(file, catalog);
 }
 
 nlohmann::json toJson(const Error& error) {
@@ -158,12 +154,12 @@ nlohmann::json toJson(const Error& error) {
             {"expected", error.expected}};
 }
 
-struct Options {
+struct ValidateOptions {
     std::vector<std::string> files;
     bool json = false;
 };
 
-void print(const Options& options, const std::vector<Errors>& mistakes) {
+void print(const ValidateOptions& options, const std::vector<Errors>& mistakes) {
     nlohmann::json array = nlohmann::json::array();
     for (std::size_t i = 0; i < mistakes.size(); ++i) {
         nlohmann::json errors = nlohmann::json::array();
@@ -176,7 +172,7 @@ void print(const Options& options, const std::vector<Errors>& mistakes) {
     std::cout << writeJson(array);
 }
 
-bool validate(const Options& options) {
+bool validate(const ValidateOptions& options) {
     const Catalog catalog = loadCatalog(standardBlockRoots());
     bool valid = true;
     std::vector<Errors> mistakes;
@@ -199,7 +195,7 @@ bool validate(const Options& options) {
 void addValidate(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "validate", "Check presets, scenes and block descriptors; every mistake with its place");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ValidateOptions>();
     command->add_option("files", options->files, "The files")->required();
     command->add_flag("--json", options->json, "Print the mistakes as JSON");
     command->callback([options, &status] { status = validate(*options) ? 0 : 1; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assets/asset_client.h"
 
+#include <mutex>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "assets/mesh_block.h"
 #include "assets/shared_block.h"
 #include "assets/text_block.h"
+#include "core/ordinary_file.h"
 
 namespace patina {
 namespace {
@@ -54,28 +56,10 @@ std::string fullPath(const fs::path& file) {
     return (failed ? file : full).string();
 }
 
-std::optional<Error> reasonNotReadable(const fs::path& file) {
-    std::error_code failed;
-    const fs::file_status status = fs::status(file, failed);
-    if (!fs::exists(status)) {
-        return Error{file.string(), 0, 0, "no such file", {}};
-    }
-    if (fs::is_directory(status)) {
-        return Error{file.string(), 0, 0, "is a folder", "a file"};
-    }
-    if (!fs::is_regular_file(status)) {
-        return Error{file.string(), 0, 0, "is not an ordinary file", {}};
-    }
-    if (::access(file.c_str(), R_OK) != 0) {
-        return Error{file.string(), 0, 0, "cannot be read: permission denied", {}};
-    }
-    return std::nullopt;
-}
-
 Result<FileHandle> sharedImage(const fs::path& file, const Image& image) {
     const std::size_t size = ImageBlock::sizeFor(image.width, image.height, image.channels);
-    const std::size_t count = std::size_t(image.width) * std::size_t(image.height) *
-                              std::size_t(image.channels);
+    const std::size_t count =
+        std::size_t(image.width) * std::size_t(image.height) * std::size_t(image.channels);
     if (size == 0 || image.pixels.size() != count) {
         return tl::unexpected(Error{file.string(), 0, 0,
                                     "the image to write has no pixels, or too many",
@@ -115,11 +99,31 @@ class AssetClient::Implementation {
         return result;
     }
 
+    void withhold(std::set<std::string, std::less<>> files) {
+        const std::scoped_lock lock(mutex_);
+        withheld_ = std::move(files);
+    }
+
+    std::optional<Error> reasonNotReadable(const fs::path& file) {
+        {
+            const std::scoped_lock lock(mutex_);
+            if (withheld_.contains(file.generic_string())) {
+                return Error{file.string(), 0, 0,
+                             "lies outside the folder of the file that names it and is not read",
+                             {}};
+            }
+        }
+        const auto opened = OrdinaryFile::open(file, maxAssetBytes);
+        return opened ? std::nullopt : std::optional(opened.error());
+    }
+
     void warmUp(bool images) {
         queue_.post([this, images] { session_.warmUp(images); });
     }
 
   private:
+    std::mutex mutex_; // of what is withheld
+    std::set<std::string, std::less<>> withheld_;
     FilesSession session_;
     JobQueue queue_; // last, so that its thread ends before the session does
 };
@@ -129,9 +133,13 @@ AssetClient::AssetClient(Options options)
 AssetClient::AssetClient() : AssetClient(Options{}) {}
 AssetClient::~AssetClient() = default;
 
+void AssetClient::withhold(std::set<std::string, std::less<>> files) {
+    implementation_->withhold(std::move(files));
+}
+
 Result<std::shared_ptr<const SharedMesh>> AssetClient::loadMesh(const MeshRequest& mesh,
                                                                 Progress* progress) {
-    if (auto reason = reasonNotReadable(mesh.file)) {
+    if (auto reason = implementation_->reasonNotReadable(mesh.file)) {
         return tl::unexpected(std::move(*reason));
     }
     const std::vector<double> numbers{mesh.scale, mesh.fitUnitBox ? 1.0 : 0.0,
@@ -156,7 +164,7 @@ Result<std::shared_ptr<const SharedMesh>> AssetClient::loadMesh(const MeshReques
 }
 
 Result<Image> AssetClient::loadImage(const fs::path& file, Progress* progress) {
-    if (auto reason = reasonNotReadable(file)) {
+    if (auto reason = implementation_->reasonNotReadable(file)) {
         return tl::unexpected(std::move(*reason));
     }
     const FilesSession::Request request{
@@ -169,7 +177,7 @@ Result<Image> AssetClient::loadImage(const fs::path& file, Progress* progress) {
 
 Result<std::shared_ptr<const TexturePicture>>
 AssetClient::loadTexture(const fs::path& file, TextureDecoding decoding, Progress* progress) {
-    if (auto reason = reasonNotReadable(file)) {
+    if (auto reason = implementation_->reasonNotReadable(file)) {
         return tl::unexpected(std::move(*reason));
     }
     const FilesSession::Request request{

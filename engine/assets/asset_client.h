@@ -3,8 +3,8 @@
 
 #include <atomic>
 #include <filesystem>
-#include <functional>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "assets/texture_maker.h"
@@ -61,6 +61,10 @@ class AssetClient {
     ~AssetClient();
     AssetClient(const AssetClient&) = delete;
     AssetClient& operator=(const AssetClient&) = delete;
+
+    /// From now on these files (full paths) are not read: somebody named them who may not. Of
+    /// images on surfaces each says so itself (`TextureUse::outside`).
+    void withhold(std::set<std::string, std::less<>> files);
 
     /// A triangle list of the whole file: node transforms applied, normals and tangents there,
     /// vertices joined and ordered. Errors name the file and what was wrong, also when the process

@@ -11,44 +11,12 @@
 #include <boost/process/extend.hpp>
 #include <boost/process/io.hpp>
 #include <boost/process/posix.hpp>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 
-#ifdef __has_feature
-#define PATINA_HAS_FEATURE(x) __has_feature(x)
-#else
-#define PATINA_HAS_FEATURE(x) 0
-#endif
+#include "assets/confinement.h"
 
 namespace patina {
-namespace {
 
 namespace process = boost::process;
-
-#if defined(__SANITIZE_ADDRESS__) || PATINA_HAS_FEATURE(address_sanitizer)
-constexpr bool underSanitizer = true; // its shadow memory alone takes terabytes of address space
-#else
-constexpr bool underSanitizer = false;
-#endif
-
-/// Runs in the new process before the program starts: only calls that are safe after a fork.
-void confine(std::size_t memoryLimitBytes, pid_t parent) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) {
-        ::_exit(127); // the parent died before it could be watched
-    }
-    if (!underSanitizer) {
-        const rlimit memory{memoryLimitBytes, memoryLimitBytes};
-        ::setrlimit(RLIMIT_AS, &memory);
-        // Libraries print what the answer says better; standard output leads nowhere already.
-        ::dup2(STDOUT_FILENO, STDERR_FILENO);
-    }
-    const rlimit noCoreFile{0, 0};
-    ::setrlimit(RLIMIT_CORE, &noCoreFile);
-    ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC); // nothing of ours leaks into the program
-}
-
-} // namespace
 
 struct FilesProcess::State {
     Channel channel;
@@ -62,7 +30,9 @@ Result<FilesProcess> FilesProcess::start(const std::filesystem::path& program,
         return failure("cannot create a socket for the files process");
     }
     const pid_t parent = ::getpid();
-    const auto setUp = [=](auto&) { confine(memoryLimitBytes, parent); };
+    // Libraries print what the answer says better; standard output leads nowhere already.
+    const Confinement limits{.addressSpace = memoryLimitBytes, .isQuiet = true};
+    const auto setUp = [=](auto&) { confine(limits, parent); };
     try {
         process::child child(
             process::exe = program.string(), process::posix::fd.bind(0, theirs.get()),

@@ -4,18 +4,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/text.h"
+
 namespace patina {
 namespace {
 
 /// The kind whose blocks need no further word: a block is a lighting model unless it says more.
 constexpr std::string_view plainKind = "models";
-
-std::string capitalised(std::string text) {
-    if (!text.empty()) {
-        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    }
-    return text;
-}
 
 /// "lights" -> "Light", "fog" -> "Fog", "models" -> "".
 std::string kindWord(std::string_view kind) {
@@ -53,6 +48,14 @@ const Slot* Block::slot(std::string_view slotKind) const {
     const auto found = std::find_if(slots.begin(), slots.end(),
                                     [slotKind](const Slot& s) { return s.kind == slotKind; });
     return found == slots.end() ? nullptr : &*found;
+}
+
+bool Block::hasClaim(std::string_view claim) const {
+    return std::find(claims.begin(), claims.end(), claim) != claims.end();
+}
+
+bool Block::hasGate(std::string_view gate) const {
+    return std::find(gates.begin(), gates.end(), gate) != gates.end();
 }
 
 Values defaultValues(const Block& block) {

@@ -93,9 +93,9 @@ struct Block {
     std::map<std::string, std::string> exemptions; ///< claim -> why it is not made
     std::vector<std::string> gates; ///< "light", "view": below which horizons the value is 0
     ShadowProjection shadowProjection = ShadowProjection::None; ///< lights only
-    std::optional<Hiding> hides; ///< fog only
-    std::optional<Reach> reach;  ///< lights only
-    std::vector<NeutralCase> neutral; ///< one of them is enough
+    std::optional<Hiding> hides;                                ///< fog only
+    std::optional<Reach> reach;                                 ///< lights only
+    std::vector<NeutralCase> neutral;                           ///< one of them is enough
     std::filesystem::path descriptorFile;
     std::filesystem::path shaderFile;
     bool shipped = true; ///< false: from the user's folder
@@ -104,6 +104,8 @@ struct Block {
     const AccuracyChoice* accuracyChoice(std::string_view choiceId) const;
     const BlockTable* table(std::string_view tableId) const;
     const Slot* slot(std::string_view slotKind) const;
+    bool hasClaim(std::string_view claim) const;
+    bool hasGate(std::string_view gate) const;
 
     friend bool operator==(const Block&, const Block&) = default;
 };

@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "catalog/descriptor_checker.h"
 #include "catalog/suggestion.h"
 
 namespace patina {
 namespace {
 
-class BoundChecker {
+class BoundChecker : DescriptorChecker {
   public:
-    explicit BoundChecker(const Descriptor& descriptor)
-        : block_(descriptor.block), document_(descriptor.document) {}
+    explicit BoundChecker(const Descriptor& descriptor) : DescriptorChecker(descriptor) {}
 
     Errors run() {
         if (block_.hides) {
@@ -24,10 +24,6 @@ class BoundChecker {
     }
 
   private:
-    void add(const std::string& pointer, std::string problem, std::string expected) {
-        errors_.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
-    }
-
     void checkHiding(const Hiding& hiding) {
         const bool isRate = !hiding.rate.empty();
         if (isRate == !hiding.from.empty() || isRate == !hiding.to.empty()) {
@@ -75,10 +71,6 @@ class BoundChecker {
                 known.empty() ? "a parameter of the right type and space" : oneOf(id, known));
         }
     }
-
-    const Block& block_;
-    const LocatedJson& document_;
-    Errors errors_;
 };
 
 } // namespace

@@ -45,4 +45,7 @@ std::vector<BlockRoot> standardBlockRoots();
 /// The folder that holds shaders/, presets/ and schemas/.
 std::filesystem::path dataFolder();
 
+/// The scene that a new document starts as.
+std::filesystem::path defaultSceneFile();
+
 } // namespace patina

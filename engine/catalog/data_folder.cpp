@@ -62,6 +62,10 @@ std::filesystem::path dataFolder() {
     return !isDataFolder(installed) && isDataFolder(sources) ? sources : installed;
 }
 
+std::filesystem::path defaultSceneFile() {
+    return dataFolder() / "presets" / "default.patina-scene.json";
+}
+
 std::vector<BlockRoot> standardBlockRoots() {
     std::vector<BlockRoot> roots{{dataFolder() / "shaders", true}};
     if (const auto user = xdgDataFolder()) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/descriptor.h"
 
-#include <limits>
-
 #include "catalog/descriptor_checks.h"
 #include "catalog/descriptor_words.h"
 #include "catalog/value_json.h"
 
 namespace patina {
 namespace {
+
+/// Twenty times the longest that ships: checks compare ids with one another.
+constexpr JsonLimits descriptorLimits{.bytes = std::size_t(256) << 10};
 
 using Json = nlohmann::json;
 
@@ -337,7 +338,7 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
 } // namespace
 
 Checked<Descriptor> readDescriptor(const std::filesystem::path& path, const JsonSchema& schema) {
-    Result<LocatedJson> document = readJson(path);
+    Result<LocatedJson> document = readJson(path, descriptorLimits);
     if (!document) {
         return tl::unexpected(Errors{document.error()});
     }

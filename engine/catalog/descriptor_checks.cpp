@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "catalog/bound_checks.h"
+#include "catalog/descriptor_checker.h"
 #include "catalog/expression.h"
 #include "catalog/fill_checks.h"
 #include "catalog/neutral_checks.h"
@@ -34,20 +35,10 @@ std::vector<std::string> idsOf(const std::vector<EnumValue>& values) {
     return ids;
 }
 
-std::string shown(double value) {
-    return shortestText(static_cast<float>(value));
-}
-
-bool hasRange(ParameterType type) {
-    return type != ParameterType::Bool && type != ParameterType::Enum &&
-           type != ParameterType::Texture;
-}
-
 /// Collects the mistakes of one descriptor, each at its place.
-class Checker {
+class Checker : DescriptorChecker {
   public:
-    explicit Checker(const Descriptor& descriptor)
-        : block_(descriptor.block), document_(descriptor.document) {}
+    explicit Checker(const Descriptor& descriptor) : DescriptorChecker(descriptor) {}
 
     Errors run() {
         checkFiles();
@@ -61,10 +52,6 @@ class Checker {
     }
 
   private:
-    void add(const std::string& pointer, std::string problem, std::string expected = {}) {
-        errors_.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
-    }
-
     bool has(const std::string& pointer) const { return document_.places.contains(pointer); }
 
     void checkFiles() {
@@ -181,13 +168,13 @@ class Checker {
         }
         if (parameter.min > parameter.max) {
             add(pointer + "/min", "min is above max",
-                fmt::format("a number up to {}", shown(parameter.max)));
+                fmt::format("a number up to {}", shortestFloatText(parameter.max)));
         } else if (parameter.softMin < parameter.min || parameter.softMax > parameter.max ||
                    parameter.softMin > parameter.softMax) {
             add(pointer + (parameter.softMin < parameter.min ? "/softMin" : "/softMax"),
                 "the soft range is not inside the hard range",
-                fmt::format("{} <= softMin <= softMax <= {}", shown(parameter.min),
-                            shown(parameter.max)));
+                fmt::format("{} <= softMin <= softMax <= {}", shortestFloatText(parameter.min),
+                            shortestFloatText(parameter.max)));
         }
         checkWholeRange(parameter, pointer);
         if (parameter.scale == Scale::Log && parameter.softMin <= 0.0) {
@@ -222,7 +209,7 @@ class Checker {
     void checkPhysical(const Parameter& parameter, const std::string& pointer) {
         if (parameter.physical && parameter.physical->min > parameter.physical->max) {
             add(pointer + "/min", "min is above max",
-                fmt::format("a number up to {}", shown(parameter.physical->max)));
+                fmt::format("a number up to {}", shortestFloatText(parameter.physical->max)));
         }
     }
 
@@ -261,7 +248,8 @@ class Checker {
             add(pointer + "/default", value.error().problem, value.error().expected);
         } else if (parameter.min <= parameter.max && conformed(parameter, *value) != *value) {
             add(pointer + "/default", "the default is outside the hard range",
-                fmt::format("{} to {}", shown(parameter.min), shown(parameter.max)));
+                fmt::format("{} to {}", shortestFloatText(parameter.min),
+                            shortestFloatText(parameter.max)));
         }
     }
 
@@ -364,10 +352,6 @@ class Checker {
             }
         }
     }
-
-    const Block& block_;
-    const LocatedJson& document_;
-    Errors errors_;
 };
 
 } // namespace

@@ -82,11 +82,6 @@ void addRange(Json& json, const Parameter& parameter) {
     json["decimals"] = parameter.decimals;
 }
 
-bool hasRange(ParameterType type) {
-    return type != ParameterType::Bool && type != ParameterType::Enum &&
-           type != ParameterType::Texture;
-}
-
 Json parameterJson(const Parameter& parameter) {
     Json json{{"id", parameter.id},
               {"label", parameter.label},

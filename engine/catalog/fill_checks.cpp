@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/descriptor_checker.h"
 #include "catalog/fills.h"
 #include "catalog/suggestion.h"
 #include "catalog/value_json.h"
@@ -16,11 +17,10 @@ namespace {
 using Json = nlohmann::json;
 
 /// Checks the choices of one parameter that set others.
-class FillChecker {
+class FillChecker : DescriptorChecker {
   public:
     FillChecker(const Descriptor& descriptor, std::size_t index)
-        : block_(descriptor.block), document_(descriptor.document),
-          parameter_(descriptor.block.parameters[index]),
+        : DescriptorChecker(descriptor), parameter_(descriptor.block.parameters[index]),
           pointer_(fmt::format("/parameters/{}", index)) {}
 
     Errors run() {
@@ -40,10 +40,6 @@ class FillChecker {
     }
 
   private:
-    void add(const std::string& pointer, std::string problem, std::string expected) {
-        errors_.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
-    }
-
     void checkChoice(const std::string& pointer) {
         const Json::json_pointer place(pointer);
         if (!document_.value.contains(place) || !document_.value.at(place).is_object()) {
@@ -120,13 +116,10 @@ class FillChecker {
         }
     }
 
-    const Block& block_;
-    const LocatedJson& document_;
     const Parameter& parameter_;
     std::string pointer_;
     bool isFilling_ = false;
     std::set<std::string> all_;
-    Errors errors_;
 };
 
 } // namespace

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "catalog/json_reader.h"
+#include "core/ordinary_file.h"
 
 namespace patina {
 namespace {
@@ -290,31 +292,14 @@ Result<LocatedJson> parseJson(std::string_view text, std::string file, const Jso
 }
 
 Result<LocatedJson> readJson(const std::filesystem::path& path, const JsonLimits& limits) {
-    const std::string name = path.string();
-    std::error_code status;
-    if (std::filesystem::is_directory(path, status)) {
-        return tl::unexpected(Error{name, 0, 0, "this is a folder", "a file"});
-    }
-    // Whoever opens a pipe waits for its other end.
-    if (std::filesystem::is_fifo(path, status)) {
-        return tl::unexpected(Error{name, 0, 0, "this is a pipe", "a file"});
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        return tl::unexpected(
-            Error{name, 0, 0, "the file cannot be read", "an existing file that you may read"});
-    }
-    // Not the size asked beforehand: it is a lie for devices and for files that grow.
-    std::string text;
-    std::string chunk(64u << 10, '\0');
-    while (file && text.size() <= limits.bytes) {
-        file.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-        text.append(chunk, 0, static_cast<std::size_t>(file.gcount()));
-    }
-    if (file.bad()) {
-        return tl::unexpected(Error{name, 0, 0, "reading the file failed", {}});
-    }
-    return parseJson(text, name, limits);
+    constexpr auto anySize = std::numeric_limits<std::uintmax_t>::max(); // the parser has the limit
+    return OrdinaryFile::open(path, anySize)
+        .and_then([&](const OrdinaryFile& file) { return file.start(limits.bytes + 1); })
+        .map_error([](Error error) {
+            error.problem.insert(0, error.problem.starts_with("is ") ? "this " : "");
+            return error;
+        })
+        .and_then([&](const std::string& text) { return parseJson(text, path.string(), limits); });
 }
 
 } // namespace patina

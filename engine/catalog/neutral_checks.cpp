@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "catalog/descriptor_checker.h"
+
 namespace patina {
 namespace {
 
@@ -21,10 +23,9 @@ bool canBeZero(const Parameter& parameter) {
            parameter.type == ParameterType::Color || parameter.type == ParameterType::Vec3;
 }
 
-class NeutralChecker {
+class NeutralChecker : DescriptorChecker {
   public:
-    explicit NeutralChecker(const Descriptor& descriptor)
-        : block_(descriptor.block), document_(descriptor.document) {}
+    explicit NeutralChecker(const Descriptor& descriptor) : DescriptorChecker(descriptor) {}
 
     Errors run() {
         const auto found = document_.value.find("neutral");
@@ -46,8 +47,7 @@ class NeutralChecker {
 
   private:
     void add(const Pointer& place, std::string problem, std::string expected) {
-        errors_.push_back(
-            document_.error(place.to_string(), std::move(problem), std::move(expected)));
+        DescriptorChecker::add(place.to_string(), std::move(problem), std::move(expected));
     }
 
     /// The values of an enum or an accuracy choice; null for a number.
@@ -87,8 +87,9 @@ class NeutralChecker {
         if (!canBeZero(parameter)) {
             add(place, "only numbers, vectors and colours can be 0", "another parameter");
         } else if (word.empty() && parameter.max <= 0.0) {
-            add(place, fmt::format("\"{}\" is never above 0: the block would never be there",
-                                   parameter.id),
+            add(place,
+                fmt::format("\"{}\" is never above 0: the block would never be there",
+                            parameter.id),
                 "a parameter that can be above 0");
         } else if (word == parameter.id) {
             add(place,
@@ -149,10 +150,6 @@ class NeutralChecker {
             }
         }
     }
-
-    const Block& block_;
-    const LocatedJson& document_;
-    Errors errors_;
 };
 
 } // namespace

@@ -49,6 +49,17 @@ bool isChoice(const Parameter& parameter, const Value& value) {
 
 } // namespace
 
+std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id) {
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [id](const EnumValue& value) { return value.id == id; });
+    return found == values.end() ? 0 : static_cast<std::size_t>(found - values.begin());
+}
+
+bool hasRange(ParameterType type) {
+    return type != ParameterType::Bool && type != ParameterType::Enum &&
+           type != ParameterType::Texture;
+}
+
 int componentCount(ParameterType type) {
     switch (type) {
     case ParameterType::Color:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,8 +22,8 @@ enum class Space { None, WorldPoint, WorldDirection, CameraPoint, CameraDirectio
 
 /// What the shader generator does with a parameter.
 enum class Compiled {
-    No,      ///< a uniform: changing it never compiles
-    Yes,     ///< its value is part of the program (enums and bools only)
+    No,       ///< a uniform: changing it never compiles
+    Yes,      ///< its value is part of the program (enums and bools only)
     WhenZero, ///< a float: only whether it is zero is part of the program
     WhenEqual ///< a float: only whether it is the same as `equalTo` is part of the program
 };
@@ -40,8 +41,8 @@ struct EnumValue {
     std::string id;
     std::string label;
     std::string doc;
-    bool exact = false; ///< accuracy choices only: the level the others are measured against
-    Values fills{};     ///< parameters of the same block that choosing this sets; see fills.h
+    bool exact = false;  ///< accuracy choices only: the level the others are measured against
+    Values fills{};      ///< parameters of the same block that choosing this sets; see fills.h
     std::string table{}; ///< accuracy choices only: id of the block's table that the level reads
 
     friend bool operator==(const EnumValue&, const EnumValue&) = default;
@@ -67,12 +68,12 @@ struct Migration {
 /// One parameter as its descriptor declares it. The only declaration there is: the GLSL struct,
 /// the C++ struct, the widget, the command line and the preset check all come from it.
 struct Parameter {
-    std::string id;    ///< dotted, shared across blocks where the meaning is the same
+    std::string id; ///< dotted, shared across blocks where the meaning is the same
     std::string label;
-    std::string doc;   ///< the tooltip, in plain words
+    std::string doc; ///< the tooltip, in plain words
     ParameterType type = ParameterType::Float;
     Value defaultValue = 0.0;
-    double min = 0.0;  ///< hard range: what typing and files may reach (per component)
+    double min = 0.0; ///< hard range: what typing and files may reach (per component)
     double max = 1.0;
     double softMin = 0.0; ///< the slider's range
     double softMax = 1.0;
@@ -86,9 +87,9 @@ struct Parameter {
     std::vector<EnumValue> values; ///< enum only
     Compiled compiled = Compiled::No;
     std::vector<std::string> components; ///< what a vector's numbers are called
-    std::string equalTo; ///< Compiled::WhenEqual: id of another float of the block
+    std::string equalTo;                 ///< Compiled::WhenEqual: id of another float of the block
     Space space = Space::None;
-    bool emission = false; ///< a colour that is added once per pixel, whatever the light
+    bool emission = false;     ///< a colour that is added once per pixel, whatever the light
     bool transparency = false; ///< a share of the light that passes: it lowers the opacity
     HighlightWidth highlight = HighlightWidth::None;
     std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not
@@ -97,6 +98,12 @@ struct Parameter {
 
     friend bool operator==(const Parameter&, const Parameter&) = default;
 };
+
+/// The place of the choice with this id; 0 where there is none.
+std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id);
+
+/// Whether values of this type are numbers, which have limits.
+bool hasRange(ParameterType type);
 
 /// Number of float components a value of this type has in the shader (an enum, int or bool has 1).
 int componentCount(ParameterType type);

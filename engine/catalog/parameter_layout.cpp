@@ -27,12 +27,6 @@ void append(ParameterLayout& layout, ParameterField field) {
     layout.fields.push_back(std::move(field));
 }
 
-std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id) {
-    const auto found = std::find_if(values.begin(), values.end(),
-                                    [id](const EnumValue& value) { return value.id == id; });
-    return found == values.end() ? 0 : static_cast<std::size_t>(found - values.begin());
-}
-
 Value valueOf(const Parameter& parameter, const Values& values) {
     const auto found = values.find(parameter.id);
     return found == values.end() ? parameter.defaultValue : conformed(parameter, found->second);

@@ -4,38 +4,45 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
+#include <cstdint>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "catalog/table_source.h"
+#include "core/ordinary_file.h"
+#include "core/text.h"
 
 namespace patina {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t maxBytes = 1u << 20; // of a file of these folders
+
 /// A function of the same name would hide them all, whatever its arguments.
 bool isFunctionOfGlsl(std::string_view name) {
     constexpr auto names = std::to_array<std::string_view>(
-        {"abs", "acos", "acosh", "all", "any", "asin", "asinh", "atan", "atanh", "barrier",
-         "ceil", "clamp", "cos", "cosh", "cross", "degrees", "determinant", "distance", "dot",
-         "equal", "exp", "exp2", "faceforward", "floor", "fma", "fract", "frexp", "fwidth",
-         "greaterThan", "greaterThanEqual", "inverse", "inversesqrt", "isinf", "isnan", "ldexp",
-         "length", "lessThan", "lessThanEqual", "log", "log2", "max", "min", "mix", "mod", "modf",
-         "noise1", "noise2", "noise3", "noise4", "normalize", "notEqual", "outerProduct", "pow",
-         "radians", "reflect", "refract", "round", "roundEven", "shadow1D", "shadow2D", "sign",
-         "sin", "sinh", "smoothstep", "sqrt", "step", "tan", "tanh", "texelFetch",
-         "texelFetchOffset", "texture", "texture1D", "texture2D", "texture3D", "textureCube",
-         "textureGather", "textureGrad", "textureLod", "textureOffset", "textureProj",
-         "textureSize", "transpose", "trunc"});
+        {"abs",           "acos",         "acosh",         "all",           "any",
+         "asin",          "asinh",        "atan",          "atanh",         "barrier",
+         "ceil",          "clamp",        "cos",           "cosh",          "cross",
+         "degrees",       "determinant",  "distance",      "dot",           "equal",
+         "exp",           "exp2",         "faceforward",   "floor",         "fma",
+         "fract",         "frexp",        "fwidth",        "greaterThan",   "greaterThanEqual",
+         "inverse",       "inversesqrt",  "isinf",         "isnan",         "ldexp",
+         "length",        "lessThan",     "lessThanEqual", "log",           "log2",
+         "max",           "min",          "mix",           "mod",           "modf",
+         "noise1",        "noise2",       "noise3",        "noise4",        "normalize",
+         "notEqual",      "outerProduct", "pow",           "radians",       "reflect",
+         "refract",       "round",        "roundEven",     "shadow1D",      "shadow2D",
+         "sign",          "sin",          "sinh",          "smoothstep",    "sqrt",
+         "step",          "tan",          "tanh",          "texelFetch",    "texelFetchOffset",
+         "texture",       "texture1D",    "texture2D",     "texture3D",     "textureCube",
+         "textureGather", "textureGrad",  "textureLod",    "textureOffset", "textureProj",
+         "textureSize",   "transpose",    "trunc"});
     return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool isLetter(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 /// Calls `take(word, rest of the line after it)` for each word before a remark.
@@ -43,8 +50,8 @@ template <class Take>
 void forEachWord(std::string_view line, const Take& take) {
     line = line.substr(0, line.find("//"));
     while (!line.empty()) {
-        const auto first = std::find_if(line.begin(), line.end(), isLetter);
-        const auto end = std::find_if_not(first, line.end(), isLetter);
+        const auto first = std::find_if(line.begin(), line.end(), isNameCharacter);
+        const auto end = std::find_if_not(first, line.end(), isNameCharacter);
         const auto begins = static_cast<std::size_t>(first - line.begin());
         const auto length = static_cast<std::size_t>(end - first);
         const std::string_view rest = line.substr(begins + length);
@@ -55,7 +62,7 @@ void forEachWord(std::string_view line, const Take& take) {
 
 /// A declaration of a library file starts its line; what is inside braces is indented.
 void addDeclaration(ShaderNames& names, std::string_view line) {
-    if (line.empty() || !isLetter(line.front())) {
+    if (line.empty() || !isNameCharacter(line.front())) {
         return;
     }
     bool isDone = false;
@@ -81,7 +88,7 @@ void addFiles(ShaderNames& names, const fs::path& folder,
     std::error_code status; // what cannot be read is said where it is needed
     for (fs::directory_iterator at(folder, status), end; !status && at != end;
          at.increment(status)) {
-        std::ifstream file(at->path());
+        std::istringstream file(readFile(at->path(), maxBytes).value_or(std::string()));
         for (std::string line; std::getline(file, line);) {
             add(names, line);
         }

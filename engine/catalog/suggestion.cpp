@@ -43,6 +43,11 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
     word = word.substr(0, 64); // nobody misspells a longer one
     std::size_t bestDistance = word.size() / 3 + 1;
     for (const std::string& candidate : candidates) {
+        const std::size_t apart = word.size() < candidate.size() ? candidate.size() - word.size()
+                                                                 : word.size() - candidate.size();
+        if (apart >= bestDistance) {
+            continue; // so many letters have to be added at least
+        }
         const std::size_t d = distance(word, candidate);
         if (d < bestDistance) {
             best = candidate;

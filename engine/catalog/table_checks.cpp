@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/descriptor_checker.h"
 #include "catalog/fills.h"
 #include "catalog/suggestion.h"
 #include "catalog/table_source.h"
@@ -17,10 +18,9 @@ namespace {
 /// Blocks of these kinds belong to a material, which has the texture for its tables.
 constexpr std::array<std::string_view, 3> kindsWithTables{"models", "fresnel", "specular"};
 
-class TableChecker {
+class TableChecker : DescriptorChecker {
   public:
-    explicit TableChecker(const Descriptor& descriptor)
-        : block_(descriptor.block), document_(descriptor.document) {}
+    explicit TableChecker(const Descriptor& descriptor) : DescriptorChecker(descriptor) {}
 
     Errors run() {
         if (!block_.tables.empty() &&
@@ -39,17 +39,13 @@ class TableChecker {
     }
 
   private:
-    void add(const std::string& pointer, std::string problem, std::string expected) {
-        errors_.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
-    }
-
     void checkTable(const BlockTable& table, const std::string& pointer) {
         if (table.id.empty() || block_.id.empty()) {
             return;
         }
         if (!names_.insert(tableFunction(block_, table)).second) {
-            add(pointer + "/id", fmt::format("there are two functions {}",
-                                             tableFunction(block_, table)),
+            add(pointer + "/id",
+                fmt::format("there are two functions {}", tableFunction(block_, table)),
                 "each id once");
         }
         for (std::size_t i = 0; i < table.of.size(); ++i) {
@@ -99,11 +95,8 @@ class TableChecker {
         }
     }
 
-    const Block& block_;
-    const LocatedJson& document_;
     std::set<std::string> names_;
     std::set<std::string> read_;
-    Errors errors_;
 };
 
 } // namespace

@@ -13,8 +13,7 @@ namespace {
 /// a terminal obeys other control characters.
 std::string printable(std::string text) {
     std::replace_if(
-        text.begin(), text.end(),
-        [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
     return text;
 }
 
@@ -39,6 +38,14 @@ void sortByPlace(Errors& errors) {
     std::stable_sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
         return std::tie(a.line, a.column) < std::tie(b.line, b.column);
     });
+}
+
+void addNew(Errors& errors, const Errors& more) {
+    for (const Error& error : more) {
+        if (std::find(errors.begin(), errors.end(), error) == errors.end()) {
+            errors.push_back(error);
+        }
+    }
 }
 
 std::string text(const Errors& errors) {

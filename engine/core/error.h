@@ -32,6 +32,9 @@ inline Errors oneError(Error error) {
 /// Sorts errors of one file by their place; the order of those at one place stays.
 void sortByPlace(Errors& errors);
 
+/// Appends those of `more` that are not in `errors` yet.
+void addNew(Errors& errors, const Errors& more);
+
 /// The texts of all errors, one per line.
 std::string text(const Errors& errors);
 

@@ -8,12 +8,12 @@ namespace patina {
 namespace {
 
 /// More would take a window's time.
-constexpr std::size_t mostVertices = std::size_t(1) << 20;
+constexpr std::size_t maxVertices = std::size_t(1) << 20;
 
 } // namespace
 
 bool hasImagePlaces(std::span<const Vertex> vertices) {
-    const std::size_t step = std::max<std::size_t>(vertices.size() / mostVertices, 1);
+    const std::size_t step = std::max<std::size_t>(vertices.size() / maxVertices, 1);
     for (std::size_t i = 0; i < vertices.size(); i += step) {
         if (vertices[i].uv != vertices.front().uv) {
             return true;

@@ -8,9 +8,17 @@
 
 namespace patina {
 
-std::string shortestText(float value) { return fmt::format("{}", value); }
+std::string shortestText(float value) {
+    return fmt::format("{}", value);
+}
 
-std::string fullText(double value) { return fmt::format("{:.17g}", value); }
+std::string shortestFloatText(double value) {
+    return shortestText(static_cast<float>(value));
+}
+
+std::string fullText(double value) {
+    return fmt::format("{:.17g}", value);
+}
 
 std::optional<double> parseNumber(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");

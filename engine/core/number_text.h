@@ -10,6 +10,9 @@ namespace patina {
 /// The shortest text that reads back as the same float; always the C locale ("0.1", "1e+20").
 std::string shortestText(float value);
 
+/// The same for the float next to a double.
+std::string shortestFloatText(double value);
+
 /// 17 significant digits, enough for every double; always the C locale.
 std::string fullText(double value);
 

@@ -13,6 +13,10 @@ void deleteFramebuffer(unsigned name) {
     glDeleteFramebuffers(1, &name);
 }
 
+unsigned colorAttachment(std::size_t location) {
+    return GL_COLOR_ATTACHMENT0 + static_cast<unsigned>(location);
+}
+
 Framebuffer Framebuffer::create() {
     Framebuffer framebuffer;
     GLuint name = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "core/error.h"
 #include "gl/name.h"
 #include "gl/renderbuffer.h"
@@ -11,6 +13,9 @@
 namespace patina::gl {
 
 void deleteFramebuffer(unsigned name);
+
+/// Where a program's output of this location goes: GL_COLOR_ATTACHMENT0 and what follows it.
+unsigned colorAttachment(std::size_t location);
 
 /// A framebuffer object. What is attached must outlive it.
 class Framebuffer {

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "gl/driver.h"
+#include "gl/driver_cache.h"
 
 namespace patina::gl {
 namespace {
@@ -112,6 +113,7 @@ std::string offered(EGLDisplay display) {
 } // namespace
 
 Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create(const Options& options) {
+    prepareDriverCache();
     std::string found;
     for (EGLDisplay display : candidateDisplays()) {
         if (display == EGL_NO_DISPLAY || !ownDisplays().open(display)) {

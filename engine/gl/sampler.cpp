@@ -10,7 +10,7 @@
 namespace patina::gl {
 namespace {
 
-constexpr float mostAnisotropy = 8.0f;
+constexpr float maxAnisotropy = 8.0f;
 
 /// What the driver can do; a device that is the CPU itself would take several times as long.
 float anisotropy() {
@@ -19,7 +19,7 @@ float anisotropy() {
     }
     GLfloat most = 1.0f;
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
-    return std::min(most, mostAnisotropy);
+    return std::min(most, maxAnisotropy);
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
+#include "io/assimp_files.h"
 #include "io/mesh_limits.h"
 #include "io/polygon_cutter.h"
 
@@ -146,13 +147,15 @@ Error unreadable(const std::filesystem::path& file, std::string why) {
 
 /// The scene that `read` makes with an importer, as a mesh.
 template <class Read>
-Result<RawMesh> meshFrom(const std::filesystem::path& file, const ReportProgress& report,
+Result<RawMesh> meshFrom(const std::shared_ptr<MeshFolder>& folder, const ReportProgress& report,
                          const Read& read) {
+    const std::filesystem::path& file = folder->file();
     const auto importer = std::make_shared<Assimp::Importer>();
     if (!importer->IsExtensionSupported(file.extension().string())) {
         return tl::unexpected(Error{file.string(), 0, 0, "is not in a mesh format known here",
                                     ".obj, .gltf, .glb, .ply, .stl, .fbx, .dae, .3ds or the like"});
     }
+    importer->SetIOHandler(new AssimpFiles(folder)); // becomes the importer's
     Reporter reporter(report);
     importer->SetProgressHandler(&reporter);
     const aiScene* const scene = read(*importer);
@@ -172,16 +175,17 @@ Result<RawMesh> meshFrom(const std::filesystem::path& file, const ReportProgress
 
 } // namespace
 
-Result<RawMesh> readWithAssimp(const std::filesystem::path& file, const ReportProgress& report) {
-    return meshFrom(file, report, [&](Assimp::Importer& importer) {
-        return importer.ReadFile(file.string(), noSteps);
+Result<RawMesh> readWithAssimp(const std::shared_ptr<MeshFolder>& folder,
+                               const ReportProgress& report) {
+    return meshFrom(folder, report, [&](Assimp::Importer& importer) {
+        return importer.ReadFile(folder->file().string(), noSteps);
     });
 }
 
-Result<RawMesh> readWithAssimp(const std::filesystem::path& file, std::string_view text,
+Result<RawMesh> readWithAssimp(const std::shared_ptr<MeshFolder>& folder, std::string_view text,
                                const ReportProgress& report) {
-    return meshFrom(file, report, [&](Assimp::Importer& importer) {
-        const std::string format = file.extension().string().substr(1);
+    return meshFrom(folder, report, [&](Assimp::Importer& importer) {
+        const std::string format = folder->file().extension().string().substr(1);
         return importer.ReadFileFromMemory(text.data(), text.size(), noSteps, format.c_str());
     });
 }

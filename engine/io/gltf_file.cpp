@@ -9,11 +9,11 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::uintmax_t maxFileBytes = std::uintmax_t(1) << 30;
 constexpr std::uint32_t glbMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t jsonChunk = 0x4e4f534a; // "JSON"
 constexpr std::size_t glbHeaderBytes = 12;
@@ -135,18 +134,25 @@ bool staysInFolder(const std::string& uri) {
            path.string().find_first_of("\\$`") == std::string::npos;
 }
 
+Error outside(const std::string& uri) {
+    return Error{{},
+                 0,
+                 0,
+                 "its buffer \"" + uri + "\" lies outside its folder and is not read",
+                 "a file beside the mesh, or in a folder there"};
+}
+
 /// Whoever sent a mesh does not decide which of the user's files are read.
 Result<void> checkBuffers(const json& document) {
     const auto buffers = document.find("buffers");
     for (std::size_t i = 0; buffers != document.end() && i < buffers->size(); ++i) {
         const json& buffer = (*buffers)[i];
-        const std::string uri = buffer.is_object() && buffer.contains("uri") &&
-                                        buffer["uri"].is_string()
-                                    ? buffer["uri"].get<std::string>()
-                                    : std::string();
+        const std::string uri =
+            buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string()
+                ? buffer["uri"].get<std::string>()
+                : std::string();
         if (!uri.empty() && !uri.starts_with("data:") && !staysInFolder(uri)) {
-            return failure("its buffer \"" + uri + "\" lies outside its folder and is not read",
-                           "a file beside the mesh, or in a folder there");
+            return tl::unexpected(outside(uri));
         }
     }
     return {};
@@ -190,9 +196,35 @@ bool skipImage(tinygltf::Image*, const int, std::string*, std::string*, int, int
     return true;
 }
 
-Result<tinygltf::Model> parsed(const std::string& bytes, bool binary, const fs::path& folder) {
+bool isThere(const std::string& path, void* folder) {
+    return static_cast<MeshFolder*>(folder)->open(path).has_value();
+}
+
+std::string asItIs(const std::string& path, void*) {
+    return path;
+}
+
+bool readWhole(std::vector<unsigned char>* bytes, std::string* why, const std::string& path,
+               void* folder) {
+    const auto content = static_cast<MeshFolder*>(folder)->open(path).and_then(
+        [](const OrdinaryFile& file) { return file.content(); });
+    if (!content) {
+        *why = content.error().problem;
+        return false;
+    }
+    bytes->assign(content->begin(), content->end());
+    return true;
+}
+
+bool writeNothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+}
+
+Result<tinygltf::Model> parsed(const std::string& bytes, bool binary, MeshFolder& folder) {
+    const std::string fromTheFolder;
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(skipImage, nullptr);
+    loader.SetFsCallbacks({isThere, asItIs, readWhole, writeNothing, &folder});
     tinygltf::Model model;
     std::string errors;
     std::string warnings;
@@ -200,28 +232,16 @@ Result<tinygltf::Model> parsed(const std::string& bytes, bool binary, const fs::
     const bool loaded =
         binary ? loader.LoadBinaryFromMemory(&model, &errors, &warnings,
                                              reinterpret_cast<const unsigned char*>(bytes.data()),
-                                             size, folder.string())
+                                             size, fromTheFolder)
                : loader.LoadASCIIFromString(&model, &errors, &warnings, bytes.data(), size,
-                                            folder.string());
+                                            fromTheFolder);
+    if (!loaded && !folder.refused().empty()) {
+        return tl::unexpected(outside(folder.refused().front()));
+    }
     if (!loaded) {
         return failure(firstLine(errors));
     }
     return model;
-}
-
-Result<std::string> contentOf(const fs::path& file) {
-    std::error_code failed;
-    const std::uintmax_t size = fs::file_size(file, failed);
-    std::ifstream stream(file, std::ios::binary);
-    if (failed || !stream) {
-        return failure("cannot be read");
-    }
-    if (size > maxFileBytes) {
-        return failure("is larger than 1 GiB");
-    }
-    std::string bytes(size, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(size));
-    return bytes;
 }
 
 bool isVersionOne(const json& document) {
@@ -236,8 +256,10 @@ bool isVersionOne(const json& document) {
 
 } // namespace
 
-Result<std::optional<tinygltf::Model>> loadGltf(const fs::path& file) {
-    auto bytes = contentOf(file);
+Result<std::optional<tinygltf::Model>> loadGltf(MeshFolder& folder) {
+    auto bytes = folder.open(folder.file().string()).and_then([](const OrdinaryFile& file) {
+        return file.content();
+    });
     if (!bytes) {
         return tl::unexpected(bytes.error());
     }
@@ -262,7 +284,7 @@ Result<std::optional<tinygltf::Model>> loadGltf(const fs::path& file) {
         const std::string text = document.dump();
         *bytes = parts->binary ? glbOf(text, parts->chunks) : text;
     }
-    auto model = parsed(*bytes, wordAt(*bytes, 0) == glbMagic, file.parent_path());
+    auto model = parsed(*bytes, wordAt(*bytes, 0) == glbMagic, folder);
     if (!model) {
         return tl::unexpected(model.error());
     }

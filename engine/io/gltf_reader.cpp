@@ -173,9 +173,8 @@ class Gatherer {
 
 } // namespace
 
-Result<std::optional<RawMesh>> readGltf(const std::filesystem::path& file,
-                                        const ReportProgress& report) {
-    const auto model = loadGltf(file);
+Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress& report) {
+    const auto model = loadGltf(folder);
     if (!model) {
         return tl::unexpected(model.error());
     }

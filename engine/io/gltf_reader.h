@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <optional>
 
 #include "core/error.h"
+#include "io/mesh_folder.h"
 #include "io/raw_mesh.h"
 #include "io/report_progress.h"
 
@@ -13,7 +13,6 @@ namespace patina {
 /// All triangles of a glTF 2.0 or GLB file's default scene, node transforms applied, with
 /// KHR_draco_mesh_compression, EXT_meshopt_compression and KHR_mesh_quantization. Nothing when
 /// the file is glTF 1. Errors are without the file's name.
-Result<std::optional<RawMesh>> readGltf(const std::filesystem::path& file,
-                                        const ReportProgress& report);
+Result<std::optional<RawMesh>> readGltf(MeshFolder& folder, const ReportProgress& report);
 
 } // namespace patina

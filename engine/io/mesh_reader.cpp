@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
 #include "io/assimp_reader.h"
 #include "io/gltf_reader.h"
 #include "io/mesh_finisher.h"
+#include "io/mesh_folder.h"
 #include "io/obj_reader.h"
 #include "io/ply_header.h"
 #include "io/text_file.h"
@@ -31,9 +31,7 @@ std::string formatOf(const std::filesystem::path& file) {
 bool isUtf16Text(const std::filesystem::path& file, const std::string& format) {
     static constexpr std::array<std::string_view, 5> textFormats = {".obj", ".gltf", ".dae", ".ply",
                                                                     ".off"};
-    char mark[2] = {};
-    std::ifstream(file, std::ios::binary).read(mark, sizeof mark);
-    const std::string_view found(mark, sizeof mark);
+    const std::string found = startOf(file, 2);
     return std::ranges::find(textFormats, format) != textFormats.end() &&
            (found == "\xff\xfe" || found == "\xfe\xff");
 }
@@ -43,16 +41,18 @@ bool hasTextThatMarksHoldUp(const std::string& format) {
     return format == ".ply" || format == ".fbx";
 }
 
-Result<RawMesh> readGeneralObj(const std::filesystem::path& file, const ReportProgress& report) {
-    return objForAssimp(file).and_then([&](const std::optional<std::string>& text) {
-        return text ? readWithAssimp(file, *text, report) : readWithAssimp(file, report);
+using Folder = std::shared_ptr<MeshFolder>;
+
+Result<RawMesh> readGeneralObj(const Folder& folder, const ReportProgress& report) {
+    return objForAssimp(folder->file()).and_then([&](const std::optional<std::string>& text) {
+        return text ? readWithAssimp(folder, *text, report) : readWithAssimp(folder, report);
     });
 }
 
 /// glTF 1.0, of which Assimp reads the text form and little of the other.
-Result<RawMesh> readFormerGltf(const std::filesystem::path& file, const std::string& format,
+Result<RawMesh> readFormerGltf(const Folder& folder, const std::string& format,
                                const ReportProgress& report) {
-    auto mesh = readWithAssimp(file, report);
+    auto mesh = readWithAssimp(folder, report);
     if (!mesh && format == ".glb") {
         return failure("is binary glTF 1.0, which is not read here",
                        "glTF 2.0, or 1.0 with its JSON in a .gltf file");
@@ -60,7 +60,8 @@ Result<RawMesh> readFormerGltf(const std::filesystem::path& file, const std::str
     return mesh;
 }
 
-Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportProgress& report) {
+Result<RawMesh> readTriangles(const Folder& folder, const ReportProgress& report) {
+    const std::filesystem::path& file = folder->file();
     const std::string format = formatOf(file);
     if (isUtf16Text(file, format)) {
         return failure("is text in UTF-16", "UTF-8, in which most programs can save it again");
@@ -72,21 +73,49 @@ Result<RawMesh> readTriangles(const std::filesystem::path& file, const ReportPro
         if (auto mesh = readPlainObj(file, report)) {
             return std::move(*mesh);
         }
-        return readGeneralObj(file, report);
+        return readGeneralObj(folder, report);
     }
     if (format == ".gltf" || format == ".glb") {
-        auto mesh = readGltf(file, report);
+        auto mesh = readGltf(*folder, report);
         if (!mesh) {
             return tl::unexpected(mesh.error());
         }
         if (*mesh) {
             return std::move(**mesh);
         }
-        return readFormerGltf(file, format, report);
+        return readFormerGltf(folder, format, report);
     }
     const bool isHeldUp = hasTextThatMarksHoldUp(format) && startsWithMark(file);
     const auto text = isHeldUp ? textOf(file) : std::nullopt;
-    return text ? readWithAssimp(file, *text, report) : readWithAssimp(file, report);
+    return text ? readWithAssimp(folder, *text, report) : readWithAssimp(folder, report);
+}
+
+/// Materials and images are none of a mesh's business: nobody misses them.
+bool isMissed(const std::string& path) {
+    const std::string format = formatOf(path);
+    static constexpr std::array<std::string_view, 13> looks = {
+        ".mtl",  ".png", ".jpg", ".jpeg", ".tga",      ".bmp",   ".tif",
+        ".webp", ".dds", ".ktx", ".ktx2", ".material", ".shader"};
+    return std::ranges::find(looks, format) == looks.end();
+}
+
+/// The remarks, and which of its files the mesh is without.
+std::string withRefused(std::string remarks, const MeshFolder& folder) {
+    for (const std::string& path : folder.refused()) {
+        if (isMissed(path)) {
+            remarks += (remarks.empty() ? "" : "; ") + refusal(path).problem;
+        }
+    }
+    return remarks;
+}
+
+/// Where files were refused, that is the reason for all that followed.
+Error reasonOf(Error error, const MeshFolder& folder) {
+    const auto& refused = folder.refused();
+    const auto missed = std::ranges::find_if(refused, isMissed);
+    return missed == refused.end() || error.problem.find(*missed) != std::string::npos
+               ? error
+               : refusal(*missed);
 }
 
 } // namespace
@@ -95,14 +124,19 @@ Result<MeshReading> readMesh(const std::filesystem::path& file, const MeshOption
                              const MeshStorage& storage, const ReportProgress& report) {
     const ReportProgress reading = [&](double done) { report(shareOfReading * done); };
     std::shared_ptr<void> leftovers;
-    return readTriangles(file, reading)
+    const auto folder = std::make_shared<MeshFolder>(file);
+    return OrdinaryFile::open(file, maxAssetBytes)
+        .and_then([&](const OrdinaryFile&) { return readTriangles(folder, reading); })
         .and_then([&](RawMesh mesh) {
             report(shareOfReading);
             leftovers = std::move(mesh.leftovers);
             return finishMesh(std::move(mesh), options, storage);
         })
-        .map([&](std::string remarks) { return MeshReading{std::move(remarks), leftovers}; })
+        .map([&](std::string remarks) {
+            return MeshReading{withRefused(std::move(remarks), *folder), leftovers};
+        })
         .map_error([&](Error error) {
+            error = reasonOf(std::move(error), *folder);
             error.file = file.string();
             return error;
         });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <istream>
-#include <iterator>
 #include <streambuf>
 #include <string>
 #include <utility>

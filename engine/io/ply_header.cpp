@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/ply_header.h"
 
-#include <fstream>
 #include <string>
 
 #include "io/text_file.h"
@@ -14,10 +13,7 @@ constexpr std::size_t longestHeader = 1 << 20; // comments may be long, but not 
 } // namespace
 
 bool hasWholePlyHeader(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string start(longestHeader, '\0');
-    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-    start.resize(static_cast<std::size_t>(stream.gcount()));
+    std::string start = startOf(file, longestHeader);
     if (start.starts_with(byteOrderMark)) {
         start.erase(0, byteOrderMark.size());
     }

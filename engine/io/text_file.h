@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@ namespace patina {
 
 /// What some programs put before text in UTF-8.
 inline constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
+
+/// The first bytes of a file, as many as there are; nothing when it cannot be read.
+std::string startOf(const std::filesystem::path& file, std::size_t bytes);
 
 bool startsWithMark(const std::filesystem::path& file);
 

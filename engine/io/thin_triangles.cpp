@@ -109,12 +109,12 @@ class Turner {
 } // namespace
 
 void turnThinTriangles(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
-    constexpr int mostRounds = 16;
+    constexpr int maxRounds = 16;
     if (!hasThin(polygon, triangles)) {
         return;
     }
     Turner turner(polygon, triangles);
-    for (int round = 0; round < mostRounds && turner.turnOnce(); ++round) {
+    for (int round = 0; round < maxRounds && turner.turnOnce(); ++round) {
     }
 }
 

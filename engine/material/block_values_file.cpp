@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t mostNotes = 20; ///< about unknown keys of one block; nobody reads more
+constexpr std::size_t maxNotes = 20; ///< about unknown keys of one block; nobody reads more
 
 /// The value JSON shows by itself, for blocks whose descriptor is not there.
 std::optional<Value> guessed(const Json& json) {
@@ -63,7 +63,7 @@ class ValuesReader {
         const Json unknown = reader_.unknown();
         std::size_t noted = 0;
         for (const auto& [id, json] : unknown.items()) {
-            if (++noted <= mostNotes) {
+            if (++noted <= maxNotes) {
                 note(
                     id,
                     fmt::format("{} has no parameter \"{}\"; it is kept as it is", block.label, id),

@@ -2,7 +2,6 @@
 #include "material/model_swap.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "material/block_values.h"
 

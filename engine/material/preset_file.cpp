@@ -22,8 +22,10 @@ constexpr FileFormat presetFormat{"patina.preset", 1, "preset"};
 /// Reads one preset object.
 class PresetReader {
   public:
-    PresetReader(const LocatedJson& document, const std::string& pointer, const Catalog& catalog)
-        : reader_(document, pointer, errors_), blocks_{catalog, reading_.notes} {}
+    PresetReader(const LocatedJson& document, const std::string& pointer, const Catalog& catalog,
+                 const ReadingRights& rights)
+        : reader_(document, pointer, errors_), blocks_{catalog, reading_.notes},
+          references_(document.file, rights) {}
 
     Checked<PresetReading> run() {
         reading_.readOnly = readHeader(reader_, presetFormat, reading_.notes) == FileAge::Newer;
@@ -33,7 +35,8 @@ class PresetReader {
         readParts();
         readOpacity();
         readAccuracy();
-        const TextureReading textures = readTextures(reader_, folder(), reading_.notes);
+        const TextureReading textures = readTextures(reader_, references_, reading_.notes);
+        reading_.outside = references_.outside();
         material().textures = textures.uses;
         noteTextures();
         material().unknown = reader_.unknown();
@@ -203,16 +206,11 @@ class PresetReader {
         }
     }
 
-    std::filesystem::path folder() const {
-        const std::filesystem::path file = reader_.document().file;
-        return file.empty() ? file
-                            : std::filesystem::absolute(file).lexically_normal().parent_path();
-    }
-
     Errors errors_;
     PresetReading reading_;
     JsonReader reader_;
     BlockReader blocks_;
+    References references_;
 };
 
 /// The model object holds the id and version; its values stand beside it.
@@ -227,8 +225,8 @@ Json modelJson(const BlockValues& model) {
 } // namespace
 
 Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::string& pointer,
-                                        const Catalog& catalog) {
-    return PresetReader(document, pointer, catalog).run();
+                                        const Catalog& catalog, const ReadingRights& rights) {
+    return PresetReader(document, pointer, catalog, rights).run();
 }
 
 nlohmann::json toJson(const Material& material, const std::filesystem::path& folder) {
@@ -257,18 +255,17 @@ nlohmann::json toJson(const Material& material, const std::filesystem::path& fol
     return json;
 }
 
-Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog) {
+Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog,
+                                  const ReadingRights& rights) {
     const Result<LocatedJson> document = readJson(path);
     if (!document) {
         return tl::unexpected(Errors{document.error()});
     }
-    return materialFromJson(*document, "", catalog);
+    return materialFromJson(*document, "", catalog, rights);
 }
 
 Result<void> writePreset(const std::filesystem::path& path, const Material& material) {
-    const std::filesystem::path folder =
-        std::filesystem::absolute(path).lexically_normal().parent_path();
-    return writeFileAtomically(path, writeJson(toJson(material, folder)));
+    return writeFileAtomically(path, writeJson(toJson(material, referenceFolder(path))));
 }
 
 } // namespace patina

@@ -6,6 +6,7 @@
 
 #include "catalog/json_text.h"
 #include "material/material.h"
+#include "material/reading_rights.h"
 
 namespace patina {
 
@@ -14,19 +15,21 @@ namespace patina {
 struct PresetReading {
     Material material;
     Errors notes;
+    OutsideFiles outside;  ///< what it names and is not read
     bool readOnly = false; ///< written by a newer version: may be looked at, not saved over
 };
 
 /// Reads a material from the value at `pointer` of a document (a preset inside a scene). Paths of
 /// images start at the document's folder and are absolute in the value.
 Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::string& pointer,
-                                        const Catalog& catalog);
+                                        const Catalog& catalog, const ReadingRights& rights = {});
 
 /// The preset's JSON, every parameter written; paths of images relative to `folder`, or as they are
 /// where it is empty.
 nlohmann::json toJson(const Material& material, const std::filesystem::path& folder = {});
 
-Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog);
+Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catalog& catalog,
+                                  const ReadingRights& rights = {});
 Result<void> writePreset(const std::filesystem::path& path, const Material& material);
 
 } // namespace patina

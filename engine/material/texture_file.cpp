@@ -22,8 +22,8 @@ class TextureReader {
         : reader_(std::move(reader)), notes_(notes), use_(textureUse(key, {})),
           settings_(textureSettings(textureRole(key), everyChannel)) {}
 
-    TextureUse run(const std::filesystem::path& folder) {
-        readFile(folder);
+    TextureUse run(References& references) {
+        readFile(references);
         Json kept = Json::object();
         for (const Parameter& setting : settings_.parameters) {
             readSetting(setting, kept);
@@ -39,16 +39,16 @@ class TextureReader {
                                                   std::move(expected)));
     }
 
-    void readFile(const std::filesystem::path& folder) {
+    void readFile(References& references) {
         reader_.read("file", use_.file);
-        use_.outside = !staysInFolder(use_.file, folder);
+        use_.outside = !references.mayRead(use_.file, OutsideFile::Kind::Image);
         if (use_.outside) {
             note("file",
                  fmt::format("the texture \"{}\" is not in the preset's folder and is not used",
                              use_.file),
                  "a relative path with forward slashes into that folder");
         }
-        use_.file = imageFromFile(use_.file, folder);
+        use_.file = imageFromFile(use_.file, references.base());
     }
 
     /// A choice that is not known may be one of a later version: the usual one is used meanwhile.
@@ -94,14 +94,13 @@ bool namesFile(const Json& texture) {
 
 } // namespace
 
-TextureReading readTextures(JsonReader& preset, const std::filesystem::path& folder,
-                            Errors& notes) {
+TextureReading readTextures(JsonReader& preset, References& references, Errors& notes) {
     TextureReading reading;
     JsonReader textures = preset.child("textures");
     const Json all = textures.unknown();
     for (const auto& [key, texture] : all.items()) {
         if (namesFile(texture)) {
-            reading.uses[key] = TextureReader(textures.child(key), key, notes).run(folder);
+            reading.uses[key] = TextureReader(textures.child(key), key, notes).run(references);
             continue;
         }
         notes.push_back(textures.document().error(textures.pointer(key),

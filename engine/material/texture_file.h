@@ -5,6 +5,7 @@
 #include <map>
 
 #include "catalog/json_reader.h"
+#include "material/reading_rights.h"
 #include "material/texture_use.h"
 
 namespace patina {
@@ -15,10 +16,9 @@ struct TextureReading {
     nlohmann::json unknown = nlohmann::json::object();
 };
 
-/// Reads the object "textures" of a preset; paths start at `folder`, or stay as they are where it
-/// is empty. What loses nothing is noted, the rest are errors of the reader's list.
-TextureReading readTextures(JsonReader& preset, const std::filesystem::path& folder,
-                            Errors& notes);
+/// Reads the object "textures" of a preset; paths start at the references' folder, or stay as they
+/// are where there is none. What loses nothing is noted, the rest are errors of the reader's list.
+TextureReading readTextures(JsonReader& preset, References& references, Errors& notes);
 
 /// The JSON of one image, every setting written.
 nlohmann::json toJson(const TextureUse& use, std::string_view key,

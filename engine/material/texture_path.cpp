@@ -13,17 +13,6 @@ bool staysInFolder(std::string_view path) {
     return !normal.is_absolute() && *normal.begin() != "..";
 }
 
-bool staysInFolder(std::string_view path, const std::filesystem::path& folder) {
-    if (!staysInFolder(path) || folder.empty()) {
-        return staysInFolder(path);
-    }
-    std::error_code noFolder;
-    std::error_code circle; // of links, which leads nowhere
-    const std::filesystem::path from = std::filesystem::weakly_canonical(folder, noFolder);
-    const std::filesystem::path to = std::filesystem::weakly_canonical(folder / path, circle);
-    return noFolder || circle || staysInFolder(to.lexically_relative(from).generic_string());
-}
-
 std::string imageFromFile(const std::string& image, const std::filesystem::path& folder) {
     if (image.empty() || folder.empty()) {
         return image;

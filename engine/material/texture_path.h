@@ -11,9 +11,6 @@ namespace patina {
 /// and not leading out of the file's own folder.
 bool staysInFolder(std::string_view path);
 
-/// The same of where the path leads from the folder, whose links may point anywhere.
-bool staysInFolder(std::string_view path, const std::filesystem::path& folder);
-
 /// An image as a file names it, made absolute: relative paths start at the file's folder. Without
 /// a folder it stays as it is.
 std::string imageFromFile(const std::string& image, const std::filesystem::path& folder);

@@ -135,18 +135,18 @@ Parameter modeSetting() {
 }
 
 Parameter strengthSetting(TextureRole role) {
-    constexpr double mostSlope = 20.0;
-    constexpr double mostMetres = 10.0;
+    constexpr double maxSlope = 20.0;
+    constexpr double maxMetres = 10.0;
     if (role == TextureRole::Normal) {
         return ranged(described(ParameterType::Float, "strength", "Strength",
                                 "How steep the relief is; negative turns it inside out.", 1.0),
-                      {-mostSlope, mostSlope}, {0.0, 2.0}, 0.01);
+                      {-maxSlope, maxSlope}, {0.0, 2.0}, 0.01);
     }
     if (role == TextureRole::Height) {
         Parameter height = ranged(described(ParameterType::Float, "strength", "Height",
                                             "From black to white; negative turns it inside out.",
                                             static_cast<double>(0.02f)),
-                                  {-mostMetres, mostMetres}, {0.0, 0.1}, 0.001);
+                                  {-maxMetres, maxMetres}, {0.0, 0.1}, 0.001);
         height.unit = "m";
         return height;
     }

@@ -7,12 +7,12 @@
 #include <epoxy/gl.h>
 
 #include "gl/driver.h"
-#include "render/capture_image.h"
-#include "render/frame_drawer.h"
-#include "render/hdr_target.h"
-#include "render/inspection_drawer.h"
-#include "render/stretched_picture.h"
-#include "render/surface_buffer_drawer.h"
+#include "render/frame/frame_drawer.h"
+#include "render/gpu/capture_image.h"
+#include "render/gpu/hdr_target.h"
+#include "render/gpu/stretched_picture.h"
+#include "render/surfaces/inspection_drawer.h"
+#include "render/surfaces/surface_buffer_drawer.h"
 
 namespace patina {
 namespace {
@@ -199,14 +199,14 @@ bool Renderer::drawSmall(const Scene& scene, const View& view, const MeshSource&
     }
     const bool isSlow = Clock::now() - began > firstPatience / 2; // and drawing may compile, too
     const bool isLarge = implementation_->isLarge();
-    const FrameBands::Pace pace = implementation_->pace();
-    if (!isLarge && pace == FrameBands::Pace::Quick && !isSlow) {
+    const RowTiles::Pace pace = implementation_->pace();
+    if (!isLarge && pace == RowTiles::Pace::Quick && !isSlow) {
         implementation_->proceed(scene, view, FrameDrawer::never);
         implementation_->show(scene, view, framebuffer);
         return true;
     }
     implementation_->keep(scene, view);
-    const bool isDone = !isLarge && pace == FrameBands::Pace::Unknown && !isSlow &&
+    const bool isDone = !isLarge && pace == RowTiles::Pace::Unknown && !isSlow &&
                         implementation_->goOn(began + firstPatience);
     if (isDone) {
         show(framebuffer);
@@ -250,10 +250,10 @@ void Renderer::show(unsigned framebuffer) {
     }
 }
 
-std::uint64_t Renderer::lackedPrograms(const Scene& scene, const View& view,
-                                       const MeshSource& meshes) {
+std::uint64_t Renderer::missingPrograms(const Scene& scene, const View& view,
+                                        const MeshSource& meshes) {
     implementation_->endSketch();
-    return implementation_->lackedPrograms(scene, view, meshes);
+    return implementation_->missingPrograms(scene, view, meshes);
 }
 
 void Renderer::makeTargets(const Scene& scene, const View& view, const MeshSource& meshes) {
@@ -261,9 +261,9 @@ void Renderer::makeTargets(const Scene& scene, const View& view, const MeshSourc
     implementation_->makeTargets(scene, view, meshes);
 }
 
-bool Renderer::foresee(const Scene& scene, const View& view, const MeshSource& meshes) {
+bool Renderer::prewarm(const Scene& scene, const View& view, const MeshSource& meshes) {
     implementation_->endSketch();
-    return implementation_->foresee(scene, view, meshes);
+    return implementation_->prewarm(scene, view, meshes);
 }
 
 int Renderer::environmentSamples() const {

@@ -13,56 +13,11 @@
 #include <glm/vec2.hpp>
 
 #include "core/image.h"
-#include "core/mesh.h"
-#include "render/environment_image.h"
-#include "render/hdr_numbers.h"
-#include "render/pixel_probe.h"
-#include "render/texture_source.h"
-#include "scene/scene.h"
+#include "render/gpu/texture_source.h"
+#include "render/surfaces/pixel_probe.h"
+#include "render/view.h"
 
 namespace patina {
-
-/// Which frame is wanted, apart from the scene.
-struct View {
-    glm::ivec2 size{512, 512};      ///< pixels, each at least 1
-    Camera camera;
-    int samples = 0;                ///< MSAA, lowered to what the driver offers; 0: the scene's own
-    HdrNumbers numbers = HdrNumbers::Half; ///< of the linear picture
-    /// Whose effects the programs have; nothing: the scene's own. The same objects and lights with
-    /// other values, so that a value may pass what makes an effect needless without a new program.
-    const Scene* effects = nullptr;
-    /// The picture of the scene's environment; nothing: it is not there yet, and black.
-    std::shared_ptr<const EnvironmentImage> environmentImage;
-    /// Directions per pixel that are drawn for an environment's light, from four on in whole rounds
-    /// of four; 0: what takes about as long as the lights.
-    int environmentSamples = 0;
-    /// Directions of one series have nothing to do with those of another, whatever their number.
-    int environmentSeries = 0;
-    /// Where a frame that continues stops to add: so many samples are in the picture then.
-    int mostSamples = 1 << 24;
-    /// Nothing has changed but that more samples are wanted: the picture is the mean of all since
-    /// the last frame that was new.
-    bool isContinued = false;
-};
-
-/// Gives the triangles of a mesh name, or an empty view while it is not there yet.
-using MeshSource = std::function<MeshView(const Object&)>;
-
-/// What drawing a frame took and what it was made of.
-struct FrameReport {
-    int programs = 0;         ///< different programs used
-    int compiled = 0;         ///< programs compiled (not found in memory or on disk) for this frame
-    int uploadedBuffers = 0;  ///< uniform buffers written
-    int drawnObjects = 0;
-    int drawCalls = 0;        ///< for the objects; those of one mesh and material share one
-    bool isWaiting = false;   ///< images are not whole yet: another frame shows more of them
-    int shadowMaps = 0;       ///< depth maps drawn (six for a light that shines everywhere)
-    int filledTables = 0;     ///< materials whose blocks' tables were filled (see block_table.h)
-    std::vector<std::string> effects; ///< the blocks in the shaders, canonical order
-    Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
-    std::size_t warnings = 0; ///< so many of the messages, the last ones, say what was left out of
-                              ///< a frame that is otherwise what was asked for
-};
 
 struct SurfaceBuffer;
 
@@ -116,7 +71,7 @@ class Renderer {
     /// Whether a frame of this view would have to wait for programs to be made or loaded: 0 if not,
     /// else a number that is the same while the same ones are lacking. Takes the place of a frame
     /// that is not done.
-    std::uint64_t lackedPrograms(const Scene& scene, const View& view, const MeshSource& meshes);
+    std::uint64_t missingPrograms(const Scene& scene, const View& view, const MeshSource& meshes);
 
     /// Makes what a frame of this view is drawn into, while its programs are made elsewhere. Takes
     /// the place of a frame that is not done.
@@ -125,7 +80,7 @@ class Renderer {
     /// Makes the programs that a frame of this view would need, so that it need not wait for them.
     /// Nothing is shown, and the report stays; false when they are all there. Takes the place of a
     /// frame that is not done.
-    bool foresee(const Scene& scene, const View& view, const MeshSource& meshes);
+    bool prewarm(const Scene& scene, const View& view, const MeshSource& meshes);
 
     /// Samples per pixel of the environment's light in the picture that was drawn last; 0 where
     /// programs look at none.
@@ -175,7 +130,7 @@ class Renderer {
     /// again. Programs and meshes stay.
     void releaseTargets();
 
-    /// Of the last draw or capture.
+    /// Returns the figures of the last draw or capture.
     const FrameReport& report() const;
 
   private:

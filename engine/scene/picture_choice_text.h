@@ -28,7 +28,7 @@ struct PictureChoiceText {
     std::optional<std::size_t> level(std::string_view levelId) const;
 };
 
-/// Of every choice, in the order in which they are shown.
+/// Returns the texts of all choices, in the order in which they are shown.
 std::span<const PictureChoiceText> pictureChoiceTexts();
 
 /// Null where there is none of this id.

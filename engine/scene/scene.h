@@ -69,9 +69,9 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<Light> lights;
     std::optional<BlockValues> fog;  ///< of kind "fog"; absent: off
-    /// Of kind "environment"; absent: off. Its picture is a path that scene files resolve.
+    /// A block of kind "environment"; absent: off. Its picture is a path that scene files resolve.
     std::optional<BlockValues> environment;
-    /// Of kind "transparency": how objects that let something through are put together; absent:
+    /// A block of kind "transparency", which puts transparent objects together; absent:
     /// each is blended over what is behind it, far ones first.
     std::optional<BlockValues> transparency;
     glm::dvec3 ambient{0.0};         ///< linear colour of the light from everywhere

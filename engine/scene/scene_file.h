@@ -11,12 +11,16 @@ namespace patina {
 struct SceneReading {
     Scene scene;
     Errors notes;
+    OutsideFiles outside; ///< what it, or a preset of it, names and is not read
     bool readOnly = false;
 };
 
 /// Reads a scene. Mesh paths are kept relative to the file's folder in the file and made absolute
-/// in the value; presets may be inline objects or relative paths of preset files.
-Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog);
+/// in the value; presets may be inline objects or relative paths of preset files. Meshes and the
+/// environment's picture are read by others, who leave out what is `outside`; a preset that is
+/// outside is not read here.
+Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog,
+                                const ReadingRights& rights = {});
 
 /// Whether a JSON file says by its "format" that it is a scene, whatever it is called.
 bool saysItIsAScene(const std::filesystem::path& path);

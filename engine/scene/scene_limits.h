@@ -19,7 +19,7 @@ inline constexpr double farthest = 1e6;
 inline constexpr double largestScale = 1e6;
 inline constexpr double smallestScale = 1e-6f; // numbers of files are floats
 inline constexpr double brightest = 1e6;
-inline constexpr double mostStops = 32.0; ///< of exposure, either way
+inline constexpr double maxStops = 32.0; ///< of exposure, either way
 
 /// The nearest factors that neither flatten an object nor let its corners overflow.
 inline glm::dvec3 usableScale(const glm::dvec3& scale) {

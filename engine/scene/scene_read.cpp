@@ -2,8 +2,6 @@
 #include "scene/scene_file.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -11,7 +9,6 @@
 #include "catalog/json_reader.h"
 #include "catalog/suggestion.h"
 #include "material/block_values.h"
-#include "material/texture_path.h"
 #include "scene/environment.h"
 #include "scene/mesh_path.h"
 #include "scene/picture_accuracy_file.h"
@@ -24,12 +21,13 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr const char* relativePath = "a relative path with forward slashes into that folder";
+
 /// Reads one scene file.
 class SceneReader {
   public:
-    SceneReader(const LocatedJson& document, const std::filesystem::path& folder,
-                const Catalog& catalog)
-        : document_(document), folder_(folder),
+    SceneReader(const LocatedJson& document, const Catalog& catalog, const ReadingRights& rights)
+        : document_(document), rights_(rights), references_(document.file, rights),
           reader_(document, "", errors_), blocks_{catalog, reading_.notes} {}
 
     Checked<SceneReading> run() {
@@ -46,6 +44,7 @@ class SceneReader {
         reader_.readObject("extras", scene().extras);
         keepUnknown();
         readPictureAccuracy(reader_, scene(), reading_.notes);
+        reading_.outside = references_.outside();
         return settled(std::move(reading_), std::move(errors_));
     }
 
@@ -121,12 +120,12 @@ class SceneReader {
         reader.read("mesh", mesh);
         if (const auto builtin = builtinName(mesh)) {
             checkBuiltin(reader, std::string(*builtin));
-        } else if (!staysInFolder(mesh)) {
+        } else if (!references_.mayRead(mesh, OutsideFile::Kind::Mesh)) {
             note(reader.pointer("mesh"),
-                 fmt::format("the mesh \"{}\" is not in the scene's folder", mesh),
-                 "a relative path with forward slashes, if the scene is to move with its meshes");
+                 fmt::format("the mesh \"{}\" is not in the scene's folder and is not read", mesh),
+                 relativePath);
         }
-        object.mesh = meshFromFile(mesh, folder_);
+        object.mesh = meshFromFile(mesh, references_.base());
     }
 
     void checkBuiltin(const JsonReader& reader, const std::string& name) {
@@ -148,26 +147,31 @@ class SceneReader {
             return materialFromFile(object, preset->get<std::string>());
         }
         Checked<PresetReading> reading =
-            materialFromJson(document_, object.pointer("preset"), blocks_.catalog);
+            materialFromJson(document_, object.pointer("preset"), blocks_.catalog, rights_);
         return reading ? taken(*reading) : damaged(reading.error(), *preset);
     }
 
     Material materialFromFile(JsonReader& object, const std::string& path) {
-        if (!staysInFolder(path)) {
-            note(object.pointer("preset"),
-                 fmt::format("the preset \"{}\" is not in the scene's folder", path),
-                 "a relative path with forward slashes");
+        const auto known = presets_.find(path);
+        return known != presets_.end()
+                   ? known->second
+                   : presets_.emplace(path, presetFrom(path, object.pointer("preset")))
+                         .first->second;
+    }
+
+    Material presetFrom(const std::string& path, const std::string& place) {
+        if (!references_.mayRead(path, OutsideFile::Kind::Preset)) {
+            return damaged({document_.error(
+                               place,
+                               fmt::format("the preset \"{}\" is not in the scene's folder and is "
+                                           "not read",
+                                           path),
+                               relativePath)},
+                           path);
         }
-        auto known = presets_.find(path);
-        if (known == presets_.end()) {
-            Checked<PresetReading> reading = readPreset(folder_ / path, blocks_.catalog);
-            const std::string place = object.pointer("preset");
-            known = presets_
-                        .emplace(path, reading ? taken(*reading)
-                                               : damaged(atPlace(reading.error(), place), path))
-                        .first;
-        }
-        return known->second;
+        Checked<PresetReading> reading =
+            readPreset(references_.base() / path, blocks_.catalog, references_.rightsOf(path));
+        return reading ? taken(*reading) : damaged(atPlace(reading.error(), place), path);
     }
 
     /// What is wrong with a whole file, such as that it is not there, is told where it is named.
@@ -181,6 +185,7 @@ class SceneReader {
     }
 
     Material taken(PresetReading& reading) {
+        references_.add(reading.outside);
         reading_.notes.insert(reading_.notes.end(), reading.notes.begin(), reading.notes.end());
         return std::move(reading.material);
     }
@@ -256,12 +261,13 @@ class SceneReader {
         if (file.empty()) {
             return;
         }
-        if (!staysInFolder(file)) {
+        if (!references_.mayRead(file, OutsideFile::Kind::Picture)) {
             note("/environment/parameters/" + escapedToken(parameter->id),
-                 fmt::format("the picture \"{}\" is not in the scene's folder", file),
-                 "a relative path with forward slashes, if the scene is to move with its pictures");
+                 fmt::format("the picture \"{}\" is not in the scene's folder and is not read",
+                             file),
+                 relativePath);
         }
-        environment.parameters[parameter->id] = meshFromFile(file, folder_);
+        environment.parameters[parameter->id] = meshFromFile(file, references_.base());
     }
 
     void readPicture() {
@@ -271,7 +277,7 @@ class SceneReader {
         limit(reader_, "ambient", scene().ambient, 0.0, brightest);
         readHemisphere();
         limit(reader_, "background", scene().background, 0.0, brightest);
-        limit(reader_, "exposure", scene().exposure, -mostStops, mostStops);
+        limit(reader_, "exposure", scene().exposure, -maxStops, maxStops);
         readWord(reader_, "toneMapping", toneMappingWords, "tone mapping", scene().toneMapping);
     }
 
@@ -351,7 +357,8 @@ class SceneReader {
     }
 
     const LocatedJson& document_;
-    const std::filesystem::path& folder_;
+    const ReadingRights& rights_;
+    References references_;
     Errors errors_;
     SceneReading reading_;
     std::map<std::string, Material> presets_; ///< of files that were read, each once
@@ -365,14 +372,13 @@ class SceneReader {
 
 } // namespace
 
-Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog) {
+Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog,
+                                const ReadingRights& rights) {
     const Result<LocatedJson> document = readJson(path, sceneLimits);
     if (!document) {
         return tl::unexpected(Errors{document.error()});
     }
-    const std::filesystem::path folder =
-        std::filesystem::absolute(path).lexically_normal().parent_path();
-    return SceneReader(*document, folder, catalog).run();
+    return SceneReader(*document, catalog, rights).run();
 }
 
 bool saysItIsAScene(const std::filesystem::path& path) {

@@ -7,7 +7,7 @@ namespace patina {
 namespace {
 
 /// What a block of a user's own may ask for at most.
-constexpr int mostLayers = 64;
+constexpr int maxLayers = 64;
 
 int wholeNumber(const Value& value) {
     const int* number = std::get_if<int>(&value);
@@ -29,7 +29,7 @@ int layersOf(const BlockValues& transparency, const Block& block) {
     const auto given = transparency.parameters.find(parameter->id);
     const bool usable = given != transparency.parameters.end() &&
                         std::holds_alternative<int>(given->second);
-    return std::clamp(wholeNumber(usable ? given->second : parameter->defaultValue), 1, mostLayers);
+    return std::clamp(wholeNumber(usable ? given->second : parameter->defaultValue), 1, maxLayers);
 }
 
 } // namespace patina

@@ -2,23 +2,14 @@
 #include "shading/block_source.h"
 
 #include <algorithm>
-#include <cctype>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "catalog/parameter_layout.h"
+#include "core/text.h"
 
 namespace patina {
 namespace {
-
-std::string capitalised(std::string_view word) {
-    std::string out(word);
-    if (!out.empty()) {
-        out.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(out.front())));
-    }
-    return out;
-}
 
 const char* glslType(const ParameterField& field) {
     if (field.parameter == nullptr) {
@@ -121,11 +112,11 @@ std::string unpackSlots(const Block& block, const UnpackRequest& request) {
         const auto fill = std::find_if(request.slots.begin(), request.slots.end(),
                                        [&slot](const SlotFill& f) { return f.kind == slot.kind; });
         if (fill == request.slots.end()) {
-            fmt::format_to(std::back_inserter(out), "    p.{}.unused = 0.0;\n", slot.kind);
+            out += fmt::format("    p.{}.unused = 0.0;\n", slot.kind);
             continue;
         }
-        fmt::format_to(std::back_inserter(out), "    p.{} = unpack{}(base + {});\n", slot.kind,
-                       slotStructName(slot.kind), place);
+        out += fmt::format("    p.{} = unpack{}(base + {});\n", slot.kind,
+                           slotStructName(slot.kind), place);
         place += fill->vec4s;
     }
     return out;
@@ -141,18 +132,6 @@ std::string emptySlotSource(std::string_view kind) {
 std::string slotNamesSource(const Block& block) {
     return fmt::format("#define {} {}\n#define {} {}\n", slotStructName(block.kind),
                        structName(block), slotFunctionName(block.kind), functionName(block));
-}
-
-std::string constantCase(std::string_view name) {
-    std::string out;
-    for (const char c : name) {
-        const auto letter = static_cast<unsigned char>(c);
-        if (std::isupper(letter) && !out.empty() && out.back() != '_') {
-            out += '_';
-        }
-        out += std::isalnum(letter) ? static_cast<char>(std::toupper(letter)) : '_';
-    }
-    return out;
 }
 
 std::string slotStructName(std::string_view kind) {
@@ -172,8 +151,8 @@ std::string constantsSource(const Block& block) {
     for (const ParameterField& field : layoutOf(block).fields) {
         int index = 0;
         for (const EnumValue& value : choicesOf(field)) {
-            fmt::format_to(std::back_inserter(out), "const int {} = {};\n",
-                           constantName(block, field, value.id), index++);
+            out +=
+                fmt::format("const int {} = {};\n", constantName(block, field, value.id), index++);
         }
     }
     return out;
@@ -183,14 +162,13 @@ std::string structSource(const Block& block) {
     std::string out = fmt::format("struct {} {{\n", structName(block));
     const ParameterLayout layout = layoutOf(block);
     for (const ParameterField& field : layout.fields) {
-        fmt::format_to(std::back_inserter(out), "    {} {};\n", glslType(field), field.name);
+        out += fmt::format("    {} {};\n", glslType(field), field.name);
         if (const std::string equal = equalField(field); !equal.empty()) {
-            fmt::format_to(std::back_inserter(out), "    bool {};\n", equal);
+            out += fmt::format("    bool {};\n", equal);
         }
     }
     for (const Slot& slot : block.slots) {
-        fmt::format_to(std::back_inserter(out), "    {} {};\n", slotStructName(slot.kind),
-                       slot.kind);
+        out += fmt::format("    {} {};\n", slotStructName(slot.kind), slot.kind);
     }
     if (layout.fields.empty() && block.slots.empty()) {
         out += "    float unused;\n"; // GLSL has no empty structs
@@ -206,10 +184,9 @@ std::string unpackSource(const Block& block, const UnpackRequest& request) {
         const CompiledValue* compiled = compiledOf(field, request);
         const std::string value =
             compiled == nullptr ? readSource(field) : defineName(field, request);
-        fmt::format_to(std::back_inserter(body), "    p.{} = {};\n", field.name, value);
+        body += fmt::format("    p.{} = {};\n", field.name, value);
         if (compiled != nullptr) {
-            fmt::format_to(std::back_inserter(defines), "#define {} {}\n", value,
-                           compiledText(block, field, *compiled));
+            defines += fmt::format("#define {} {}\n", value, compiledText(block, field, *compiled));
         }
     }
     for (const ParameterField& field : layout.fields) {
@@ -219,7 +196,7 @@ std::string unpackSource(const Block& block, const UnpackRequest& request) {
     std::string out = fmt::format("{}{} {}(int base) {{\n    {} p;\n", defines, structName(block),
                                   request.function, structName(block));
     for (std::size_t i = 0; i < layout.floats / 4; ++i) {
-        fmt::format_to(std::back_inserter(out), "    vec4 d{} = PARAMETER_DATA({});\n", i, i);
+        out += fmt::format("    vec4 d{} = PARAMETER_DATA({});\n", i, i);
     }
     if (layout.fields.empty() && block.slots.empty()) {
         out += "    p.unused = 0.0;\n";

@@ -49,8 +49,4 @@ std::string slotNamesSource(const Block& block);
 std::string slotStructName(std::string_view kind);
 std::string slotFunctionName(std::string_view kind);
 
-/// "COOK_TORRANCE" from "CookTorrance", "diffuseColor" -> "DIFFUSE_COLOR", "v-cavity" ->
-/// "V_CAVITY".
-std::string constantCase(std::string_view name);
-
 } // namespace patina

@@ -143,16 +143,19 @@ Errors endMistakes(const Block& block, const Tokens& tokens) {
                     "; or } before the end of the file")};
 }
 
-/// The index behind the parenthesis that closes the one at `open`.
-std::size_t closedAt(const Tokens& tokens, std::size_t open) {
-    int depth = 0;
-    for (std::size_t i = open; i < tokens.size(); ++i) {
-        depth += tokens[i].text == "(" ? 1 : tokens[i].text == ")" ? -1 : 0;
-        if (depth == 0) {
-            return i + 1;
+/// By index of a parenthesis that opens: the one behind that which closes it, or the end.
+std::vector<std::size_t> closings(const Tokens& tokens) {
+    std::vector<std::size_t> closedAt(tokens.size(), tokens.size());
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (tokens[i].text == "(") {
+            open.push_back(i);
+        } else if (tokens[i].text == ")" && !open.empty()) {
+            closedAt[open.back()] = i + 1;
+            open.pop_back();
         }
     }
-    return tokens.size();
+    return closedAt;
 }
 
 bool isQualifier(std::string_view word) {
@@ -179,13 +182,14 @@ std::vector<std::string_view> typesOf(const Tokens& tokens, std::size_t open, st
 /// All that is defined outside of braces: a type, a name, arguments and a brace.
 std::vector<Function> functionsIn(const Tokens& tokens) {
     std::vector<Function> found;
+    const std::vector<std::size_t> closedAt = closings(tokens);
     int depth = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         depth += tokens[i].text == "{" ? 1 : tokens[i].text == "}" ? -1 : 0;
         const bool isNamed = depth == 0 && i >= 1 && i + 1 < tokens.size() &&
                              tokens[i].isName() && tokens[i - 1].isName() &&
                              tokens[i + 1].text == "(";
-        const std::size_t end = isNamed ? closedAt(tokens, i + 1) : 0;
+        const std::size_t end = isNamed ? closedAt[i + 1] : 0;
         if (isNamed && end < tokens.size() && tokens[end].text == "{") {
             found.push_back({tokens[i], tokens[i - 1].text, typesOf(tokens, i + 1, end)});
         }

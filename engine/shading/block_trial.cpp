@@ -42,22 +42,6 @@ void chooseTables(Material& material, const Block& block) {
     }
 }
 
-Material materialFor(const Block& block, const Catalog& catalog) {
-    if (block.kind == "models") {
-        return defaultMaterial(block);
-    }
-    const bool isPart =
-        std::find(partKinds.begin(), partKinds.end(), block.kind) != partKinds.end();
-    const Block* model = shippedBlock(catalog, "models", [&](const Block& candidate) {
-        return !isPart || suitsPart(candidate, block.kind);
-    });
-    Material material = model == nullptr ? Material() : defaultMaterial(*model);
-    if (isPart) {
-        material.parts[block.kind] = defaultBlockValues(block);
-    }
-    return material;
-}
-
 LightGroup lightFor(const Block& light, const Block& block) {
     LightGroup group{usualUse(light), std::nullopt};
     if (block.kind == "shadows") {
@@ -68,8 +52,25 @@ LightGroup lightFor(const Block& light, const Block& block) {
     return group;
 }
 
-/// The light itself; else one that casts shadows, which every program for shadows needs.
-const Block* lightBlock(const Block& block, const Catalog& catalog) {
+} // namespace
+
+Material trialMaterial(const Block& block, const Catalog& catalog) {
+    const bool isPart =
+        std::find(partKinds.begin(), partKinds.end(), block.kind) != partKinds.end();
+    const Block* model = block.kind == "models"
+                             ? &block
+                             : shippedBlock(catalog, "models", [&](const Block& candidate) {
+                                   return !isPart || suitsPart(candidate, block.kind);
+                               });
+    Material material = model == nullptr ? Material() : defaultMaterial(*model);
+    if (isPart) {
+        material.parts[block.kind] = defaultBlockValues(block);
+    }
+    chooseTables(material, block);
+    return material;
+}
+
+const Block* trialLight(const Block& block, const Catalog& catalog) {
     if (block.kind == "lights") {
         return &block;
     }
@@ -78,14 +79,11 @@ const Block* lightBlock(const Block& block, const Catalog& catalog) {
     });
 }
 
-} // namespace
-
 Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) {
-    Material material = materialFor(block, catalog);
-    chooseTables(material, block);
+    const Material material = trialMaterial(block, catalog);
     EffectSet set = effectSet(material, Scene(), catalog);
     set.scene.ambient = true;
-    if (const Block* light = lightBlock(block, catalog)) {
+    if (const Block* light = trialLight(block, catalog)) {
         set.scene.lights = {lightFor(*light, block)};
     }
     if (block.kind == "fog") {
@@ -104,9 +102,8 @@ Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) 
         return outlineProgram(set, catalog);
     }
     // A picture looks entries up; the inspection computes them, so that their text is tried too.
-    return surfaceProgram(set, catalog,
-                          block.tables.empty() ? SurfaceOutput::Picture
-                                               : SurfaceOutput::Inspection);
+    return surfaceProgram(
+        set, catalog, block.tables.empty() ? SurfaceOutput::Picture : SurfaceOutput::Inspection);
 }
 
 } // namespace patina

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/catalog.h"
+#include "material/material.h"
 #include "shading/program_source.h"
 
 namespace patina {
@@ -10,5 +11,11 @@ namespace patina {
 /// a compiler says of it. The block has its defaults; beside it there are blocks that ship. Errors
 /// are those of files that cannot stand in a program.
 Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog);
+
+/// A material that has the block where its kind is a material's, and is plain otherwise.
+Material trialMaterial(const Block& block, const Catalog& catalog);
+
+/// The block where it is a light, else one that casts shadows; null where none ships.
+const Block* trialLight(const Block& block, const Catalog& catalog);
 
 } // namespace patina

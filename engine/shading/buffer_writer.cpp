@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of SurfaceWriter that writes what a surface is shaded from, in place of its shading.
-#include <algorithm>
 
 #include <fmt/format.h>
 

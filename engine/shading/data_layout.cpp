@@ -60,7 +60,7 @@ ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog) {
         layout.refraction = placed(*set.refraction, catalog, layout.vec4s);
         layout.vec4s += layout.refraction ? 1 : 0;
     }
-    if (set.scene.transparency && letsThrough(set) && !set.refraction) {
+    if (set.scene.transparency && isVisiblyTransparent(set) && !set.refraction) {
         layout.transparency = placed(*set.scene.transparency, catalog, layout.vec4s);
         layout.vec4s += layout.transparency ? 1 : 0;
     }

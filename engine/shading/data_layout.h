@@ -64,8 +64,8 @@ struct SceneLayout {
     static constexpr int ambient = 0;
     static constexpr int fixed = 1;
     /// What every driver offers in one block (16 KiB), and the most that is used of it (64 KiB).
-    static constexpr int leastCapacity = 1024;
-    static constexpr int mostCapacity = 4096;
+    static constexpr int minCapacity = 1024;
+    static constexpr int maxCapacity = 4096;
 
     std::optional<BlockPlace> fog;
     std::optional<int> hemisphere; ///< index of three: sky, ground, the unit direction up

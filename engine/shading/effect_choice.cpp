@@ -15,20 +15,14 @@
 namespace patina {
 namespace {
 
-std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id) {
-    const auto found = std::find_if(values.begin(), values.end(),
-                                    [id](const EnumValue& value) { return value.id == id; });
-    return found == values.end() ? 0 : static_cast<std::size_t>(found - values.begin());
-}
-
 /// The least that a model is taken to keep of the light: below half of an 8-bit step.
-constexpr double leastKept = 1.0 / 1024.0;
+constexpr double minKept = 1.0 / 1024.0;
 
 /// The mesh whose parts all lie in one plane.
 constexpr std::string_view flatMesh = "builtin:plane";
 
 /// What hides at least so much casts shadows.
-constexpr double leastShadowing = 0.5;
+constexpr double minShadowing = 0.5;
 
 } // namespace
 
@@ -93,8 +87,7 @@ bool canShine(const Light& light, const Block& block) {
 }
 
 bool canHide(const Scene& scene, const Block& block, const EffectView& view) {
-    return !isNeutral(block, scene.fog->parameters) &&
-           mostChange(scene, block, view) >= halfStep;
+    return !isNeutral(block, scene.fog->parameters) && maxChange(scene, block, view) >= halfStep;
 }
 
 bool hasAmbient(const Scene& scene) {
@@ -104,8 +97,8 @@ bool hasAmbient(const Scene& scene) {
 double saidShare(const Material& material, const Catalog& catalog) {
     const Block* model = catalog.find("models", material.model.id);
     double kept = 1.0;
-    for (const Parameter& parameter : model ? std::span(model->parameters)
-                                            : std::span<const Parameter>()) {
+    for (const Parameter& parameter :
+         model ? std::span(model->parameters) : std::span<const Parameter>()) {
         const double* share =
             parameter.transparency
                 ? std::get_if<double>(&givenValue(parameter, material.model.parameters))
@@ -118,7 +111,7 @@ double saidShare(const Material& material, const Catalog& catalog) {
 }
 
 double passedShare(const Material& material, const Catalog& catalog) {
-    return std::min(saidShare(material, catalog), 1.0 - leastKept);
+    return std::min(saidShare(material, catalog), 1.0 - minKept);
 }
 
 double opacityOf(const Material& material, const Catalog& catalog) {
@@ -126,7 +119,7 @@ double opacityOf(const Material& material, const Catalog& catalog) {
 }
 
 bool canShadow(const Material& material, const Catalog& catalog) {
-    return material.opacity >= leastShadowing && opacityOf(material, catalog) >= leastShadowing;
+    return material.opacity >= minShadowing && opacityOf(material, catalog) >= minShadowing;
 }
 
 bool isCaster(const Object& object, const Catalog& catalog) {
@@ -161,8 +154,7 @@ bool isLoneFlat(const Scene& scene, const Catalog& catalog) {
 }
 
 bool hasShadows(const Scene& scene, const Catalog& catalog) {
-    return hasCaster(scene, catalog) && hasReceiver(scene, catalog) &&
-           !isLoneFlat(scene, catalog);
+    return hasCaster(scene, catalog) && hasReceiver(scene, catalog) && !isLoneFlat(scene, catalog);
 }
 
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {
@@ -170,20 +162,20 @@ const Block* shadowBlock(const Light& light, const Block& block, const Catalog& 
     return casts ? catalog.find("shadows", light.shadow->id) : nullptr;
 }
 
-bool letsThrough(const Object& object, const Catalog& catalog) {
+bool isVisiblyTransparent(const Object& object, const Catalog& catalog) {
     return object.visible && canBeSeen(object.material) && isTransparent(object.material, catalog);
 }
 
-int countLettingThrough(const Scene& scene, const Catalog& catalog) {
-    return static_cast<int>(std::ranges::count_if(
-        scene.objects,
-        [&catalog](const Object& object) { return letsThrough(object, catalog); }));
+int countTransparent(const Scene& scene, const Catalog& catalog) {
+    return static_cast<int>(std::ranges::count_if(scene.objects, [&catalog](const Object& object) {
+        return isVisiblyTransparent(object, catalog);
+    }));
 }
 
 const Block* transparencyBlock(const Scene& scene, const Catalog& catalog) {
     const bool isNeeded =
         scene.transparency && std::ranges::any_of(scene.objects, [&catalog](const Object& object) {
-            return letsThrough(object, catalog);
+            return isVisiblyTransparent(object, catalog);
         });
     return isNeeded ? catalog.find("transparency", scene.transparency->id) : nullptr;
 }

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <string_view>
 
 #include "catalog/catalog.h"
 #include "catalog/parameter_layout.h"
@@ -71,8 +69,8 @@ bool hasShadows(const Scene& scene, const Catalog& catalog);
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog);
 
 /// Whether something shines through an object that is drawn; how many of a scene's there are.
-bool letsThrough(const Object& object, const Catalog& catalog);
-int countLettingThrough(const Scene& scene, const Catalog& catalog);
+bool isVisiblyTransparent(const Object& object, const Catalog& catalog);
+int countTransparent(const Scene& scene, const Catalog& catalog);
 
 /// The block that puts together what shines through; null where nothing does, or each object is
 /// blended by itself.

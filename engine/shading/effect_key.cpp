@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/effect_key.h"
 
-#include <algorithm>
 #include <string_view>
 
 #include "shading/effect_choice.h"
@@ -72,7 +71,7 @@ void addTextures(Hash& hash, const Material& material, const Catalog& catalog) {
     std::size_t count = 0;
     for (const auto& [id, use] : material.textures) {
         const TextureTarget target = textureTarget(id, use, material, catalog);
-        if (target.whyNot == nullptr && count++ < mostTextures) {
+        if (target.whyNot == nullptr && count++ < maxTextures) {
             hash.add(id);
             hash.add(static_cast<std::uint64_t>(channelOf(use, target)));
             hash.add(static_cast<std::uint64_t>(use.mode));
@@ -144,7 +143,7 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
     hash.add(ofEnvironment(scene, catalog));
     hash.add(hasHemisphere(scene) ? 1 : 0);
     hash.add(hasAmbient(scene) ? 1 : 0);
-    hash.add(showsSceneBent(scene, catalog) ? 1 : 0);
+    hash.add(showsSceneRefracted(scene, catalog) ? 1 : 0);
     hash.add(pictureEffectsKey(scene, hasFog));
     return hash.value();
 }

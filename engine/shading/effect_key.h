@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "catalog/catalog.h"
 #include "material/material.h"
@@ -16,19 +15,20 @@ namespace patina {
 /// frame whether the programs of the last one still fit.
 class EffectKey {
   public:
-    /// Of sceneEffects(scene, catalog, view), without the counts of lights that loops go through.
+    /// Hashes sceneEffects(scene, catalog, view), without the counts of lights that loops go
+    /// through.
     std::uint64_t ofScene(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
-    /// Of what effectSet() adds for the material.
+    /// Hashes what effectSet() adds for the material.
     static std::uint64_t ofMaterial(const Material& material, const Catalog& catalog);
 
-    /// Of the scene's environment and its compiled values; 0 when it is left out.
+    /// Hashes the scene's environment and its compiled values; 0 when it is left out.
     static std::uint64_t ofEnvironment(const Scene& scene, const Catalog& catalog);
 
-    /// Of what happens to the picture behind the objects: equal where one program does it.
+    /// Hashes what happens to the picture behind the objects: equal where one program does it.
     static std::uint64_t ofDisplay(const Scene& scene);
 
-    /// Of one light's block and compiled values, and of its shadows' where shadows can be seen (as
+    /// Hashes one light's block and compiled values, and its shadows' where shadows can be seen (as
     /// hasShadows() says); 0 when it is left out.
     static std::uint64_t ofLight(const Light& light, const Catalog& catalog, bool hasShadows);
 

@@ -17,8 +17,7 @@ namespace {
 std::string detailOf(const BlockUse& use) {
     std::string out;
     for (const CompiledValue& value : use.compiled) {
-        fmt::format_to(std::back_inserter(out), "{}{}={}", out.empty() ? "" : ", ", value.id,
-                       value.value);
+        out += fmt::format("{}{}={}", out.empty() ? "" : ", ", value.id, value.value);
     }
     return out;
 }
@@ -50,8 +49,8 @@ const std::string& reasonFor(const Reasons& reasons, std::string_view effect) {
 
 /// "Key, Fill and Rim", or how many where they are many.
 std::string lightNames(const std::vector<std::string>& names) {
-    constexpr std::size_t mostNamed = 4;
-    if (names.size() > mostNamed) {
+    constexpr std::size_t maxNamed = 4;
+    if (names.size() > maxNamed) {
         return fmt::format("{} lights", names.size());
     }
     if (names.size() == 1) {
@@ -105,9 +104,9 @@ void addShadows(std::vector<EffectLine>& lines, const std::vector<LightGroup>& g
         }
     }
     for (const auto& [id, kind] : kinds) {
-        lines.push_back(kind.line(fmt::format("{} {} {} them.", kind.block->reason,
-                                              lightNames(kind.names),
-                                              kind.names.size() == 1 ? "has" : "have")));
+        lines.push_back(
+            kind.line(fmt::format("{} {} {} them.", kind.block->reason, lightNames(kind.names),
+                                  kind.names.size() == 1 ? "has" : "have")));
     }
 }
 
@@ -126,7 +125,7 @@ void addLightLines(std::vector<EffectLine>& lines, const EffectSet& set) {
     }
 }
 
-/// What the program asks the model for; without one a stand-in is drawn that knows no light.
+/// What the program asks the model for; without one a fallback is drawn that knows no light.
 void addLitLines(std::vector<EffectLine>& lines, const EffectSet& set) {
     lines.push_back(modelLine(set));
     for (const BlockUse& slot : set.slots) {
@@ -189,7 +188,7 @@ std::vector<EffectLine> effectLines(const EffectSet& set) {
     }
     if (set.refraction) {
         lines.push_back(lineOf(*set.refraction));
-    } else if (letsThrough(set)) {
+    } else if (isVisiblyTransparent(set)) {
         addTransparencyLine(lines, set.scene);
     }
     if (set.outline) {
@@ -216,7 +215,8 @@ std::vector<EffectLine> leftOutLines(const EffectSet& set) {
     addAbsent(out, in, {"opacity", {}, "The material's opacity is 1."});
     addAbsent(out, in, {"refraction", {}, "The material bends no light."});
     addAbsent(out, in,
-              {"transparency", {},
+              {"transparency",
+               {},
                set.refraction ? "What is behind the object is seen bent, in its colour."
                               : "Nothing shines through the object."});
     addAbsent(out, in, {"outline", {}, "The material has no outline."});

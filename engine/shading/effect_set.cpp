@@ -81,12 +81,12 @@ void addEnvironment(SceneEffects& effects, const Scene& scene, const Catalog& ca
     }
 }
 
-std::string objectsLettingThrough(int count) {
+std::string transparentObjects(int count) {
     return count == 1 ? std::string("One object lets something through")
                       : fmt::format("{} objects let something through", count);
 }
 
-/// Of the surfaces that shine through each other: `how` they are put together.
+/// Says how the layers of transparent surfaces are put together.
 const char* wayOf(const Scene& scene, const Block* block) {
     if (block == nullptr) {
         return "each is blended over what is behind it, far ones first";
@@ -97,7 +97,7 @@ const char* wayOf(const Scene& scene, const Block* block) {
 }
 
 void addTransparency(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
-    const int count = countLettingThrough(scene, catalog);
+    const int count = countTransparent(scene, catalog);
     if (count == 0) {
         if (scene.transparency) {
             effects.leftOut.push_back({"transparency/" + scene.transparency->id,
@@ -107,7 +107,7 @@ void addTransparency(SceneEffects& effects, const Scene& scene, const Catalog& c
     }
     const Block* block = transparencyBlock(scene, catalog);
     const std::string reason =
-        fmt::format("{}: {}.", objectsLettingThrough(count), wayOf(scene, block));
+        fmt::format("{}: {}.", transparentObjects(count), wayOf(scene, block));
     if (block != nullptr) {
         effects.transparency = useOf(*block, scene.transparency->parameters, {}, reason);
         return;
@@ -263,7 +263,7 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
     set.fresnelMode = hasFresnelSlot(*model) ? FresnelMode::Slot : FresnelMode::None;
 }
 
-/// A stand-in for an unknown model keeps its stripes: blending it would hide them. Where the model
+/// A fallback for an unknown model keeps its stripes: blending it would hide them. Where the model
 /// was left out, as to see what it does, the blend stays.
 void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) {
     const BlockValues* part = material.part("fresnel");
@@ -295,7 +295,7 @@ SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const Effe
     addEnvironment(effects, scene, catalog);
     addTransparency(effects, scene, catalog);
     addAmbient(effects, scene);
-    effects.isShownBent = showsSceneBent(scene, catalog);
+    effects.isShownRefracted = showsSceneRefracted(scene, catalog);
     addPictureEffects(effects, scene);
     return effects;
 }
@@ -318,7 +318,7 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
     return set;
 }
 
-bool letsThrough(const EffectSet& set) {
+bool isVisiblyTransparent(const EffectSet& set) {
     return set.opacity || std::ranges::any_of(set.textures, [](const TextureEffect& texture) {
                return texture.role == TextureRole::Opacity && !texture.cutOut;
            });

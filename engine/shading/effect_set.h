@@ -65,7 +65,7 @@ struct SceneEffects {
     std::optional<BlockUse> transparency; ///< in programs of what lets something through
     bool ambient = false;
     bool hemisphere = false;
-    bool isShownBent = false; ///< by what bends light, see showsSceneBent()
+    bool isShownRefracted = false;    ///< by what bends light, see showsSceneRefracted()
     bool wantsVertexLight = false;    ///< see EffectSet::lightsAtVertices
     bool wantsBlendedNormals = false; ///< see EffectSet::leavesNormals
     bool wantsWideHighlights = false; ///< see EffectSet::widensHighlights
@@ -101,7 +101,7 @@ enum class FresnelMode {
 
 /// Exactly what one program computes. A value: equal sets give equal program text.
 struct EffectSet {
-    std::optional<BlockUse> model; ///< nothing: the catalogue lacks it; a plain stand-in is drawn
+    std::optional<BlockUse> model; ///< nothing: the catalogue lacks it; a plain fallback is drawn
     FresnelMode fresnelMode = FresnelMode::None;
     std::vector<BlockUse> slots;   ///< what fills the model's slots, in the descriptor's order
     std::optional<BlockUse> blend; ///< the Fresnel block of FresnelMode::Blend
@@ -122,7 +122,7 @@ struct EffectSet {
 };
 
 /// Whether something may shine through what is drawn with the set.
-bool letsThrough(const EffectSet& set);
+bool isVisiblyTransparent(const EffectSet& set);
 
 /// What the scene's lights, fog and ambient colour call for. A light is left out when it is
 /// disabled or cannot send anything (its `color` is black or its `intensity` is 0), fog when its

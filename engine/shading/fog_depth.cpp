@@ -77,7 +77,7 @@ std::string percentText(double share) {
     return share >= 0.995 ? "100" : fmt::format("{:.2g}", 100.0 * share);
 }
 
-/// Of less than half of an 8-bit step, 0.2 %.
+/// Writes a share below half of an 8-bit step, 0.2 %.
 std::string smallPercentText(double share) {
     return share < 1e-4 ? "less than 0.01" : fmt::format("at most {:.1g}", 100.0 * share);
 }
@@ -147,7 +147,7 @@ double FogLayer::between(double one, double other) const {
 /// slope of the sRGB curve at black, at most 12.92 F h more, and at most 0.44 h less, since
 /// S times the curve's slope at S is never more than 0.44. Tone mapping subtracts a part of the
 /// least channel, which can double both.
-double mostChange(const Scene& scene, const Block& block, const EffectView& view) {
+double maxChange(const Scene& scene, const Block& block, const EffectView& view) {
     const auto hidden = hiddenShare(block, scene.fog->parameters, decisive(view.farthest),
                                     std::min(decisive(view.fogThickness), 1.0));
     if (!hidden) {
@@ -175,10 +175,10 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
     if (!std::isfinite(view.farthest)) {
         return text + ".";
     }
-    const double change = mostChange(scene, block, view);
+    const double change = maxChange(scene, block, view);
     EffectView even = view;
     even.fogThickness = 1.0;
-    if (change < halfStep && !(mostChange(scene, block, even) < halfStep)) {
+    if (change < halfStep && !(maxChange(scene, block, even) < halfStep)) {
         return fmt::format("{}: it thins out below what is drawn, and changes its pixels by {} %.",
                            text, smallPercentText(change));
     }

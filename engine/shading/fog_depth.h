@@ -22,7 +22,7 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
 /// bound, so that fog below half of an 8-bit step can be left out unseen. It holds up to the next
 /// power of two of the view's distance, so that a camera that moves seldom asks for other programs.
 /// Infinite where the block does not say; 0 where the view misses its box.
-double mostChange(const Scene& scene, const Block& block, const EffectView& view);
+double maxChange(const Scene& scene, const Block& block, const EffectView& view);
 
 /// A box along the axes of the scene.
 struct FogBox {

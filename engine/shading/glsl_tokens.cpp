@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/text.h"
+
 namespace patina {
 namespace {
-
-bool isLetter(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// The end of the line, and of those that a backslash joins to it.
 std::size_t directiveEnd(std::string_view text, std::size_t at) {
@@ -30,14 +28,14 @@ std::size_t tokenEnd(std::string_view text, std::size_t at) {
         return directiveEnd(text, at);
     }
     const auto end = std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(),
-                                      isLetter);
+                                      isNameCharacter);
     return std::max(at + 1, static_cast<std::size_t>(end - text.begin()));
 }
 
 } // namespace
 
 bool GlslToken::isName() const {
-    return !text.empty() && isLetter(text.front()) &&
+    return !text.empty() && isNameCharacter(text.front()) &&
            std::isdigit(static_cast<unsigned char>(text.front())) == 0;
 }
 

@@ -7,10 +7,10 @@ namespace patina {
 namespace {
 
 /// A model's code is in the text once per line, and compiling takes as much longer.
-constexpr int mostLines = 4;
+constexpr int maxLines = 4;
 
 /// In a scene with more no light has lines, so that all lines have room in `sceneData`.
-constexpr int mostLights = 8;
+constexpr int maxLights = 8;
 
 } // namespace
 
@@ -36,7 +36,7 @@ void LightLines::add(std::uint64_t key, bool isEverywhere, bool isReached) {
 }
 
 int LightLines::of(const Group& group) const {
-    const bool isFew = lights_ <= mostLights && group.count <= mostLines;
+    const bool isFew = lights_ <= maxLights && group.count <= maxLines;
     return isFew && group.isEverywhere ? group.count : 0;
 }
 

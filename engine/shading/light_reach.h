@@ -18,7 +18,8 @@ struct LightReach {
     bool isEverywhere() const { return !(range > 0.0) && !(angle > 0.0); }
 };
 
-/// Of a light of the block. What is missing or not finite bounds nothing. Allocates nothing.
+/// Returns how far a light of the block reaches. A value that is missing or not finite bounds
+/// nothing. Allocates nothing.
 LightReach reachOf(const Light& light, const Block& block);
 
 } // namespace patina

@@ -26,6 +26,6 @@ std::optional<OutlineLayout> outlineLayout(const EffectSet& set, const Catalog& 
 /// The program that draws the lines of a set with an outline. It reads edges (GpuEdges) and knows
 /// of the scene only its fog.
 Checked<ProgramSource> outlineProgram(const EffectSet& set, const Catalog& catalog,
-                                      int sceneVec4s = SceneLayout::leastCapacity);
+                                      int sceneVec4s = SceneLayout::minCapacity);
 
 } // namespace patina

@@ -2,7 +2,6 @@
 #include "shading/parameter_packer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <glm/trigonometric.hpp>

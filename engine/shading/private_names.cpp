@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.h"
 #include "shading/block_source.h"
 #include "shading/glsl_tokens.h"
 
@@ -18,10 +19,6 @@ namespace {
 
 using Names = std::set<std::string_view>;
 using Tokens = std::vector<GlslToken>;
-
-bool isLetter(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// By name: the types that functions of the name take, "(float,vec3)"; empty for what is none.
 using Declared = std::map<std::string_view, std::set<std::string>>;
@@ -39,7 +36,7 @@ void addWords(Stretch& stretch, std::string_view text) {
     char before = ' '; // the last sign that is no blank
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i;
-        while (end < text.size() && isLetter(text[end])) {
+        while (end < text.size() && isNameCharacter(text[end])) {
             ++end;
         }
         const bool isWord = end > i && std::isdigit(static_cast<unsigned char>(text[i])) == 0;
@@ -89,8 +86,8 @@ std::string argumentsOf(const Tokens& tokens, std::size_t i) {
     for (++i; i < tokens.size() && tokens[i].text.find_first_of("=;{") != 0; ++i) {
         const std::string_view token = tokens[i].text;
         depth += token == "(" ? 1 : token == ")" ? -1 : 0;
-        const bool isLast = i + 1 < tokens.size() &&
-                            (tokens[i + 1].text == "," || tokens[i + 1].text == ")");
+        const bool isLast =
+            i + 1 < tokens.size() && (tokens[i + 1].text == "," || tokens[i + 1].text == ")");
         const bool isName = isLast && tokens[i].isName() && token != "void" &&
                             (tokens[i - 1].isName() || tokens[i - 1].text == ")") &&
                             !isQualifier(tokens[i - 1].text);

@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include "shading/block_gate.h"
 #include "shading/compile_log.h"
 #include "shading/program_file.h"
 
@@ -49,6 +50,9 @@ Checked<gl::Program> compileProgram(const ProgramSource& source) {
 ProgramCache::ProgramCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
 ProgramCache::Found ProgramCache::get(const ProgramSource& source) {
+    if (BlockGate::Answer answer = gateAnswer(source); !answer.mistakes.empty()) {
+        return {nullptr, std::move(answer.mistakes), false, answer.isFinal};
+    }
     const std::string hash = source.hash();
     const auto known = found_.find(hash);
     if (known != found_.end()) {

@@ -20,6 +20,7 @@ class ProgramCache {
         std::shared_ptr<const gl::Program> program; ///< null when it does not compile
         Errors errors;                              ///< then: why, at the files' own lines
         bool compiled = false;                      ///< this call had to compile it
+        bool isFinal = true; ///< false: a block in it is still being tried (see BlockGate)
     };
 
     /// `folder` is made when it is not there; empty: nothing is kept on disk. A folder that cannot

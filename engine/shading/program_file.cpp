@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include <boost/crc.hpp>
@@ -13,6 +11,7 @@
 #include <boost/uuid/uuid_io.hpp>
 
 #include "catalog/json_text.h"
+#include "core/ordinary_file.h"
 #include "gl/driver.h"
 
 namespace patina {
@@ -20,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t mostFiles = 1000;
-constexpr std::uintmax_t mostBytes = 64u << 20;
+constexpr std::size_t maxFiles = 1000;
+constexpr std::uintmax_t maxBytes = 64u << 20;
 
 /// What precedes the binary: the key, then this.
 struct Header {
@@ -36,16 +35,6 @@ std::uint32_t checksumOf(const void* bytes, std::size_t size) {
     return crc.checksum();
 }
 
-std::optional<std::string> contentOf(const fs::path& path) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (error || size > mostBytes) {
-        return std::nullopt;
-    }
-    std::ifstream stream(path, std::ios::binary);
-    return std::string{std::istreambuf_iterator<char>(stream), {}};
-}
-
 void removeOldest(const fs::path& folder) {
     std::error_code error;
     std::vector<std::pair<fs::file_time_type, fs::path>> files;
@@ -54,11 +43,11 @@ void removeOldest(const fs::path& folder) {
             files.emplace_back(entry.last_write_time(error), entry.path());
         }
     }
-    if (files.size() <= mostFiles) {
+    if (files.size() <= maxFiles) {
         return;
     }
     std::sort(files.begin(), files.end());
-    for (std::size_t i = 0; i < files.size() - mostFiles; ++i) {
+    for (std::size_t i = 0; i < files.size() - maxFiles; ++i) {
         fs::remove(files[i].second, error);
     }
 }
@@ -75,7 +64,7 @@ ProgramFile::ProgramFile(const fs::path& folder, const std::string& hash) {
 }
 
 std::optional<gl::ProgramBinary> ProgramFile::read() const {
-    const std::optional<std::string> content = path_.empty() ? std::nullopt : contentOf(path_);
+    const Result<std::string> content = readFile(path_, maxBytes); // without a folder: no file
     if (!content || content->size() < key_.size() + sizeof(Header) || !content->starts_with(key_)) {
         return std::nullopt;
     }

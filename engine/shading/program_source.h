@@ -30,7 +30,7 @@ struct ProgramSource {
 /// of the scene's block.
 Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
                                       SurfaceOutput output = SurfaceOutput::Picture,
-                                      int sceneVec4s = SceneLayout::leastCapacity);
+                                      int sceneVec4s = SceneLayout::minCapacity);
 
 class SourceBuilder;
 

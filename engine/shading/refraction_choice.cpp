@@ -2,7 +2,6 @@
 #include "shading/refraction_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -110,11 +109,6 @@ bool isSheet(const Block& refraction) {
     return refraction.parameter("thickness") != nullptr;
 }
 
-bool disperses(const Block& refraction, const Values& values) {
-    const auto dispersion = numberIn(refraction, values, "dispersion");
-    return dispersion && *dispersion != 0.0;
-}
-
 bool hasRefraction(const Scene& scene, const Catalog& catalog) {
     return std::ranges::any_of(scene.objects, [&catalog](const Object& object) {
         return object.visible && canBeSeen(object.material) &&
@@ -122,7 +116,7 @@ bool hasRefraction(const Scene& scene, const Catalog& catalog) {
     });
 }
 
-bool showsSceneBent(const Scene& scene, const Catalog& catalog) {
+bool showsSceneRefracted(const Scene& scene, const Catalog& catalog) {
     if (!hasRefraction(scene, catalog)) {
         return false;
     }

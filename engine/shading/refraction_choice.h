@@ -27,13 +27,10 @@ double bodyIndex(const Material& material, const RefractionChoice& choice, const
 /// Whether light leaves it in its old direction: a pane, which has a `thickness`.
 bool isSheet(const Block& refraction);
 
-/// Whether the block bends colours apart, by its `dispersion`.
-bool disperses(const Block& refraction, const Values& values);
-
 /// Whether an object that is seen bends what is behind it. Allocates nothing.
 bool hasRefraction(const Scene& scene, const Catalog& catalog);
 
 /// Whether an object bends what is behind it and there is something of the scene to be behind it.
-bool showsSceneBent(const Scene& scene, const Catalog& catalog);
+bool showsSceneRefracted(const Scene& scene, const Catalog& catalog);
 
 } // namespace patina

@@ -10,7 +10,7 @@ namespace patina {
 namespace {
 
 const char* whatIsBehind(const SceneEffects& scene) {
-    if (scene.isShownBent) {
+    if (scene.isShownRefracted) {
         return scene.environment ? "the scene and the environment" : "the scene";
     }
     return scene.environment ? "the environment" : "the background's colour";

@@ -66,8 +66,8 @@ void SurfaceWriter::writeRefraction() {
     out_.addFile("passes/refraction_passage.glsl");
     // The way inside is looked along only where there is one.
     out_.add(isSheet(block) ? "#define STEPS_INSIDE 0\n" : "#define STEPS_INSIDE 8\n");
-    out_.addFile(set_.scene.isShownBent ? "passes/refraction_behind.glsl"
-                                        : "passes/refraction_alone.glsl");
+    out_.addFile(set_.scene.isShownRefracted ? "passes/refraction_behind.glsl"
+                                             : "passes/refraction_alone.glsl");
     out_.addFile(isSheet(block) ? "passes/refraction_sheet.glsl" : "passes/refraction_body.glsl");
     out_.addFile("passes/refraction.glsl");
     last_ += fmt::format("    {0} = refracted(s, {0}, {1}, unpackRefraction({2}));\n", stored_,

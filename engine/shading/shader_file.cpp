@@ -2,9 +2,11 @@
 #include "shading/shader_file.h"
 
 #include <algorithm>
-#include <fstream>
+#include <cstdint>
+#include <limits>
 #include <string_view>
-#include <system_error>
+
+#include "core/ordinary_file.h"
 
 namespace patina {
 namespace {
@@ -14,28 +16,25 @@ constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
 
 tl::unexpected<Error> wrong(const std::filesystem::path& file, int line, std::string problem,
                             std::string expected) {
-    return tl::unexpected(Error{file.string(), line, line > 0 ? 1 : 0, std::move(problem),
-                                std::move(expected)});
+    return tl::unexpected(
+        Error{file.string(), line, line > 0 ? 1 : 0, std::move(problem), std::move(expected)});
 }
 
 } // namespace
 
 Result<std::string> readShaderFile(const std::filesystem::path& file) {
-    std::error_code failed;
-    std::ifstream stream;
-    if (std::filesystem::is_regular_file(file, failed)) { // whoever opens a pipe waits
-        stream.open(file, std::ios::binary);
+    constexpr auto anySize = std::numeric_limits<std::uintmax_t>::max();
+    const auto read = OrdinaryFile::open(file, anySize).and_then([](const OrdinaryFile& opened) {
+        return opened.start(maxShaderBytes + 1);
+    });
+    if (!read) {
+        const std::string& why = read.error().problem;
+        const bool isOfTheFile = why.starts_with("is ") || why.starts_with("cannot ");
+        return wrong(file, 0, (isOfTheFile ? "the shader " : "the shader cannot be read: ") + why,
+                     "an existing file that you may read");
     }
-    if (!stream.is_open()) {
-        return wrong(file, 0, "the shader cannot be read", "an existing file that you may read");
-    }
-    std::string text(mostShaderBytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    if (stream.bad()) {
-        return wrong(file, 0, "reading the shader failed", {});
-    }
-    if (text.size() > mostShaderBytes) {
+    std::string text = *read;
+    if (text.size() > maxShaderBytes) {
         return wrong(file, 0, "the shader is larger than 1 MiB", "a text in GLSL");
     }
     const auto nul = std::find(text.begin(), text.end(), '\0');

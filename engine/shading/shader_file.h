@@ -10,7 +10,7 @@
 namespace patina {
 
 /// Far more than anybody writes, and little enough to be read in a moment.
-constexpr std::size_t mostShaderBytes = std::size_t(1) << 20;
+constexpr std::size_t maxShaderBytes = std::size_t(1) << 20;
 
 /// The text of a shader's file: a file, no larger than that, without a NUL byte (at which a driver
 /// takes the text to end). A byte order mark before it is left out.

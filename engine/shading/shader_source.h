@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "shading/stranger_block.h"
+
 namespace patina {
 
 /// Text for the driver that knows where its parts came from. `#line N S` says that what follows
@@ -14,6 +16,7 @@ struct ShaderSource {
 
     std::string text;
     std::vector<std::string> files{"generated"};
+    std::vector<StrangerBlock> strangers{}; ///< blocks in the text that did not ship
 
     friend bool operator==(const ShaderSource&, const ShaderSource&) = default;
 };

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/source_builder.h"
 
+#include <algorithm>
 #include <optional>
 
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
 #include <fmt/format.h>
 
+#include "catalog/descriptor.h"
+#include "core/text.h"
 #include "shading/block_text.h"
 #include "shading/shader_file.h"
 #include "shading/unused_code.h"
 
 namespace patina {
 namespace {
+
+/// Nobody reads more of them.
+constexpr std::size_t maxErrors = 100;
 
 /// The file that `#include "..."` names, when the line is one.
 std::optional<std::string> includeOf(std::string_view line) {
@@ -40,13 +48,27 @@ std::string_view nextLine(std::string_view& rest) {
     return line;
 }
 
-bool isBlank(std::string_view line) {
-    return line.find_first_not_of(" \t\r") == std::string_view::npos;
-}
-
 bool leavesRoot(const std::string& name) {
     const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
     return path.is_absolute() || path.empty() || *path.begin() == "..";
+}
+
+/// Covers all that a program may take from the block.
+std::string hashOf(const Block& block, const std::string& code) {
+    const boost::uuids::name_generator_sha1 generate(boost::uuids::ns::oid());
+    constexpr auto replace = nlohmann::json::error_handler_t::replace;
+    const std::string descriptor = toJson(block).dump(-1, ' ', false, replace);
+    return boost::uuids::to_string(generate(descriptor + '\0' + code));
+}
+
+StrangerBlock strangerOf(const Block& block, const std::string& code,
+                         const std::filesystem::path& shaders) {
+    return {block.kind,
+            block.id,
+            block.shaderFile,
+            shaders,
+            block.descriptorFile.parent_path().parent_path(),
+            hashOf(block, code)};
 }
 
 } // namespace
@@ -98,6 +120,9 @@ void SourceBuilder::addBlock(const Block& block) {
 
 void SourceBuilder::addIncluded(const std::string& name, const Place& includer,
                                 const Block* block) {
+    if (errors_.size() >= maxErrors) {
+        return;
+    }
     if (!includer.file.empty() && leavesRoot(name)) {
         errors_.push_back({includer.file, includer.line, 1,
                            fmt::format("cannot include \"{}\"", name),
@@ -111,21 +136,24 @@ void SourceBuilder::addIncluded(const std::string& name, const Place& includer,
     const Result<std::string> text = readShaderFile(path);
     if (!text) {
         const bool isMissing = !includer.file.empty() && text.error().line == 0;
-        errors_.push_back(isMissing ? Error{includer.file, includer.line, 1,
-                                            fmt::format("cannot include \"{}\": {}", name,
-                                                        text.error().problem),
-                                            text.error().expected}
-                                    : text.error());
+        errors_.push_back(
+            isMissing ? Error{includer.file, includer.line, 1,
+                              fmt::format("cannot include \"{}\": {}", name, text.error().problem),
+                              text.error().expected}
+                      : text.error());
         return;
     }
     const std::string code = withoutComments(*text);
     if (block != nullptr) {
         const Errors mistakes = blockTextMistakes(*block, code);
-        errors_.insert(errors_.end(), mistakes.begin(), mistakes.end());
+        const std::size_t told = std::min(mistakes.size(), maxErrors - errors_.size());
+        errors_.insert(errors_.end(), mistakes.begin(),
+                       mistakes.begin() + static_cast<std::ptrdiff_t>(told));
     }
     const std::size_t first = addText(path.string(), code);
     if (block != nullptr && !block->shipped) {
         parts_.push_back({first, source_.text.size(), structName(*block), functionName(*block)});
+        source_.strangers.push_back(strangerOf(*block, code, root_));
     }
 }
 

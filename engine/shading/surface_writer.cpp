@@ -29,17 +29,13 @@ constexpr const char* inspectedLitSource = "    Illumination light = inspectedLi
                                            "    sum += {2}(s, light, p);\n"
                                            "    noteLight(s, light);\n";
 
-bool hasGate(const Block& model, std::string_view gate) {
-    return std::find(model.gates.begin(), model.gates.end(), gate) != model.gates.end();
-}
-
 /// When the model counts as 0 without being asked.
 std::string gateSource(const Block& model) {
     std::string condition;
-    if (hasGate(model, "light")) {
+    if (model.hasGate("light")) {
         condition = "(d).nl <= 0.0";
     }
-    if (hasGate(model, "view")) {
+    if (model.hasGate("view")) {
         condition += condition.empty() ? "(d).nv <= 0.0" : " || (d).nv <= 0.0";
     }
     return condition.empty() ? "false" : condition;
@@ -55,7 +51,7 @@ const char* cutSource(const Block& model, bool hasUnitNormals) {
 } // namespace
 
 bool SurfaceWriter::isLitFromBehind() const {
-    return object_.model && !hasGate(*object_.model->block, "light");
+    return object_.model && !object_.model->block->hasGate("light");
 }
 
 SurfaceWriter::SurfaceWriter(SourceBuilder& out, const EffectSet& set, const ObjectLayout& object,
@@ -89,12 +85,12 @@ void SurfaceWriter::writeSurface() {
         writeHemisphere();
         writeEnvironment();
         writeKeptShare();
-        writeEmission();
     } else {
-        out_.addFile("passes/stand_in.glsl");
-        main_ += "    shaded = standIn(s);\n";
+        out_.addFile("passes/fallback.glsl");
+        main_ += "    shaded = fallback(s);\n";
     }
     writeBlend();
+    writeEmission();
     writeFog();
     writeOpacity();
     writeRefraction();
@@ -207,7 +203,7 @@ void SurfaceWriter::writeModel() {
     }
 }
 
-/// Behind what images say of them.
+/// Widens highlights by the curvature of the surface, after images have changed their widths.
 void SurfaceWriter::writeWideHighlights() {
     out_.addFile("lib/math.glsl");
     out_.addFile("passes/widened_highlight.glsl");
@@ -238,8 +234,7 @@ void SurfaceWriter::writeLightGroup(std::size_t index) {
     const Block& block = *group.light.block;
     const std::string type = structName(block);
     writeBlock(block);
-    writeUnpack(block, set_.scene.lights[index].block,
-                fmt::format("unpack{}{}", type, index));
+    writeUnpack(block, set_.scene.lights[index].block, fmt::format("unpack{}{}", type, index));
     std::string shadowed;
     const char* body = isInspected() ? inspectedLitSource : litSource;
     const bool hasEnd = block.reach && set_.scene.lights[index].lines == 0;
@@ -262,8 +257,7 @@ void SurfaceWriter::writeLightGroup(std::size_t index) {
                          "{2}"
                          "    return sum;\n"
                          "}}\n",
-                         type, index,
-                         fmt::format(fmt::runtime(body), arrives, shadowed, lit)));
+                         type, index, fmt::format(fmt::runtime(body), arrives, shadowed, lit)));
     addLightGroup(index, fmt::format("from{}{}", type, index));
 }
 
@@ -295,7 +289,8 @@ void SurfaceWriter::writeEnvironment() {
                          EnvironmentLayout::fixed);
 }
 
-/// Once per pixel, whatever the number of lights.
+/// Once per pixel, whatever the number of lights: no Fresnel term covers what a surface sends out
+/// by itself.
 void SurfaceWriter::writeEmission() {
     for (const std::string& color : set_.emission) {
         main_ += fmt::format("    shaded += model.{};\n", fieldName(color));
@@ -361,11 +356,10 @@ void SurfaceWriter::writeMain() {
     const std::string store =
         isInspected() ? fmt::format("storeInspected(s, {}, {}, {})", stored_, albedo, alpha_)
                       : fmt::format(fmt::runtime(store_), stored_, alpha_);
-    out_.add(
-        fmt::format("void main() {{\n{}    Surface s = {}();\n    vec3 shaded = vec3(0.0);\n"
-                    "{}{}    {};\n}}\n",
-                    isInspected() ? "    clearTerms();\n" : "",
-                    leavesNormals() ? "blendedSurface" : "surface", main_, last_, store));
+    out_.add(fmt::format("void main() {{\n{}    Surface s = {}();\n    vec3 shaded = vec3(0.0);\n"
+                         "{}{}    {};\n}}\n",
+                         isInspected() ? "    clearTerms();\n" : "",
+                         leavesNormals() ? "blendedSurface" : "surface", main_, last_, store));
 }
 
 } // namespace patina

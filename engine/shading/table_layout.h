@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -12,7 +11,7 @@
 
 namespace patina {
 
-/// As what of a program a block reads a table.
+/// Says as which part of a program a block reads a table.
 enum class TableReader { Model, Slot, Blend };
 
 /// A table that a program reads, and where it lies in the texture of the material's tables.

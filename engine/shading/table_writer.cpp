@@ -3,7 +3,6 @@
 #include "shading/table_writer.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -37,9 +36,9 @@ std::string unpacked(const TablePlace& place) {
 
 /// Where an entry lies on the axis.
 std::string coordinate(const char* axis, int first, int entries) {
-    return entries < 2 ? std::string("0.0")
-                       : fmt::format("min(float(cell.{} - {}) / {}.0, 1.0)", axis, first,
-                                     entries - 1);
+    return entries < 2
+               ? std::string("0.0")
+               : fmt::format("min(float(cell.{} - {}) / {}.0, 1.0)", axis, first, entries - 1);
 }
 
 } // namespace
@@ -77,12 +76,11 @@ std::string fillingSource(const TableLayout& tables) {
                        "    vec3 entry = vec3(0.0);\n";
     for (const TablePlace& place : tables.places) {
         const glm::ivec2 size = place.table->size;
-        fmt::format_to(std::back_inserter(text),
-                       "    if (cell.y >= {} && cell.y < {}) {{\n"
-                       "        entry = {}(vec2({}, {}), {});\n    }}\n",
-                       place.row, place.row + size.y, entryFunction(*place.block, *place.table),
-                       coordinate("x", 0, size.x), coordinate("y", place.row, size.y),
-                       unpacked(place));
+        text += fmt::format("    if (cell.y >= {} && cell.y < {}) {{\n"
+                            "        entry = {}(vec2({}, {}), {});\n    }}\n",
+                            place.row, place.row + size.y,
+                            entryFunction(*place.block, *place.table), coordinate("x", 0, size.x),
+                            coordinate("y", place.row, size.y), unpacked(place));
     }
     return text + "    storedEntry = vec4(entry, 1.0);\n}\n";
 }

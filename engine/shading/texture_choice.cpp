@@ -52,8 +52,8 @@ void findParameter(TextureTarget& target, std::string_view key, const Material& 
     target.kind = model->kind;
     target.parameter = model->parameter(key);
     for (const std::string_view kind : partKinds) {
-        const bool isPart = key.size() > kind.size() + 1 && key.starts_with(kind) &&
-                            key[kind.size()] == '.';
+        const bool isPart =
+            key.size() > kind.size() + 1 && key.starts_with(kind) && key[kind.size()] == '.';
         const Block* part = target.parameter == nullptr && isPart
                                 ? partBlock(kind, *model, material, catalog)
                                 : nullptr;
@@ -117,10 +117,13 @@ bool canBeSeen(const Material& material) {
            isTextured("opacity", material);
 }
 
+bool isDrawn(const Object& object) {
+    return object.visible && canBeSeen(object.material);
+}
+
 bool isTransparent(const Material& material, const Catalog& catalog) {
     return opacityOf(material, catalog) < 1.0 ||
-           (isTextured("opacity", material) &&
-            !material.textures.find("opacity")->second.cutOut);
+           (isTextured("opacity", material) && !material.textures.find("opacity")->second.cutOut);
 }
 
 } // namespace patina

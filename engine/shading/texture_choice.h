@@ -6,11 +6,12 @@
 
 #include "catalog/catalog.h"
 #include "material/material.h"
+#include "scene/scene.h"
 
 namespace patina {
 
 /// So many images of one material are in its program: texture units are few.
-inline constexpr std::size_t mostTextures = 8;
+inline constexpr std::size_t maxTextures = 8;
 
 /// What an image of a material changes, or why it changes nothing.
 struct TextureTarget {
@@ -36,6 +37,9 @@ bool isTextured(std::string_view parameterId, const Material& material);
 
 /// Whether anything of the material may be there.
 bool canBeSeen(const Material& material);
+
+/// Whether a frame has anything of the object.
+bool isDrawn(const Object& object);
 
 /// Whether something behind the material may shine through: by its opacity, or by an image of it
 /// that does not only cut out, or by its model.

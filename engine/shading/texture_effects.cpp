@@ -61,9 +61,9 @@ void addTextures(EffectSet& set, const Material& material, const Catalog& catalo
             set.leftOut.push_back({what, target.whyNot});
         } else if (!set.model) {
             set.leftOut.push_back({what, "The model is not known."});
-        } else if (set.textures.size() == mostTextures) {
+        } else if (set.textures.size() == maxTextures) {
             set.leftOut.push_back(
-                {what, fmt::format("A material shows {} images at most.", mostTextures)});
+                {what, fmt::format("A material shows {} images at most.", maxTextures)});
         } else {
             set.textures.push_back(effectOf(id, use, target));
         }

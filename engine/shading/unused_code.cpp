@@ -137,6 +137,11 @@ class ItemReader {
   private:
     bool follow(std::string_view line) {
         for (const char c : line) {
+            hasParenthesis_ = hasParenthesis_ || c == '(';
+            if (c == '{' && !hasBrace_) {
+                hasBrace_ = true;
+                bracesFollowParenthesis_ = hasParenthesis_;
+            }
             depth_ += c == '{' ? 1 : c == '}' ? -1 : 0;
             parentheses_ += c == '(' ? 1 : c == ')' ? -1 : 0;
             if (c != ' ') {
@@ -149,9 +154,7 @@ class ItemReader {
     }
 
     bool isFunction() const {
-        const std::size_t brace = head_.find('{');
-        const std::size_t parenthesis = head_.find('(');
-        return parenthesis < brace && !head_.starts_with("layout") &&
+        return bracesFollowParenthesis_ && !head_.starts_with("layout") &&
                !head_.starts_with("uniform") && !head_.starts_with("const");
     }
 
@@ -164,6 +167,9 @@ class ItemReader {
         item_ = Item();
         item_.first = line + 1;
         head_.clear();
+        hasParenthesis_ = false;
+        hasBrace_ = false;
+        bracesFollowParenthesis_ = false;
         isEnded_ = false;
     }
 
@@ -173,6 +179,9 @@ class ItemReader {
     std::string head_; ///< its text so far
     int depth_ = 0;
     int parentheses_ = 0;
+    bool hasParenthesis_ = false;
+    bool hasBrace_ = false;
+    bool bracesFollowParenthesis_ = false; ///< the head's first ones
     bool isEnded_ = false;
 };
 
@@ -193,11 +202,10 @@ void markNeeded(std::vector<Item>& items) {
         for (const std::string_view word : item->words) {
             const auto [first, last] = byName.equal_range(word);
             for (auto named = first; named != last; ++named) {
-                if (!named->second->isNeeded) {
-                    named->second->isNeeded = true;
-                    open.push_back(named->second);
-                }
+                named->second->isNeeded = true;
+                open.push_back(named->second);
             }
+            byName.erase(first, last); // each item is met once, however often its name is
         }
     }
 }

@@ -40,7 +40,6 @@ std::string SurfaceWriter::writeVertexLight() {
     writeAmbient();
     writeHemisphere();
     writeKeptShare();
-    writeEmission();
     out_.add("vec3 vertexLight(Surface s) {\n    vec3 shaded = vec3(0.0);\n" + main_ +
              "    return shaded;\n}\n");
     main_.clear();
@@ -54,7 +53,12 @@ std::string SurfaceWriter::writeVertexFog() {
     return fmt::format("    placeFog(unpackFog({}));\n", scene_.fog->first);
 }
 
+/// A surface that glows needs its model's values at the pixel, since a Fresnel term comes between.
 void SurfaceWriter::writeBlendedLight() {
+    if (!set_.emission.empty()) {
+        writeSlots();
+        writeModel();
+    }
     out_.addFile("passes/blended_light.glsl");
     main_ += "    shaded = blendedLight(s);\n";
 }

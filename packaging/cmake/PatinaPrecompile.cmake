@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Headers of other projects that most files read, parsed once for many targets: a second of CPU less
-# for each file. Off in the release, clang and tidy presets, which see each file with its own
-# includes; the presets that have it compile six files at a time as well (CMAKE_UNITY_BUILD).
+# for each file. Off in the clang and tidy presets, which see each file with its own includes; the
+# presets that have it compile several files at a time as well (CMAKE_UNITY_BUILD).
 option(PATINA_PRECOMPILE "Precompile the headers of the libraries" ON)
 
 set(PATINA_STANDARD_HEADERS <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional>
@@ -18,6 +18,15 @@ function(patina_precompile target)
     cmake_parse_arguments(ARG "" "AS" "HEADERS" ${ARGN})
     if(NOT PATINA_PRECOMPILE OR target STREQUAL ARG_AS)
         return()
+    endif()
+    # gcc reads headers only where it optimises as far as it did in them.
+    get_target_property(cold ${target} PATINA_COLD)
+    if(ARG_AS AND cold AND CMAKE_BUILD_TYPE STREQUAL "Release")
+        get_property(ARG_AS GLOBAL PROPERTY PATINA_COLD_HEADERS)
+        if(NOT ARG_AS)
+            set_property(GLOBAL PROPERTY PATINA_COLD_HEADERS ${target})
+            set(ARG_HEADERS ${PATINA_ENGINE_HEADERS})
+        endif()
     endif()
     if(ARG_AS)
         target_precompile_headers(${target} REUSE_FROM ${ARG_AS})

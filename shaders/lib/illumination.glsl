@@ -33,3 +33,13 @@ float rangeWindow(float x, float range) {
     float share = min(x / range, 1.0);
     return max(range - x, 0.0) / range * ((1.0 + share) * (1.0 + share * share));
 }
+
+// What is left at x metres from a light in one place: by the inverse square with its `minimum`, or
+// by the polynomial; a `range` above 0 ends it.
+float distanceAttenuation(float x, bool isInverseSquare, float minimum, float constant,
+    float linear, float quadratic, float range) {
+    float attenuation = isInverseSquare
+        ? inverseSquareAttenuation(x, minimum)
+        : polynomialAttenuation(x, constant, linear, quadratic);
+    return range > 0.0 ? attenuation * rangeWindow(x, range) : attenuation;
+}

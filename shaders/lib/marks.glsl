@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Marks of ink on paper, for models that draw. Lengths are pixels of the picture. A vec2 has what
 // is inked and what is bare, each as it comes, so that neither is a difference of the other.
+#include "lib/directions.glsl"
 #include "lib/math.glsl"
 
 // How much of a pixel's width lies inside a mark whose edge is `inside` away, towards its inside,
@@ -22,11 +23,16 @@ float offWhole(float x) {
 }
 
 // How dark and how bright a surface is drawn, together 1: all dark where n.l is at most `dark`, all
-// bright where it is at least `light`. Both at one place is a hard edge, 0.001 wide.
-vec2 tones(float nl, float dark, float light) {
+// bright where it is at least `light`. Both at one place is a hard edge, 0.001 wide. What n.l lacks
+// to `light` and what it has more than `dark` comes from 1 - n.l where that is the small one: a
+// narrow edge multiplies what is lost.
+vec2 tones(Directions d, float dark, float light) {
     float width = max(light - dark, 1e-3);
-    float lead = width > 1e-3 ? nl - dark : nl - (light - width);
-    return vec2(clamp((light - nl) / width, 0.0, 1.0), clamp(lead / width, 0.0, 1.0));
+    bool facing = d.versineL < 0.5;
+    float below = facing ? d.versineL - (1.0 - light) : light - d.nl;
+    float above = facing ? (1.0 - dark) - d.versineL : d.nl - dark;
+    float lead = width > 1e-3 ? above : width - below;
+    return vec2(clamp(below / width, 0.0, 1.0), clamp(lead / width, 0.0, 1.0));
 }
 
 // Ink with the strength f of a mark, where 1 - f is given too so that it is no difference.

@@ -33,7 +33,7 @@ float separableVisibility(float nl, float Sl, float Sv) {
 
 // G / (4 n.v) with G = 1 / (1 + Lambda(l) + Lambda(v)): the deeper a point lies, the more it is
 // hidden from both. Ross, Dion and Potvin, JOSA A 22(11), 2005; Heitz, JCGT 3(2), 2014, equation
-// 99.
+// 99. 1e-37 keeps 0 / 0 away where both directions graze within a few of the smallest floats.
 float correlatedVisibility(float nl, float nv, float Sl, float Sv) {
-    return 0.25 * nl / (nv * Sl + nl * (Sv - nv));
+    return 0.25 * nl / max(nv * Sl + nl * (Sv - nv), 1e-37);
 }

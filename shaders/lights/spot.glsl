@@ -3,8 +3,8 @@
 #include "lib/illumination.glsl"
 #include "lib/math.glsl"
 
-// The versine of the narrowest cone, 4.5e-7 rad: below that the rounding of a unit vector decides
-// what is inside.
+// The versine of the narrowest outer cone, 4.5e-7 rad: below that the rounding of a unit vector
+// decides what is inside.
 const float LEAST_CONE = 1e-13;
 
 // The share of a spot light that leaves it towards -l.
@@ -17,7 +17,7 @@ float spotCone(vec3 l, SpotLight p) {
     vec3 behind = l - p.direction;
     float u = 0.5 * dot(forward, forward);
     float uo = max(versineOf(p.angleOuter), LEAST_CONE);
-    float ui = min(max(versineOf(p.angleInner), LEAST_CONE), uo);
+    float ui = p.angleInner < p.angleOuter ? min(versineOf(p.angleInner), uo) : uo;
     float inside = uo - u;
     if (u > 1.0) {
         inside = 0.5 * dot(behind, behind) - versineOf(max(PI - p.angleOuter, 0.0));
@@ -36,14 +36,9 @@ float spotCone(vec3 l, SpotLight p) {
 Illumination spotLight(vec3 x, SpotLight p) {
     vec3 toLight = p.position - x;
     float range = metresTo(toLight);
-    float attenuation = polynomialAttenuation(range, p.attenuationConstant, p.attenuationLinear,
-        p.attenuationQuadratic);
-    if (p.falloff == SPOT_LIGHT_FALLOFF_INVERSE_SQUARE) {
-        attenuation = inverseSquareAttenuation(range, p.distanceMinimum);
-    }
-    if (p.range > 0.0) {
-        attenuation *= rangeWindow(range, p.range);
-    }
+    float attenuation = distanceAttenuation(range, p.falloff == SPOT_LIGHT_FALLOFF_INVERSE_SQUARE,
+        p.distanceMinimum, p.attenuationConstant, p.attenuationLinear, p.attenuationQuadratic,
+        p.range);
     Illumination i;
     i.l = range > 0.0 ? toLight / range : -p.direction;
     i.radiance = p.color * (p.intensity * attenuation * spotCone(i.l, p));

@@ -29,7 +29,7 @@ vec2 halftoneLine(float row, vec2 tone, float size) {
 
 // A screen of dots, lines or crossed lines that cover 1 - n.l, between two tones.
 vec3 halftone(Directions d, Halftone p) {
-    vec2 tone = tones(d.nl, p.toneDark, p.toneLight);
+    vec2 tone = tones(d, p.toneDark, p.toneLight);
     float size = max(p.cell, 1.0);
     vec2 cell = turnedPlace(d.pixel, p.angle) / size;
     vec2 drawn = vec2(0.0);

@@ -2,17 +2,25 @@
 #include "lib/directions.glsl"
 #include "lib/marks.glsl"
 
-// Strokes along x, `spacing` apart, the first one `shift` spacings from 0, of which each bends by
-// up to `wobble` of a spacing in a rhythm of its own.
-vec2 hatchingStrokes(vec2 place, float spacing, float shift, float width, float wobble) {
-    float rows = place.y / spacing - shift;
-    float stroke = floor(rows + 0.5);
-    float rhythm = place.x / (9.0 * spacing) + 0.381966 * stroke;
+// How far a place is from stroke number `stroke`, in spacings, which bends by up to `wobble` of a
+// spacing in a rhythm of its own. `rows` counts spacings across the strokes, `along` their rhythm.
+float besideStroke(float rows, float along, float stroke, float wobble) {
+    float rhythm = along + 0.381966 * stroke;
     // To the nearest whole number: a phase just below one keeps its digits.
     float bend = wobble * 0.5 * sin(2.0 * PI * (rhythm - floor(rhythm + 0.5)));
-    float aside = abs(rows - stroke + bend) * spacing;
+    return abs(rows - stroke + bend);
+}
+
+// Strokes along x, `spacing` apart, the first one `shift` spacings from 0. A place belongs to the
+// nearer of the two strokes that it lies between, wherever they bend to.
+vec2 hatchingStrokes(vec2 place, float spacing, float shift, float width, float wobble) {
+    float rows = place.y / spacing - shift;
+    float along = place.x / (9.0 * spacing);
+    float stroke = floor(rows);
+    float aside = min(besideStroke(rows, along, stroke, wobble),
+        besideStroke(rows, along, stroke + 1.0, wobble));
     // A pen does not fill the gap between its strokes.
-    return lineMark(min(width, 0.75 * spacing), aside);
+    return lineMark(min(width, 0.75 * spacing), aside * spacing);
 }
 
 // Layer `layer` of strokes over what is drawn already: all its ink is there from the tone
@@ -28,7 +36,7 @@ vec2 hatchingLayer(vec2 drawn, float dark, float layer, vec2 stroke) {
 // them, then across, then both at half the spacing. E. Praun, H. Hoppe, M. Webb and A. Finkelstein,
 // Real-Time Hatching, SIGGRAPH 2001, blend six tones of nested strokes in the same way.
 vec3 hatching(Directions d, Hatching p) {
-    float dark = tones(d.nl, p.toneDark, p.toneLight).x;
+    float dark = tones(d, p.toneDark, p.toneLight).x;
     float apart = max(p.spacing, 2.0);
     float close = 0.5 * apart;
     float pen = p.penWidth;

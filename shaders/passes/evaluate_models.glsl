@@ -5,11 +5,17 @@
 // EVALUATED_BLOCK, the model's function, and LIGHT_GATE and VIEW_GATE.
 #include "lib/directions.glsl"
 
+// v made unit. What is unit up to the rounding of its own components stays as it is: a division
+// would move it by a step of float, which decides where light and viewer nearly oppose.
+vec3 givenUnit(vec3 v, vec3 fallback) {
+    return abs(dot(v, v) - 1.0) < 2e-7 ? v : safeNormalize(v, fallback);
+}
+
 vec4 evaluated(int part) {
-    vec3 n = safeNormalize(caseData(0).xyz, vec3(0.0, 0.0, 1.0));
+    vec3 n = givenUnit(caseData(0).xyz, vec3(0.0, 0.0, 1.0));
     vec3 t = tangentAlong(n, caseData(1).xyz);
-    vec3 l = safeNormalize(caseData(2).xyz, n);
-    vec3 v = safeNormalize(caseData(3).xyz, n);
+    vec3 l = givenUnit(caseData(2).xyz, n);
+    vec3 v = givenUnit(caseData(3).xyz, n);
     Directions d = directions(n, t, cross(n, t), l, v);
     d.pixel = vec2(caseData(0).w, caseData(1).w);
     if ((LIGHT_GATE && !(d.nl > 0.0)) || (VIEW_GATE && !(d.nv > 0.0))) {

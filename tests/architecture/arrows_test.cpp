@@ -13,10 +13,10 @@ namespace {
 
 using Arrows = std::map<std::string, std::set<std::string>>; // folder -> what it may use
 
-/// The first fenced block after the heading: chains such as "core <- catalog <- material".
-Arrows arrowsDrawn() {
+/// The first fenced block behind `words`: chains such as "core <- catalog <- material".
+Arrows arrowsDrawn(std::string_view words = "## The arrows") {
     const std::string text = readText(projectRoot() / "ARCHITECTURE.md");
-    const auto heading = text.find("## The arrows");
+    const auto heading = text.find(words);
     const auto begin = text.find("```", heading) + 3;
     const std::string block = text.substr(begin, text.find("```", begin) - begin);
 
@@ -94,9 +94,36 @@ TEST(Arrows, Includes_FollowThem) {
     }
 }
 
+/// Each room uses those before it. Files above the rooms are for users of the folder, but for
+/// `shared`, which all rooms may include.
+void expectRoomsToFollow(const std::string& folder, const std::string& shared = {}) {
+    const Arrows arrows = transitive(arrowsDrawn("Rooms of `engine/" + folder + "`"));
+    const std::regex include("#include \"" + folder + "/([a-z_.]+)(/|\")");
+    for (const SourceFile& file : filesUnder({"engine/" + folder}, {".h", ".cpp"})) {
+        const std::string room = std::filesystem::path(file.path).parent_path().filename();
+        std::sregex_iterator it(file.text.begin(), file.text.end(), include);
+        for (const std::sregex_iterator end; it != end && room != folder; ++it) {
+            const std::string used = (*it)[1];
+            ASSERT_TRUE(arrows.contains(room)) << file.path;
+            EXPECT_TRUE(used == room || used == shared || arrows.at(room).contains(used))
+                << file.place(std::size_t(it->position())) << ": " << room << " may not use "
+                << used;
+        }
+    }
+}
+
+TEST(Arrows, RoomsOfTheMeasuringCode_FollowTheirs) {
+    expectRoomsToFollow("measure");
+}
+
+TEST(Arrows, RoomsOfTheRenderer_FollowTheirs) {
+    expectRoomsToFollow("render", "view.h");
+}
+
 TEST(Arrows, Libraries_LinkOnlyAlongThem) {
     const Arrows arrows = transitive(arrowsDrawn());
-    static const std::regex library(R"(patina_engine_library\(([a-z]+)\s+USES([a-z\s]+))");
+    static const std::regex library(
+        R"(patina_engine_library\(([a-z]+)(?:\s+COLD)?\s+USES([a-z\s]+))");
     for (const SourceFile& file : filesUnder({"engine"}, {"CMakeLists.txt"})) {
         std::smatch match;
         if (!std::regex_search(file.text, match, library)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rules that let one shader text be GLSL and C++ (ARCHITECTURE.md, "One source, two
+// The rules that let one shader text be GLSL and C++ (docs/design/blocks.md, "One source, two
 // compilers"): what would break one of the two compilers, or mean different things to them.
 #pragma once
 

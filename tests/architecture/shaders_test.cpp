@@ -10,7 +10,7 @@
 namespace patina::tests {
 namespace {
 
-/// What a kind adds to the names of its blocks (ARCHITECTURE.md, "Names").
+/// What a kind adds to the names of its blocks (docs/design/blocks.md, "Names").
 const std::map<std::string, std::string> kindWords = {{"models", ""},
                                                       {"fresnel", "Fresnel"},
                                                       {"specular", "Specular"},

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <ctime>
 #include <limits>
-#include <map>
 #include <string>
 #include <string_view>
 #include <thread>

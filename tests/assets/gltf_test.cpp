@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // glTF as artists have it. Every file is made here, with the libraries that define the formats.
 #include <cmath>
-#include <optional>
-#include <span>
 
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>

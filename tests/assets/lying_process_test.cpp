@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Answers that must not be believed, and processes that stop or never answer.
-#include <array>
 
 #include <gtest/gtest.h>
 

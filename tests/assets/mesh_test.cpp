@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of good and of poor meshes, through the files process.
-#include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Images for surfaces: what is read from files, and their smaller versions.
-#include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>

@@ -4,14 +4,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <optional>
 #include <string>
 #include <thread>
 
 #include "benchmarks.h"
 #include "gl/driver.h"
 #include "gl/headless_context.h"
-#include "measure/cost_sweep.h"
+#include "measure/cost/cost_sweep.h"
 #include "primitive_meshes.h"
 #include "statistics.h"
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
 
-#include "render/binding.h"
-#include "render/data_packer.h"
+#include "render/gpu/binding.h"
+#include "render/pass/data_packer.h"
 #include "shading/effect_key.h"
 
 namespace patina::benchmarks {

@@ -5,8 +5,8 @@
 
 #include "ball_stage.h"
 #include "catalog/catalog.h"
-#include "render/pipeline_store.h"
-#include "render/uniform_buffer.h"
+#include "render/gpu/uniform_buffer.h"
+#include "render/pass/pipeline_store.h"
 
 namespace patina::benchmarks {
 

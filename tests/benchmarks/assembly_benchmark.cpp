@@ -19,7 +19,7 @@ namespace patina::benchmarks {
 namespace {
 
 constexpr int rounds = 21;
-constexpr double mostDifference = 1.0 / 255.0;
+constexpr double maxDifference = 1.0 / 255.0;
 
 double largestDifference(const Image& a, const Image& b) {
     double largest = 0.0;
@@ -35,7 +35,7 @@ struct Outcome {
     Spread ratio;
     double difference = 0.0;
 
-    bool kept() const { return difference <= mostDifference && ratio.median <= mostAssembled; }
+    bool kept() const { return difference <= maxDifference && ratio.median <= maxAssembled; }
 };
 
 /// Both in turn, each first as often as the other.
@@ -84,8 +84,8 @@ bool assembly() {
     }
     const double middle = spreadOf(medians).median;
     report(fmt::format("{} combinations: median of the medians", medians.size()),
-           fmt::format("{:.3f}", middle), middle <= mostAssembledMedian, "<= 1.02");
-    return kept && middle <= mostAssembledMedian;
+           fmt::format("{:.3f}", middle), middle <= maxAssembledMedian, "<= 1.02");
+    return kept && middle <= maxAssembledMedian;
 }
 
 } // namespace patina::benchmarks

@@ -11,8 +11,8 @@
 namespace patina::benchmarks {
 
 /// What an assembled program may take of the one that is written by hand, and half of them.
-inline constexpr double mostAssembled = 1.05;
-inline constexpr double mostAssembledMedian = 1.02;
+inline constexpr double maxAssembled = 1.05;
+inline constexpr double maxAssembledMedian = 1.02;
 
 /// Models with a file in minimal/.
 inline constexpr std::array minimalModels{

@@ -4,7 +4,7 @@
 #include <epoxy/gl.h>
 
 #include "cpu_clock.h"
-#include "render/capture_image.h"
+#include "render/gpu/capture_image.h"
 #include "scene/primitives.h"
 
 namespace patina::benchmarks {

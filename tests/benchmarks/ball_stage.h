@@ -8,8 +8,8 @@
 #include "core/image.h"
 #include "gl/framebuffer.h"
 #include "gl/headless_context.h"
-#include "render/frustum.h"
-#include "render/gpu_mesh.h"
+#include "render/gpu/gpu_mesh.h"
+#include "render/lights/frustum.h"
 #include "scene/scene.h"
 #include "stage_pictures.h"
 

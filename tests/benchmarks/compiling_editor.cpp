@@ -11,8 +11,9 @@
 #include <QApplication>
 #include <QTemporaryDir>
 
+#include "catalog/catalog.h"
 #include "editor_course.h"
-#include "main_window.h"
+#include "window/main_window.h"
 
 namespace {
 
@@ -82,7 +83,7 @@ int main(int argc, char** argv) {
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
     Document& document = window.document();
-    document.openTemplate(FileActions::defaultScene());
+    document.openTemplate(defaultSceneFile());
     window.show();
     EditorCourse course(window);
     course.rest(settleMs);

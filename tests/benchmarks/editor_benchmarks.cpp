@@ -13,7 +13,7 @@ namespace {
 
 constexpr int startRuns = 9;
 constexpr double idleSeconds = 10.0;
-constexpr double mostSettleSeconds = 120.0;
+constexpr double maxSettleSeconds = 120.0;
 
 void waitFor(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -23,7 +23,7 @@ void waitFor(double seconds) {
 /// program has done nothing for a second and a half.
 bool settles(const ObservedProgram& program) {
     constexpr double patience = 1.5;
-    for (double waited = 0.0; waited < mostSettleSeconds; waited += patience) {
+    for (double waited = 0.0; waited < maxSettleSeconds; waited += patience) {
         const long before = program.cpuTicks();
         waitFor(patience);
         if (program.cpuTicks() == before) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "heartbeat.h"
-#include "main_window.h"
+#include "window/main_window.h"
 
 namespace patina::benchmarks {
 

@@ -11,7 +11,7 @@
 namespace patina::benchmarks {
 namespace {
 
-constexpr double mostMs = 100.0;
+constexpr double maxMs = 100.0;
 
 /// What a step did in each run, in milliseconds.
 struct Step {
@@ -51,8 +51,8 @@ bool reportStalls(const char* editor, const tests::Start& start, int runs) {
     bool kept = true;
     for (const std::string& name : order) {
         const Spread gap = spreadOf(steps[name].gaps);
-        kept = kept && gap.median <= mostMs;
-        report("Longest stall, " + name, text(gap, 1.0, "ms"), gap.median <= mostMs, "<= 100 ms");
+        kept = kept && gap.median <= maxMs;
+        report("Longest stall, " + name, text(gap, 1.0, "ms"), gap.median <= maxMs, "<= 100 ms");
         report("  until it is on the screen", text(spreadOf(steps[name].times), 1.0, "ms"), true,
                "");
     }

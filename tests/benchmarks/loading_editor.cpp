@@ -8,8 +8,9 @@
 #include <QMouseEvent>
 #include <QTemporaryDir>
 
+#include "catalog/catalog.h"
 #include "editor_course.h"
-#include "main_window.h"
+#include "window/main_window.h"
 
 namespace {
 
@@ -83,7 +84,7 @@ bool runAll(MainWindow& window, const QStringList& meshes) {
                "removing it", [&] { document.removeObject(indexOfLarge(document)); }, always) &&
            course.step("undoing the removal", undo, always) &&
            course.step(
-               "a new document", [&] { document.openTemplate(FileActions::defaultScene()); },
+               "a new document", [&] { document.openTemplate(defaultSceneFile()); },
                always) &&
            course.step(
                "opening the saved scene", [&] { document.openScene(scene); }, always) &&
@@ -100,7 +101,7 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
-    window.document().openTemplate(FileActions::defaultScene());
+    window.document().openTemplate(defaultSceneFile());
     window.show();
     window.startRest();
     return runAll(window, QApplication::arguments().mid(1)) ? 0 : 1;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a frame's cost grows with objects and lights, and what many objects cost beside one mesh.
-#include <array>
 
 #include <glm/matrix.hpp>
 
@@ -16,7 +15,7 @@ constexpr int side = 100; // of the square of objects
 constexpr int objects = side * side;
 constexpr int materials = 12;
 constexpr int rounds = 9;
-constexpr double leastStraight = 0.98;
+constexpr double minStraightness = 0.98;
 
 /// Small things side by side, none before another, so that each costs as many pixels as the next.
 Object placed(const Object& like, int i) {
@@ -117,7 +116,7 @@ bool isStraight(Stage& stage, const std::string& what, const std::vector<double>
         medians.push_back(spreads[i].median);
     }
     const double determination = straightness(counts, medians);
-    const bool kept = determination > leastStraight;
+    const bool kept = determination > minStraightness;
     report(fmt::format("Frame time over {}: R^2", what), fmt::format("{:.4f}", determination),
            kept, "> 0.98");
     return kept;

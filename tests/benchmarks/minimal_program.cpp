@@ -18,7 +18,7 @@
 
 #include "catalog/unit_direction.h"
 #include "gl/shader.h"
-#include "render/binding.h"
+#include "render/gpu/binding.h"
 #include "shading/source_builder.h"
 #include "support/program.h"
 

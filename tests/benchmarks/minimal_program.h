@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
-#include <vector>
 
 #include "ball_stage.h"
 #include "catalog/catalog.h"

@@ -3,7 +3,6 @@
 // books print it.
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 

@@ -6,11 +6,11 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include "catalog/table_source.h"
 #include "cpu_clock.h"
 #include "gl/vertex_array.h"
-#include "catalog/table_source.h"
-#include "measure/eval_case.h"
-#include "measure/eval_source.h"
+#include "measure/eval/eval_case.h"
+#include "measure/eval/eval_source.h"
 #include "shading/block_source.h"
 #include "shading/block_use.h"
 #include "shading/compile_log.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "catalog/catalog.h"
 #include "catalog/parameter_layout.h"

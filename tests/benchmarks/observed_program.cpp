@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <initializer_list>
 #include <sstream>
 #include <thread>

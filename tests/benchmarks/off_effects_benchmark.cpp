@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr int pairs = 10;
 constexpr int roundsOfPair = 9;
-constexpr double mostRatio = 1.01;
+constexpr double maxRatio = 1.01;
 
 using SharedCatalog = std::shared_ptr<const Catalog>;
 
@@ -113,7 +113,7 @@ bool offEffects() {
     const bool isSame = isSameText(stage.scene, *all, *used);
     report(blocks + ": program", isSame ? "the same text" : "another text", isSame, "the same");
     const Spread ratio = frameRatio(stage, all, used);
-    const bool kept = ratio.median <= mostRatio;
+    const bool kept = ratio.median <= maxRatio;
     report(blocks + ": frame", text(ratio, 1.0, ""), kept, "<= 1.01");
     report("the same blocks on both sides: frame", text(frameRatio(stage, all, all), 1.0, ""),
            true, "what is noise");

@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "render/binding.h"
+#include "render/gpu/binding.h"
 
 namespace patina::benchmarks {
 namespace {

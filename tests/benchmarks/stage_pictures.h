@@ -4,7 +4,7 @@
 #include "catalog/catalog.h"
 #include "gl/texture.h"
 #include "gl/texture_array.h"
-#include "render/shadow_view.h"
+#include "render/lights/shadow_view.h"
 #include "scene/scene.h"
 
 namespace patina::benchmarks {

@@ -11,7 +11,7 @@
 #include "benchmarks.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
-#include "measure/cost_sweep.h"
+#include "measure/cost/cost_sweep.h"
 #include "primitive_meshes.h"
 #include "scene/scene_file.h"
 #include "statistics.h"
@@ -28,7 +28,7 @@ constexpr glm::ivec2 sizeOfFronts{128, 128};
 constexpr double secondsOfFronts = 10.0;
 constexpr double longestSeconds = 60.0;
 constexpr std::size_t timedPresets = 3;
-constexpr double leastShare = 0.95;
+constexpr double minShare = 0.95;
 constexpr const char* manyLevels = "many-levels"; ///< of the user's folder that this writes
 
 const std::filesystem::path& presetFolder() {
@@ -60,8 +60,8 @@ std::vector<Shipped> shippedPresets(const Catalog& catalog) {
             continue;
         }
         if (const auto preset = readPreset(path, catalog)) {
-            Shipped shipped{std::filesystem::relative(path, presetFolder()).string(),
-                            stage->scene, 0};
+            Shipped shipped{std::filesystem::relative(path, presetFolder()).string(), stage->scene,
+                            0};
             shipped.scene.objects.front().material = preset->material;
             shipped.levels = levelsOf(shipped.scene, catalog);
             all.push_back(std::move(shipped));
@@ -130,9 +130,11 @@ void writeManyLevels(const std::filesystem::path& folder) {
     std::ofstream(folder / "models" / "many-levels.json")
         << R"({"id": "many-levels", "version": 1, "label": "Many levels", "summary": "s",
 "applications": "a", "source": "a benchmark", "doc": "d", "parameters": [], "claims": [],
-"accuracy": [)" << choices << "]}";
+"accuracy": [)"
+        << choices << "]}";
     std::ofstream(folder / "models" / "many-levels.glsl")
-        << "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n\n"
+        << "// SPDX-License-"
+           "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n\n"
            "vec3 manyLevels(Directions d, ManyLevels p) {\n    float sum = 0.0;\n"
            "    float value = 0.5;\n"
         << terms << "    return vec3(d.nl * value + 1e-12 * sum);\n}\n";
@@ -226,7 +228,7 @@ bool frontTwice() {
                fmt::format("{} of {} points", share.same, share.points), true, "");
         whole += share;
     }
-    const bool kept = whole.share() >= leastShare;
+    const bool kept = whole.share() >= minShare;
     report("Front twice, all presets",
            fmt::format("{:.1f} % of {} points", 100.0 * whole.share(), whole.points), kept,
            ">= 95 %");

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
 
-#include "gl/shader.h"
-#include "render/binding.h"
-#include "render/data_packer.h"
 #include "catalog/table_source.h"
+#include "gl/shader.h"
+#include "render/gpu/binding.h"
+#include "render/pass/data_packer.h"
 #include "shading/block_source.h"
 #include "shading/data_layout.h"
 #include "shading/parameter_packer.h"
@@ -50,9 +50,9 @@ std::string chosen(const std::vector<const Block*>& blocks, const std::string& k
                    const char* call) {
     std::string text;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        text += fmt::format("    if ({} == {}) {{\n        return {};\n    }}\n", kind, i + 1,
-                            fmt::format(fmt::runtime(call), functionName(*blocks[i]),
-                                        unpackName(*blocks[i])));
+        text += fmt::format(
+            "    if ({} == {}) {{\n        return {};\n    }}\n", kind, i + 1,
+            fmt::format(fmt::runtime(call), functionName(*blocks[i]), unpackName(*blocks[i])));
     }
     return text;
 }
@@ -63,8 +63,8 @@ std::string chosenAt(const std::vector<const Block*>& blocks, const char* call, 
 }
 
 void readFrom(SourceBuilder& out, const char* array) {
-    out.add(fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n",
-                        array));
+    out.add(
+        fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array));
 }
 
 /// What models call for their slots, whatever fills them.
@@ -182,7 +182,7 @@ ProgramSource sourceOf(const Catalog& catalog, const std::vector<const Block*>& 
         },
         [&](SourceBuilder& out) {
             out.add(fmt::format("#define OBJECT_VEC4S {}\n#define SCENE_VEC4S {}\n", objectVec4s,
-                                SceneLayout::leastCapacity));
+                                SceneLayout::minCapacity));
             out.addFile("passes/surface.glsl");
             readFrom(out, "objectData");
             addSlots(out, catalog);
@@ -190,8 +190,8 @@ ProgramSource sourceOf(const Catalog& catalog, const std::vector<const Block*>& 
             addBlend(out, catalog);
             addLights(out, catalog);
             addFog(out, catalog);
-            out.add(fmt::format(fmt::runtime(mainSource), lightCount, lightsAt, lightVec4s,
-                                choices, fogKind));
+            out.add(fmt::format(fmt::runtime(mainSource), lightCount, lightsAt, lightVec4s, choices,
+                                fogKind));
         });
     if (!made) {
         fmt::print(stderr, "{}\n", text(made.error()));
@@ -221,10 +221,6 @@ float numberOf(const std::vector<const Block*>& blocks, const std::string& id) {
     return static_cast<float>(found - blocks.begin() + 1);
 }
 
-bool hasGate(const Block& model, const char* gate) {
-    return std::ranges::find(model.gates, gate) != model.gates.end();
-}
-
 } // namespace
 
 SwitchedProgram::SwitchedProgram(const Catalog& catalog, const std::vector<const Block*>& models,
@@ -237,11 +233,11 @@ SwitchedProgram::SwitchedProgram(const Catalog& catalog, const std::vector<const
     const Material& material = scene.objects.front().material;
     const Block& model = *catalog.find("models", material.model.id);
     view_.reserve(ViewLayout::vec4s);
-    scene_.reserve(SceneLayout::leastCapacity);
+    scene_.reserve(SceneLayout::minCapacity);
     object_.reserve(objectVec4s);
     packView(view_.staging(), stage.worldToClip(), eye(stage.camera()), 1.0);
     const std::span<glm::vec4> object = object_.staging();
-    object[0] = {1.0f, hasGate(model, "light"), hasGate(model, "view"), 0.0f};
+    object[0] = {1.0f, model.hasGate("light"), model.hasGate("view"), 0.0f};
     object[choices] = {numberOf(models, model.id), 0.0f, 0.0f, 0.0f};
     packInto(object.subspan(modelAt), layoutOf(model), material.model.parameters, {},
              cameraToWorld);
@@ -251,11 +247,11 @@ SwitchedProgram::SwitchedProgram(const Catalog& catalog, const std::vector<const
         const BlockValues& light = scene.lights[i].block;
         const std::size_t at = lightsAt + i * lightVec4s;
         lit[at].x = numberOf(catalog.ofKind("lights"), light.id);
-        packInto(lit.subspan(at + 1), layoutOf(*catalog.find("lights", light.id)),
-                 light.parameters, {}, cameraToWorld);
+        packInto(lit.subspan(at + 1), layoutOf(*catalog.find("lights", light.id)), light.parameters,
+                 {}, cameraToWorld);
     }
     view_.upload(ViewLayout::vec4s);
-    scene_.upload(SceneLayout::leastCapacity);
+    scene_.upload(SceneLayout::minCapacity);
     object_.upload(objectVec4s);
 }
 

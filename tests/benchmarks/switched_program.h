@@ -2,13 +2,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "ball_stage.h"
 #include "catalog/catalog.h"
 #include "gl/program.h"
-#include "render/uniform_buffer.h"
+#include "render/gpu/uniform_buffer.h"
 #include "shading/source_builder.h"
 
 namespace patina::benchmarks {

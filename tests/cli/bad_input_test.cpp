@@ -87,6 +87,58 @@ INSTANTIATE_TEST_SUITE_P(
                   0, "not in the preset's folder"}),
     [](const auto& information) { return std::string(information.param.name); });
 
+/// A stranger's scene in a folder of its own, beside which lies what is the user's.
+class StrangersScene : public testing::Test {
+  protected:
+    StrangersScene() {
+        fs::create_directory(folder_ / "home");
+        writeFile(folder_ / "secret.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        writeFile(folder_ / "secret.patina.json", preset());
+    }
+    Outcome drawn(const std::string& mesh, const std::string& itsPreset,
+                  std::vector<std::string> more = {}) const {
+        writeFile(folder_ / "home/a.patina-scene.json",
+                  R"({"format": "patina.scene", "version": 1, "objects": [{"mesh": ")" + mesh +
+                      R"(", "preset": )" + itsPreset + "}]}");
+        std::vector<std::string> all{"render", "--scene", folder_ / "home/a.patina-scene.json",
+                                     "--size", "16x16",   "-o", folder_ / "a.png"};
+        all.insert(all.end(), more.begin(), more.end());
+        return patina(all);
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(StrangersScene, MeshOutsideItsFolder_IsReadWhenThatIsAllowed) {
+    const Outcome refused = drawn("../secret.obj", preset());
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_NE(refused.err.find("\"../secret.obj\" is not in the scene's folder and is not read"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_NE(refused.err.find("--allow-outside"), std::string::npos) << refused.err;
+    const Outcome allowed = drawn("../secret.obj", preset(), {"--allow-outside"});
+    EXPECT_EQ(allowed.exitCode, 0) << allowed.err;
+}
+
+TEST_F(StrangersScene, MeshThatTheUserNamesHimself_IsRead) {
+    const Outcome outcome =
+        drawn("../secret.obj", preset(), {"--mesh", folder_ / "secret.obj"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+}
+
+TEST_F(StrangersScene, PresetOutsideItsFolder_IsNotRead) {
+    const Outcome outcome = drawn("builtin:sphere", R"("../secret.patina.json")");
+    EXPECT_NE(outcome.err.find("secret.patina.json\" is not in the scene's folder and is not read"),
+              std::string::npos)
+        << outcome.err;
+}
+
+/// Whoever opened it waited for ever.
+TEST_F(StrangersScene, PresetThatIsADevice_IsRefusedWithoutWaiting) {
+    const Outcome outcome = drawn("builtin:sphere", R"("/dev/ptmx")", {"--allow-outside"});
+    EXPECT_NE(outcome.err.find("this is a device"), std::string::npos) << outcome.err;
+}
+
 TEST(BadInput, UnknownModel_IsNamed) {
     const TemporaryFolder folder;
     writeFile(folder / "a.patina.json", preset("[1, 1, 1]", "20.0", "nonesuch"));

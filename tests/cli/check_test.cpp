@@ -18,7 +18,8 @@ class CheckCommand : public testing::Test {
                             "default": 0.5, "min": 0.0, "max": 1.0, "step": 0.01}],
             "claims": ["finite", "non_negative", "zero_below_horizon"]})");
         writeFile(data_ / "patina/shaders/models/tried.glsl",
-                  "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                  "// SPDX-License-"
+                  "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
                   "vec3 tried(Directions d, Tried p) {\n    return " +
                       body + ";\n}\n");
     }

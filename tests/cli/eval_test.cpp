@@ -189,6 +189,25 @@ TEST(EvalCommand, ZeroVector_IsAnError) {
     EXPECT_NE(errorOf(request).find("v "), std::string::npos);
 }
 
+TEST(EvalCommand, LengthOfADirection_DoesNotMatter) {
+    Json request = facing("phong");
+    for (const char* precision : {"double", "gpu"}) {
+        request["precision"] = precision;
+        request["n"] = {0.0, 0.6, 0.8};
+        request["v"] = {0.0, 0.0, 1.0};
+        const Json value = answerTo(request)["value"];
+        for (const double length : {1e-300, 1e-38, 1e-31, 1e38, 1e300}) {
+            request["n"] = {0.0, 0.6 * length, 0.8 * length};
+            request["v"] = {0.0, 0.0, length};
+            const Json scaled = answerTo(request)["value"];
+            for (int i = 0; i < 3; ++i) {
+                EXPECT_NEAR(scaled[i].get<double>(), value[i].get<double>(), 1e-6)
+                    << precision << ", length " << length;
+            }
+        }
+    }
+}
+
 TEST(EvalCommand, OpenSlot_IsEmptyOrFilledByTheGivenBlock) {
     const Json plain = answerTo(facing("lambert"));
     Json request = facing("lambert");

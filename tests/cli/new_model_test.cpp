@@ -101,7 +101,8 @@ TEST_F(NewModel, EvalOnTheGpu_GivesItsFormula) {
 
 TEST_F(NewModel, EvalOnTheGpu_CutsANegativeValueAtZero) {
     writeFile(data_ / "patina/shaders/models/wrap-lambert.glsl",
-              "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+              "// SPDX-License-"
+              "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
               "vec3 wrapLambert(Directions d, WrapLambert p) {\n    return vec3(-0.5);\n}\n");
     const Outcome outcome = patinaWithIt({"eval"}, R"({"id": "a", "model": "wrap-lambert",)"
                                                    R"( "l": [0, 0, 1], "v": [0, 0, 1],)"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "gpu_fixture.h"
-#include "measure/frame_error.h"
-#include "measure/reference_frame.h"
+#include "measure/error/frame_error.h"
+#include "measure/error/reference_frame.h"
 #include "shading/effect_key.h"
 #include "shading/program_source.h"
 #include "support/program.h"
@@ -59,8 +59,7 @@ class BlockTablesTest : public GpuTest {
         EXPECT_TRUE(image);
         LinearFrame frame;
         for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
-            frame.colors.emplace_back(image->pixels[i], image->pixels[i + 1],
-                                      image->pixels[i + 2]);
+            frame.colors.emplace_back(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]);
         }
         const FrameError found =
             ErrorMeter((*right)->frame(), DisplayCurve::of(scene)).errorOf(frame);
@@ -162,13 +161,16 @@ class UserTableTest : public BlockTablesTest {
 
     void writeShader(const std::string& entry) {
         writeFile(folder_ / "models/squared-test.glsl",
-                  "// SPDX-License-Identifier: MIT-0\n"
+                  "// SPDX-License-"
+                  "Identifier: MIT-0\n"
                   "vec3 squaredTestSquaresEntry(vec2 x, SquaredTest p) {\n"
-                  "    return vec3(" + entry + " * x.x * x.x, x.y * x.y, 0.25);\n}\n"
-                  "vec3 squaredTest(Directions d, SquaredTest p) {\n"
-                  "    if (p.way == SQUARED_TEST_WAY_TABLE) {\n"
-                  "        return squaredTestSquares(vec2(0.25, 0.5), p);\n    }\n"
-                  "    return squaredTestSquaresEntry(vec2(0.25, 0.5), p);\n}\n");
+                  "    return vec3(" +
+                      entry +
+                      " * x.x * x.x, x.y * x.y, 0.25);\n}\n"
+                      "vec3 squaredTest(Directions d, SquaredTest p) {\n"
+                      "    if (p.way == SQUARED_TEST_WAY_TABLE) {\n"
+                      "        return squaredTestSquares(vec2(0.25, 0.5), p);\n    }\n"
+                      "    return squaredTestSquaresEntry(vec2(0.25, 0.5), p);\n}\n");
     }
 
     void load() {
@@ -188,7 +190,7 @@ TEST_F(UserTableTest, BetweenEntries_StandsTheirMean) {
         return made;
     }();
     const glm::vec3 color = middle(capture(scene));
-    EXPECT_NEAR(color.r, 0.5f * 0.125f, 1e-4f);              // of 0 and 1/4 of the height
+    EXPECT_NEAR(color.r, 0.5f * 0.125f, 1e-4f);                      // of 0 and 1/4 of the height
     EXPECT_NEAR(color.g, (1.0f / 9.0f + 4.0f / 9.0f) / 2.0f, 1e-3f); // of 1/9 and 4/9
     EXPECT_NEAR(color.b, 0.25f, 1e-4f);
 }
@@ -246,7 +248,8 @@ class UserFresnelTableTest : public BlockTablesTest {
   "claims": []
 })");
         writeFile(folder_ / "fresnel/line-test.glsl",
-                  "// SPDX-License-Identifier: MIT-0\n"
+                  "// SPDX-License-"
+                  "Identifier: MIT-0\n"
                   "vec3 lineTestFresnelLinesEntry(vec2 x, LineTestFresnel p) {\n"
                   "    return vec3(p.rim + (0.125 - p.rim) * x.x);\n}\n"
                   "vec3 lineTestFresnel(Incidence i, LineTestFresnel p) {\n"

@@ -152,7 +152,7 @@ TEST(ShaderFile, NulByte_IsRefusedWithItsLine) {
 }
 
 TEST(ShaderFile, LargerThanAnyShader_IsRefused) {
-    EXPECT_EQ(refusal(std::string(mostShaderBytes + 1, ' ')),
+    EXPECT_EQ(refusal(std::string(maxShaderBytes + 1, ' ')),
               "a.glsl: the shader is larger than 1 MiB; expected a text in GLSL");
 }
 

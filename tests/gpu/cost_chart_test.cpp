@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fronts, budgets and the order of measuring, from made-up measurements.
-#include "measure/cost_chart.h"
+#include "measure/cost/cost_chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "measure/cost_table.h"
-#include "measure/ranking_table.h"
-#include "measure/sweep_plan.h"
+#include "measure/cost/cost_table.h"
+#include "measure/cost/ranking_table.h"
+#include "measure/cost/sweep_plan.h"
 
 namespace patina {
 namespace {

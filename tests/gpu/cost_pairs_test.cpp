@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What pairs of times say of a ratio, from made-up times.
-#include "measure/choice_cost.h"
+#include "measure/time/choice_cost.h"
 
 #include <vector>
 

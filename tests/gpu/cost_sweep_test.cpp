@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The instrument is calibrated: a model whose work and whose errors are known.
-#include "measure/cost_sweep.h"
+#include "measure/cost/cost_sweep.h"
 
 #include <cmath>
 #include <map>
@@ -32,7 +32,7 @@ class CostSweepTest : public GpuTest {
       {"id": "small", "label": "Small", "doc": "d"}]}
   ]
 })");
-        tests::writeFile(folder_ / "models/burn-test.glsl", R"(// SPDX-License-Identifier: MIT-0
+        tests::writeFile(folder_ / "models/burn-test.glsl", R"(// SPDX-License-" "Identifier: MIT-0
 #include "lib/directions.glsl"
 
 vec3 burnTest(Directions d, BurnTest p) {
@@ -174,7 +174,8 @@ TEST_F(CostSweepTest, OutOfTime_LeavesCombinationsOutAndCountsThem) {
       {"id": "none", "label": "None", "doc": "d"}]}
   ]
 })");
-    tests::writeFile(folder_ / "models/burn-twice-test.glsl", R"(// SPDX-License-Identifier: MIT-0
+    tests::writeFile(folder_ / "models/burn-twice-test.glsl",
+                     R"(// SPDX-License-" "Identifier: MIT-0
 #include "lib/directions.glsl"
 
 vec3 burnTwiceTest(Directions d, BurnTwiceTest p) {
@@ -248,25 +249,25 @@ TEST_F(CostSweepTest, NothingInView_IsAnError) {
 }
 
 /// What errors are measured against, in words.
-std::string rightOf(const CostSweep::Subject& subject, Choice::Scope scope) {
+std::string groundTruthOf(const CostSweep::Subject& subject, Choice::Scope scope) {
     CostSweep::Options options;
     options.size = {4, 4}; // with thousands of directions for each
     options.scope = scope;
     auto sweep = CostSweep::create(subject, options);
-    while (sweep && (*sweep)->right() == nullptr && !(*sweep)->finished()) {
+    while (sweep && (*sweep)->groundTruth() == nullptr && !(*sweep)->finished()) {
         (*sweep)->step(std::chrono::milliseconds(1));
     }
-    return sweep ? (*sweep)->chart().right : sweep.error().text();
+    return sweep ? (*sweep)->chart().groundTruth : sweep.error().text();
 }
 
-TEST_F(CostSweepTest, UnderAnEnvironment_TheRightFrameSaysItsDirections) {
+TEST_F(CostSweepTest, UnderAnEnvironment_TheGroundTruthFrameSaysItsDirections) {
     Scene scene = simpleScene("lambert");
     scene.environment = defaultBlockValues(*catalog->find("environment", "studio"));
     const CostSweep::Subject subject{scene, 0, scene.camera, meshSource(), catalog};
-    EXPECT_EQ(rightOf(subject, Choice::Scope::Material),
+    EXPECT_EQ(groundTruthOf(subject, Choice::Scope::Material),
               "the same frame in double precision and with the same 48 directions of the "
               "environment per pixel");
-    EXPECT_EQ(rightOf(subject, Choice::Scope::Picture),
+    EXPECT_EQ(groundTruthOf(subject, Choice::Scope::Picture),
               "the finest frame that the device draws, with the same 4096 directions of the "
               "environment per pixel");
 }
@@ -319,7 +320,7 @@ TEST_F(CostSweepTest, ErrorMap_ShowsWhereItIsWrong) {
     options.size = {32, 32};
     auto sweep = CostSweep::create({scene_, 0, scene_.camera, meshSource(), catalog}, options);
     ASSERT_TRUE(sweep);
-    while ((*sweep)->right() == nullptr) {
+    while ((*sweep)->groundTruth() == nullptr) {
         (*sweep)->step(std::chrono::milliseconds(1));
     }
     const std::vector<double> map = (*sweep)->errorMap({{"work", "half"}});

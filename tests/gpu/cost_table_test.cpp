@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What tables, CSV and JSON say of measurements, from made-up ones.
-#include "measure/cost_table.h"
+#include "measure/cost/cost_table.h"
 
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ TEST(CostFromJson, WrittenChart_IsReadAgain) {
     chart.pixels = 77;
     chart.exactMilliseconds = 1.5;
     chart.timer = "a clock";
-    chart.right = "the truth";
+    chart.groundTruth = "the truth";
     chart.same = {{"a", "worst", "fast", 4}};
     chart.converged = ConvergedRender{"a", 4096, {}, {}};
     chart.leftOut = 3;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes of more triangles than pixels are drawn finer and averaged.
 #include <algorithm>
-#include <cmath>
 
 #include "gpu_fixture.h"
 

@@ -8,8 +8,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "gpu_fixture.h"
-#include "render/draw_slices.h"
-#include "shading/material_print.h"
+#include "render/gpu/draw_slices.h"
+#include "shading/material_hash.h"
 
 namespace patina {
 namespace {
@@ -132,13 +132,13 @@ TEST_F(DrawBatches, ObjectAtTheEdgeOfThePicture_IsDrawn) {
     }
 }
 
-TEST(MaterialPrint, Name_DoesNotCount) {
+TEST(MaterialHash, Name_DoesNotCount) {
     Material a;
     a.name = "Gold";
-    EXPECT_EQ(materialPrint(a), materialPrint(Material()));
+    EXPECT_EQ(materialHash(a), materialHash(Material()));
 }
 
-TEST(MaterialPrint, WhateverIsDrawn_Counts) {
+TEST(MaterialHash, WhateverIsDrawn_Counts) {
     Material plain;
     plain.model = {"phong", 1, {{"shininess", 10.0}}, {}};
     const std::array<std::function<void(Material&)>, 9> changes{
@@ -152,14 +152,14 @@ TEST(MaterialPrint, WhateverIsDrawn_Counts) {
         [](Material& m) { m.textures["normal"].file = "/a.png"; },
         [](Material& m) { m.textures["height"].file = "/a.png"; },
     };
-    std::vector<std::uint64_t> prints{materialPrint(plain)};
+    std::vector<std::uint64_t> hashes{materialHash(plain)};
     for (const auto& change : changes) {
         Material changed = plain;
         change(changed);
-        prints.push_back(materialPrint(changed));
+        hashes.push_back(materialHash(changed));
     }
-    std::ranges::sort(prints);
-    EXPECT_EQ(std::ranges::adjacent_find(prints), prints.end());
+    std::ranges::sort(hashes);
+    EXPECT_EQ(std::ranges::adjacent_find(hashes), hashes.end());
 }
 
 /// All slices of `count` objects of `triangles` each.

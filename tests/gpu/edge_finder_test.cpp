@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/edge_finder.h"
+#include "render/gpu/edge_finder.h"
 
 #include <algorithm>
 #include <limits>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gpu_fixture.h"
-#include "render/scene_depth.h"
+#include "render/surfaces/scene_depth.h"
 #include "shading/effect_set.h"
 #include "support/program.h"
 
@@ -91,7 +91,7 @@ class EditingSession : public GpuTest {
         if (set.refraction) {
             passes.emplace_back("back of a body");
         }
-        if (set.scene.transparency && letsThrough(set)) {
+        if (set.scene.transparency && isVisiblyTransparent(set)) {
             passes.push_back("layers " + set.scene.transparency->id);
             passes.push_back("their sum " + set.scene.transparency->id);
         }

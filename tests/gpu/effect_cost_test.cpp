@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What effects cost, by leaving them out.
-#include "measure/effect_cost.h"
+#include "measure/cost/effect_cost.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "gpu_fixture.h"
-#include "measure/median_interval.h"
+#include "measure/time/median_interval.h"
 #include "support/program.h"
 
 namespace patina {
@@ -64,7 +64,7 @@ class EffectCostTest : public GpuTest {
   "id": "heavy", "version": 1, "label": "Heavy", "summary": "s", "applications": "a",
   "source": "a test", "doc": "d", "parameters": [], "claims": []
 })");
-        tests::writeFile(folder_ / "fog/heavy.glsl", R"(// SPDX-License-Identifier: MIT-0
+        tests::writeFile(folder_ / "fog/heavy.glsl", R"(// SPDX-License-" "Identifier: MIT-0
 #include "lib/fog_ray.glsl"
 
 float heavyFog(FogRay ray, HeavyFog p) {

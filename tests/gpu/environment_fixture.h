@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gpu_fixture.h"
-#include "render/environment_image.h"
+#include "render/lights/environment_image.h"
 
 namespace patina {
 

@@ -12,8 +12,8 @@
 #include "assets/texture_maker.h"
 #include "environment_fixture.h"
 #include "frame_target.h"
-#include "render/binding.h"
-#include "render/pipeline_store.h"
+#include "render/gpu/binding.h"
+#include "render/pass/pipeline_store.h"
 #include "shading/effect_key.h"
 #include "shading/texture_choice.h"
 
@@ -47,7 +47,7 @@ class EnvironmentFrames : public EnvironmentTest {
         }
     }
 
-    /// The next frame of these programs is drawn in bands.
+    /// The next frame of these programs is drawn in tiles.
     void makeSlow(const Scene& scene, const View& view) {
         finish(begin(scene, view));
         renderer->noteTime(5000.0);
@@ -73,7 +73,7 @@ class EnvironmentFrames : public EnvironmentTest {
     std::optional<FrameTarget> target_;
 };
 
-TEST_F(EnvironmentFrames, InBands_AreThePictureDrawnAtOnce) {
+TEST_F(EnvironmentFrames, InTiles_AreThePictureDrawnAtOnce) {
     const Scene scene = inTheStudio("cook-torrance");
     const View view = viewWith(scene, 4);
     const Image atOnce = settled(scene, 4);
@@ -83,13 +83,13 @@ TEST_F(EnvironmentFrames, InBands_AreThePictureDrawnAtOnce) {
     EXPECT_EQ(mean(scene, view).pixels, atOnce.pixels);
 }
 
-TEST_F(EnvironmentFrames, Band_IsNoSample) {
+TEST_F(EnvironmentFrames, Tile_IsNoSample) {
     const Scene scene = inTheStudio("cook-torrance");
     View view = viewWith(scene, 4);
     makeSlow(scene, view);
     view.isContinued = true;
     ASSERT_FALSE(begin(scene, view));
-    int before = 0; // bands after which nothing was added yet
+    int before = 0; // tiles after which nothing was added yet
     while (!renderer->proceed(noPatience)) {
         before += renderer->environmentSamples() == 4;
     }
@@ -123,19 +123,19 @@ TEST_F(EnvironmentFrames, AfterANewOneThatWasGivenUp_BeginAgain) {
     EXPECT_EQ(mean(scene, view).pixels, expected.pixels);
 }
 
-TEST_F(EnvironmentFrames, Foresight_LeavesTheMeanAsItIs) {
+TEST_F(EnvironmentFrames, Prewarming_LeavesTheMeanAsItIs) {
     const Scene scene = inTheStudio("cook-torrance");
     const Image before = settled(scene, 8);
     Scene without = scene;
     without.environment->parameters["intensity"] = 0.0;
     View ahead = viewWith(scene, 4);
     ahead.effects = &without;
-    ASSERT_TRUE(renderer->foresee(scene, ahead, squares()));
+    ASSERT_TRUE(renderer->prewarm(scene, ahead, squares()));
     EXPECT_EQ(renderer->environmentSamples(), 8);
     EXPECT_EQ(mean(scene, viewWith(scene, 4)).pixels, before.pixels);
 }
 
-TEST_F(EnvironmentFrames, WithAGround_AreInBandsAndTheSamePicture) {
+TEST_F(EnvironmentFrames, WithAGround_AreInTilesAndTheSamePicture) {
     const Scene scene = everything();
     const View view = viewWith(scene, 4);
     const Image atOnce = settled(scene, 4);
@@ -237,7 +237,7 @@ TEST_F(EnvironmentFrames, ProgramWithEverySampler_HasAUnitForEach) {
     scene.lights[0].shadow = block("shadows", "soft");
     Material& material = scene.objects[0].material;
     for (const Parameter& parameter : catalog->find("models", "cook-torrance")->parameters) {
-        if (!parameter.textureChannels.empty() && material.textures.size() < mostTextures - 2) {
+        if (!parameter.textureChannels.empty() && material.textures.size() < maxTextures - 2) {
             material.textures[parameter.id] = textureUse(parameter.id, "image.png");
         }
     }
@@ -262,10 +262,10 @@ TEST_F(EnvironmentFrames, ProgramWithEverySampler_HasAUnitForEach) {
 TEST(TextureUnits, OfAllKinds_AreDistinctAndFewEnough) {
     std::set<unsigned> units{binding::environmentTable, binding::environmentImage,
                              binding::environmentSmall, binding::shadowMaps};
-    for (unsigned i = 0; i < mostTextures; ++i) {
+    for (unsigned i = 0; i < maxTextures; ++i) {
         units.insert(binding::firstTexture + i);
     }
-    EXPECT_EQ(units.size(), 4 + mostTextures);
+    EXPECT_EQ(units.size(), 4 + maxTextures);
     EXPECT_LE(*units.rbegin(), 15U);
 }
 

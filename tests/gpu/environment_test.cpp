@@ -5,7 +5,7 @@
 
 #include "environment_fixture.h"
 #include "gl/framebuffer.h"
-#include "render/environment_table.h"
+#include "render/lights/environment_table.h"
 
 namespace patina {
 namespace {

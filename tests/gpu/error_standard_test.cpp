@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/error_standard.h"
+#include "measure/error/error_standard.h"
 
 #include "environment_fixture.h"
-#include "measure/sliced_capture.h"
+#include "measure/error/incremental_capture.h"
 
 namespace patina {
 namespace {
@@ -26,8 +26,8 @@ class ErrorStandardTest : public EnvironmentTest {
     /// Of a picture whose finest frame has so many directions.
     std::unique_ptr<ErrorStandard> standardOf(int directions) {
         auto standard = std::make_unique<ErrorStandard>(
-            RightFrame::Wish{*renderer, source_, frameWith(directions), frameWith(directions),
-                             {true}, false},
+            GroundTruthFrame::Wish{
+                *renderer, source_, frameWith(directions), frameWith(directions), {true}, false},
             choice);
         while (!standard->isDone()) {
             EXPECT_TRUE(standard->step(std::chrono::milliseconds(10)));
@@ -36,7 +36,7 @@ class ErrorStandardTest : public EnvironmentTest {
     }
 
     LinearFrame drawn(const ChosenFrame& frame) {
-        SlicedCapture capture(*renderer, source_, frame);
+        IncrementalCapture capture(*renderer, source_, frame);
         while (!*capture.step(std::chrono::milliseconds(10))) {
         }
         return *capture.frame();

@@ -2,10 +2,9 @@
 // FLIP against what its authors' program (github.com/NVlabs/flip, the Python of version 1.2, run in
 // double precision) says about pictures that are made by code. That it uses rounded inverses of its
 // matrices shows in the seventh digit.
-#include "measure/flip.h"
+#include "measure/error/flip.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include <glm/common.hpp>

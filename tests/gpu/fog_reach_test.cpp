@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fog in a box that nothing is seen through.
-#include "render/fog_reach.h"
+#include "render/lights/fog_reach.h"
 
 #include <algorithm>
 #include <random>
@@ -10,8 +10,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "gpu_fixture.h"
-#include "render/object_rows.h"
-#include "render/scene_depth.h"
+#include "render/surfaces/object_rows.h"
+#include "render/surfaces/scene_depth.h"
 
 namespace patina {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two pictures taken from each other, and colours for errors.
-#include "measure/frame_difference.h"
+#include "measure/error/frame_difference.h"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "measure/error_colors.h"
+#include "measure/error/error_colors.h"
 
 namespace patina {
 namespace {
@@ -42,7 +42,7 @@ TEST(FrameDifference, WhatIsNoNumber_IsAsBrightAsCanBe) {
 
 TEST(ErrorColors, GreaterErrors_AreLighter) {
     double before = -1.0;
-    for (double error = leastErrorShown; error <= greatestErrorShown; error *= 2.0) {
+    for (double error = minErrorShown; error <= greatestErrorShown; error *= 2.0) {
         const glm::vec3 color = errorColor(error);
         const double light = 0.2126 * std::pow(color.x, 2.2) + 0.7152 * std::pow(color.y, 2.2) +
                              0.0722 * std::pow(color.z, 2.2);

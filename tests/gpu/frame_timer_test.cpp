@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/frame_timer.h"
+#include "measure/time/frame_timer.h"
 
 #include <chrono>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include "gl/driver.h"
 #include "gpu_fixture.h"
-#include "measure/timer_work.h"
+#include "measure/time/timer_work.h"
 
 namespace patina {
 namespace {

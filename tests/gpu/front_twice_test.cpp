@@ -73,7 +73,7 @@ CostChart measured(const std::vector<KnownWay>& ways, BusyMachine& machine) {
 
 TEST(FrontTwice, BusyMachine_HasNineteenOfTwentyPointsAgain) {
     constexpr int charts = 100;
-    constexpr double leastShare = 0.95;
+    constexpr double minShare = 0.95;
     std::mt19937 random(11);
     BusyMachine machine(12);
     tests::FrontShare whole;
@@ -84,7 +84,7 @@ TEST(FrontTwice, BusyMachine_HasNineteenOfTwentyPointsAgain) {
         whole += tests::frontShare(first, second);
     }
     EXPECT_GT(whole.points, std::size_t(3 * charts));
-    EXPECT_GE(whole.share(), leastShare);
+    EXPECT_GE(whole.share(), minShare);
 }
 
 } // namespace

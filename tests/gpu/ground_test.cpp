@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/ground_place.h"
+#include "render/lights/ground_place.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "gpu_fixture.h"
-#include "render/scene_depth.h"
+#include "render/surfaces/scene_depth.h"
 #include "shading/effect_set.h"
 
 namespace patina {

@@ -117,9 +117,9 @@ TEST_F(ReleasedTargets, BeforeAnyFrame_DoNoHarm) {
     EXPECT_FALSE(capture(simpleScene("phong")).pixels.empty());
 }
 
-class Foreseen : public GpuTest {};
+class Prewarmed : public GpuTest {};
 
-TEST_F(Foreseen, PictureWithoutExposure_CompilesNothingWhenItComes) {
+TEST_F(Prewarmed, PictureWithoutExposure_CompilesNothingWhenItComes) {
     makeRenderer();
     Scene scene = simpleScene();
     scene.exposure = 1.0;
@@ -128,7 +128,7 @@ TEST_F(Foreseen, PictureWithoutExposure_CompilesNothingWhenItComes) {
     without.exposure = 0.0;
     View ahead = viewOf(scene);
     ahead.effects = &without;
-    EXPECT_TRUE(renderer->foresee(scene, ahead, meshSource()));
+    EXPECT_TRUE(renderer->prewarm(scene, ahead, meshSource()));
     capture(without, true);
     EXPECT_EQ(renderer->report().compiled, 0);
 }

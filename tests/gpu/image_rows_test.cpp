@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the rows say of images whose file is missing, and of meshes that lay none.
-#include "render/environment_image.h"
-#include "render/object_rows.h"
+#include "render/lights/environment_image.h"
+#include "render/surfaces/object_rows.h"
 #include "scene/primitives.h"
 #include "shading_scene.h"
 

@@ -27,7 +27,8 @@ class InspectionTest : public GpuTest {
   "claims": []
 })");
         writeFile(folder_ / "models/broken-test.glsl",
-                  "// SPDX-License-Identifier: MIT-0\n"
+                  "// SPDX-License-"
+                  "Identifier: MIT-0\n"
                   "vec3 brokenTest(Directions d, BrokenTest p) {\n    return vec3(" +
                       value + ");\n}\n");
         const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true},
@@ -38,8 +39,7 @@ class InspectionTest : public GpuTest {
     }
 
     Image inspected(const Scene& scene, bool display = false) {
-        auto image =
-            renderer->captureInspection(scene, viewOf(scene, size), meshSource(), display);
+        auto image = renderer->captureInspection(scene, viewOf(scene, size), meshSource(), display);
         EXPECT_TRUE(image) << (image ? "" : image.error().text());
         return image ? *image : Image();
     }
@@ -84,8 +84,7 @@ TEST_F(InspectionTest, NotANumberAtGrazing_IsFoundThere) {
 
 TEST_F(InspectionTest, NotANumberAtGrazing_IsNotFoundElsewhere) {
     makeModel(brokenAtGrazing);
-    const PixelDefect found =
-        defectAt(inspected(simpleScene("broken-test")), size / 2, size / 2);
+    const PixelDefect found = defectAt(inspected(simpleScene("broken-test")), size / 2, size / 2);
     EXPECT_NE(found, PixelDefect::NotANumber);
 }
 

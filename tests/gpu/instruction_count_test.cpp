@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Instructions of shaders whose work is known.
-#include "measure/instruction_count.h"
+#include "measure/time/instruction_count.h"
 
 #include <array>
 

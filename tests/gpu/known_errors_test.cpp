@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "gpu_fixture.h"
-#include "measure/cost_sweep.h"
-#include "measure/relative_error.h"
+#include "measure/cost/cost_sweep.h"
+#include "measure/error/relative_error.h"
 
 namespace patina {
 namespace {
@@ -50,7 +50,7 @@ class KnownErrorsTest : public GpuTest {
 
 /// Of a picture of one pixel: how far the level is off, in light.
 double errorOf(const CostSweep& sweep, const std::string& choice, const std::string& level) {
-    const double right = std::max(greatestOf(sweep.right()->colors.front()), leastShownLight);
+    const double right = std::max(greatestOf(sweep.groundTruth()->colors.front()), minShownLight);
     return sweep.chart().find({{choice, level}})->error.max * right;
 }
 
@@ -71,7 +71,7 @@ TEST_F(KnownErrorsTest, SchlickFresnelOfGlass_ErrsBy36ThousandthsNear85Degrees) 
     int place = 0;
     for (int i = 0; i < columns; ++i) {
         const std::size_t at = std::size_t(i);
-        const double error = map[at] * greatestOf(sweep->right()->colors[at]);
+        const double error = map[at] * greatestOf(sweep->groundTruth()->colors[at]);
         place = error > worst ? i : place;
         worst = std::max(worst, error);
     }
@@ -86,7 +86,7 @@ TEST_F(KnownErrorsTest, SchlicksFraction_Gives1233InPlaceOf12) {
     Scene scene = plateOf("phong", {{"shininess", 64.0}}, 0.0);
     scene.lights = {lightAt(0.9)};
     const auto sweep = swept(scene, "power");
-    const double right = sweep->right()->colors.front().g;
+    const double right = sweep->groundTruth()->colors.front().g;
     EXPECT_NEAR(right, 0.0012, 0.00005);
     EXPECT_NEAR(right + errorOf(*sweep, "power", "rational"), 0.1233, 0.00005);
 }

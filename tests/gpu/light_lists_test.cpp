@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lights that cannot reach an object are not shaded for it.
-#include "render/light_lists.h"
+#include "render/lights/light_lists.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 
 #include "gpu_fixture.h"
-#include "render/light_kinds.h"
-#include "render/object_rows.h"
-#include "render/scene_depth.h"
+#include "render/lights/light_kinds.h"
+#include "render/surfaces/object_rows.h"
+#include "render/surfaces/scene_depth.h"
 #include "shading/program_source.h"
 
 namespace patina {
@@ -283,11 +283,11 @@ TEST_F(LightListsTest, HeldLamp_IsInAllPrograms) {
     }
 }
 
-TEST_F(LightListsTest, ForeseenScene_HasTheProgramsOfADragToo) {
+TEST_F(LightListsTest, PrewarmedScene_HasTheProgramsOfADragToo) {
     makeRenderer();
     const Scene scene = twoSpheres();
-    EXPECT_TRUE(renderer->foresee(scene, viewOf(scene), meshSource()));
-    EXPECT_FALSE(renderer->foresee(scene, viewOf(scene), meshSource()));
+    EXPECT_TRUE(renderer->prewarm(scene, viewOf(scene), meshSource()));
+    EXPECT_FALSE(renderer->prewarm(scene, viewOf(scene), meshSource()));
     capture(scene);
     EXPECT_EQ(renderer->report().compiled, 0);
     const Scene held = scene;
@@ -305,11 +305,11 @@ TEST_F(LightListsTest, Kind_IsMissingWhereAllOfItsLightsAre) {
     lists.begin(scene, *catalog);
     LightKinds kinds;
     kinds.begin(scene, *catalog);
-    EXPECT_EQ(kinds.lackOf(lists, lists.listFor({{0, 0, 0}, 0.5})), 0u);
-    EXPECT_EQ(kinds.lackOf(lists, 0), 0u);
+    EXPECT_EQ(kinds.missingKinds(lists, lists.listFor({{0, 0, 0}, 0.5})), 0u);
+    EXPECT_EQ(kinds.missingKinds(lists, 0), 0u);
     EXPECT_EQ(kinds.lights(0), nullptr);
-    const auto lamps = kinds.lackOf(lists, lists.listFor({{5, 0, 0}, 0.5}));
-    const auto both = kinds.lackOf(lists, lists.listFor({{-5, 0, 0}, 0.5}));
+    const auto lamps = kinds.missingKinds(lists, lists.listFor({{5, 0, 0}, 0.5}));
+    const auto both = kinds.missingKinds(lists, lists.listFor({{-5, 0, 0}, 0.5}));
     EXPECT_NE(lamps, both);
     EXPECT_EQ(*kinds.lights(lamps), lightSet({0, 2}));
     EXPECT_EQ(*kinds.lights(both), lightSet({0, 1, 2}));
@@ -326,8 +326,8 @@ TEST_F(LightListsTest, ListsThatLackTheSameKinds_AreOneLack) {
     const std::size_t first = lists.listFor({{-1.2, 0, 0}, 0.5});
     const std::size_t second = lists.listFor({{10, 0, 0}, 0.5});
     EXPECT_NE(first, second);
-    EXPECT_EQ(kinds.lackOf(lists, first), 1u);
-    EXPECT_EQ(kinds.lackOf(lists, second), 1u);
+    EXPECT_EQ(kinds.missingKinds(lists, first), 1u);
+    EXPECT_EQ(kinds.missingKinds(lists, second), 1u);
 }
 
 /// A hundred lamps beside the first sphere and none that reaches the second.

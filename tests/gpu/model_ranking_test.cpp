@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All models on one scene.
-#include "measure/model_ranking.h"
+#include "measure/cost/model_ranking.h"
 
 #include <algorithm>
 
 #include "gpu_fixture.h"
-#include "measure/ranking_table.h"
+#include "measure/cost/ranking_table.h"
 
 namespace patina {
 namespace {

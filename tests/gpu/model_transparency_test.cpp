@@ -85,19 +85,19 @@ TEST_F(ModelTransparencyTest, EffectSet_NamesIt) {
     const Scene clear = ball(0.4);
     const Scene solid = ball(0.0);
     const EffectSet set = effectSet(clear.objects[0].material, clear, *catalog);
-    EXPECT_TRUE(letsThrough(set));
+    EXPECT_TRUE(isVisiblyTransparent(set));
     EXPECT_EQ(set.reasons.at("opacity"),
               "The material's opacity is 1, and its model lets 40 % of the light pass.");
-    EXPECT_FALSE(letsThrough(effectSet(solid.objects[0].material, solid, *catalog)));
+    EXPECT_FALSE(isVisiblyTransparent(effectSet(solid.objects[0].material, solid, *catalog)));
     const Scene whole = ball(1.0);
     EXPECT_EQ(effectSet(whole.objects[0].material, whole, *catalog).reasons.at("opacity"),
               "The material's opacity is 1, and its model lets 100 % of the light pass.");
     EXPECT_NE(EffectKey::ofMaterial(clear.objects[0].material, *catalog),
               EffectKey::ofMaterial(solid.objects[0].material, *catalog));
-    EXPECT_EQ(countLettingThrough(clear, *catalog), 1);
+    EXPECT_EQ(countTransparent(clear, *catalog), 1);
     const std::array<std::string, 1> opacity{"opacity"};
     const Scene without = withoutEffects(clear, opacity, *catalog);
-    EXPECT_EQ(countLettingThrough(without, *catalog), 0);
+    EXPECT_EQ(countTransparent(without, *catalog), 0);
 }
 
 TEST_F(ModelTransparencyTest, MoreThanHalfOfIt_CastsNoShadow) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gpu_fixture.h"
-#include "render/object_rows.h"
+#include "render/surfaces/object_rows.h"
 #include "shading/effect_key.h"
 
 namespace patina {

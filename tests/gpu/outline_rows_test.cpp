@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the effects say of a material's lines, and what is in their program.
-#include <algorithm>
 
 #include "shading/effect_key.h"
 #include "shading/effect_rows.h"

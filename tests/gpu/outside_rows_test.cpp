@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rows of an object that the view does not show.
-#include <algorithm>
 
 #include "gpu_fixture.h"
-#include "render/object_rows.h"
+#include "render/surfaces/object_rows.h"
 
 namespace patina {
 namespace {

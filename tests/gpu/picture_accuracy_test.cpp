@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "gpu_fixture.h"
-#include "measure/choices.h"
-#include "measure/cost_sweep.h"
-#include "measure/timed_frames.h"
+#include "measure/choice/choices.h"
+#include "measure/cost/cost_sweep.h"
+#include "measure/time/timed_frames.h"
 #include "scene/picture_choice_text.h"
 
 namespace patina {

@@ -147,7 +147,7 @@ class PreparedFrame : public EnvironmentTest {
         return all;
     }
 
-    static int mostInAStep(const std::vector<Pieces>& steps) {
+    static int maxInAStep(const std::vector<Pieces>& steps) {
         int most = 0;
         for (const Pieces& step : steps) {
             most = std::max(most, step.all());
@@ -161,7 +161,7 @@ class PreparedFrame : public EnvironmentTest {
 
 TEST_F(PreparedFrame, TheFirstOne_MakesOneThingAtAStep) {
     const auto steps = drawInSteps(square("phong"));
-    EXPECT_EQ(mostInAStep(steps), 1);
+    EXPECT_EQ(maxInAStep(steps), 1);
     EXPECT_EQ(sum(steps).targets, 1);
     EXPECT_EQ(sum(steps).programs, 2); // the surface's and the screen's
 }
@@ -169,7 +169,7 @@ TEST_F(PreparedFrame, TheFirstOne_MakesOneThingAtAStep) {
 TEST_F(PreparedFrame, WithPeeledLayers_MakesOneThingAtAStep) {
     drawInSteps(square("phong"));
     const auto steps = drawInSteps(layered("peeled"));
-    EXPECT_EQ(mostInAStep(steps), 1);
+    EXPECT_EQ(maxInAStep(steps), 1);
     EXPECT_EQ(sum(steps).layers, 3); // colours, and two of depths
     EXPECT_EQ(sum(steps).targets, 0);
 }
@@ -177,7 +177,7 @@ TEST_F(PreparedFrame, WithPeeledLayers_MakesOneThingAtAStep) {
 TEST_F(PreparedFrame, WithMixedLayers_MakesOneThingAtAStep) {
     drawInSteps(square("phong"));
     const auto steps = drawInSteps(layered("weighted"));
-    EXPECT_EQ(mostInAStep(steps), 1);
+    EXPECT_EQ(maxInAStep(steps), 1);
     EXPECT_EQ(sum(steps).layers, 2);
 }
 
@@ -186,13 +186,13 @@ TEST_F(PreparedFrame, InTheStudio_MakesOneThingAtAStep) {
     const auto steps = drawInSteps(inTheStudio("phong"));
     EXPECT_EQ(sum(steps).means, 1);
     EXPECT_EQ(sum(steps).tables, 1);
-    EXPECT_EQ(mostInAStep(steps), 1);
+    EXPECT_EQ(maxInAStep(steps), 1);
 }
 
 TEST_F(PreparedFrame, WithAnotherPanorama_TakesItInPartByPart) {
     drawInSteps(surrounded("phong", plain(0.5f)));
     const auto steps = drawInSteps(surrounded("phong", plain(1.0f, {2048, 1024})));
-    EXPECT_EQ(mostInAStep(steps), 1);
+    EXPECT_EQ(maxInAStep(steps), 1);
     EXPECT_EQ(sum(steps).rooms, 1);
     EXPECT_EQ(sum(steps).parts, 2); // of 8 MiB
     EXPECT_EQ(sum(steps).tables, 1);

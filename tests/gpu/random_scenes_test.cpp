@@ -12,8 +12,9 @@
 #include "gpu/frames_examined.h"
 #include "gpu_fixture.h"
 #include "random_scenes.h"
-#include "render/ground_place.h"
-#include "render/scene_depth.h"
+#include "render/lights/environment_image.h"
+#include "render/lights/ground_place.h"
+#include "render/surfaces/scene_depth.h"
 #include "shading/glsl_tokens.h"
 #include "shading/texture_writer.h"
 
@@ -36,8 +37,7 @@ Share shareOf(std::uint64_t part) {
     unsigned long count = 0;
     const char* wanted = std::getenv("PATINA_RANDOM_SCENES");
     if (wanted != nullptr && std::sscanf(wanted, "%lu,%lu", &first, &count) == 2) {
-        return {first + part * count / parts,
-                (part + 1) * count / parts - part * count / parts};
+        return {first + part * count / parts, (part + 1) * count / parts - part * count / parts};
     }
     return {part * scenesPerPart, scenesPerPart};
 }

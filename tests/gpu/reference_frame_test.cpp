@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames computed twice: by the device in floats, by the CPU in double precision.
-#include "measure/reference_frame.h"
+#include "measure/error/reference_frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "gpu_fixture.h"
-#include "measure/frame_error.h"
-#include "render/environment_light.h"
+#include "measure/error/frame_error.h"
+#include "render/lights/environment_light.h"
 
 namespace patina {
 namespace {
@@ -89,6 +89,13 @@ TEST_F(ReferenceFrameTest, FresnelOverTheSum_IsBlended) {
     EXPECT_LE(error(scene).p99, rounding);
 }
 
+TEST_F(ReferenceFrameTest, GlowUnderAFresnelTerm_IsNotBlended) {
+    Scene scene = simpleScene();
+    scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
+    scene.objects[0].material.model.parameters["emissive.color"] = glm::dvec3(0.5, 0.2, 0.1);
+    EXPECT_LE(error(scene).p99, rounding);
+}
+
 /// Values with which every kind that is shipped can be seen at the ball.
 TEST_F(ReferenceFrameTest, EveryFog_IsInIt) {
     const std::map<std::string, Values> visible{{"linear", {{"start", 0.5}, {"end", 9.0}}}};
@@ -153,12 +160,12 @@ TEST_F(ReferenceFrameTest, Shadows_AreInIt) {
 TEST_F(ReferenceFrameTest, Images_AreTakenAsTheyWereSampled) {
     const auto picture = [](float first, float second) {
         FileImage image{{2, 1, 3, {first, first, first, second, second, second}}, 8};
-        return std::make_shared<const TexturePicture>(
-            madeTexture(image, TextureDecoding::Linear));
+        return std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
     };
     const auto wide = picture(0.2f, 0.9f);
-    renderer->setTextures(
-        [&wide](const TextureUse&, TextureDecoding) { return TextureLookup{wide, false}; });
+    renderer->setTextures([&wide](const TextureUse&, TextureDecoding) {
+        return TextureLookup{wide, false};
+    });
     Scene scene = simpleScene("oren-nayar");
     scene.objects[0].material.textures["diffuse.color"].file = "/a.png";
     scene.objects[0].material.textures["roughness"].file = "/b.png";

@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gpu_fixture.h"
-#include "render/environment_image.h"
+#include "render/lights/environment_image.h"
 
 namespace patina {
 

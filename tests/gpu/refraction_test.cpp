@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of clear bodies against rays that are followed in double precision.
 #include <algorithm>
-#include <array>
 
 #include "refraction_fixture.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How times grow, and what is drawn to find that out.
-#include "measure/scaling_sweep.h"
+#include "measure/cost/scaling_sweep.h"
 
 #include <algorithm>
 
 #include "gpu_fixture.h"
-#include "measure/scaling_scenes.h"
+#include "measure/cost/scaling_scenes.h"
 
 namespace patina {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "assets/texture_maker.h"
 #include "gpu_fixture.h"
-#include "render/ground_place.h"
+#include "render/lights/ground_place.h"
 
 namespace patina {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gpu_fixture.h"
-#include "render/ground_place.h"
+#include "render/lights/ground_place.h"
 
 namespace patina {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What shaders get to know of a parallel light's map leads to the same place in it as the matrix
 // with which the map is drawn.
-#include "render/shadow_view.h"
+#include "render/lights/shadow_view.h"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 #include "gpu/frames_examined.h"
 #include "gpu/gpu_fixture.h"
 #include "material/preset_file.h"
-#include "measure/hard_values.h"
+#include "measure/stability/edge_case_values.h"
 
 namespace patina {
 namespace {
@@ -227,7 +227,7 @@ class HardFrame : public ExaminedFrame, public testing::WithParamInterface<HardS
         BlockValues& model = scene.objects[0].material.model;
         for (const std::size_t end : {1, 2, 3}) {
             for (const Parameter& parameter : catalog->find("models", model.id)->parameters) {
-                const std::vector<Value> ends = hardValues(parameter);
+                const std::vector<Value> ends = edgeCaseValues(parameter);
                 if (parameter.compiled == Compiled::No && !parameter.emission &&
                     end < ends.size()) {
                     model.parameters[parameter.id] = ends[end];

@@ -10,7 +10,7 @@
 
 #include "frame_target.h"
 #include "gpu_fixture.h"
-#include "render/frame_bands.h"
+#include "render/frame/row_tiles.h"
 
 namespace patina {
 namespace {
@@ -275,24 +275,24 @@ TEST_F(SteppedFrame, ThatTookLittleTheLastTime_IsDrawnAtOnce) {
     EXPECT_TRUE(beginFrame(scene));
 }
 
-TEST(FrameBands, PaceOfAFrameOfOtherPrograms_IsUnknown) {
+TEST(RowTiles, PaceOfAFrameOfOtherPrograms_IsUnknown) {
     const int program = 0;
     const int other = 1;
-    FrameBands bands;
-    bands.begin(std::array<const void*, 1>{&program}, {64, 64}, 100);
-    EXPECT_EQ(bands.pace(), FrameBands::Pace::Unknown);
-    bands.noteTime(20.0);
-    EXPECT_EQ(bands.pace(), FrameBands::Pace::Quick);
-    bands.begin(std::array<const void*, 1>{&other}, {64, 64}, 100);
-    EXPECT_EQ(bands.pace(), FrameBands::Pace::Unknown);
+    RowTiles tiles;
+    tiles.begin(std::array<const void*, 1>{&program}, {64, 64}, 100);
+    EXPECT_EQ(tiles.pace(), RowTiles::Pace::Unknown);
+    tiles.noteTime(20.0);
+    EXPECT_EQ(tiles.pace(), RowTiles::Pace::Quick);
+    tiles.begin(std::array<const void*, 1>{&other}, {64, 64}, 100);
+    EXPECT_EQ(tiles.pace(), RowTiles::Pace::Unknown);
 }
 
-TEST(FrameBands, PaceOfAFrameThatTookLong_IsSlow) {
-    FrameBands bands;
-    bands.begin({}, {64, 64}, 100);
-    bands.noteTime(500.0);
-    bands.begin({}, {64, 64}, 100);
-    EXPECT_EQ(bands.pace(), FrameBands::Pace::Slow);
+TEST(RowTiles, PaceOfAFrameThatTookLong_IsSlow) {
+    RowTiles tiles;
+    tiles.begin({}, {64, 64}, 100);
+    tiles.noteTime(500.0);
+    tiles.begin({}, {64, 64}, 100);
+    EXPECT_EQ(tiles.pace(), RowTiles::Pace::Slow);
 }
 
 } // namespace

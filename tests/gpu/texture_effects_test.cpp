@@ -100,7 +100,7 @@ TEST_F(TextureEffects, MoreImagesThanUnits_AreLeftOutWithAReason) {
                             "opacity", "roughness", "roughness.x", "roughness.y"}) {
         ward.textures[key] = textureUse(key, "/image.png");
     }
-    EXPECT_EQ(effectSet(ward, {}, catalog()).textures.size(), mostTextures);
+    EXPECT_EQ(effectSet(ward, {}, catalog()).textures.size(), maxTextures);
     EXPECT_EQ(whyNot(ward), "A material shows 8 images at most.");
 }
 

@@ -11,7 +11,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gpu_fixture.h"
-#include "render/frustum.h"
+#include "render/lights/frustum.h"
 
 namespace patina {
 
@@ -48,14 +48,14 @@ class TransparencyTest : public GpuTest {
     void choose(const std::string& id) { scene_.transparency = block("transparency", id); }
 
     /// Sheets at random places, turned so that many of them cross.
-    void addRandomSheets(int count, unsigned seed, double mostTurned = 50.0) {
+    void addRandomSheets(int count, unsigned seed, double maxTurn = 50.0) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> share(0.0, 1.0);
         for (int i = 0; i < count; ++i) {
             const glm::dvec3 color(share(random), share(random), share(random));
             Object made = sheet(color, 0.15 + 0.6 * share(random), share(random) - 0.5);
-            made.rotation.x += mostTurned * (2.0 * share(random) - 1.0);
-            made.rotation.y = mostTurned * (2.0 * share(random) - 1.0);
+            made.rotation.x += maxTurn * (2.0 * share(random) - 1.0);
+            made.rotation.y = maxTurn * (2.0 * share(random) - 1.0);
             made.scale = glm::dvec3(0.5 + share(random));
             scene_.objects.push_back(made);
         }

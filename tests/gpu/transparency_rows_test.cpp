@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the effects say of objects that let something through, and what is in their programs.
-#include <algorithm>
 
 #include "shading/effect_key.h"
 #include "shading/effect_rows.h"

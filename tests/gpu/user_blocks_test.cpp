@@ -32,7 +32,8 @@ class UserBlockTest : public GpuTest {
 
     /// The body starts in line 3 of the file.
     void writeShader(const std::string& body) {
-        writeFile(shader(), "// SPDX-License-Identifier: MIT-0\n"
+        writeFile(shader(), "// SPDX-License-"
+                            "Identifier: MIT-0\n"
                             "vec3 velvetTest(Directions d, VelvetTest p) {\n    " +
                                 body + "\n}\n");
     }

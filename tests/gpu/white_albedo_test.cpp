@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much light white materials give back.
-#include "measure/white_albedo.h"
+#include "measure/stability/white_albedo.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "measure/hemisphere_rule.h"
+#include "measure/stability/hemisphere_rule.h"
 #include "random_cases.h"
 
 /// What a descriptor may claim, as experiments that can show it to be false.
@@ -23,7 +23,7 @@ using Evaluate = std::function<std::vector<Numbers>(const std::vector<EvalCase>&
 struct Care {
     double rounding = 1e-10; ///< relative, of two values that should be equal
     double step = 1e-15;     ///< absolute, that a value may be beyond one that bounds it
-    int hardTrials = 100000;
+    int edgeCaseTrials = 100000;
     int ordinaryTrials = 20000;
 };
 
@@ -68,7 +68,7 @@ inline std::span<const double> signedPart(const EvalCase& request, const Numbers
 template <class Judge>
 Experiment ofHardCases(const Block& block, const Care& care, Judge judge) {
     auto hard = std::make_shared<HardCases>(block);
-    return {care.hardTrials, [hard] { return std::vector{hard->next()}; },
+    return {care.edgeCaseTrials, [hard] { return std::vector{hard->next()}; },
             [judge](const auto& cases, const auto& values) {
                 return judge(cases.front(), values.front());
             }};
@@ -217,7 +217,7 @@ inline Experiment continuousAtHorizon(const Block& block, const Care& care) {
 /// Of a Fresnel block: what is reflected does not fall as light gets flatter.
 inline Experiment monotonic(const Block& block, const Care& care) {
     auto hard = std::make_shared<HardCases>(block);
-    return {care.hardTrials / 100,
+    return {care.edgeCaseTrials / 100,
             [hard] {
                 std::vector<EvalCase> cases(101, hard->next());
                 for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -3,13 +3,12 @@
 // the real shader; every promise that a descriptor says it cannot make, shown to be false.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <limits>
 
 #include "claim_checks.h"
-#include "measure/eval_gpu.h"
-#include "measure/eval_reference.h"
-#include "measure/reference_case.h"
+#include "measure/eval/eval_gpu.h"
+#include "measure/eval/eval_reference.h"
+#include "measure/eval/reference_case.h"
 
 namespace patina::physics {
 namespace {

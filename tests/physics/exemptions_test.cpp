@@ -2,7 +2,7 @@
 // Claims that a descriptor does not make because of cases that chance does not meet: one of each.
 #include <gtest/gtest.h>
 
-#include "measure/hemisphere_rule.h"
+#include "measure/stability/hemisphere_rule.h"
 #include "physics_cases.h"
 
 namespace patina::physics {

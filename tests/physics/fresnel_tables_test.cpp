@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/eval_line.h"
-#include "measure/eval_gpu.h"
-#include "measure/eval_reference.h"
+#include "measure/eval/eval_gpu.h"
+#include "measure/eval/eval_reference.h"
 #include "physics_cases.h"
 
 namespace patina::physics {

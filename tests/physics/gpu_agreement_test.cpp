@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "measure/error_bound.h"
-#include "measure/eval_gpu.h"
-#include "measure/eval_reference.h"
+#include "measure/eval/eval_gpu.h"
+#include "measure/eval/eval_reference.h"
+#include "measure/stability/error_bound.h"
 #include "random_cases.h"
 
 namespace patina::physics {
@@ -17,7 +17,7 @@ constexpr int casesPerBlock = 100000;
 /// So many cases may be so close to a critical angle or the edge of a cone that the rounding of
 /// their own input moves the exact answer by more than that: one in 5000. They are held to what it
 /// moves by.
-constexpr int mostUnsettled = casesPerBlock / 5000;
+constexpr int maxUnsettled = casesPerBlock / 5000;
 
 /// The largest relative difference where it counts; infinite where a result is not finite.
 double difference(const std::vector<double>& exact, const std::vector<double>& answer) {
@@ -80,7 +80,7 @@ TEST_P(GpuAgreement, RandomOrdinaryCases_MatchTheReference) {
         }
     }
     RecordProperty("worst", std::to_string(worst));
-    EXPECT_LE(unsettled, mostUnsettled);
+    EXPECT_LE(unsettled, maxUnsettled);
     EXPECT_EQ(differing, 0) << "worst " << worst << " in " << example;
 }
 

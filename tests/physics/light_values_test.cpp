@@ -116,6 +116,18 @@ TEST(SpotLight, TenthOfADegree_IsStillACone) {
     EXPECT_EQ(spotAt(0.11, 0.1, 0.1, 1), 0.0);
 }
 
+/// The cone ends at 0.02 degrees, whose versine is 6e-8: what is cut at the narrowest outer cone of
+/// 1e-13 would show.
+TEST(SpotLight, InnerAngleOfZero_IsNotWidened) {
+    const auto versine = [](double degrees) {
+        const double half = std::sin(0.5 * degrees * std::numbers::pi / 180.0);
+        return 2.0 * half * half;
+    };
+    EXPECT_NEAR(spotAt(0.01, 0, 0.02, 1), 1.0 - versine(0.01) / versine(0.02), 1e-9);
+    EXPECT_EQ(spotAt(0.0, 0, 0.02, 1), 1.0);
+    EXPECT_EQ(spotAt(0.01, 0, 0, 1), 0.0);
+}
+
 TEST(HeadLight, ItsOffset_IsWhereItShinesFrom) {
     const auto light = lightAt("head", {0, 0, 0}, {{"offset", glm::dvec3(0, 0, 4)}});
     EXPECT_EQ(light.l, glm::dvec3(0, 0, 1));

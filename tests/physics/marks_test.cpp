@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "measure/eval_reference.h"
+#include "measure/eval/eval_reference.h"
 #include "physics_cases.h"
 
 namespace patina::physics {

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "measure/eval_case.h"
+#include "measure/eval/eval_case.h"
 #include "physics_cases.h"
 
 namespace patina::physics {
@@ -152,7 +152,7 @@ class HardCases : public RandomCases {
 
   private:
     void placeDirections(EvalCase& request) override {
-        request.l = hardDirection();
+        request.l = edgeCaseDirection();
         switch (any(6)) {
         case 0:
             request.v = request.l;
@@ -165,7 +165,7 @@ class HardCases : public RandomCases {
             request.v = {-request.l.x + offset(), -request.l.y + offset(), request.l.z};
             break;
         default:
-            request.v = hardDirection();
+            request.v = edgeCaseDirection();
         }
         request.v = inFloat(request.v);
         if (any(50) == 0) {
@@ -203,7 +203,7 @@ class HardCases : public RandomCases {
     }
 
     /// One in ten is below the horizon.
-    glm::dvec3 hardDirection() {
+    glm::dvec3 edgeCaseDirection() {
         const double c = cosine() * (any(10) == 0 ? -1.0 : 1.0);
         const double s = std::sqrt(std::max(0.0, 1.0 - c * c));
         const double phi = any(2) == 0 ? offset() : uniform(0.0, 2.0 * std::numbers::pi);

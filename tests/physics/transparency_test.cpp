@@ -48,10 +48,10 @@ double mixed(const std::vector<Sheet>& sheets, double background) {
 }
 
 /// Errors over random stacks of two to six sheets, smallest first.
-std::vector<double> errorsOf(double mostOpacity) {
+std::vector<double> errorsOf(double maxOpacity) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> share(0.0, 1.0);
-    std::uniform_real_distribution<double> opacity(0.1, mostOpacity);
+    std::uniform_real_distribution<double> opacity(0.1, maxOpacity);
     std::uniform_int_distribution<int> count(2, 6);
     std::vector<double> errors;
     for (int i = 0; i < 4000; ++i) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/hemisphere_rule.h"
-#include "measure/reference_case.h"
+#include "measure/eval/reference_case.h"
+#include "measure/stability/hemisphere_rule.h"
 
 namespace patina::stability {
 

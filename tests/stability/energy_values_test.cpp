@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "albedo.h"
-#include "measure/sweep_cases.h"
+#include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
 
 namespace patina::stability {

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "measure/eval_gpu.h"
-#include "measure/hard_places.h"
-#include "measure/reference_case.h"
-#include "measure/sweep_cases.h"
+#include "measure/eval/eval_gpu.h"
+#include "measure/eval/reference_case.h"
+#include "measure/stability/edge_case_directions.h"
+#include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
 
 namespace patina::stability {

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "measure/eval_case.h"
+#include "measure/eval/eval_case.h"
 
 namespace patina::stability {
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "gl/headless_context.h"
-#include "measure/stability_sweep.h"
-#include "measure/sweep_cases.h"
+#include "measure/stability/stability_sweep.h"
+#include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
 
 namespace patina::stability {

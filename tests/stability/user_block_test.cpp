@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "gl/headless_context.h"
-#include "measure/stability_sweep.h"
-#include "measure/sweep_cases.h"
+#include "measure/stability/stability_sweep.h"
+#include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
 #include "support/program.h"
 
@@ -43,7 +43,8 @@ class UserModel : public testing::Test {
             "claims": ["finite", "non_negative", "zero_below_horizon")" +
                                                             claims + "]}");
         tests::writeFile(folder_ / "models/tried.glsl",
-                         "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                         "// SPDX-License-"
+                         "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
                          "vec3 tried(Directions d, Tried p) {\n    return " +
                              body + ";\n}\n");
     }

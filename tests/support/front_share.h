@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "measure/cost_chart.h"
+#include "measure/cost/cost_chart.h"
 
 namespace patina::tests {
 

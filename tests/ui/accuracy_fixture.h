@@ -34,7 +34,7 @@ inline constexpr const char* burningDescriptor = R"({
   "claims": ["finite"]
 })";
 
-inline constexpr const char* burningShader = R"(// SPDX-License-Identifier: MIT-0
+inline constexpr const char* burningShader = R"(// SPDX-License-" "Identifier: MIT-0
 #include "lib/directions.glsl"
 
 vec3 burning(Directions d, Burning p) {
@@ -64,8 +64,7 @@ class AccuracyPanel : public WindowFixture {
         std::filesystem::create_directories(folder);
         writeFile(folder / "burning.json", burningDescriptor);
         writeFile(folder / "burning.glsl", burningShader);
-        document().setCatalog(
-            std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+        document().setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
         document().setModel(Side::A, "burning");
         document().setPart(Side::A, BlockPath::Part::Fresnel, "");
         document().setEnvironment("");

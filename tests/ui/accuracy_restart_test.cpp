@@ -87,11 +87,11 @@ TEST_F(RestartedAccuracy, ChangedBlock_HasItOutOfDate) {
     EXPECT_TRUE(dock().isStale());
 }
 
-TEST(ChartStore, AnotherDevice_IsAnotherPrint) {
+TEST(ChartStore, AnotherDevice_IsAnotherHash) {
     MeasuredSubject subject;
     subject.object = 0;
-    EXPECT_EQ(printOf(subject, "llvmpipe"), printOf(subject, "llvmpipe"));
-    EXPECT_NE(printOf(subject, "llvmpipe"), printOf(subject, "another"));
+    EXPECT_EQ(hashOf(subject, "llvmpipe"), hashOf(subject, "llvmpipe"));
+    EXPECT_NE(hashOf(subject, "llvmpipe"), hashOf(subject, "another"));
 }
 
 TEST_F(RestartedAccuracy, DamagedFile_IsToldAndPutAside) {

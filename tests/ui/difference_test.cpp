@@ -59,7 +59,7 @@ TEST_F(Difference, SameMaterials_AreBlackAtTheGreatestGain) {
     document().setComparing(true);
     window().views().setDifferenceWanted(true);
     ASSERT_TRUE(waitForView());
-    view().setGain(DifferenceView::mostGain);
+    view().setGain(DifferenceView::maxGain);
     EXPECT_EQ(brightest(view().picture()), 0);
 }
 

@@ -116,7 +116,8 @@ const char* const veilBlock = R"({
   "claims": []
 })";
 
-const char* const diffuseShader = "// SPDX-License-Identifier: MIT-0\n"
+const char* const diffuseShader = "// SPDX-License-"
+                                  "Identifier: MIT-0\n"
                                   "#include \"lib/directions.glsl\"\n";
 
 } // namespace

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "document.h"
+#include "document/document.h"
 #include "parameters/parameter_form.h"
 #include "support/program.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "focus_order.h"
+#include "window/focus_order.h"
 
 #include <algorithm>
 #include <set>

@@ -31,16 +31,21 @@ class LongNames : public WindowFixture {
     void addModel(const std::string& id) {
         const std::filesystem::path folder = home("XDG_DATA_HOME") / "patina/shaders/models";
         std::filesystem::create_directories(folder);
-        writeFile(folder / (id + ".glsl"), "// SPDX-License-Identifier: MIT-0\n"
+        writeFile(folder / (id + ".glsl"), "// SPDX-License-"
+                                           "Identifier: MIT-0\n"
                                            "#include \"lib/directions.glsl\"\nvec3 " +
-                                               id + "(Directions d, Lengthy p) {\n"
-                                                    "    return vec3(p.amount * d.nl);\n}\n");
+                                               id +
+                                               "(Directions d, Lengthy p) {\n"
+                                               "    return vec3(p.amount * d.nl);\n}\n");
         writeFile(folder / (id + ".json"), R"({"id": ")" + id + R"(", "version": 1, "label": ")" +
                                                longName + R"(", "parameters": [
-            {"id": "amount", "label": ")" + longName + R"(", "type": "float", "default": 0.5,
-             "unit": ")" + longName + R"(", "group": ")" + longName + R"("},
+            {"id": "amount", "label": ")" + longName +
+                                               R"(", "type": "float", "default": 0.5,
+             "unit": ")" + longName + R"(", "group": ")" +
+                                               longName + R"("},
             {"id": "sort", "label": "Sort", "type": "enum", "default": "one", "values": [
-             {"id": "one", "label": ")" + longName + R"("}, {"id": "two", "label": "Two"}]}]})");
+             {"id": "one", "label": ")" + longName +
+                                               R"("}, {"id": "two", "label": "Two"}]}]})");
     }
 
   private:

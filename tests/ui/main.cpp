@@ -3,10 +3,12 @@
 // one they fail: a skipped test proves nothing.
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 
 #include <QApplication>
 #include <gtest/gtest.h>
 
+#include "trial/trial_gate.h"
 #include "ui/virtual_display.h"
 
 int main(int argc, char** argv) {
@@ -22,6 +24,10 @@ int main(int argc, char** argv) {
     setenv("DISPLAY", display.name().c_str(), 1);
     setenv("QT_QPA_PLATFORM", "xcb", 1);
     unsetenv("WAYLAND_DISPLAY");
+    patina::setBlockGate(std::make_shared<patina::TrialGate>(
+        patina::TrialGate::Options{.program = PATINA_BINARY_DIR "/bin/patina",
+                                   .limits = {.memoryBytes = std::size_t(1) << 30}}));
+    patina::neverWaitForTrialsHere();
     QApplication application(argc, argv);
     QApplication::setStyle("Fusion");
     return RUN_ALL_TESTS();

@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include "catalog/catalog.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
@@ -18,7 +19,7 @@ class OpenFiles : public WindowFixture {
     QString sceneFile(const std::string& name) {
         EXPECT_TRUE(document().saveScene(home("a.patina-scene.json")));
         std::filesystem::rename(home("a.patina-scene.json"), home(name));
-        EXPECT_TRUE(document().openTemplate(FileActions::defaultScene()));
+        EXPECT_TRUE(document().openTemplate(defaultSceneFile()));
         return QString::fromStdString(home(name).string());
     }
 

@@ -6,6 +6,7 @@
 #include <QMimeData>
 #include <QTest>
 
+#include "catalog/catalog.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
@@ -21,7 +22,7 @@ class OpenedFiles : public WindowFixture {
         const std::filesystem::path file = home("a.patina-scene.json");
         expose(0.5);
         EXPECT_TRUE(document().saveScene(file));
-        EXPECT_TRUE(document().openTemplate(FileActions::defaultScene()));
+        EXPECT_TRUE(document().openTemplate(defaultSceneFile()));
         return file;
     }
     std::filesystem::path sceneFromTheFuture() {
@@ -134,7 +135,7 @@ TEST_F(OpenedFiles, DamagedFileAtTheFirstStart_ShowsItsMessage) {
     writeFile(file, "{}");
     Theme theme;
     MainWindow first(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
-    first.document().openTemplate(FileActions::defaultScene());
+    first.document().openTemplate(defaultSceneFile());
     first.files().open({QString::fromStdString(file.string())}, Side::A);
     first.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&first, waitMs));

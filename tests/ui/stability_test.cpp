@@ -35,12 +35,11 @@ class Stability : public WindowFixture {
                             "min": 0, "max": 1, "softMin": 0, "softMax": 1, "step": 0.01,
                             "decimals": 2, "group": "Colour", "doc": "For tests."}],
             "claims": ["finite"]})");
-        writeFile(folder / "homemade.glsl",
-                  "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
-                  "vec3 homemade(Directions d, Homemade p) {\n"
-                  "    return vec3(sqrt(d.nv - p.limit));\n}\n");
-        document().setCatalog(
-            std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+        writeFile(folder / "homemade.glsl", "// SPDX-License-"
+                                            "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                                            "vec3 homemade(Directions d, Homemade p) {\n"
+                                            "    return vec3(sqrt(d.nv - p.limit));\n}\n");
+        document().setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
         document().setModel(Side::A, "homemade");
     }
 
@@ -135,8 +134,7 @@ TEST_F(Stability, BlocksThatAreReadAgain_PutTheResultOutOfDateWhenTheyDiffer) {
     useBrokenModel();
     ASSERT_TRUE(check());
     const auto readAgain = [this] {
-        document().setCatalog(
-            std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
+        document().setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
     };
     readAgain();
     EXPECT_FALSE(verdict().contains("Out of date"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The look that follows the desktop, as its portal tells of changes.
-#include "theme.h"
+#include "window/theme.h"
 
 #include <QApplication>
 #include <QPalette>

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "catalog/catalog.h"
 #include "docks/picture_grid.h"
 #include "material/preset_file.h"
 #include "ui/window_fixture.h"
@@ -25,10 +26,12 @@ class WatchedFolders : public WindowFixture {
     void writeModel(const std::string& label) const {
         fs::create_directories(shaders() / "models");
         writeFile(shaders() / "models/homemade.glsl",
-                  "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                  "// SPDX-License-"
+                  "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
                   "vec3 homemade(Directions d, Homemade p) {\n    return p.tint * d.nl;\n}\n");
         writeFile(shaders() / "models/homemade.json", R"({
-            "id": "homemade", "version": 1, "label": ")" + label + R"(", "summary": "For tests.",
+            "id": "homemade", "version": 1, "label": ")" + label +
+                                                          R"(", "summary": "For tests.",
             "applications": "Tests.", "source": "None", "doc": "For tests.",
             "parameters": [{"id": "tint", "label": "Tint", "type": "color", "default": [1, 0, 0],
                             "min": 0, "max": 1, "doc": "Its colour."}],
@@ -38,7 +41,8 @@ class WatchedFolders : public WindowFixture {
     /// Writes the model's shader so that line 4 of it does not compile.
     void breakModel() const {
         writeFile(shaders() / "models/homemade.glsl",
-                  "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+                  "// SPDX-License-"
+                  "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
                   "vec3 homemade(Directions d, Homemade p) {\n    return p.tint * d.no;\n}\n");
     }
 
@@ -65,8 +69,8 @@ class WatchedFolders : public WindowFixture {
 
     bool isOffered(const QString& name) {
         auto* grid = window().dock("presets")->findChild<PictureGrid*>();
-        return QTest::qWaitFor(
-            [&] { return !grid->findItems(name, Qt::MatchExactly).isEmpty(); }, waitMs);
+        return QTest::qWaitFor([&] { return !grid->findItems(name, Qt::MatchExactly).isEmpty(); },
+                               waitMs);
     }
 
     std::string messages() { return text(window().messages().messages()); }
@@ -109,7 +113,7 @@ TEST_F(WatchedFolders, ChangeWhileAnotherFileNeverRests_IsSeen) {
     QTimer restless;
     int rounds = 0;
     QObject::connect(&restless, &QTimer::timeout,
-            [&] { writeFile(shaders() / "models/other.json", std::to_string(++rounds)); });
+                     [&] { writeFile(shaders() / "models/other.json", std::to_string(++rounds)); });
     restless.start(30);
     writeModel("Second");
     EXPECT_TRUE(QTest::qWaitFor([&] { return label() == "Second"; }, 3000)) << rounds;
@@ -120,6 +124,24 @@ TEST_F(WatchedFolders, ShaderThatDoesNotCompile_IsToldThoughNobodyChoseIt) {
     ASSERT_TRUE(isShown("First"));
     breakModel();
     EXPECT_TRUE(isTold("homemade.glsl:4:")) << messages();
+}
+
+TEST_F(WatchedFolders, ShaderThatTakesAllMemory_IsToldAndTheEditorGoesOn) {
+    writeModel("First");
+    ASSERT_TRUE(isShown("First"));
+    std::string bomb = "#define M0 d.nl\n";
+    for (int i = 1; i <= 36; ++i) {
+        const std::string before = "M" + std::to_string(i - 1);
+        bomb += "#define M" + std::to_string(i) + " " + before + " + " + before + "\n";
+    }
+    writeFile(shaders() / "models/homemade.glsl",
+              "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n" + bomb +
+                  "vec3 homemade(Directions d, Homemade p) {\n    return p.tint * (M36);\n}\n");
+    EXPECT_TRUE(isTold("the block \"homemade\" was not let in")) << messages();
+    writeModel("Second");
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return messages().find("homemade.glsl") == std::string::npos; }, waitMs))
+        << messages();
 }
 
 TEST_F(WatchedFolders, ShaderThatDidNotCompileAtTheStart_IsToldUntilItIsMended) {
@@ -138,8 +160,8 @@ TEST_F(WatchedFolders, ShaderThatDidNotCompileAtTheStart_IsToldUntilItIsMended) 
 TEST_F(WatchedFolders, ShaderThatDoesNotCompile_HasNoPicture) {
     writeModel("First");
     ASSERT_TRUE(isShown("First"));
-    ThumbnailMaker maker(document().sharedCatalog(), {home("cache"), home("programs"),
-                                                      FileActions::defaultScene()});
+    ThumbnailMaker maker(document().sharedCatalog(),
+                         {home("cache"), home("programs"), defaultSceneFile()});
     QImage picture;
     int made = 0;
     QObject::connect(&maker, &ThumbnailMaker::ready, &window(),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
 #include "ui/window_fixture.h"
 
 #include <QCursor>
@@ -38,7 +39,7 @@ void WindowFixture::open() {
     theme_ = std::make_unique<Theme>();
     window_ = std::make_unique<MainWindow>(
         std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), *theme_);
-    ASSERT_TRUE(document().openTemplate(FileActions::defaultScene()));
+    ASSERT_TRUE(document().openTemplate(defaultSceneFile()));
     QSignalSpy frames(&view(), &Viewport::frameDrawn);
     QCursor::setPos(window_->screen()->geometry().bottomRight()); // where it rests on nothing
     window_->show();
@@ -54,8 +55,8 @@ void WindowFixture::close() {
 
 int WindowFixture::newFrames() {
     QTest::qWait(settleMs);
-    EXPECT_TRUE(QTest::qWaitFor(
-        [this] { return view().isUpToDate() && !view().isForeseeing(); }, frameLimitMs));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return view().isUpToDate() && !view().isPrewarming(); },
+                                frameLimitMs));
     const int before = framesBefore_;
     framesBefore_ = view().frameCount();
     return framesBefore_ - before;

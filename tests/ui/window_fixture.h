@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "main_window.h"
 #include "support/program.h"
+#include "window/main_window.h"
 
 namespace patina::tests {
 

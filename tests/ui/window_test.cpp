@@ -221,7 +221,8 @@ TEST_F(Window, ModelInTheUsersFolder_AppearsInTheChooser) {
     const std::filesystem::path folder = home("XDG_DATA_HOME") / "patina/shaders/models";
     std::filesystem::create_directories(folder);
     writeFile(folder / "homemade.glsl",
-              "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+              "// SPDX-License-"
+              "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
               "vec3 homemade(Directions d, Homemade p) {\n    return p.tint * d.nl;\n}\n");
     writeFile(folder / "homemade.json", R"({
         "id": "homemade", "version": 1, "label": "Homemade", "summary": "For tests.",
@@ -235,7 +236,8 @@ TEST_F(Window, ModelInTheUsersFolder_AppearsInTheChooser) {
 TEST_F(Window, ShaderThatStopsCompiling_KeepsThePictureAndNamesTheLine) {
     const std::filesystem::path folder = home("XDG_DATA_HOME") / "patina/shaders/models";
     std::filesystem::create_directories(folder);
-    const std::string good = "// SPDX-License-Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
+    const std::string good = "// SPDX-License-"
+                             "Identifier: MIT-0\n#include \"lib/directions.glsl\"\n"
                              "vec3 homemade(Directions d, Homemade p) {\n"
                              "    return p.tint * d.nl;\n}\n";
     writeFile(folder / "homemade.glsl", good);

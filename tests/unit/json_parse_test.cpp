@@ -179,8 +179,22 @@ TEST(ReadJson, Pipe_IsRefusedWithoutWaitingForItsOtherEnd) {
     EXPECT_EQ(readJson(pipe).error().problem, "this is a pipe");
 }
 
-TEST(ReadJson, EndlessDevice_IsRefusedBySize) {
-    EXPECT_EQ(readJson("/dev/zero").error().problem, "the file is too large");
+TEST(ReadJson, Device_IsRefused) {
+    EXPECT_EQ(readJson("/dev/zero").error().problem, "this is a device");
+}
+
+/// To read one waits for whoever has its other end: nobody.
+TEST(ReadJson, LinkToATerminalsMaster_IsRefusedWithoutWaiting) {
+    const tests::TemporaryFolder folder;
+    std::filesystem::create_symlink("/dev/ptmx", folder / "a.json");
+    EXPECT_EQ(readJson(folder / "a.json").error().problem, "this is a device");
+}
+
+TEST(ReadJson, SparseFileOfTenGigabytes_IsRefusedBySize) {
+    const tests::TemporaryFolder folder;
+    tests::writeFile(folder / "a.json", "{}");
+    std::filesystem::resize_file(folder / "a.json", std::uintmax_t(10) << 30);
+    EXPECT_EQ(readJson(folder / "a.json").error().problem, "the file is too large");
 }
 
 TEST(ReadJson, HundredMegabytes_AreRefusedWithoutReadingThem) {

@@ -53,7 +53,7 @@ json plainPreset() {
 }
 
 Checked<PresetReading> readingOf(const std::string& preset) {
-    const auto document = parseJson(preset, "p");
+    const auto document = parseJson(preset, "/elsewhere/p");
     return document ? materialFromJson(*document, "", presetCatalog())
                     : Checked<PresetReading>(tl::unexpected(Errors{document.error()}));
 }
@@ -99,9 +99,9 @@ TEST(ReadPreset, Message_HasFileLineAndColumn) {
                                 " \"model\": {\"id\": \"velvet\", \"version\": 2},\n"
                                 " \"parameters\": {\"color\": -1}}");
     ASSERT_FALSE(read);
-    EXPECT_EQ(text(read.error()),
-              "p:3:26: the number -1 stands here; expected a colour: an array of 3 numbers, linear "
-              "red, green and blue\n");
+    EXPECT_EQ(text(read.error()), "/elsewhere/p:3:26: the number -1 stands here; expected a "
+                                  "colour: an array of 3 numbers, linear "
+                                  "red, green and blue\n");
 }
 
 TEST(ReadPreset, SeveralMistakes_AreAllReported) {

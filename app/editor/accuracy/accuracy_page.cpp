@@ -25,16 +25,19 @@
 #include "catalog/json_text.h"
 #include "docks/panel.h"
 #include "docks/settling.h"
-#include "document.h"
-#include "measure/cost_table.h"
-#include "message_log.h"
-#include "session.h"
+#include "document/document.h"
+#include "measure/cost/cost_table.h"
 #include "viewport/mesh_library.h"
+#include "window/message_log.h"
+#include "window/session.h"
 
 namespace patina {
 namespace {
 
 constexpr int progressSteps = 1000;
+
+/// Work between two looks at whether it was cancelled, each of which may show new points.
+constexpr std::chrono::milliseconds sweepSlice{100};
 constexpr int settleMs = 100;
 constexpr QSize usualPageSize{720, 320};
 const QList<int> partSizes{2000, 3000}; ///< of chart and table, as shares
@@ -112,7 +115,7 @@ void AccuracyPage::makeExportMenu() {
 
 void AccuracyPage::connectParts() {
     connect(start_, &QToolButton::clicked, this, [this] { measure(); });
-    connect(cancel_, &QToolButton::clicked, &measurement_, &CostMeasurement::cancel);
+    connect(cancel_, &QToolButton::clicked, &measurement_, &BackgroundJob::cancel);
     connect(compare_, &QToolButton::clicked, this, [this] { compare(list_->selected()); });
     connect(plot_, &CostPlot::picked, this, &AccuracyPage::apply);
     connect(list_, &CostList::picked, this, &AccuracyPage::apply);
@@ -120,18 +123,7 @@ void AccuracyPage::connectParts() {
     connect(plot_, &CostPlot::selectionMoved, this, &AccuracyPage::select);
     connect(list_, &CostList::selectionMoved, this, &AccuracyPage::select);
     connect(budget_, &BudgetRow::answered, this, &AccuracyPage::select);
-    connect(&measurement_, &CostMeasurement::progressed, this, [this](const SweepStep& step) {
-        step_ = step;
-        progress_->setValue(static_cast<int>(std::lround(step.progress() * progressSteps)));
-        showState();
-    });
-    connect(&measurement_, &CostMeasurement::charted, this, [this](const CostChart& chart) {
-        if (running_) {
-            running_->chart = chart;
-            showChart(&*running_);
-        }
-    });
-    connect(&measurement_, &CostMeasurement::finished, this, &AccuracyPage::take);
+    connect(&measurement_, &BackgroundJob::finished, this, &AccuracyPage::finish);
     connect(turn_.get(), &MeasureTurn::changed, this, &AccuracyPage::showState);
     connect(&settle_, &QTimer::timeout, this, &AccuracyPage::follow);
     startWhenChanged(settle_, document_, library_);
@@ -201,19 +193,56 @@ void AccuracyPage::measure(CostSweep::Options options) {
     options.scope = target_->scope();
     options.present = target_->levels(running_->chart.choices);
     progress_->setValue(0);
-    measurement_.start(costSubject(document_, library_, environments_), std::move(options));
+    measurement_.start(withContext(
+        [this, subject = costSubject(document_, library_, environments_),
+         options = std::move(options)](BackgroundJob::Control& control) {
+            return sweep(subject, options, control);
+        }));
     select(-1);
     showChart(&*running_);
 }
 
-void AccuracyPage::take(const CostMeasurement::Outcome& outcome) {
+/// In the worker's thread.
+BackgroundJob::End AccuracyPage::sweep(const CostSweep::Subject& subject,
+                                       const CostSweep::Options& options,
+                                       BackgroundJob::Control& control) {
+    const auto sweep = CostSweep::create(subject, options);
+    if (!sweep) {
+        return endOf(false, {sweep.error()});
+    }
+    std::size_t shown = 0;
+    while (!(*sweep)->finished() && !control.isCancelled()) {
+        (*sweep)->step(sweepSlice);
+        control.show([this, step = (*sweep)->doing()] { showStep(step); });
+        if ((*sweep)->chart().points.size() > shown) {
+            shown = (*sweep)->chart().points.size();
+            control.show([this, chart = (*sweep)->chart()] { showRunning(chart); });
+        }
+    }
+    control.show([this, chart = (*sweep)->chart()] { showRunning(chart); });
+    return endOf((*sweep)->finished(), (*sweep)->problems());
+}
+
+void AccuracyPage::showStep(const SweepStep& step) {
+    step_ = step;
+    progress_->setValue(static_cast<int>(std::lround(step.progress() * progressSteps)));
+    showState();
+}
+
+void AccuracyPage::showRunning(const CostChart& chart) {
+    if (running_) {
+        running_->chart = chart;
+        showChart(&*running_);
+    }
+}
+
+void AccuracyPage::finish(bool complete, const QString& problem) {
     turn_->giveBack(*this);
     if (!running_) {
         return;
     }
-    running_->chart = outcome.chart;
-    running_->complete = outcome.complete;
-    running_->problem = outcome.problem.toStdString();
+    running_->complete = complete;
+    running_->problem = problem.toStdString();
     const KeptChart& kept = charts_.keep(std::move(*running_));
     running_.reset();
     store(kept);

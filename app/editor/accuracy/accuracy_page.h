@@ -13,8 +13,9 @@
 #include "accuracy/chart_store.h"
 #include "accuracy/chart_target.h"
 #include "accuracy/kept_chart.h"
-#include "check/cost_measurement.h"
 #include "docks/dock_context.h"
+#include "measure/cost/cost_sweep.h"
+#include "window/background_job.h"
 
 class QLabel;
 class QProgressBar;
@@ -73,7 +74,11 @@ class AccuracyPage : public QWidget {
     void showChart(const KeptChart* chart);
     void showState();
     void select(int point);
-    void take(const CostMeasurement::Outcome& outcome);
+    BackgroundJob::End sweep(const CostSweep::Subject& subject, const CostSweep::Options& options,
+                             BackgroundJob::Control& control);
+    void showStep(const SweepStep& step);
+    void showRunning(const CostChart& chart);
+    void finish(bool complete, const QString& problem);
     const KeptChart* keptFor(const MeasuredSubject& subject);
     const KeptChart* fromBefore(const MeasuredSubject& subject);
     void read(const ChartKey& key);
@@ -96,7 +101,7 @@ class AccuracyPage : public QWidget {
     MessageLog& messages_;
     std::unique_ptr<ChartTarget> target_;
     std::shared_ptr<MeasureTurn> turn_;
-    CostMeasurement measurement_;
+    BackgroundJob measurement_; ///< the last: it ends before what it tells
     KeptResults<KeptChart> charts_;
     ChartStore store_;
     std::set<ChartKey> stored_;               ///< what was read of the store or written to it

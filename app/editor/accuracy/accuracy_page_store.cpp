@@ -4,8 +4,8 @@
 
 #include "accuracy/accuracy_page.h"
 #include "accuracy/chart_export.h"
-#include "document.h"
-#include "message_log.h"
+#include "document/document.h"
+#include "window/message_log.h"
 
 namespace patina {
 
@@ -44,7 +44,7 @@ const KeptChart* AccuracyPage::fromBefore(const MeasuredSubject& subject) {
     if (found == before_.end()) {
         return nullptr;
     }
-    if (found->second.print != printOf(subject, device())) {
+    if (found->second.hash != hashOf(subject, device())) {
         return key.file.empty() ? nullptr : &found->second.chart;
     }
     KeptChart chart = std::move(found->second.chart);
@@ -73,7 +73,7 @@ void AccuracyPage::store(const KeptChart& chart) {
     }
     stored_.insert(key);
     before_.erase(key);
-    const auto written = store_.write(key, {chart, printOf(chart.subject, device())});
+    const auto written = store_.write(key, {chart, hashOf(chart.subject, device())});
     if (!written) {
         messages_.add(written.error());
     }

@@ -11,7 +11,7 @@ namespace patina {
 namespace {
 
 constexpr double evenBelow = 8.0; ///< times its start: an axis that ends there is marked evenly
-constexpr int mostEven = 6;       ///< marks at even distances
+constexpr int maxEven = 6;        ///< marks at even distances
 constexpr double gap = 8.0;       ///< pixels between two labels
 constexpr double besideAxes = 90.0; ///< pixels of a plot that its axes cannot have, at most
 
@@ -64,7 +64,7 @@ void AxisTicks::begin(double at, const QString& name) {
 
 QVector<double> AxisTicks::createTickVector(double, const QCPRange& range) {
     if (range.upper < evenBelow * range.lower) {
-        for (int count = mostEven; count > 1; --count) {
+        for (int count = maxEven; count > 1; --count) {
             const QVector<double> ticks = withBegin(evenly(range, count));
             if (haveRoom(ticks, range)) {
                 return ticks;

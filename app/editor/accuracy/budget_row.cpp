@@ -27,7 +27,7 @@ constexpr PictureSize sizes[] = {
     {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"1440p", 2560, 1440}, {"2160p", 3840, 2160}};
 constexpr int usualEntry = 1;
 
-/// Of so many of the measured pictures.
+/// Writes the time of so many of the measured pictures.
 QString pictureTimeText(const ChoiceCost& cost, double pictures) {
     const QString time = digitsText(cost.milliseconds.median * pictures);
     return cost.belowNoise ? BudgetRow::tr("at most %1 ms").arg(time)

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "measure/cost_chart.h"
+#include "measure/cost/cost_chart.h"
 
 class QCheckBox;
 class QComboBox;

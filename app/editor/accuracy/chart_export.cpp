@@ -15,7 +15,7 @@
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_library.h"
 #include "gl/driver.h"
-#include "session.h"
+#include "window/session.h"
 
 namespace patina {
 namespace {

@@ -8,7 +8,7 @@
 #include <QFileInfo>
 
 #include "catalog/json_text.h"
-#include "measure/cost_table.h"
+#include "measure/cost/cost_table.h"
 #include "scene/scene_file.h"
 
 namespace patina {
@@ -20,7 +20,7 @@ using nlohmann::json;
 constexpr const char* formatName = "patina.measurement";
 constexpr int formatVersion = 1;
 constexpr const char* ending = ".patina-measurement.json";
-constexpr qsizetype mostFiles = 200;
+constexpr qsizetype maxFiles = 200;
 
 std::string hashed(const std::string& text) {
     return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256)
@@ -53,7 +53,7 @@ json jsonOf(const ChartKey& key, const StoredChart& stored) {
             {"page", key.page},
             {"file", key.file},
             {"object", key.object},
-            {"print", stored.print},
+            {"print", stored.hash},
             {"camera", cameraJson(stored.chart.camera)},
             {"complete", stored.chart.complete},
             {"problem", stored.chart.problem},
@@ -73,7 +73,7 @@ Result<StoredChart> chartFrom(const ChartKey& key, const json& from) {
         stored.chart.complete = from.at("complete").get<bool>();
         stored.chart.problem = from.at("problem").get<std::string>();
         stored.chart.chart = std::move(*chart);
-        stored.print = from.at("print").get<std::string>();
+        stored.hash = from.at("print").get<std::string>();
         return stored;
     } catch (const json::exception& missing) {
         return failure(missing.what(), "a measurement as Patina writes it");
@@ -141,12 +141,12 @@ void ChartStore::removeOldest() const {
     const QDir dir(QString::fromStdString(folder_.string()));
     const QFileInfoList files =
         dir.entryInfoList({QStringLiteral("*") + ending}, QDir::Files, QDir::Time);
-    for (const QFileInfo& old : files.mid(mostFiles)) {
+    for (const QFileInfo& old : files.mid(maxFiles)) {
         QFile::remove(old.absoluteFilePath());
     }
 }
 
-std::string printOf(const MeasuredSubject& subject, const std::string& device) {
+std::string hashOf(const MeasuredSubject& subject, const std::string& device) {
     json blocks = json::array();
     for (const Block& block : subject.blocks.blocks) {
         blocks.push_back({block.kind, block.id, block.version});

@@ -18,10 +18,10 @@ struct ChartKey {
     friend auto operator<=>(const ChartKey&, const ChartKey&) = default;
 };
 
-/// A chart that was written: its subject is known by its print alone.
+/// A chart that was written: its subject is known by its hash alone.
 struct StoredChart {
     KeptChart chart;
-    std::string print; ///< see printOf()
+    std::string hash; ///< see hashOf()
 };
 
 /// Charts in files of a folder, one for each key, so that who starts Patina again finds them.
@@ -44,8 +44,8 @@ class ChartStore {
     std::filesystem::path folder_;
 };
 
-/// Tells subjects apart over many starts of the program: a print of the scene, the blocks and the
+/// Tells subjects apart over many starts of the program: a hash of the scene, the blocks and the
 /// name of the device.
-std::string printOf(const MeasuredSubject& subject, const std::string& device);
+std::string hashOf(const MeasuredSubject& subject, const std::string& device);
 
 } // namespace patina

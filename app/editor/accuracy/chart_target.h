@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "accuracy/kept_results.h"
-#include "measure/choices.h"
+#include "measure/choice/choices.h"
 
 namespace patina {
 

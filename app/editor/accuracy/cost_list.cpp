@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/cost_list.h"
 
-#include <algorithm>
-
 #include <QHeaderView>
 #include <QPainter>
 #include <QScrollBar>

@@ -3,7 +3,7 @@
 
 #include <QTreeWidget>
 
-#include "measure/cost_chart.h"
+#include "measure/cost/cost_chart.h"
 
 namespace patina {
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double reach = 11.0; ///< pixels from a point that still mean it
 constexpr QSize usualPlotSize{380, 240};
-constexpr QSize leastSize{240, 130};
+constexpr QSize minSize{240, 130};
 
 } // namespace
 
@@ -59,7 +59,7 @@ void CostPlot::select(int point) {
     draw();
 }
 
-/// Of a point of old only its name is worth anything.
+/// Describes a point. When the chart is out of date only its name is worth anything.
 QString CostPlot::textOf(int point) const {
     const auto number = static_cast<std::size_t>(point);
     return stale_ ? wayName(chart_.points[number], chart_) + '\n' + staleText()
@@ -202,7 +202,7 @@ QSize CostPlot::sizeHint() const {
 }
 
 QSize CostPlot::minimumSizeHint() const {
-    return leastSize;
+    return minSize;
 }
 
 } // namespace patina

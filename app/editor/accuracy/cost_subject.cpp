@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/cost_subject.h"
 
-#include "document.h"
+#include "document/document.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/mesh_snapshot.h"

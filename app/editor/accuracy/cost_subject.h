@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "measure/cost_sweep.h"
+#include "measure/cost/cost_sweep.h"
 
 namespace patina {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/cost_text.h"
 
+#include "text/as_text.h"
 #include <cmath>
 
 #include <QCoreApplication>
@@ -11,10 +12,6 @@ namespace {
 
 QString tr(const char* text) {
     return QCoreApplication::translate("CostText", text);
-}
-
-QString asText(const std::string& text) {
-    return QString::fromStdString(text);
 }
 
 /// A level that a point takes, with its choice; null where the chart does not know it.
@@ -60,7 +57,7 @@ QString timeLine(const ChoiceCost& cost, RatioBound bound) {
 
 QString workText(const SweepStep& step, const CostChart& chart) {
     switch (step.work) {
-    case SweepStep::Work::RightFrame:
+    case SweepStep::Work::GroundTruthFrame:
         return tr("the right picture");
     case SweepStep::Work::ConvergedFrame:
         return tr("a converged picture");
@@ -71,7 +68,7 @@ QString workText(const SweepStep& step, const CostChart& chart) {
     }
 }
 
-/// Of the cost's ratio, or of a time that goes with it.
+/// Writes the cost's ratio, or a time that goes with it, with its interval where that is sure.
 QString asSure(const MedianInterval& interval, const ChoiceCost& cost) {
     return cost.isSure() ? ratioText(interval)
                          : QStringLiteral("%1 ± ?").arg(digitsText(interval.median));
@@ -246,7 +243,7 @@ QString methodText(const CostChart& chart) {
         .arg(chart.size.x)
         .arg(chart.size.y)
         .arg(numberLocale().toString(static_cast<qulonglong>(chart.pixels)))
-        .arg(asText(chart.timer), asText(chart.right));
+        .arg(asText(chart.timer), asText(chart.groundTruth));
 }
 
 QString notesText(const CostChart& chart) {

@@ -5,9 +5,9 @@
 #include <QString>
 
 #include "accuracy/way_delegate.h"
-#include "measure/cost_chart.h"
-#include "measure/sweep_step.h"
-#include "number_text.h"
+#include "measure/cost/cost_chart.h"
+#include "measure/cost/sweep_step.h"
+#include "text/display_number.h"
 
 namespace patina {
 

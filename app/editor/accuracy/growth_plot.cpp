@@ -11,7 +11,7 @@
 #include "accuracy/axis_ticks.h"
 #include "accuracy/plot_colors.h"
 #include "accuracy/plot_library.h"
-#include "number_text.h"
+#include "text/display_number.h"
 
 namespace patina {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 constexpr double pointSize = 7.0;
 constexpr double margin = 1.3; ///< of the axes, times what they hold
 constexpr int lawSteps = 48;   ///< of the line, which is bent on log axes
-constexpr QSize leastGrowthSize{140, 110};
+constexpr QSize minGrowthSize{140, 110};
 
 /// Whether the bars are intervals of 95 %.
 bool isSure(const ScalingCurve& curve) {
@@ -41,7 +41,7 @@ GrowthPlot::GrowthPlot(ScalingCurve::Axis axis, QWidget* parent)
       intervals_(new QCPErrorBars(plot_->xAxis, plot_->yAxis)), law_(new QLabel(this)) {
     setAccessibleName(tr("Time against %1").arg(nameOf(axis)));
     plot_->setFocusPolicy(Qt::NoFocus);
-    plot_->setMinimumSize(leastGrowthSize);
+    plot_->setMinimumSize(minGrowthSize);
     points_->setLineStyle(QCPGraph::lsNone);
     line_->setAdaptiveSampling(false);
     intervals_->setErrorType(QCPErrorBars::etValueError);

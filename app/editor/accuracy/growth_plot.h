@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "measure/scaling_curve.h"
+#include "measure/cost/scaling_curve.h"
 
 class QCPErrorBars;
 class QCPGraph;

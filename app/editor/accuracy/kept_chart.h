@@ -4,7 +4,7 @@
 #include <string>
 
 #include "accuracy/kept_results.h"
-#include "measure/cost_chart.h"
+#include "measure/cost/cost_chart.h"
 
 namespace patina {
 

@@ -5,8 +5,8 @@
 
 #include <QCoreApplication>
 
-#include "document.h"
-#include "measure/measured_scene.h"
+#include "document/document.h"
+#include "measure/cost/measured_scene.h"
 #include "scene/environment.h"
 #include "viewport/compare_area.h"
 

@@ -12,8 +12,8 @@
 #include "accuracy/measure_turn.h"
 #include "catalog/json_text.h"
 #include "docks/settling.h"
-#include "document.h"
-#include "message_log.h"
+#include "document/document.h"
+#include "window/message_log.h"
 
 namespace patina {
 namespace {
@@ -34,19 +34,19 @@ MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn
 
 void MeasurePage::connectParts() {
     connect(bar_, &MeasureBar::startWished, this, [this] { startMeasuring(); });
-    connect(bar_, &MeasureBar::stopWished, &work_, &SteppedWork::cancel);
+    connect(bar_, &MeasureBar::stopWished, &work_, &BackgroundJob::cancel);
     connect(bar_, &MeasureBar::exportWished, this, [this](const QString& ending) {
         const QString file = askForChartFile(this, ending);
         if (!file.isEmpty()) {
             exportTo(file);
         }
     });
-    connect(&work_, &SteppedWork::progressed, this, [this](double share, const QString& doing) {
+    connect(&work_, &BackgroundJob::progressed, this, [this](double share, const QString& doing) {
         doing_ = doing;
         bar_->setProgress(share);
         showState();
     });
-    connect(&work_, &SteppedWork::finished, this, &MeasurePage::finish);
+    connect(&work_, &BackgroundJob::finished, this, &MeasurePage::finish);
     connect(turn_.get(), &MeasureTurn::changed, this, &MeasurePage::showState);
     connect(&settle_, &QTimer::timeout, this, &MeasurePage::follow);
     startWhenChanged(settle_, document_, meshes_);
@@ -98,14 +98,14 @@ bool MeasurePage::canStart() const {
     return !isMeasuring() && document_.currentObject() >= 0 && turn_->whyNot(*this).isEmpty();
 }
 
-void MeasurePage::start(SteppedWork::Maker make) {
+void MeasurePage::start(BackgroundJob::Work work) {
     if (!canStart() || !turn_->take(*this)) {
         return;
     }
     running_ = PageResult{subject(), file(), {}, {}, false, {}};
     doing_.clear();
     bar_->setProgress(0.0);
-    work_.start(std::move(make));
+    work_.start(std::move(work));
     refresh();
 }
 

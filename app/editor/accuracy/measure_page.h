@@ -10,9 +10,9 @@
 #include <QWidget>
 
 #include "accuracy/kept_results.h"
-#include "check/stepped_work.h"
 #include "docks/dock_context.h"
-#include "measure/cost_sweep.h"
+#include "measure/cost/cost_sweep.h"
+#include "window/background_job.h"
 
 namespace patina {
 
@@ -22,9 +22,9 @@ class MeasureTurn;
 /// What a page measured, perhaps not to the end.
 struct PageResult {
     MeasuredSubject subject;
-    std::string file;  ///< of the document; empty: it has none yet
-    std::any numbers;  ///< of the page's own type; empty: none yet
-    QString method;    ///< how they were measured
+    std::string file; ///< of the document; empty: it has none yet
+    std::any numbers; ///< of the page's own type; empty: none yet
+    QString method;   ///< how they were measured
     bool complete = false;
     QString problem; ///< why it ended before its time; else empty
 };
@@ -60,7 +60,7 @@ class MeasurePage : public QWidget {
     /// False while that or another page's measurement is going on, or without an object.
     bool canStart() const;
     /// Begins with what costSubject() is now, where it can.
-    void start(SteppedWork::Maker make);
+    void start(BackgroundJob::Work work);
     CostSweep::Subject costSubject();
 
     /// There are more numbers of what is being measured.
@@ -105,7 +105,7 @@ class MeasurePage : public QWidget {
     bool stale_ = false;
     QTimer settle_; ///< changes of the document are gathered
     MeasureBar* bar_;
-    SteppedWork work_; ///< the last: it ends before what it tells
+    BackgroundJob work_; ///< the last: it ends before what it tells
 };
 
 } // namespace patina

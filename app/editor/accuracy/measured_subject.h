@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "check/read_blocks.h"
+#include "library/read_blocks.h"
 
 namespace patina {
 

@@ -5,7 +5,7 @@
 
 #include <QTreeWidget>
 
-#include "measure/model_ranking.h"
+#include "measure/cost/model_ranking.h"
 
 namespace patina {
 

@@ -8,48 +8,29 @@
 #include "accuracy/measure_bar.h"
 #include "accuracy/model_list.h"
 #include "catalog/json_text.h"
-#include "document.h"
-#include "measure/ranking_table.h"
-#include "number_text.h"
-#include "session.h"
+#include "document/document.h"
+#include "measure/cost/ranking_table.h"
+#include "text/display_number.h"
+#include "window/session.h"
 
 namespace patina {
 
-class ModelsPage::Job : public SteppedWork::Job {
-  public:
-    Job(ModelsPage& page, std::unique_ptr<ModelRanking> ranking)
-        : page_(page), ranking_(std::move(ranking)) {}
+namespace {
 
-    void step() override { ranking_->step(); }
-    bool finished() const override { return ranking_->finished(); }
-    double progress() const override { return ranking_->progress(); }
-    const Errors& problems() const override { return ranking_->problems(); }
+QString turnText(const ModelRanking::Turn& turn) {
+    return ModelsPage::tr("model %1 of %2: %3")
+        .arg(turn.number)
+        .arg(turn.of)
+        .arg(QString::fromStdString(turn.label));
+}
 
-    QString doing() const override {
-        const ModelRanking::Turn turn = ranking_->turn();
-        return tr("model %1 of %2: %3")
-            .arg(turn.number)
-            .arg(turn.of)
-            .arg(QString::fromStdString(turn.label));
-    }
+QString methodOf(const ModelRanking& ranking) {
+    return ModelsPage::tr("%1 pixels of the object; %2; times are beside the quickest.")
+        .arg(numberLocale().toString(qulonglong(ranking.pixels())),
+             QString::fromStdString(ranking.timer()));
+}
 
-    std::function<void()> news() override {
-        std::vector<ModelCost> costs = ranking_->costs();
-        if (costs.size() == told_) {
-            return {};
-        }
-        told_ = costs.size();
-        const QString method = tr("%1 pixels of the object; %2; times are beside the quickest.")
-                                   .arg(numberLocale().toString(qulonglong(ranking_->pixels())),
-                                        QString::fromStdString(ranking_->timer()));
-        return [&page = page_, costs = std::move(costs), method] { page.take(costs, method); };
-    }
-
-  private:
-    ModelsPage& page_;
-    std::unique_ptr<ModelRanking> ranking_;
-    std::size_t told_ = 0;
-};
+} // namespace
 
 ModelsPage::ModelsPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
     : MeasurePage(context, std::move(turn), tr("Measure every model on this scene"),
@@ -75,14 +56,33 @@ void ModelsPage::measure(CostSweep::Options options) {
         return;
     }
     options.programCache = cacheFolder() / "programs";
-    start([this, subject = costSubject(),
-           options = std::move(options)]() -> Result<std::unique_ptr<SteppedWork::Job>> {
-        auto ranking = ModelRanking::create(subject, options);
-        if (!ranking) {
-            return tl::unexpected(ranking.error());
+    start(withContext([this, subject = costSubject(),
+                       options = std::move(options)](BackgroundJob::Control& control) {
+        return rank(subject, options, control);
+    }));
+}
+
+/// In the worker's thread.
+BackgroundJob::End ModelsPage::rank(const CostSweep::Subject& subject,
+                                    const CostSweep::Options& options,
+                                    BackgroundJob::Control& control) {
+    const auto ranking = ModelRanking::create(subject, options);
+    if (!ranking) {
+        return endOf(false, {ranking.error()});
+    }
+    std::size_t shown = 0;
+    while (!(*ranking)->finished() && !control.isCancelled()) {
+        (*ranking)->step();
+        control.tell((*ranking)->progress(), turnText((*ranking)->turn()));
+        std::vector<ModelCost> costs = (*ranking)->costs();
+        if (costs.size() != shown) {
+            shown = costs.size();
+            control.show([this, costs = std::move(costs), method = methodOf(**ranking)] {
+                take(costs, method);
+            });
         }
-        return std::make_unique<Job>(*this, std::move(*ranking));
-    });
+    }
+    return endOf((*ranking)->finished(), (*ranking)->problems());
 }
 
 /// Every model comes with its defaults: the object's own material does not matter.

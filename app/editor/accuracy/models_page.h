@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "accuracy/measure_page.h"
-#include "measure/model_ranking.h"
+#include "measure/cost/model_ranking.h"
 
 namespace patina {
 
@@ -31,7 +31,8 @@ class ModelsPage : public MeasurePage {
     QByteArray bytesFor(const QString& ending) const override;
 
   private:
-    class Job;
+    BackgroundJob::End rank(const CostSweep::Subject& subject, const CostSweep::Options& options,
+                            BackgroundJob::Control& control);
 
     ModelList* list_;
 };

@@ -5,8 +5,8 @@
 
 #include <QCoreApplication>
 
-#include "document.h"
-#include "picture_accuracy_form.h"
+#include "docks/picture_accuracy_form.h"
+#include "document/document.h"
 #include "viewport/compare_area.h"
 
 namespace patina {

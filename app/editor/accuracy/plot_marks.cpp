@@ -16,14 +16,14 @@ namespace patina {
 namespace {
 
 /// Times below this have no place on a log axis; no pixel is shaded so fast.
-constexpr double leastTime = 1e-3;
+constexpr double minTime = 1e-3;
 
 /// Errors below this are the rounding of floats.
-constexpr double leastError = 1e-6;
+constexpr double minError = 1e-6;
 
 constexpr double timeMargin = 1.12;
 constexpr double errorMargin = 2.5;
-constexpr double leastErrorRange = 1e3; ///< of the axis, also where nothing errs
+constexpr double minErrorRange = 1e3; ///< of the axis, also where nothing errs
 constexpr double longestBar = 2.0; ///< times a point's time; a longer one ends with the chart
 constexpr double pointSize = 7.0;
 constexpr double ringSize = 13.0;
@@ -41,7 +41,7 @@ PlotMarks::Dots makeDots(QCustomPlot& plot) {
 }
 
 double shownTime(const CostPoint& point) {
-    return std::max(point.cost.nanosecondsPerPixel, leastTime);
+    return std::max(point.cost.nanosecondsPerPixel, minTime);
 }
 
 /// Nanoseconds per pixel, as sure as the ratio to the exact time is; of a bound all that is less.
@@ -49,10 +49,10 @@ MedianInterval timeInterval(const CostPoint& point) {
     const MedianInterval& ratio = point.cost.ratio;
     const double time = shownTime(point);
     if (point.cost.belowNoise) {
-        return {time, 0.5 * leastTime, time};
+        return {time, 0.5 * minTime, time};
     }
     const double perRatio = ratio.median > 0.0 ? time / ratio.median : 0.0;
-    return {time, std::clamp(ratio.lower * perRatio, 0.5 * leastTime, time),
+    return {time, std::clamp(ratio.lower * perRatio, 0.5 * minTime, time),
             std::max(ratio.upper * perRatio, time)};
 }
 
@@ -69,7 +69,7 @@ QPainterPath arrowToLess() {
 /// The exact frame's own error is the rounding of floats: what errs no more is as exact.
 double floorOf(const CostChart& chart) {
     const double exact = chart.points.empty() ? 0.0 : errorOf(chart.points.front());
-    return std::max(leastError, exact);
+    return std::max(minError, exact);
 }
 
 double shownError(const CostPoint& point, const CostChart& chart) {
@@ -177,7 +177,7 @@ void PlotMarks::scaleAxes(const CostChart& chart) {
     const double floor = floorOf(chart);
     double from = HUGE_VAL;
     double to = 0.0;
-    double worst = leastErrorRange * floor;
+    double worst = minErrorRange * floor;
     for (const CostPoint& point : chart.points) {
         const MedianInterval interval = timeInterval(point);
         const double time = shownTime(point);

@@ -7,7 +7,7 @@
 #include <QPointF>
 #include <QSharedPointer>
 
-#include "measure/cost_chart.h"
+#include "measure/cost/cost_chart.h"
 
 class QCPErrorBars;
 class QCPGraph;

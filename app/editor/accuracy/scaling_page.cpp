@@ -10,51 +10,31 @@
 #include "accuracy/growth_plot.h"
 #include "accuracy/measure_bar.h"
 #include "catalog/json_text.h"
-#include "document.h"
-#include "session.h"
+#include "document/document.h"
+#include "window/session.h"
 
 namespace patina {
 
-class ScalingPage::Job : public SteppedWork::Job {
-  public:
-    Job(ScalingPage& page, std::unique_ptr<ScalingSweep> sweep, int edge)
-        : page_(page), sweep_(std::move(sweep)), edge_(edge) {}
+namespace {
 
-    void step() override { sweep_->step(); }
-    bool finished() const override { return sweep_->finished(); }
-    double progress() const override { return sweep_->progress(); }
-    const Errors& problems() const override { return sweep_->problems(); }
+QString turnText(const ScalingSweep::Turn& turn) {
+    const QString what = turn.round > 0
+                             ? ScalingPage::tr("round %1 of %2").arg(turn.round).arg(turn.rounds)
+                             : ScalingPage::tr("making programs");
+    return ScalingPage::tr("%1 of %2: %3, %4")
+        .arg(turn.number)
+        .arg(turn.of)
+        .arg(GrowthPlot::nameOf(turn.axis), what);
+}
 
-    QString doing() const override {
-        const ScalingSweep::Turn turn = sweep_->turn();
-        const QString what = turn.round > 0
-                                 ? tr("round %1 of %2").arg(turn.round).arg(turn.rounds)
-                                 : tr("making programs");
-        return tr("%1 of %2: %3, %4")
-            .arg(turn.number)
-            .arg(turn.of)
-            .arg(GrowthPlot::nameOf(turn.axis), what);
-    }
+QString methodOf(const ScalingSweep& sweep, int edge) {
+    return ScalingPage::tr("%1; lights without shadows and copies of the object in pictures of "
+                           "%2 × %2 pixels.")
+        .arg(QString::fromStdString(sweep.timer()))
+        .arg(edge);
+}
 
-    std::function<void()> news() override {
-        if (sweep_->rounds() == told_) {
-            return {};
-        }
-        told_ = sweep_->rounds();
-        const QString method = tr("%1; lights without shadows and copies of the object in pictures "
-                                  "of %2 × %2 pixels.")
-                                   .arg(QString::fromStdString(sweep_->timer()))
-                                   .arg(edge_);
-        return
-            [&page = page_, curves = sweep_->curves(), method] { page.take(curves, method); };
-    }
-
-  private:
-    ScalingPage& page_;
-    std::unique_ptr<ScalingSweep> sweep_;
-    int edge_;
-    int told_ = 0;
-};
+} // namespace
 
 ScalingPage::ScalingPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
     : MeasurePage(context, std::move(turn),
@@ -85,14 +65,31 @@ void ScalingPage::measure(ScalingSweep::Options options) {
         return;
     }
     options.programCache = cacheFolder() / "programs";
-    start([this, subject = costSubject(),
-           options = std::move(options)]() -> Result<std::unique_ptr<SteppedWork::Job>> {
-        auto sweep = ScalingSweep::create(subject, options);
-        if (!sweep) {
-            return tl::unexpected(sweep.error());
+    start(withContext([this, subject = costSubject(),
+                       options = std::move(options)](BackgroundJob::Control& control) {
+        return sweep(subject, options, control);
+    }));
+}
+
+/// In the worker's thread.
+BackgroundJob::End ScalingPage::sweep(const CostSweep::Subject& subject,
+                                      const ScalingSweep::Options& options,
+                                      BackgroundJob::Control& control) {
+    const auto sweep = ScalingSweep::create(subject, options);
+    if (!sweep) {
+        return endOf(false, {sweep.error()});
+    }
+    int shown = 0;
+    while (!(*sweep)->finished() && !control.isCancelled()) {
+        (*sweep)->step();
+        control.tell((*sweep)->progress(), turnText((*sweep)->turn()));
+        if ((*sweep)->rounds() != shown) {
+            shown = (*sweep)->rounds();
+            control.show([this, curves = (*sweep)->curves(),
+                          method = methodOf(**sweep, options.edge)] { take(curves, method); });
         }
-        return std::make_unique<Job>(*this, std::move(*sweep), options.edge);
-    });
+    }
+    return endOf((*sweep)->finished(), (*sweep)->problems());
 }
 
 Scene ScalingPage::measuredPart(Scene scene, int) const {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "accuracy/measure_page.h"
-#include "measure/scaling_sweep.h"
+#include "measure/cost/scaling_sweep.h"
 
 namespace patina {
 
@@ -22,9 +22,7 @@ class ScalingPage : public MeasurePage {
     /// Nothing happens while that is going on here or on another page.
     void measure(ScalingSweep::Options options);
 
-    const std::vector<ScalingCurve>& curves() const {
-        return numbers<std::vector<ScalingCurve>>();
-    }
+    const std::vector<ScalingCurve>& curves() const { return numbers<std::vector<ScalingCurve>>(); }
 
   protected:
     void startMeasuring() override;
@@ -33,7 +31,8 @@ class ScalingPage : public MeasurePage {
     QByteArray bytesFor(const QString& ending) const override;
 
   private:
-    class Job;
+    BackgroundJob::End sweep(const CostSweep::Subject& subject,
+                             const ScalingSweep::Options& options, BackgroundJob::Control& control);
 
     QWidget* plots_;
     std::array<GrowthPlot*, 3> plot_; ///< by ScalingCurve::Axis

@@ -10,7 +10,7 @@ namespace patina {
 namespace {
 
 constexpr int fewestRows = 3;
-constexpr int mostRows = 6;
+constexpr int maxRows = 6;
 
 } // namespace
 
@@ -58,7 +58,7 @@ void CheckList::keyPressEvent(QKeyEvent* event) {
 
 QSize CheckList::sizeHint() const {
     const int rowHeight = count() > 0 ? sizeHintForRow(0) : fontMetrics().lineSpacing() + 4;
-    const int rows = std::clamp(count(), fewestRows, mostRows);
+    const int rows = std::clamp(count(), fewestRows, maxRows);
     return {160, rows * rowHeight + 2 * frameWidth()};
 }
 

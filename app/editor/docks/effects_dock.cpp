@@ -16,19 +16,20 @@
 #include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
 
+#include "docks/effect_label.h"
+#include "docks/effect_switches.h"
 #include "docks/panel.h"
 #include "docks/settling.h"
-#include "document.h"
-#include "effect_label.h"
-#include "effect_switches.h"
-#include "number_text.h"
-#include "session.h"
+#include "document/document.h"
+#include "text/as_text.h"
+#include "text/display_number.h"
 #include "viewport/compare_area.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/mesh_snapshot.h"
 #include "viewport/texture_library.h"
 #include "viewport/viewport.h"
+#include "window/session.h"
 
 namespace patina {
 namespace {
@@ -37,15 +38,11 @@ constexpr int effectRole = Qt::UserRole;
 constexpr int progressSteps = 1000;
 constexpr int settleMs = 100;
 constexpr int usualRows = 14;
-constexpr int leastRows = 6;
+constexpr int minRows = 6;
 constexpr int spacing = 4;
 
 enum Column { Effect, Time, Share, Why };
 constexpr std::pair<Column, int> columnWidths[] = {{Effect, 190}, {Time, 96}, {Share, 64}};
-
-QString asText(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 QString numberText(double number, int decimals) {
     return numberLocale().toString(number, 'f', decimals);
@@ -60,7 +57,7 @@ QString intervalText(const MedianInterval& interval) {
 
 EffectsDock::EffectsDock(const DockContext& context)
     : document_(context.document), library_(context.meshes), environments_(context.environments),
-      switches_(context.switches), views_(context.views), measurement_(cacheFolder() / "programs"),
+      switches_(context.switches), views_(context.views), 
       start_(textButton(tr("Measure costs"),
                         tr("Draw the scene with and without each effect and compare the times"),
                         this)),
@@ -96,7 +93,7 @@ void EffectsDock::layOut() {
     list_->setHeaderLabels({tr("Effect"), tr("Time"), tr("Share"), tr("Why it is in or not")});
     list_->setFrameShape(QFrame::NoFrame);
     list_->header()->setStretchLastSection(true);
-    list_->setMinimumHeight((leastRows + 1) * (fontMetrics().lineSpacing() + 4));
+    list_->setMinimumHeight((minRows + 1) * (fontMetrics().lineSpacing() + 4));
     for (const auto& [column, width] : columnWidths) {
         list_->setColumnWidth(column, width);
     }
@@ -115,17 +112,17 @@ void EffectsDock::layOut() {
 
 void EffectsDock::connectParts() {
     connect(start_, &QToolButton::clicked, this, &EffectsDock::measure);
-    connect(cancel_, &QToolButton::clicked, &measurement_, &EffectMeasurement::cancel);
+    connect(cancel_, &QToolButton::clicked, &measurement_, &BackgroundJob::cancel);
     connect(allOn_, &QToolButton::clicked, this, [this] {
         for (const std::string& effect : std::vector<std::string>(switches_.off())) {
             switches_.setOff(effect, false);
         }
     });
     connect(list_, &QTreeWidget::itemChanged, this, &EffectsDock::toggle);
-    connect(&measurement_, &EffectMeasurement::progressed, this, [this](double share) {
+    connect(&measurement_, &BackgroundJob::progressed, this, [this](double share) {
         progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
     });
-    connect(&measurement_, &EffectMeasurement::finished, this, &EffectsDock::showOutcome);
+    connect(&measurement_, &BackgroundJob::finished, this, &EffectsDock::finish);
     connect(&settle_, &QTimer::timeout, this, &EffectsDock::updateRows);
     startWhenChanged(settle_, document_, library_);
     const auto later = [this] { settle_.start(); };
@@ -276,7 +273,7 @@ QString EffectsDock::whyOf(const EffectRow& row) const {
 void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
     const bool isOfObject = measured_ && measured_->object == document_.currentObject();
     const EffectCost* cost =
-        isOfObject && row.in ? measured_->outcome.costs.of(row.line.effect) : nullptr;
+        isOfObject && row.in ? measured_->costs.of(row.line.effect) : nullptr;
     if (cost == nullptr) {
         return;
     }
@@ -284,7 +281,7 @@ void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
         item->setForeground(column,
                             costsAreFresh_ ? palette().text() : palette().placeholderText());
     }
-    const double frame = measured_->outcome.costs.frame.median;
+    const double frame = measured_->costs.frame.median;
     const double share = frame > 0.0 ? 100.0 * cost->milliseconds.median / frame : 0.0;
     const QString time = cost->belowNoise()
                              ? tr("below noise")
@@ -312,18 +309,42 @@ void EffectsDock::measure() {
     updateRows();
     const Scene& scene = document_.scene(document_.activeSide());
     measured_ = Measured{scene, document_.currentObject(), document_.activeSide(),
-                         KnownBlocks(document_.sharedCatalog(), scene), {}};
+                         KnownBlocks(document_.sharedCatalog(), scene)};
     progress_->setValue(0);
-    measurement_.start({scene, scene.camera, meshSnapshot(scene, library_), rows_,
-                        measured_->blocks.catalog(),
-                        images().textures, environments_.image(document_.environmentPicture())});
+    const EffectCostMeter::Subject subject{
+        scene, scene.camera, meshSnapshot(scene, library_), rows_, measured_->blocks.catalog(),
+        images().textures, environments_.image(document_.environmentPicture())};
+    measurement_.start(withContext(
+        [this, subject](BackgroundJob::Control& control) { return meter(subject, control); }));
     fill();
     showState();
 }
 
-void EffectsDock::showOutcome(const EffectMeasurement::Outcome& outcome) {
+/// In the worker's thread.
+BackgroundJob::End EffectsDock::meter(const EffectCostMeter::Subject& subject,
+                                      BackgroundJob::Control& control) {
+    EffectCostMeter::Options options;
+    options.programCache = cacheFolder() / "programs";
+    options.mayShrink = true;
+    const auto meter = EffectCostMeter::create(subject, options);
+    if (!meter) {
+        return endOf(false, {meter.error()});
+    }
+    while (!(*meter)->finished() && !control.isCancelled()) {
+        (*meter)->step();
+        control.tell((*meter)->progress());
+    }
+    control.show([this, costs = (*meter)->costs()] {
+        if (measured_) {
+            measured_->costs = costs;
+        }
+    });
+    return endOf((*meter)->finished(), (*meter)->costs().problems);
+}
+
+void EffectsDock::finish(bool complete, const QString& problem) {
     if (measured_) {
-        measured_->outcome = outcome;
+        measured_->end = {complete, problem};
     }
     fill();
     showState();
@@ -349,14 +370,14 @@ QString EffectsDock::whyStale() const {
 }
 
 QString EffectsDock::totalText() const {
-    const EffectCosts& costs = measured_->outcome.costs;
+    const EffectCosts& costs = measured_->costs;
     const double sum = sumOf(costs, rows_);
     const QString text = tr("%1 ms a frame: effects %2 ms, the rest %3 ms. %4 × %5 pixels, %6.")
         .arg(numberText(costs.frame.median, 2), numberText(sum, 2), numberText(costs.rest, 2))
         .arg(costs.size.x)
         .arg(costs.size.y)
         .arg(asText(costs.method));
-    return measured_->outcome.complete && costs.secondsNeeded > 0.0
+    return measured_->end.complete && costs.secondsNeeded > 0.0
                ? tr("%1 Frames are slow: ! has too few to be certain.").arg(text)
                : text;
 }
@@ -371,12 +392,12 @@ void EffectsDock::showState() {
         total_->setText(tr("Measuring …"));
     } else if (!measured_) {
         total_->setText(tr("Costs are not measured yet."));
-    } else if (!measured_->outcome.problem.isEmpty()) {
-        total_->setText(tr("Could not be measured: %1").arg(measured_->outcome.problem));
+    } else if (!measured_->end.problem.isEmpty()) {
+        total_->setText(tr("Could not be measured: %1").arg(measured_->end.problem));
     } else if (isStale()) {
         total_->setText(whyStale());
     } else {
-        total_->setText(measured_->outcome.complete ? totalText()
+        total_->setText(measured_->end.complete ? totalText()
                                                     : tr("Stopped. So far: %1").arg(totalText()));
     }
     total_->setToolTip(total_->text());

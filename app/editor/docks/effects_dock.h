@@ -6,11 +6,12 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "check/effect_measurement.h"
-#include "check/read_blocks.h"
 #include "docks/dock_context.h"
-#include "document_state.h"
-#include "render/object_rows.h"
+#include "document/document_state.h"
+#include "library/read_blocks.h"
+#include "measure/cost/effect_cost.h"
+#include "render/surfaces/object_rows.h"
+#include "window/background_job.h"
 
 class QLabel;
 class QProgressBar;
@@ -45,7 +46,8 @@ class EffectsDock : public QWidget {
         int object = -1;
         Side side = Side::A;
         KnownBlocks blocks; ///< of that scene
-        EffectMeasurement::Outcome outcome;
+        EffectCosts costs{};
+        BackgroundJob::End end{};
     };
 
     void layOut();
@@ -64,7 +66,9 @@ class EffectsDock : public QWidget {
     QString whyStale() const;
     KnownImages images() const;
     double aspect() const; ///< of the view that shows the current object
-    void showOutcome(const EffectMeasurement::Outcome& outcome);
+    BackgroundJob::End meter(const EffectCostMeter::Subject& subject,
+                             BackgroundJob::Control& control);
+    void finish(bool complete, const QString& problem);
     void toggle(QTreeWidgetItem* item);
 
     Document& document_;
@@ -72,7 +76,7 @@ class EffectsDock : public QWidget {
     EnvironmentLibrary& environments_;
     EffectSwitches& switches_;
     CompareArea& views_;
-    EffectMeasurement measurement_;
+    BackgroundJob measurement_; ///< the last: it ends before what it tells
     std::vector<EffectRow> rows_;
     std::optional<Measured> measured_; ///< the last costs, or what they are being measured of
     bool costsAreFresh_ = false;       ///< as of the last fill()

@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-constexpr double mostShare = 0.45; ///< of the height that the views and a dock below them have
+constexpr double maxShare = 0.45; ///< of the height that the views and a dock below them have
 
 } // namespace
 
@@ -41,7 +41,7 @@ void LazyDock::growToHint() {
     }
     const int room = height() + window->centralWidget()->height();
     const int wished =
-        std::min(sizeHint().height(), static_cast<int>(std::lround(mostShare * room)));
+        std::min(sizeHint().height(), static_cast<int>(std::lround(maxShare * room)));
     if (height() < wished) {
         window->resizeDocks({this}, {wished}, Qt::Vertical);
     }

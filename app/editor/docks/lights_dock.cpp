@@ -8,9 +8,9 @@
 
 #include "docks/block_chooser.h"
 #include "docks/check_list.h"
-#include "parameters/document_form.h"
 #include "docks/panel.h"
-#include "short_text.h"
+#include "parameters/document_form.h"
+#include "text/short_text.h"
 
 namespace patina {
 

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "docks/panel.h"
-#include "message_log.h"
+#include "window/message_log.h"
 
 namespace patina {
 

@@ -6,7 +6,7 @@
 
 #include "docks/block_chooser.h"
 #include "docks/picture_grid.h"
-#include "document.h"
+#include "document/document.h"
 #include "library/thumbnail_maker.h"
 
 namespace patina {
@@ -32,9 +32,8 @@ ModelDock::ModelDock(const DockContext& context)
     grid_->setMouseTracking(true);
     rest_.setSingleShot(true);
     rest_.setInterval(restMs);
-    connect(&rest_, &QTimer::timeout, this, [this] {
-        document_.foreseeModel(document_.activeSide(), approached_.toStdString());
-    });
+    connect(&rest_, &QTimer::timeout, this,
+            [this] { document_.prewarmModel(document_.activeSide(), approached_.toStdString()); });
     connect(grid_, &QListWidget::itemEntered, this, &ModelDock::approach);
     connect(grid_, &QListWidget::currentItemChanged, this, &ModelDock::approach);
     connect(grid_, &QListWidget::viewportEntered, &rest_, &QTimer::stop);

@@ -78,7 +78,7 @@ void PictureGrid::paintEvent(QPaintEvent* event) {
     wishPictures();
 }
 
-/// Of what is in sight: nobody waits for pictures, or pays their memory, that nobody looks at.
+/// Asks for the pictures that are in sight: nobody waits for others, or pays their memory.
 void PictureGrid::wishPictures() {
     for (int row = 0; row < count(); ++row) {
         const QListWidgetItem* shown = item(row);

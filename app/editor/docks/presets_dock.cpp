@@ -14,11 +14,11 @@
 #include "docks/panel.h"
 #include "docks/picture_grid.h"
 #include "docks/search_box.h"
-#include "document.h"
-#include "file_actions.h"
+#include "document/document.h"
+#include "files/file_actions.h"
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
-#include "message_log.h"
+#include "window/message_log.h"
 
 namespace patina {
 namespace {
@@ -154,9 +154,9 @@ void PresetsDock::showMenu(const QPoint& place) {
     });
     QMenu menu;
     menu.addAction(tr("Put on side A"), this,
-                   [this, file] { document_.applyPreset(file.toStdString(), Side::A); });
+                   [this, file] { files_.applyPreset(file, Side::A); });
     menu.addAction(tr("Put on side B"), this,
-                   [this, file] { document_.applyPreset(file.toStdString(), Side::B); });
+                   [this, file] { files_.applyPreset(file, Side::B); });
     menu.addAction(tr("Open to edit this file"), this,
                    [this, file] { files_.open({file}, document_.activeSide()); });
     menu.addSeparator();
@@ -166,7 +166,7 @@ void PresetsDock::showMenu(const QPoint& place) {
 }
 
 void PresetsDock::apply(const QListWidgetItem* item, Side side) {
-    document_.applyPreset(grid_->fileOf(item).toStdString(), side);
+    files_.applyPreset(grid_->fileOf(item), side);
 }
 
 void PresetsDock::moveToTrash(const QString& file) {

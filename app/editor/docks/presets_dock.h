@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "docks/dock_context.h"
-#include "document_state.h"
+#include "document/document_state.h"
 
 class QLabel;
 class QLineEdit;

@@ -6,7 +6,7 @@
 
 #include "docks/block_chooser.h"
 #include "docks/panel.h"
-#include "document.h"
+#include "document/document.h"
 #include "parameters/document_form.h"
 #include "shading/refraction_choice.h"
 

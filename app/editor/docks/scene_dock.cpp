@@ -9,9 +9,9 @@
 #include <QVBoxLayout>
 
 #include "docks/check_list.h"
-#include "parameters/document_form.h"
 #include "docks/panel.h"
-#include "file_actions.h"
+#include "files/file_actions.h"
+#include "parameters/document_form.h"
 #include "scene/primitives.h"
 
 namespace patina {

@@ -3,7 +3,7 @@
 
 #include <QTimer>
 
-#include "document.h"
+#include "document/document.h"
 #include "viewport/mesh_library.h"
 
 namespace patina {

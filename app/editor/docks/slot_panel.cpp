@@ -5,7 +5,7 @@
 
 #include "docks/block_chooser.h"
 #include "docks/panel.h"
-#include "document.h"
+#include "document/document.h"
 #include "material/model_swap.h"
 #include "parameters/document_form.h"
 

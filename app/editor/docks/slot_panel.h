@@ -3,7 +3,7 @@
 
 #include <QGroupBox>
 
-#include "document_state.h"
+#include "document/document_state.h"
 
 namespace patina {
 

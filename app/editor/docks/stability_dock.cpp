@@ -15,8 +15,9 @@
 #include <QVBoxLayout>
 
 #include "docks/panel.h"
-#include "document.h"
-#include "number_text.h"
+#include "docks/stability_check.h"
+#include "document/document.h"
+#include "text/display_number.h"
 
 namespace patina {
 namespace {
@@ -57,8 +58,8 @@ StabilityDock::StabilityDock(const DockContext& context)
       cancel_(textButton(tr("Cancel"), tr("Stop and keep what was found so far"), this)),
       copy_(textButton(tr("Copy case"), tr("Copy the selected case as a line for `patina eval`"),
                        this)),
-      progress_(new QProgressBar(this)), verdictLabel_(new QLabel(this)),
-      remarks_(hintLabel(this)), list_(new QTreeWidget(this)) {
+      progress_(new QProgressBar(this)), verdictLabel_(new QLabel(this)), remarks_(hintLabel(this)),
+      list_(new QTreeWidget(this)) {
     progress_->setRange(0, progressSteps);
     progress_->setMaximumWidth(300);
     progress_->setAccessibleName(tr("Progress of the check"));
@@ -92,13 +93,13 @@ StabilityDock::StabilityDock(const DockContext& context)
 
 void StabilityDock::connectParts() {
     connect(start_, &QToolButton::clicked, this, &StabilityDock::start);
-    connect(cancel_, &QToolButton::clicked, &check_, &StabilityCheck::cancel);
+    connect(cancel_, &QToolButton::clicked, &check_, &BackgroundJob::cancel);
     connect(copy_, &QToolButton::clicked, this, &StabilityDock::copyLine);
     auto* copy = new QShortcut(QKeySequence::Copy, list_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(copy, &QShortcut::activated, this, &StabilityDock::copyLine);
     connect(list_, &QTreeWidget::itemSelectionChanged, this, &StabilityDock::showState);
-    connect(&check_, &StabilityCheck::progressed, this, &StabilityDock::showProgress);
-    connect(&check_, &StabilityCheck::finished, this, &StabilityDock::showOutcome);
+    connect(&check_, &BackgroundJob::progressed, this, &StabilityDock::showProgress);
+    connect(&check_, &BackgroundJob::finished, this, &StabilityDock::showState);
     connect(&document_, &Document::changed, this, &StabilityDock::showState);
     connect(&document_, &Document::currentChanged, this, &StabilityDock::showState);
     connect(&document_, &Document::catalogChanged, this, &StabilityDock::showState);
@@ -117,13 +118,18 @@ void StabilityDock::start() {
     list_->clear();
     remarks_->clear();
     progress_->setValue(0);
-    check_.start(blocks_.catalog(), checked_);
+    check_.start([this, catalog = blocks_.catalog(),
+                  material = checked_](BackgroundJob::Control& control) -> BackgroundJob::End {
+        const StabilityOutcome outcome = checkStability(*catalog, material, control);
+        control.show([this, outcome] { showOutcome(outcome); });
+        return {outcome.complete, {}};
+    });
     showState();
 }
 
-void StabilityDock::showProgress(double share, qulonglong cases) {
+void StabilityDock::showProgress(double share, const QString& cases) {
     progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
-    verdictLabel_->setText(tr("%1 cases").arg(grouped(cases)));
+    verdictLabel_->setText(cases);
 }
 
 void StabilityDock::showOutcome(const StabilityOutcome& outcome) {
@@ -166,10 +172,10 @@ void StabilityDock::showState() {
         return;
     }
     const bool stale = !verdict_.isEmpty() && isStale();
-    verdictLabel_->setText(verdict_.isEmpty() ? tr("Not checked yet.")
-                           : stale ? tr("%1. Out of date: the material has changed since.")
-                                         .arg(verdict_)
-                                   : tr("%1.").arg(verdict_));
+    verdictLabel_->setText(
+        verdict_.isEmpty() ? tr("Not checked yet.")
+        : stale            ? tr("%1. Out of date: the material has changed since.").arg(verdict_)
+                           : tr("%1.").arg(verdict_));
     list_->setEnabled(!stale);
 }
 

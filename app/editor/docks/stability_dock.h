@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-
 #include <QWidget>
 
-#include "check/read_blocks.h"
-#include "check/stability_check.h"
 #include "docks/dock_context.h"
+#include "docks/stability_outcome.h"
+#include "library/read_blocks.h"
+#include "window/background_job.h"
 
 class QLabel;
 class QProgressBar;
@@ -31,12 +31,11 @@ class StabilityDock : public QWidget {
     void showOutcome(const StabilityOutcome& outcome);
     void fill(const StabilityOutcome& outcome);
     void showState();
-    void showProgress(double share, qulonglong cases);
+    void showProgress(double share, const QString& cases);
     bool isStale() const;
     void copyLine() const;
 
     Document& document_;
-    StabilityCheck check_;
     KnownBlocks blocks_; ///< of what was checked
     Material checked_;
     QString verdict_; ///< of the last check; empty: there was none
@@ -47,6 +46,7 @@ class StabilityDock : public QWidget {
     QLabel* verdictLabel_;
     QLabel* remarks_;
     QTreeWidget* list_;
+    BackgroundJob check_; ///< the last: it ends before what it tells
 };
 
 } // namespace patina

@@ -3,55 +3,59 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
-#include "free_memory.h"
 #include "gl/headless_context.h"
+#include "shading/block_gate.h"
 #include "shading/block_trial.h"
-#include "shading/program_cache.h"
+#include "window/free_memory.h"
 
 namespace patina {
 
-/// A context that is made when the first program is compiled in it.
-class BlockTrials::Compiler {
-  public:
-    Errors mistakesIn(const ProgramSource& source) {
-        if (!tried_) {
-            tried_ = true;
-            context_ = gl::HeadlessContext::create().value_or(nullptr);
-        }
-        if (!context_) {
-            return {}; // the view says why nothing is drawn on this machine
-        }
-        const auto program = compileProgram(source);
-        return program ? Errors() : program.error();
-    }
-
-    bool wasUsed() const { return tried_; }
-
-  private:
-    bool tried_ = false;
-    std::unique_ptr<gl::HeadlessContext> context_;
-};
-
 namespace {
 
-void addNew(Errors& errors, const Errors& more) {
-    for (const Error& error : more) {
-        if (std::find(errors.begin(), errors.end(), error) == errors.end()) {
-            errors.push_back(error);
+void addNew(std::vector<StrangerBlock>& blocks, const std::vector<StrangerBlock>& more) {
+    for (const StrangerBlock& block : more) {
+        if (std::find(blocks.begin(), blocks.end(), block) == blocks.end()) {
+            blocks.push_back(block);
         }
     }
 }
 
 } // namespace
 
+/// The user's blocks as they stand in programs, and what their texts alone show to be wrong.
+class BlockTrials::Wanted {
+  public:
+    void add(const Checked<ProgramSource>& source) {
+        if (!source) {
+            addNew(mistakes, source.error());
+            return;
+        }
+        addNew(blocks, source->vertex.strangers);
+        addNew(blocks, source->fragment.strangers);
+        if (source->geometry) {
+            addNew(blocks, source->geometry->strangers);
+        }
+    }
+
+    std::vector<StrangerBlock> blocks;
+    Errors mistakes;
+};
+
 BlockTrials::BlockTrials(QObject* parent) : QObject(parent) {
     thread_.setMaxThreadCount(1);
     thread_.setExpiryTimeout(100);
+    if (blockGate()) {
+        blockGate()->resume();
+    }
 }
 
 BlockTrials::~BlockTrials() {
     ++wished_;
+    if (blockGate()) {
+        blockGate()->stop();
+    }
     thread_.waitForDone();
 }
 
@@ -74,30 +78,43 @@ void BlockTrials::run(std::shared_ptr<const Catalog> catalog) {
     });
 }
 
-/// Of nothing any more once another run is wished.
-Errors BlockTrials::mistakesIn(const Catalog& catalog, quint64 number) {
-    Errors mistakes;
-    auto compiler = std::make_unique<Compiler>();
-    for (const Block& block : catalog.blocks) {
-        if (!block.shipped && wished_ == number) {
-            addNew(mistakes, mistakesIn(trialProgram(block, catalog), *compiler));
+void BlockTrials::tellBegun(const QStringList& names, quint64 number) {
+    const auto tell = [this, number, names] {
+        if (wished_ == number) {
+            Q_EMIT begun(names);
         }
-    }
-    if (compiler->wasUsed()) {
-        compiler.reset();
-        returnFreeMemory();
-    }
-    return mistakes;
+    };
+    QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
 }
 
-Errors BlockTrials::mistakesIn(const Checked<ProgramSource>& source, Compiler& compiler) {
-    if (!source) {
-        return source.error();
+/// Says nothing more once another run is wished.
+Errors BlockTrials::mistakesIn(const Catalog& catalog, quint64 number) {
+    Wanted wanted;
+    for (const Block& block : catalog.blocks) {
+        if (!block.shipped && wished_ == number) {
+            wanted.add(trialProgram(block, catalog));
+        }
     }
-    const std::string hash = source->hash();
-    const auto known = known_.find(hash);
-    return known != known_.end() ? known->second
-                                 : known_.emplace(hash, compiler.mistakesIn(*source)).first->second;
+    if (!blockGate() || wanted.blocks.empty() || wished_ != number) {
+        return wanted.mistakes;
+    }
+    auto context = gl::HeadlessContext::create().value_or(nullptr);
+    if (!context) {
+        return wanted.mistakes; // the view says why nothing is drawn on this machine
+    }
+    QStringList names;
+    for (const StrangerBlock& block : wanted.blocks) {
+        if (!blockGate()->ask(std::span(&block, 1), false).isFinal) {
+            names << QString::fromStdString(block.id);
+        }
+    }
+    if (!names.isEmpty()) {
+        tellBegun(names, number);
+    }
+    addNew(wanted.mistakes, blockGate()->ask(wanted.blocks, true).mistakes);
+    context.reset();
+    returnFreeMemory();
+    return wanted.mistakes;
 }
 
 } // namespace patina

@@ -2,44 +2,45 @@
 #pragma once
 
 #include <atomic>
-#include <map>
 #include <memory>
-#include <string>
 
 #include <QObject>
+#include <QStringList>
 #include <QThreadPool>
 
 #include "catalog/catalog.h"
-#include "shading/program_source.h"
+#include "core/error.h"
 
 namespace patina {
 
-/// Compiles the user's blocks in a thread with a context of its own, so that a mistake is told when
-/// it is made and not first when the block is chosen. What was compiled once is not again.
+/// Has the user's blocks tried in the background (see BlockGate), so that a mistake is told when it
+/// is made and not first when the block is chosen.
 class BlockTrials : public QObject {
     Q_OBJECT
 
   public:
     explicit BlockTrials(QObject* parent = nullptr);
 
-    /// Waits for the block that it works on.
+    /// Ends the trial that it waits for.
     ~BlockTrials() override;
 
     /// finished() follows, unless another run is wished meanwhile.
     void run(std::shared_ptr<const Catalog> catalog);
 
   Q_SIGNALS:
+    /// These were never tried before; until finished() nothing is drawn with them.
+    void begun(const QStringList& names);
+
     /// All mistakes in the user's shaders, at their files' own lines.
     void finished(const patina::Errors& mistakes);
 
   private:
-    class Compiler;
+    class Wanted;
 
     Errors mistakesIn(const Catalog& catalog, quint64 number);
-    Errors mistakesIn(const Checked<ProgramSource>& source, Compiler& compiler);
+    void tellBegun(const QStringList& names, quint64 number);
 
-    std::map<std::string, Errors> known_; ///< by the hash of the program; the thread's
-    std::atomic<quint64> wished_ = 0;     ///< the number of the last run
+    std::atomic<quint64> wished_ = 0; ///< the number of the last run
     QThreadPool thread_;
 };
 

@@ -2,7 +2,6 @@
 #include "library/preset_library.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include <QDir>
@@ -10,7 +9,7 @@
 #include <QFileInfo>
 
 #include "material/preset_file.h"
-#include "session.h"
+#include "window/session.h"
 
 namespace patina {
 namespace {
@@ -72,8 +71,6 @@ QStringList pathsBelow(const std::filesystem::path& top) {
 
 PresetLibrary::PresetLibrary(std::shared_ptr<const Catalog> catalog, QObject* parent)
     : QObject(parent), catalog_(std::move(catalog)) {
-    worker_.setMaxThreadCount(1);
-    worker_.setExpiryTimeout(1000);
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     connect(&settle_, &QTimer::timeout, this, &PresetLibrary::scan);

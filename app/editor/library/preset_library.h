@@ -7,11 +7,11 @@
 
 #include <QFileSystemWatcher>
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 
 #include "catalog/catalog.h"
 #include "material/material.h"
+#include "window/single_thread.h"
 
 namespace patina {
 
@@ -57,7 +57,7 @@ class PresetLibrary : public QObject {
     bool isRead_ = false;
     std::unique_ptr<QFileSystemWatcher> watcher_;
     QTimer settle_;
-    QThreadPool worker_;
+    SingleThread worker_{1000};
 };
 
 } // namespace patina

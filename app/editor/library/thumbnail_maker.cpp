@@ -12,13 +12,13 @@
 #include <QSaveFile>
 #include <QThread>
 
-#include "free_memory.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
+#include "render/gpu/texture_loader.h"
 #include "render/renderer.h"
-#include "render/texture_loader.h"
 #include "scene/primitives.h"
 #include "scene/scene_file.h"
+#include "window/free_memory.h"
 
 namespace patina {
 namespace {
@@ -144,16 +144,13 @@ void keep(const QImage& picture, const QString& file) {
 ThumbnailMaker::ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,
                                QObject* parent)
     : QObject(parent), folders_(std::move(folders)), catalog_(std::move(catalog)) {
-    worker_.setMaxThreadCount(1);
-    worker_.setExpiryTimeout(100);
+    worker_.setPriority(QThread::IdlePriority);
+    connect(&worker_, &BackgroundJob::finished, this, &ThumbnailMaker::wake);
 }
 
 ThumbnailMaker::~ThumbnailMaker() {
-    {
-        const std::lock_guard lock(mutex_);
-        jobs_.clear();
-    }
-    worker_.waitForDone();
+    const std::lock_guard lock(mutex_);
+    jobs_.clear();
 }
 
 void ThumbnailMaker::start() {
@@ -175,16 +172,17 @@ void ThumbnailMaker::ask(const QString& name, const Material& material) {
 
 void ThumbnailMaker::wake() {
     const std::lock_guard lock(mutex_);
-    if (started_ && !working_ && !jobs_.empty()) {
-        working_ = true;
-        worker_.start([this] { work(); });
+    if (started_ && !jobs_.empty()) {
+        worker_.start([this](BackgroundJob::Control&) {
+            work();
+            return endOf(true, {});
+        });
     }
 }
 
 bool ThumbnailMaker::next(Job& job) {
     const std::lock_guard lock(mutex_);
     if (jobs_.empty()) {
-        working_ = false;
         return false;
     }
     job = std::move(jobs_.front());
@@ -193,7 +191,6 @@ bool ThumbnailMaker::next(Job& job) {
 }
 
 void ThumbnailMaker::work() {
-    QThread::currentThread()->setPriority(QThread::IdlePriority);
     std::unique_ptr<Studio> studio;
     bool broken = false;
     for (Job job; next(job);) {

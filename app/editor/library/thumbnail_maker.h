@@ -9,10 +9,10 @@
 #include <QImage>
 #include <QObject>
 #include <QSet>
-#include <QThreadPool>
 
 #include "catalog/catalog.h"
 #include "material/material.h"
+#include "window/background_job.h"
 
 namespace patina {
 
@@ -60,10 +60,9 @@ class ThumbnailMaker : public QObject {
     Folders folders_;
     std::shared_ptr<const Catalog> catalog_;
     bool started_ = false;
-    std::mutex mutex_; ///< guards the two below, which the worker shares
+    std::mutex mutex_; ///< guards what is below, which the worker shares
     std::deque<Job> jobs_;
-    bool working_ = false;
-    QThreadPool worker_;
+    BackgroundJob worker_; ///< the last: it ends before what it uses
 };
 
 } // namespace patina

@@ -4,7 +4,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 
-#include "parameters/value_text.h"
+#include "parameters/clipboard_value.h"
 
 namespace patina {
 

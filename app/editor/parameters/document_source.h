@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document.h"
+#include "document/document.h"
 #include "parameters/parameter_source.h"
 
 namespace patina {
@@ -17,7 +17,7 @@ class DocumentSource : public ParameterSource {
     void setValue(std::string_view parameterId, const Value& value) override {
         document_.setValue(path_, parameterId, value);
     }
-    void foresee(std::string_view parameterId) override { document_.foresee(path_, parameterId); }
+    void prewarm(std::string_view parameterId) override { document_.prewarm(path_, parameterId); }
     int beginInteraction(std::string_view parameterId) override {
         return document_.beginInteraction(path_, parameterId);
     }

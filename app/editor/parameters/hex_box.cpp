@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/hex_box.h"
 
-#include "parameters/value_text.h"
+#include "parameters/clipboard_value.h"
 
 namespace patina {
 

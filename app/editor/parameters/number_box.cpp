@@ -10,14 +10,14 @@
 #include "core/number_text.h"
 #include "parameters/number_expression.h"
 #include "parameters/number_format.h"
-#include "short_text.h"
+#include "text/short_text.h"
 
 namespace patina {
 
 namespace {
 
 /// Letters of a unit; more would leave no room for the number.
-constexpr int mostUnit = 6;
+constexpr int maxUnit = 6;
 
 const QColor wrong(196, 64, 48); // readable on light and dark
 
@@ -25,7 +25,7 @@ const QColor wrong(196, 64, 48); // readable on light and dark
 
 NumberBox::NumberBox(int decimals, const QString& unit, QWidget* parent)
     : ValueBox(parent), decimals_(decimals), unit_(unit),
-      shown_(shortened(QString::fromStdString(shownUnit(unit.toStdString())), mostUnit)) {
+      shown_(shortened(QString::fromStdString(shownUnit(unit.toStdString())), maxUnit)) {
     setMaxLength(64);
     updateMargins();
     connect(this, &QLineEdit::textEdited, this, &NumberBox::markWhetherValid);

@@ -37,7 +37,7 @@ ParameterForm::ParameterForm(QWidget* parent)
     approach_.setInterval(restMs);
     connect(&approach_, &QTimer::timeout, this, [this] {
         if (row(approached_)) {
-            source_->foresee(approached_);
+            source_->prewarm(approached_);
         }
     });
 }

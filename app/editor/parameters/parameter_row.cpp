@@ -13,12 +13,12 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "parameters/clipboard_value.h"
 #include "parameters/editor_factory.h"
 #include "parameters/parameter_text.h"
 #include "parameters/reset_mark.h"
 #include "parameters/scrub_label.h"
 #include "parameters/texture_line.h"
-#include "parameters/value_text.h"
 #include "parameters/warning_mark.h"
 
 namespace patina {

@@ -36,7 +36,6 @@ class ParameterRow : public QWidget {
     /// The line of the value's image; null while the row was not told that it takes one.
     TextureLine* textureLine() const { return textureLine_; }
     TextureLine* makeTextureLine();
-    bool isCounting() const { return isCounting_; }
     bool isFolded() const;
     bool isChanged() const { return isChanged_; }
 

@@ -28,7 +28,7 @@ class ParameterSource {
     virtual void setValue(std::string_view parameterId, const Value& value) = 0;
 
     /// The value may be changed soon.
-    virtual void foresee(std::string_view /*parameterId*/) {}
+    virtual void prewarm(std::string_view /*parameterId*/) {}
 
     /// Edits between these are one undo step, and drag this value; see Document.
     virtual int beginInteraction(std::string_view parameterId) = 0;

@@ -8,8 +8,8 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "parameters/clipboard_value.h"
 #include "parameters/number_format.h"
-#include "parameters/value_text.h"
 
 namespace patina {
 

@@ -8,7 +8,7 @@
 #include <QMimeData>
 #include <QToolButton>
 
-#include "session.h"
+#include "window/session.h"
 
 namespace patina {
 namespace {

@@ -21,7 +21,6 @@ class TextureLine : public QWidget {
     void present(const std::optional<TextureUse>& use, const TexturePreview& preview);
     bool isBound() const { return isBound_; }
 
-    QToolButton* chooseButton() const { return choose_; }
     QToolButton* settingsButton() const { return settings_; }
     QToolButton* removeButton() const { return remove_; }
     QToolButton* allowButton() const { return allow_; }

@@ -27,10 +27,8 @@ class CompareArea : public QSplitter {
     DifferenceView* difference() { return difference_; } ///< null until it was needed once
 
     /// C is shown beside A and B, while the document compares.
-    bool isDifferenceWanted() const { return wantsDifference_; }
     void setDifferenceWanted(bool wanted);
 
-    bool areCamerasLinked() const { return linked_; }
     void setCamerasLinked(bool linked);
 
     /// Both views show the numerical check instead of the picture.

@@ -11,7 +11,7 @@
 #include <QPainter>
 #include <QSlider>
 
-#include "number_text.h"
+#include "text/display_number.h"
 #include "viewport/mesh_snapshot.h"
 #include "viewport/texture_library.h"
 
@@ -22,7 +22,7 @@ constexpr int restMs = 60;
 constexpr int stepsPerDecade = 20; ///< of the gain
 constexpr double usualGain = 10.0;
 constexpr int longestEdge = 1024;  ///< pixels; what is shown larger is stretched
-constexpr QSize leastSize{160, 120};
+constexpr QSize minSize{160, 120};
 
 int stepOf(double gain) {
     return static_cast<int>(std::lround(stepsPerDecade * std::log10(gain)));
@@ -41,7 +41,7 @@ DifferenceView::DifferenceView(const ViewSources& sources, const Viewport& first
       worker_(std::move(programCache)), head_(new QWidget(this)), title_(new QLabel(head_)),
       mode_(new QComboBox(head_)), slider_(new QSlider(Qt::Horizontal, head_)),
       number_(new QLabel(head_)) {
-    setMinimumSize(leastSize);
+    setMinimumSize(minSize);
     setAccessibleName(tr("View C: the difference of A and B"));
     settle_.setSingleShot(true);
     settle_.setInterval(restMs);
@@ -64,12 +64,12 @@ void DifferenceView::layOut() {
                        Qt::ToolTipRole);
     mode_->setAccessibleName(tr("What C shows"));
     mode_->setMinimumContentsLength(5);
-    slider_->setRange(0, stepOf(mostGain));
+    slider_->setRange(0, stepOf(maxGain));
     slider_->setPageStep(stepsPerDecade);
     slider_->setMinimumWidth(40);
     slider_->setAccessibleName(tr("Gain of the difference"));
     slider_->setToolTip(tr("The difference is shown so many times brighter"));
-    number_->setMinimumWidth(fontMetrics().horizontalAdvance(gainText(mostGain)));
+    number_->setMinimumWidth(fontMetrics().horizontalAdvance(gainText(maxGain)));
     auto* row = new QHBoxLayout(head_);
     row->setContentsMargins(4, 1, 6, 1);
     row->setSpacing(6);
@@ -117,7 +117,7 @@ double DifferenceView::gain() const {
 }
 
 void DifferenceView::setGain(double gain) {
-    slider_->setValue(stepOf(std::clamp(gain, 1.0, mostGain)));
+    slider_->setValue(stepOf(std::clamp(gain, 1.0, maxGain)));
 }
 
 bool DifferenceView::isUpToDate() const {

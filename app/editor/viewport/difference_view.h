@@ -31,8 +31,8 @@ class DifferenceView : public QFrame {
     Mode mode() const;
     void setMode(Mode mode);
 
-    static constexpr double mostGain = 1000.0;
-    double gain() const; ///< 1 .. mostGain
+    static constexpr double maxGain = 1000.0;
+    double gain() const; ///< 1 .. maxGain
     void setGain(double gain);
 
     /// What is shown, as it was measured; null before that.

@@ -5,9 +5,9 @@
 #include <functional>
 #include <utility>
 
-#include "free_memory.h"
 #include "gl/headless_context.h"
 #include "scene/environment.h"
+#include "window/free_memory.h"
 
 namespace patina {
 namespace {
@@ -113,9 +113,8 @@ class DifferenceWorker::Workshop {
 
 DifferenceWorker::DifferenceWorker(std::filesystem::path programCache, QObject* parent)
     : QObject(parent), programCache_(std::move(programCache)) {
-    thread_.setMaxThreadCount(1);
-    thread_.setExpiryTimeout(100);
-    thread_.setThreadPriority(QThread::LowPriority); // the views come first
+    worker_.setPriority(QThread::LowPriority); // the views come first
+    connect(&worker_, &BackgroundJob::finished, this, &DifferenceWorker::wake);
 }
 
 DifferenceWorker::~DifferenceWorker() {
@@ -124,16 +123,25 @@ DifferenceWorker::~DifferenceWorker() {
         isEnding_ = true;
     }
     news_.notify_all();
-    thread_.waitForDone();
 }
 
 void DifferenceWorker::ask(Request request) {
-    const std::lock_guard lock(mutex_);
-    job_ = Job{++asked_, std::move(request)};
-    if (!std::exchange(isWorking_, true)) {
-        thread_.start([this] { work(); });
+    {
+        const std::lock_guard lock(mutex_);
+        job_ = Job{++asked_, std::move(request)};
     }
     news_.notify_all();
+    wake();
+}
+
+void DifferenceWorker::wake() {
+    const std::lock_guard lock(mutex_);
+    if (job_) {
+        worker_.start([this](BackgroundJob::Control&) {
+            work();
+            return endOf(true, {});
+        });
+    }
 }
 
 void DifferenceWorker::hurry() {
@@ -146,7 +154,6 @@ std::optional<DifferenceWorker::Job> DifferenceWorker::next() {
     std::unique_lock lock(mutex_);
     news_.wait_for(lock, patience, [this] { return isEnding_ || job_; });
     if (isEnding_ || !job_) {
-        isWorking_ = false;
         return std::nullopt;
     }
     isHurried_ = false;
@@ -164,8 +171,8 @@ void DifferenceWorker::work() {
                             return isHurried_;
                         }};
     while (const std::optional<Job> job = next()) {
-        answer(job->number, shop ? (*shop)->draw(job->request, course)
-                                 : tl::unexpected(shop.error()));
+        answer(job->number,
+               shop ? (*shop)->draw(job->request, course) : tl::unexpected(shop.error()));
     }
     if (shop) {
         shop->reset();

@@ -8,10 +8,10 @@
 #include <optional>
 
 #include <QObject>
-#include <QThreadPool>
 
-#include "measure/frame_difference.h"
+#include "measure/error/frame_difference.h"
 #include "render/renderer.h"
+#include "window/background_job.h"
 
 namespace patina {
 
@@ -63,6 +63,7 @@ class DifferenceWorker : public QObject {
         Request request;
     };
 
+    void wake();
     void work();
     std::optional<Job> next();
     void answer(quint64 number, const Result<FrameDifference>& difference);
@@ -72,11 +73,10 @@ class DifferenceWorker : public QObject {
     quint64 answered_ = 0;
     std::mutex mutex_; ///< guards the four below, which the thread shares
     std::optional<Job> job_;
-    bool isWorking_ = false;
     bool isEnding_ = false;
     bool isHurried_ = false;
     std::condition_variable news_;
-    QThreadPool thread_;
+    BackgroundJob worker_; ///< the last: it ends before what it uses
 };
 
 } // namespace patina

@@ -5,10 +5,7 @@
 
 namespace patina {
 
-EnvironmentLibrary::EnvironmentLibrary(QObject* parent) : QObject(parent) {
-    worker_.setMaxThreadCount(1);
-    worker_.setExpiryTimeout(1000);
-}
+EnvironmentLibrary::EnvironmentLibrary(QObject* parent) : QObject(parent) {}
 
 EnvironmentLibrary::~EnvironmentLibrary() {
     cancel();
@@ -36,6 +33,11 @@ void EnvironmentLibrary::cancel() {
     }
 }
 
+void EnvironmentLibrary::withhold(std::set<std::string, std::less<>> files) {
+    withheld_ = std::move(files);
+    forgetFailure();
+}
+
 void EnvironmentLibrary::forgetFailure() {
     if (std::exchange(hasFailed_, false)) {
         image_.reset();
@@ -46,8 +48,9 @@ void EnvironmentLibrary::load() {
     progress_ = std::make_shared<Progress>();
     // The destructor waits for the worker; the answer is queued to this object and dropped by Qt
     // when this object is gone.
-    worker_.start([this, progress = progress_, file = file_] {
+    worker_.start([this, progress = progress_, file = file_, withheld = withheld_] {
         AssetClient client;
+        client.withhold(withheld);
         const Answer answer =
             client.loadImage(file, progress.get()).map(EnvironmentImage::from);
         QMetaObject::invokeMethod(

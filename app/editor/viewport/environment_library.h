@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 
 #include <QObject>
-#include <QThreadPool>
 
 #include "assets/asset_client.h"
-#include "render/environment_image.h"
+#include "render/lights/environment_image.h"
+#include "window/single_thread.h"
 
 namespace patina {
 
@@ -33,6 +35,9 @@ class EnvironmentLibrary : public QObject {
     /// Whether the file was asked for last and could not be read.
     bool isMissing(std::string_view file) const { return hasFailed_ && file == file_; }
 
+    /// Files that are not read from now on; those that were and are no more are tried again.
+    void withhold(std::set<std::string, std::less<>> files);
+
     /// Gives up on what is loading.
     void cancel();
 
@@ -50,11 +55,12 @@ class EnvironmentLibrary : public QObject {
     void load();
     void finish(const std::shared_ptr<Progress>& progress, const Answer& answer);
 
+    std::set<std::string, std::less<>> withheld_;
     std::string file_;
     std::shared_ptr<const EnvironmentImage> image_;
     std::shared_ptr<Progress> progress_; ///< of the reading that counts
     bool hasFailed_ = false;
-    QThreadPool worker_;
+    SingleThread worker_{1000};
 };
 
 } // namespace patina

@@ -13,7 +13,7 @@ namespace {
 constexpr QSize swatchSize{34, 16};
 
 /// Lights beyond these are only counted, so that the panel stays in the view.
-constexpr std::size_t mostLights = 8;
+constexpr std::size_t maxLights = 8;
 
 struct Shades {
     QColor light;
@@ -80,7 +80,7 @@ QString lightName(const Scene& scene, std::size_t index) {
 
 QString lightRows(const PixelProbe& probe, const Scene& scene) {
     QString text;
-    const std::size_t shown = std::min(probe.lights.size(), mostLights);
+    const std::size_t shown = std::min(probe.lights.size(), maxLights);
     for (std::size_t i = 0; i < shown; ++i) {
         const LightShare& share = probe.lights[i];
         text += row(lightName(scene, share.light), share.value,
@@ -105,12 +105,12 @@ QString probeText(const PixelProbe& probe, const Scene& scene) {
     if (probe.ambient) {
         text += row(tr("Ambient"), *probe.ambient);
     }
-    if (probe.emission) {
-        text += row(tr("Glow"), *probe.emission);
-    }
     if (probe.blended) {
         text += row(tr("After Fresnel"), probe.blended->value,
                     tr("reflects %1").arg(number(probe.blended->share)));
+    }
+    if (probe.emission) {
+        text += row(tr("Glow"), *probe.emission);
     }
     if (probe.fogged) {
         text += row(tr("After fog"), probe.fogged->value,

@@ -5,7 +5,7 @@
 
 #include <QFrame>
 
-#include "render/pixel_probe.h"
+#include "render/surfaces/pixel_probe.h"
 #include "scene/scene.h"
 
 class QLabel;

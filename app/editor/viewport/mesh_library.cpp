@@ -2,7 +2,6 @@
 #include "viewport/mesh_library.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include <QPointer>
@@ -18,10 +17,7 @@ constexpr int progressIntervalMs = 100;
 
 } // namespace
 
-MeshLibrary::MeshLibrary(QObject* parent) : QObject(parent) {
-    worker_.setMaxThreadCount(1);
-    worker_.setExpiryTimeout(1000);
-}
+MeshLibrary::MeshLibrary(QObject* parent) : QObject(parent) {}
 
 MeshLibrary::~MeshLibrary() {
     cancelAll();
@@ -30,7 +26,7 @@ MeshLibrary::~MeshLibrary() {
 }
 
 MeshView MeshLibrary::view(const Object& object) {
-    const Key key = keyOf(object);
+    const MeshKey key = meshKey(object);
     if (builtinName(key.mesh)) {
         if (!builtins_.contains(key)) {
             makeBuiltin(key);
@@ -47,13 +43,13 @@ MeshView MeshLibrary::view(const Object& object) {
 }
 
 PickMesh MeshLibrary::pickMesh(const Object& object) {
-    const auto found = files_.find(keyOf(object));
+    const auto found = files_.find(meshKey(object));
     return found == files_.end() ? PickMesh(view(object))
                                  : PickMesh(found->second->mesh->view(), found->second->runs);
 }
 
 bool MeshLibrary::has(const Object& object) const {
-    const Key key = keyOf(object);
+    const MeshKey key = meshKey(object);
     return files_.contains(key) || builtins_.contains(key);
 }
 
@@ -70,7 +66,7 @@ void MeshLibrary::cancelAll() {
 void MeshLibrary::cancelAllBut(const Scene& scene) {
     for (const auto& [key, progress] : loading_) {
         const auto isOfKey = [&wanted = key](const Object& object) {
-            return keyOf(object) == wanted;
+            return meshKey(object) == wanted;
         };
         if (std::ranges::none_of(scene.objects, isOfKey)) {
             progress->cancelled = true;
@@ -78,15 +74,16 @@ void MeshLibrary::cancelAllBut(const Scene& scene) {
     }
 }
 
+void MeshLibrary::withhold(const std::set<std::string, std::less<>>& files) {
+    client().withhold(files);
+    forgetFailures();
+}
+
 void MeshLibrary::forgetFailures() {
     failures_.clear();
 }
 
-MeshLibrary::Key MeshLibrary::keyOf(const Object& object) {
-    return {object.mesh, object.fitUnitBox, object.flipNormals};
-}
-
-void MeshLibrary::makeBuiltin(const Key& key) {
+void MeshLibrary::makeBuiltin(const MeshKey& key) {
     Mesh& mesh = builtins_[key];
     Object object;
     object.mesh = key.mesh;
@@ -100,7 +97,7 @@ void MeshLibrary::makeBuiltin(const Key& key) {
     mesh = std::move(*made);
 }
 
-void MeshLibrary::load(const Key& key) {
+void MeshLibrary::load(const MeshKey& key) {
     auto progress = std::make_shared<Progress>();
     const bool first = loading_.empty();
     loading_[key] = progress;
@@ -118,7 +115,7 @@ void MeshLibrary::load(const Key& key) {
 }
 
 /// In the worker's thread.
-MeshLibrary::Answer MeshLibrary::read(AssetClient& client, const Key& key, Progress& progress) {
+MeshLibrary::Answer MeshLibrary::read(AssetClient& client, const MeshKey& key, Progress& progress) {
     const MeshRequest request{key.mesh, key.fitUnitBox, key.flipNormals, 1.0};
     return client.loadMesh(request, &progress).map([](std::shared_ptr<const SharedMesh> mesh) {
         std::vector<Bounds> runs = runBoundsOf(mesh->view());
@@ -126,7 +123,7 @@ MeshLibrary::Answer MeshLibrary::read(AssetClient& client, const Key& key, Progr
     });
 }
 
-void MeshLibrary::finish(const Key& key, const Answer& answer) {
+void MeshLibrary::finish(const MeshKey& key, const Answer& answer) {
     loading_.erase(key);
     const QString file = QString::fromStdString(key.mesh);
     if (answer) {

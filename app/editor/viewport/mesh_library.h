@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <QObject>
-#include <QThreadPool>
 
 #include "assets/asset_client.h"
 #include "core/error.h"
+#include "scene/mesh_key.h"
 #include "scene/scene.h"
+#include "window/single_thread.h"
 #include "viewport/pick_mesh.h"
 
 namespace patina {
@@ -48,25 +47,20 @@ class MeshLibrary : public QObject {
     /// The files process, for whoever else has files to read.
     AssetClient& client();
 
+    /// Files that are not read from now on; those that were and are no more are tried again.
+    void withhold(const std::set<std::string, std::less<>>& files);
+
     /// Forgets failures, so that the next view() tries again.
     void forgetFailures();
 
   Q_SIGNALS:
     void loadingStarted(QString file);
     void progressed(QString file, float share);
-    void loaded(QString file);                  ///< its triangles are there
-    void remarked(patina::Error remark);        ///< what had to be left out of a mesh that is there
+    void loaded(QString file);           ///< its triangles are there
+    void remarked(patina::Error remark); ///< what had to be left out of a mesh that is there
     void failed(QString file, patina::Error why); ///< also when it was cancelled
 
   private:
-    /// What makes one mesh differ from another.
-    struct Key {
-        std::string mesh;
-        bool fitUnitBox = false;
-        bool flipNormals = false;
-
-        friend auto operator<=>(const Key&, const Key&) = default;
-    };
     /// What a file gave, and what picking in it needs.
     struct Loaded {
         std::shared_ptr<const SharedMesh> mesh;
@@ -74,19 +68,18 @@ class MeshLibrary : public QObject {
     };
     using Answer = Result<std::shared_ptr<const Loaded>>;
 
-    static Key keyOf(const Object& object);
-    static Answer read(AssetClient& client, const Key& key, Progress& progress);
-    void makeBuiltin(const Key& key);
-    void load(const Key& key);
-    void finish(const Key& key, const Answer& answer);
+    static Answer read(AssetClient& client, const MeshKey& key, Progress& progress);
+    void makeBuiltin(const MeshKey& key);
+    void load(const MeshKey& key);
+    void finish(const MeshKey& key, const Answer& answer);
     void reportProgress();
 
     std::unique_ptr<AssetClient> client_;
-    std::map<Key, Mesh> builtins_;
-    std::map<Key, std::shared_ptr<const Loaded>> files_;
-    std::map<Key, std::shared_ptr<Progress>> loading_;
-    std::map<Key, Error> failures_;
-    QThreadPool worker_;
+    std::map<MeshKey, Mesh> builtins_;
+    std::map<MeshKey, std::shared_ptr<const Loaded>> files_;
+    std::map<MeshKey, std::shared_ptr<Progress>> loading_;
+    std::map<MeshKey, Error> failures_;
+    SingleThread worker_{1000};
 };
 
 } // namespace patina

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "free_memory.h"
 #include "gl/headless_context.h"
-#include "render/stand_in_size.h"
+#include "render/gpu/fallback_size.h"
+#include "window/free_memory.h"
 
 namespace patina {
 namespace {
@@ -14,9 +14,9 @@ namespace {
 /// The longer side of the picture that nothing is drawn into.
 constexpr int side = 16;
 
-/// A stand-in with the same box: programs do not depend on triangles, but what is left out of them
+/// A fallback with the same box: programs do not depend on triangles, but what is left out of them
 /// does on where things are.
-Mesh standInFor(const Bounds& bounds, int triangles) {
+Mesh fallbackFor(const Bounds& bounds, int triangles) {
     Mesh mesh;
     mesh.bounds = bounds;
     mesh.vertices.resize(3);
@@ -33,8 +33,8 @@ Mesh standInFor(const Bounds& bounds, int triangles) {
 glm::ivec2 smallSizeFor(const ProgramWorker::Frame& frame) {
     const glm::ivec2 size = frame.view.size;
     const double shrinking = double(side) / std::max(size.x, size.y);
-    return standInSize(size, glm::ivec2(glm::dvec2(size) * shrinking),
-                       frame.scene.accuracy.scale());
+    return fallbackSize(size, glm::ivec2(glm::dvec2(size) * shrinking),
+                        frame.scene.accuracy.scale());
 }
 
 /// What there is more triangles than pixels of is drawn into another kind of buffer, for which
@@ -75,11 +75,11 @@ class Workshop {
         const int triangles = trianglesFor(frame, view.size);
         std::vector<Mesh> meshes;
         for (const Bounds& bounds : frame.meshes) {
-            meshes.push_back(bounds.empty() ? Mesh() : standInFor(bounds, triangles));
+            meshes.push_back(bounds.empty() ? Mesh() : fallbackFor(bounds, triangles));
         }
         view.effects = frame.effects ? &*frame.effects : nullptr;
         const Object* const first = frame.scene.objects.data();
-        renderer_->foresee(frame.scene, view, [&](const Object& object) {
+        renderer_->prewarm(frame.scene, view, [&](const Object& object) {
             return meshes[static_cast<std::size_t>(&object - first)].view();
         });
     }
@@ -93,32 +93,37 @@ class Workshop {
 
 ProgramWorker::ProgramWorker(std::filesystem::path programCache, QObject* parent)
     : QObject(parent), programCache_(std::move(programCache)) {
-    thread_.setMaxThreadCount(1);
-    thread_.setExpiryTimeout(100);
+    connect(&worker_, &BackgroundJob::finished, this, &ProgramWorker::wake);
 }
 
 ProgramWorker::~ProgramWorker() {
-    {
-        const std::lock_guard lock(mutex_);
-        isEnding_ = true;
-    }
-    thread_.waitForDone();
+    const std::lock_guard lock(mutex_);
+    jobs_.clear();
 }
 
 quint64 ProgramWorker::ask(Frame frame) {
-    const std::lock_guard lock(mutex_);
-    jobs_.push_back({++asked_, std::move(frame)});
-    if (!std::exchange(isWorking_, true)) {
-        thread_.start([this] { work(); });
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back({++asked_, std::move(frame)});
     }
+    wake();
     return asked_;
+}
+
+void ProgramWorker::wake() {
+    const std::lock_guard lock(mutex_);
+    if (!jobs_.empty()) {
+        worker_.start([this](BackgroundJob::Control&) {
+            work();
+            return endOf(true, {});
+        });
+    }
 }
 
 /// The next frame, if there is one.
 std::optional<ProgramWorker::Job> ProgramWorker::next() {
     const std::lock_guard lock(mutex_);
-    if (isEnding_ || jobs_.empty()) {
-        isWorking_ = false;
+    if (jobs_.empty()) {
         return std::nullopt;
     }
     Job job = std::move(jobs_.front());

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include <QObject>
-#include <QThreadPool>
 
 #include "catalog/catalog.h"
 #include "core/mesh.h"
 #include "render/renderer.h"
+#include "window/background_job.h"
 
 namespace patina {
 
@@ -52,16 +52,15 @@ class ProgramWorker : public QObject {
         Frame frame;
     };
 
+    void wake();
     void work();
     std::optional<Job> next();
 
     std::filesystem::path programCache_;
     quint64 asked_ = 0;
-    std::mutex mutex_; ///< guards the three below, which the thread shares
+    std::mutex mutex_; ///< guards what is below, which the thread shares
     std::deque<Job> jobs_;
-    bool isWorking_ = false;
-    bool isEnding_ = false;
-    QThreadPool thread_;
+    BackgroundJob worker_; ///< the last: it ends before what it uses
 };
 
 } // namespace patina

@@ -7,7 +7,7 @@
 #include <QStringList>
 
 #include "material/blocks_in_use.h"
-#include "measure/choices.h"
+#include "measure/choice/choices.h"
 
 namespace patina {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "document.h"
+#include "document/document.h"
 
 namespace patina {
 

@@ -69,8 +69,8 @@ SideView::SideView(const ViewSources& sources, Side side,
     connect(&document_, &Document::changed, viewport_, &Viewport::refresh);
     connect(&document_, &Document::effectsChanged, viewport_, &Viewport::refresh);
     connect(&document_, &Document::imagesArrived, viewport_, &Viewport::refresh);
-    connect(&document_, &Document::effectsForeseen, this, [this](const DocumentState& state) {
-        viewport_->foresee(withoutEffects(shownScene(state, document_.currentObject(), side_),
+    connect(&document_, &Document::effectsPrewarmed, this, [this](const DocumentState& state) {
+        viewport_->prewarm(withoutEffects(shownScene(state, document_.currentObject(), side_),
                                           switches_.off(), document_.catalog()));
     });
     connect(&document_, &Document::changed, this, &SideView::updateTitle);

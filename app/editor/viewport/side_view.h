@@ -5,7 +5,7 @@
 
 #include <QFrame>
 
-#include "effect_switches.h"
+#include "docks/effect_switches.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/viewport.h"

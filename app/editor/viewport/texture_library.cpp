@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -57,10 +56,7 @@ QImage previewOf(const TexturePicture& picture) {
 } // namespace
 
 TextureLibrary::TextureLibrary(Client client, QObject* parent)
-    : QObject(parent), client_(std::move(client)) {
-    worker_.setMaxThreadCount(1);
-    worker_.setExpiryTimeout(1000);
-}
+    : QObject(parent), client_(std::move(client)) {}
 
 TextureLibrary::~TextureLibrary() {
     cancelAll();

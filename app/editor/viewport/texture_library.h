@@ -10,10 +10,10 @@
 
 #include <QImage>
 #include <QObject>
-#include <QThreadPool>
 
 #include "assets/asset_client.h"
-#include "render/texture_source.h"
+#include "render/gpu/texture_source.h"
+#include "window/single_thread.h"
 
 namespace patina {
 
@@ -89,7 +89,7 @@ class TextureLibrary : public QObject {
     std::map<Key, std::shared_ptr<Progress>, Less> loading_;
     Failures failures_;
     std::map<std::string, Known, std::less<>> known_;
-    QThreadPool worker_;
+    SingleThread worker_{1000};
 };
 
 } // namespace patina

@@ -13,7 +13,7 @@
 #include <QTimer>
 #include <QUrl>
 
-#include "render/stretched_picture.h"
+#include "render/gpu/stretched_picture.h"
 #include "viewport/program_worker.h"
 
 namespace patina {
@@ -30,8 +30,8 @@ Viewport::Viewport(Sources sources, QWidget* parent)
     setUpdateBehavior(PartialUpdate); // the last picture stays until there is another one
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, &Viewport::proceed);
-    foresight_.setSingleShot(true);
-    connect(&foresight_, &QTimer::timeout, this, &Viewport::makeForeseen);
+    prewarming_.setSingleShot(true);
+    connect(&prewarming_, &QTimer::timeout, this, &Viewport::makePrewarmed);
     if (sources_.programs) {
         connect(sources_.programs, &ProgramWorker::finished, this, &Viewport::takePrograms);
     }
@@ -182,7 +182,7 @@ View Viewport::view() const {
     view.effects = sources_.effects ? sources_.effects() : nullptr;
     view.environmentImage = sources_.environment ? sources_.environment() : nullptr;
     view.isContinued = isContinued_;
-    view.mostSamples = wantedSamples();
+    view.maxSamples = wantedSamples();
     return view;
 }
 

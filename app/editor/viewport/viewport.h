@@ -10,7 +10,7 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
-#include "measure/frame_timer.h"
+#include "measure/time/frame_timer.h"
 #include "parameters/color_source.h"
 #include "render/renderer.h"
 #include "viewport/camera_navigation.h"
@@ -60,7 +60,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
 
     /// A frame of this scene may be wanted soon: its programs are made when there is nothing else
     /// to do.
-    void foresee(const Scene& ahead);
+    void prewarm(const Scene& ahead);
 
     /// A frame is being drawn that takes several turns.
     bool isDrawing() const { return progress_ != Progress::Idle; }
@@ -85,7 +85,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     int waitCount() const { return waitCount_; }
 
     /// Programs that may be wanted soon are being made.
-    bool isForeseeing() const { return !foreseen_.empty(); }
+    bool isPrewarming() const { return !prewarmed_.empty(); }
     const FrameReport& report() const;
 
     /// The picture before exposure and tone mapping.
@@ -110,7 +110,6 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// Shows the numerical check in place of the picture, and reads the numbers of the pixel
     /// under the pointer.
     void setInspecting(bool on);
-    bool isInspecting() const { return inspecting_; }
 
     /// Finds out how frames are best timed here, which takes some milliseconds; a clock on the
     /// wall does until then.
@@ -168,7 +167,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// What a ProgramWorker was asked for.
     struct Order {
         quint64 number = 0; ///< 0: nothing, or it came
-        std::uint64_t lacked = 0;
+        std::uint64_t missing = 0;
     };
 
     void dropRenderer();
@@ -178,12 +177,12 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Image pictureOf(const Scene& scene, View wanted, bool display);
     void probeSoon();
     void probe();
-    void makeForeseen();
+    void makePrewarmed();
     bool waitsForPrograms();
     void takePrograms(quint64 number);
     void makeTargets();
     quint64 askFor(const Scene& scene, const View& view);
-    void prepareForeseen();
+    void preparePrewarmed();
     void watchForRest();
     void releaseWhenIdle();
     View view() const;
@@ -216,9 +215,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     bool sketching_ = false;             ///< that frame is a sketch
     QTimer turn_;                        ///< its next one
     Order ordered_;                      ///< for the next frame
-    std::vector<Scene> foreseen_;        ///< whose programs are still to be made
-    quint64 foreseenOrder_ = 0;          ///< of the last of them; 0: it was not asked for
-    QTimer foresight_;                   ///< one of them a turn
+    std::vector<Scene> prewarmed_;       ///< whose programs are still to be made
+    quint64 prewarmedOrder_ = 0;         ///< of the last of them; 0: it was not asked for
+    QTimer prewarming_;                  ///< one of them a turn
     QElapsedTimer sinceFrame_;
     QTimer idleTimer_;
     bool stale_ = true; ///< the picture is not of what would be drawn now

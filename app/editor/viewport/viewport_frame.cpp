@@ -9,7 +9,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
-#include "render/stretched_picture.h"
+#include "render/gpu/stretched_picture.h"
 
 namespace patina {
 namespace {
@@ -136,8 +136,8 @@ void Viewport::finishFrame() {
         Q_EMIT messagesDrawn(messages_);
     }
     probeSoon();
-    if (!foreseen_.empty()) {
-        foresight_.start(0);
+    if (!prewarmed_.empty()) {
+        prewarming_.start(0);
     }
     Q_EMIT frameDrawn();
     stale_ = stale_ || report.isWaiting;

@@ -4,7 +4,7 @@
 
 #include <QResizeEvent>
 
-#include "render/stretched_picture.h"
+#include "render/gpu/stretched_picture.h"
 #include "viewport/viewport.h"
 
 namespace patina {

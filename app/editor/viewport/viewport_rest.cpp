@@ -2,8 +2,8 @@
 // What a view gives back while nothing is drawn.
 #include <QApplication>
 
-#include "free_memory.h"
 #include "viewport/viewport.h"
+#include "window/free_memory.h"
 
 namespace patina {
 namespace {

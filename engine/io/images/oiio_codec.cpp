@@ -5,6 +5,8 @@
 #include <array>
 #include <cctype>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <OpenImageIO/filesystem.h>
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "core/color.h"
+#include "core/ordinary_file.h"
 
 namespace patina {
 namespace {
@@ -28,6 +31,27 @@ Error readError(const std::filesystem::path& file, std::string why) {
 std::string lowerCase(std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text;
+}
+
+/// The endings of movies, as "ffmpeg:avi,mov,..." between those of other formats.
+bool hasEndingOfAMovie(const std::filesystem::path& file) {
+    const std::string formats = fmt::format(";{};", OIIO::get_string_attribute("extension_list"));
+    const auto begin = formats.find(";ffmpeg:");
+    if (begin == std::string::npos || !file.has_extension()) {
+        return false;
+    }
+    const std::string ending = "," + lowerCase(file.extension().string().substr(1)) + ",";
+    const std::string endings = formats.substr(begin + 8, formats.find(';', begin + 1) - begin - 8);
+    return ("," + endings + ",").find(ending) != std::string::npos;
+}
+
+/// Lists of movies name other files, wherever they are, under whatever ending: whoever opens one
+/// follows it.
+bool isListOfMovies(std::string_view head) {
+    constexpr std::array<std::string_view, 5> heads{"#EXTM3U", "ffconcat", "<?xml", "<MPD",
+                                                    "[playlist]"};
+    return std::ranges::any_of(heads,
+                               [head](std::string_view each) { return head.starts_with(each); });
 }
 
 bool isIntegerFormat(const OIIO::ImageSpec& spec) {
@@ -143,6 +167,14 @@ Result<Image> OiioCodec::read(const std::filesystem::path& file) const {
 }
 
 Result<Image> OiioCodec::readNumbers(const std::filesystem::path& file, int& bits) const {
+    const auto opened = OrdinaryFile::open(file, maxAssetBytes);
+    const auto head = opened ? opened->start(16) : tl::unexpected(opened.error());
+    if (!head) {
+        return tl::unexpected(head.error());
+    }
+    if (hasEndingOfAMovie(file) || isListOfMovies(*head)) {
+        return tl::unexpected(readError(file, "is a movie, not an image"));
+    }
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(file.string(), &wishes);

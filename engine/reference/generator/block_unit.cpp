@@ -2,34 +2,15 @@
 #include "block_unit.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
 #include "catalog/parameter_layout.h"
 #include "catalog/table_source.h"
+#include "core/text.h"
 
 namespace patina {
 namespace {
-
-/// "CookTorrance", "diffuseColor", "v-cavity" -> COOK_TORRANCE, DIFFUSE_COLOR, V_CAVITY.
-std::string constantCase(std::string_view name) {
-    std::string result;
-    for (const char c : name) {
-        const auto letter = static_cast<unsigned char>(c);
-        if (std::isupper(letter) != 0 && !result.empty() && result.back() != '_') {
-            result += '_';
-        }
-        result += std::isalnum(letter) != 0 ? static_cast<char>(std::toupper(letter)) : '_';
-    }
-    return result;
-}
-
-std::string capitalised(std::string_view word) {
-    std::string result(word);
-    result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(result.front())));
-    return result;
-}
 
 /// Blocks that are functions of Directions.
 bool isSurface(std::string_view kind) {
@@ -235,10 +216,6 @@ std::string entryAssignments(const std::string& kind) {
     return "    block.fog = &callFog;\n    block.fogColor = &callFogColor;\n";
 }
 
-bool hasGate(const Block& block, std::string_view gate) {
-    return std::find(block.gates.begin(), block.gates.end(), gate) != block.gates.end();
-}
-
 std::string entry(const Block& block, const ParameterLayout& layout) {
     std::string fields;
     for (const ParameterField& field : layout.fields) {
@@ -254,8 +231,8 @@ std::string entry(const Block& block, const ParameterLayout& layout) {
                        "    block.id = \"{}\";\n    block.size = {};\n"
                        "    block.lightGate = {};\n    block.viewGate = {};\n{}{}"
                        "    return block;\n}}\n",
-                       block.kind, block.id, layout.floats, hasGate(block, "light"),
-                       hasGate(block, "view"), table, entryAssignments(block.kind));
+                       block.kind, block.id, layout.floats, block.hasGate("light"),
+                       block.hasGate("view"), table, entryAssignments(block.kind));
 }
 
 } // namespace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/image.h"
+#include "measure/cost/cost_chart.h"
+
+namespace patina {
+
+/// A line from `from` to `to`, a dot or a ring at `from`, or a text that begins there: pixels from
+/// the top left.
+struct PlotShape {
+    enum class Kind { Line, Dot, Ring, Text };
+
+    Kind kind = Kind::Line;
+    glm::dvec2 from{0.0};
+    glm::dvec2 to{0.0};
+    glm::dvec3 color{1.0}; ///< sRGB
+    std::string text;
+
+    friend bool operator==(const PlotShape&, const PlotShape&) = default;
+};
+
+/// The chart as a drawing: the time to the right, the error upwards, both on logarithmic scales;
+/// bars show how sure the times are, a line the front, and rings what may be on it but for the
+/// noise.
+std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size);
+
+/// The drawing as an SVG file, and as a picture with sRGB values.
+std::string plotSvg(const std::vector<PlotShape>& shapes, glm::ivec2 size);
+Image plotImage(const std::vector<PlotShape>& shapes, glm::ivec2 size);
+
+} // namespace patina

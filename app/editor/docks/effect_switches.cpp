@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/effect_switches.h"
+
+#include <algorithm>
+
+#include "shading/effect_rows.h"
+
+namespace patina {
+
+EffectSwitches::EffectSwitches(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
+    connect(&document, &Document::changed, this, &EffectSwitches::forget);
+    connect(&document, &Document::cameraChanged, this, &EffectSwitches::forget);
+    connect(&document, &Document::effectsChanged, this, &EffectSwitches::forget);
+    connect(&document, &Document::currentChanged, this, &EffectSwitches::forget);
+    connect(&document, &Document::catalogChanged, this, &EffectSwitches::forget);
+    connect(&document, &Document::sceneReplaced, this, &EffectSwitches::switchAllOn);
+}
+
+bool EffectSwitches::isOff(std::string_view effect) const {
+    return std::find(off_.begin(), off_.end(), effect) != off_.end();
+}
+
+void EffectSwitches::setOff(const std::string& effect, bool off) {
+    if (off == isOff(effect)) {
+        return;
+    }
+    if (off) {
+        off_.push_back(effect);
+    } else {
+        std::erase(off_, effect);
+    }
+    forget();
+    Q_EMIT changed();
+}
+
+void EffectSwitches::switchAllOn() {
+    forget();
+    if (!off_.empty()) {
+        off_.clear();
+        Q_EMIT changed();
+    }
+}
+
+const Scene& EffectSwitches::scene(Side side) {
+    if (off_.empty()) {
+        return document_.scene(side);
+    }
+    std::optional<Scene>& made = scenes_[static_cast<std::size_t>(side)];
+    if (!made) {
+        made = withoutEffects(document_.scene(side), off_, document_.catalog());
+    }
+    return *made;
+}
+
+/// A value that is dragged changes the held scene too, so this one is made for every frame.
+const Scene* EffectSwitches::effects(Side side) {
+    const Scene* held = document_.effects(side);
+    if (held == nullptr || off_.empty()) {
+        return held;
+    }
+    return &effects_[static_cast<std::size_t>(side)].emplace(
+        withoutEffects(*held, off_, document_.catalog()));
+}
+
+void EffectSwitches::forget() {
+    scenes_ = {};
+    effects_ = {};
+}
+
+} // namespace patina

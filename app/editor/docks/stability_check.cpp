@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "docks/stability_check.h"
+
+#include <utility>
+
+#include "gl/headless_context.h"
+#include "measure/stability/finding_text.h"
+#include "measure/stability/stability_sweep.h"
+#include "measure/stability/sweep_cases.h"
+#include "text/as_text.h"
+#include "text/display_number.h"
+
+namespace patina {
+namespace {
+
+/// About how many cases a check evaluates.
+constexpr std::size_t checkedCases = 300000;
+
+/// Cases between two looks at whether it was cancelled.
+constexpr std::size_t checkSlice = std::size_t(1) << 12;
+
+QString shown(std::size_t cases) {
+    return numberLocale().toString(static_cast<qulonglong>(cases));
+}
+
+StabilityFailure failureOf(const SweepTally& tally, bool gpu, Defect defect) {
+    const EvalCase& request = tally.worst.request;
+    const QString programs = asText(variantText(request));
+    const QString place = asText(placeText(request));
+    return {QStringLiteral("%1 %2").arg(wordsFor(defect), precisionText(gpu)),
+            programs.isEmpty() ? place : QStringLiteral("%1; %2").arg(place, programs),
+            asText(amountText(tally.worst)), asText(evalJson(request).dump()), tally.count};
+}
+
+StabilityOutcome outcomeOf(const StabilitySweep& sweep) {
+    StabilityOutcome outcome;
+    outcome.complete = sweep.finished();
+    outcome.cases = sweep.report().cases;
+    outcome.limit = limitText(sweep.report());
+    for (const auto& [key, tally] : sweep.report().defects) {
+        outcome.failures.push_back(failureOf(tally, key.first, key.second));
+    }
+    for (const Error& error : sweep.report().errors) {
+        outcome.problems << asText(error.text());
+    }
+    if (!sweep.withoutReference().empty()) {
+        outcome.remarks
+            << QObject::tr("Not in double precision: %1").arg(asText(sweep.withoutReference()));
+    }
+    return outcome;
+}
+
+/// The material's model with what fills its slots, and its Fresnel term where that is blended.
+Result<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const Material& material) {
+    Result<EvalCase> own = sweepVariant(catalog, material);
+    if (!own) {
+        return tl::unexpected(own.error());
+    }
+    std::vector<EvalCase> variants{std::move(*own)};
+    if (const auto blend = blendVariant(catalog, material)) {
+        variants.push_back(*blend);
+    }
+    return variants;
+}
+
+} // namespace
+
+StabilityOutcome checkStability(const Catalog& catalog, const Material& material,
+                                BackgroundJob::Control& control) {
+    Result<std::vector<EvalCase>> variants = variantsOf(catalog, material);
+    if (!variants) {
+        StabilityOutcome outcome;
+        outcome.problems << asText(variants.error().text());
+        return outcome;
+    }
+    const auto context = gl::HeadlessContext::create();
+    SweepOptions options;
+    options.gpu = context.has_value();
+    options.cases = checkedCases;
+    options.slice = checkSlice;
+    options.shaders = catalog.roots.front().folder;
+    StabilitySweep sweep(std::move(*variants), options);
+    while (!sweep.finished() && !control.isCancelled()) {
+        sweep.step();
+        control.tell(sweep.progress(), QObject::tr("%1 cases").arg(shown(sweep.report().cases)));
+    }
+    StabilityOutcome outcome = outcomeOf(sweep);
+    if (!context) {
+        outcome.remarks
+            << QObject::tr("Not on the graphics device: %1").arg(asText(context.error().text()));
+    }
+    return outcome;
+}
+
+} // namespace patina

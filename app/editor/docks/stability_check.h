@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "catalog/catalog.h"
+#include "docks/stability_outcome.h"
+#include "material/material.h"
+#include "window/background_job.h"
+
+namespace patina {
+
+/// Evaluates a material wherever formulas break, on the graphics device and in double precision:
+/// work of a BackgroundJob, which tells the share that is done and how many cases that are.
+StabilityOutcome checkStability(const Catalog& catalog, const Material& material,
+                                BackgroundJob::Control& control);
+
+} // namespace patina

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "document/commands/document_command.h"
+
+namespace patina {
+
+/// An edit that replaces one value by another. `Target` says which value of the document it is.
+/// Within one interaction changes of one target merge; one that ends where it began is dropped.
+template <class Target, class Held>
+class ChangeCommand : public DocumentCommand {
+  public:
+    void redo() override { apply(after_); }
+    void undo() override { apply(before_); }
+
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto* other = dynamic_cast<const ChangeCommand*>(next);
+        if (!other || !isSameInteraction(*other) || !(target_ == other->target_)) {
+            return false;
+        }
+        after_ = other->after_;
+        setObsolete(after_ == before_);
+        return true;
+    }
+
+  protected:
+    ChangeCommand(Document& document, Kind kind, const QString& label, Target target, Held before,
+                  Held after)
+        : DocumentCommand(document, kind, label), target_(std::move(target)),
+          before_(std::move(before)), after_(std::move(after)) {}
+
+    const Target& target() const { return target_; }
+
+    virtual void apply(const Held& value) = 0;
+
+  private:
+    Target target_;
+    Held before_;
+    Held after_;
+};
+
+} // namespace patina

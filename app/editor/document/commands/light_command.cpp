@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/commands/light_command.h"
+
+namespace patina {
+
+LightCommand::LightCommand(Document& document, int index, std::optional<Light> before,
+                           std::optional<Light> after, const QString& label)
+    : ListCommand(document, Kind::Light, label, index, std::move(before), std::move(after),
+                  document.currentLight()) {}
+
+std::vector<Light>& LightCommand::list() const {
+    return state().scene.lights;
+}
+
+void LightCommand::announce() const {
+    Q_EMIT document().lightsChanged();
+}
+
+void LightCommand::setCurrent(int index) const {
+    document().setCurrentLight(index);
+}
+
+} // namespace patina

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/commands/look_command.h"
+
+namespace patina {
+
+LookCommand::LookCommand(Document& document, std::optional<LookedAt> after)
+    : ChangeCommand(document, Kind::Compare, Document::tr("Compare"), document.currentObject(),
+                    document.state().lookedAt, std::move(after)) {}
+
+void LookCommand::apply(const std::optional<LookedAt>& lookedAt) {
+    state().lookedAt = lookedAt;
+    Q_EMIT document().materialChanged(target(), Side::A);
+}
+
+} // namespace patina

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/commands/material_command.h"
+
+namespace patina {
+
+MaterialCommand::MaterialCommand(Document& document, const MaterialPlace& target,
+                                 const Material& after, const QString& label)
+    : ChangeCommand(document, Kind::Material, label, target,
+                    *materialAt(document.state(), target.object, target.side), after) {}
+
+void MaterialCommand::apply(const Material& material) {
+    if (Material* held = materialAt(state(), target().object, target().side)) {
+        *held = material;
+        if (target().side == Side::B) {
+            showSecondOn(target().object);
+        }
+        Q_EMIT document().materialChanged(target().object, target().side);
+    }
+}
+
+} // namespace patina

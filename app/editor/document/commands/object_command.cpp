@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/commands/object_command.h"
+
+namespace patina {
+
+ObjectCommand::ObjectCommand(Document& document, int index, std::optional<Object> before,
+                             std::optional<Object> after, const QString& label)
+    : ListCommand(document, Kind::Object, label, index, std::move(before), std::move(after),
+                  document.currentObject()) {}
+
+std::vector<Object>& ObjectCommand::list() const {
+    return state().scene.objects;
+}
+
+void ObjectCommand::announce() const {
+    Q_EMIT document().objectsChanged();
+}
+
+void ObjectCommand::setCurrent(int index) const {
+    document().setCurrentObject(index);
+}
+
+} // namespace patina

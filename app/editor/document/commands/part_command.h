@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/commands/material_command.h"
+
+namespace patina {
+
+/// Gives a material another block of a kind beside its model (see partKind), or none (null). Values
+/// are parked as for a model.
+class PartCommand : public MaterialCommand {
+  public:
+    PartCommand(Document& document, const MaterialPlace& target, BlockPath::Part part,
+                const Block* block);
+};
+
+} // namespace patina

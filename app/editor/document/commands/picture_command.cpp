@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/commands/picture_command.h"
+
+namespace patina {
+
+PictureCommand::PictureCommand(Document& document, std::optional<ComparedPicture> after)
+    : ChangeCommand(document, Kind::Compare, Document::tr("Compare"), document.currentObject(),
+                    document.state().picture, std::move(after)) {}
+
+void PictureCommand::apply(const std::optional<ComparedPicture>& picture) {
+    state().picture = picture;
+    Q_EMIT document().materialChanged(target(), Side::A);
+    Q_EMIT document().materialChanged(target(), Side::B);
+}
+
+} // namespace patina

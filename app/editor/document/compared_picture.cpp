@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/compared_picture.h"
+
+namespace patina {
+namespace {
+
+/// The values that `own` has not, or has otherwise.
+Values otherValues(const Values& shown, const Values& own) {
+    Values others;
+    for (const auto& [id, value] : shown) {
+        const auto found = own.find(id);
+        if (found == own.end() || !(found->second == value)) {
+            others.emplace(id, value);
+        }
+    }
+    return others;
+}
+
+void give(Values& own, const Values& others) {
+    for (const auto& [id, value] : others) {
+        own[id] = value;
+    }
+}
+
+} // namespace
+
+SidePicture pictureOf(const Scene& shown, const Scene& own) {
+    SidePicture picture{shown.accuracy, std::nullopt, {}, {}};
+    if (shown.transparency != own.transparency) {
+        picture.transparency = shown.transparency;
+    }
+    if (shown.environment && own.environment) {
+        picture.environment =
+            otherValues(shown.environment->parameters, own.environment->parameters);
+    }
+    for (std::size_t i = 0; i < shown.lights.size() && i < own.lights.size(); ++i) {
+        const std::optional<BlockValues>& shadow = shown.lights[i].shadow;
+        if (!shadow || !own.lights[i].shadow) {
+            continue;
+        }
+        Values others = otherValues(shadow->parameters, own.lights[i].shadow->parameters);
+        if (!others.empty()) {
+            picture.shadows[i] = std::move(others);
+        }
+    }
+    return picture;
+}
+
+void layOver(Scene& scene, const SidePicture& picture) {
+    scene.accuracy = picture.accuracy;
+    if (scene.transparency && picture.transparency) {
+        scene.transparency = picture.transparency;
+    }
+    if (scene.environment) {
+        give(scene.environment->parameters, picture.environment);
+    }
+    for (const auto& [light, values] : picture.shadows) {
+        if (light < scene.lights.size() && scene.lights[light].shadow) {
+            give(scene.lights[light].shadow->parameters, values);
+        }
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/document.h"
+
+#include <algorithm>
+
+#include "document/commands/parameter_command.h"
+#include "document/fixed_blocks.h"
+#include "material/blocks_in_use.h"
+
+namespace patina {
+
+Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
+    : QObject(parent), catalog_(std::move(catalog)) {
+    fixedBlocks_ = {{BlockPath::Part::Scene, sceneBlock()},
+                    {BlockPath::Part::Object, objectBlock()},
+                    {BlockPath::Part::Material, materialBlock()}};
+    connectSignals();
+}
+
+Document::~Document() {
+    // Clearing the stack below must not call back into a half-destroyed document.
+    undoStack_.disconnect(this);
+}
+
+void Document::connectSignals() {
+    connect(this, &Document::valueChanged, this, &Document::updateShownScenes);
+    const auto forget = [this] { forgetShownScenes(); };
+    connect(this, &Document::materialChanged, this, forget);
+    connect(this, &Document::textureChanged, this, forget);
+    connect(this, &Document::fogReplaced, this, forget);
+    connect(this, &Document::environmentReplaced, this, forget);
+    connect(this, &Document::transparencyReplaced, this, forget);
+    connect(this, &Document::lightsChanged, this, forget);
+    connect(this, &Document::objectsChanged, this, forget);
+    connect(this, &Document::sceneReplaced, this, forget);
+    connect(this, &Document::catalogChanged, this, forget);
+    connect(this, &Document::cameraChanged, this, forget);
+    connect(this, &Document::lightsChanged, this, &Document::keepCurrentInside);
+    connect(this, &Document::objectsChanged, this, &Document::keepCurrentInside);
+    connect(this, &Document::comparingChanged, this, &Document::keepCurrentInside);
+
+    connect(this, &Document::valueChanged, this,
+            [this](const BlockPath& path, const QString& parameterId) {
+                frozenEffects_.follow(state_, path, parameterId.toStdString());
+            });
+    connect(this, &Document::materialChanged, this, &Document::endFrozenEffects);
+    connect(this, &Document::textureChanged, this, [this] {
+        if (!isInteracting()) {
+            endFrozenEffects();
+        }
+    });
+    connect(this, &Document::fogReplaced, this, &Document::endFrozenEffects);
+    connect(this, &Document::environmentReplaced, this, &Document::endFrozenEffects);
+    connect(this, &Document::transparencyReplaced, this, &Document::endFrozenEffects);
+    connect(this, &Document::lightsChanged, this, &Document::endFrozenEffects);
+    connect(this, &Document::objectsChanged, this, &Document::endFrozenEffects);
+    connect(this, &Document::comparingChanged, this, &Document::endFrozenEffects);
+    connect(this, &Document::sceneReplaced, this, &Document::endFrozenEffects);
+    connect(this, &Document::catalogChanged, this, &Document::endFrozenEffects);
+    connect(this, &Document::currentChanged, this, &Document::endFrozenEffects);
+
+    connect(this, &Document::valueChanged, this, &Document::changed);
+    connect(this, &Document::materialChanged, this, &Document::changed);
+    connect(this, &Document::textureChanged, this, &Document::changed);
+    connect(this, &Document::fogReplaced, this, &Document::changed);
+    connect(this, &Document::environmentReplaced, this, &Document::changed);
+    connect(this, &Document::transparencyReplaced, this, &Document::changed);
+    connect(this, &Document::lightsChanged, this, &Document::changed);
+    connect(this, &Document::objectsChanged, this, &Document::changed);
+    connect(this, &Document::comparingChanged, this, &Document::changed);
+    connect(this, &Document::cameraChanged, this, &Document::changed);
+    connect(this, &Document::sceneReplaced, this, &Document::changed);
+    connect(this, &Document::catalogChanged, this, &Document::changed);
+    connect(&undoStack_, &QUndoStack::cleanChanged, this,
+            [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
+}
+
+const Scene& Document::scene(Side side) const {
+    const bool isOwn = side == Side::A && pictureLaidOver(state_, side) == nullptr;
+    if (isOwn || !state_.second || currentObject_ < 0) {
+        return state_.scene;
+    }
+    std::optional<Scene>& shown = shownScenes_[static_cast<std::size_t>(side)];
+    if (!shown) {
+        shown = shownScene(state_, currentObject_, side);
+    }
+    return *shown;
+}
+
+Scene Document::ownScene(Side side) const {
+    return patina::ownScene(state_, currentObject_, side);
+}
+
+/// A slider's tick changes what is shown in place: copying it would cost more than drawing it.
+void Document::updateShownScenes(const BlockPath& path, const QString& parameterId) {
+    updateShownScene(Side::A, path, parameterId.toStdString());
+    updateShownScene(Side::B, path, parameterId.toStdString());
+}
+
+void Document::updateShownScene(Side side, const BlockPath& path, const std::string& id) {
+    std::optional<Scene>& shown = shownScenes_[static_cast<std::size_t>(side)];
+    const std::optional<Value> stored = storedValue(state_, path, id);
+    if (!shown || !stored) {
+        return;
+    }
+    const bool isOfMaterial =
+        materialAt(state_, path.index, path.side) &&
+        (path.part == BlockPath::Part::Model || !partKind(path.part).empty() ||
+         path.part == BlockPath::Part::Accuracy || path.part == BlockPath::Part::Material);
+    const bool isOfB = isOfMaterial && path.side == Side::B;
+    if (isOfB && state_.picture) {
+        shown.reset(); // side B may have its own material from now on
+        return;
+    }
+    const bool isHidden = isOfMaterial && !isOfB && path.index == currentObject_ &&
+                          side == Side::B && hasSecondMaterial(state_);
+    if (isHidden || (isOfB && side == Side::A)) {
+        return;
+    }
+    BlockPath there = path;
+    if (isOfB) {
+        there.side = Side::A;
+        there.index = currentObject_;
+    }
+    DocumentState changed{std::move(*shown), std::nullopt};
+    storeValue(changed, there, id, *stored);
+    if (const SidePicture* picture = pictureLaidOver(state_, side)) {
+        layOver(changed.scene, *picture);
+    }
+    shown = std::move(changed.scene);
+}
+
+const Material* Document::material(Side side) const {
+    return currentObject_ < 0 ? nullptr : materialAt(state_, currentObject_, side);
+}
+
+void Document::setCurrentObject(int index) {
+    const int inside = std::min(index, static_cast<int>(state_.scene.objects.size()) - 1);
+    if (inside != currentObject_) {
+        currentObject_ = inside;
+        forgetShownScenes();
+        Q_EMIT currentChanged();
+        if (state_.second) {
+            Q_EMIT changed(); // side B moved to another object
+        }
+    }
+}
+
+void Document::setCurrentLight(int index) {
+    const int inside = std::min(index, static_cast<int>(state_.scene.lights.size()) - 1);
+    if (inside != currentLight_) {
+        currentLight_ = inside;
+        Q_EMIT currentChanged();
+    }
+}
+
+void Document::setActiveSide(Side side) {
+    const Side possible = state_.second ? side : Side::A;
+    if (possible != activeSide_) {
+        activeSide_ = possible;
+        Q_EMIT currentChanged();
+    }
+}
+
+void Document::keepCurrentInside() {
+    const bool hasObjects = !state_.scene.objects.empty();
+    const bool hasLights = !state_.scene.lights.empty();
+    setCurrentObject(hasObjects ? std::max(currentObject_, 0) : -1);
+    setCurrentLight(hasLights ? std::max(currentLight_, 0) : -1);
+    setActiveSide(activeSide_);
+}
+
+BlockPath Document::currentPath(BlockPath::Part part) const {
+    switch (part) {
+    case BlockPath::Part::Light:
+    case BlockPath::Part::Shadow:
+        return {part, currentLight_, Side::A};
+    case BlockPath::Part::Fog:
+    case BlockPath::Part::Environment:
+    case BlockPath::Part::Transparency:
+    case BlockPath::Part::Scene:
+        return {part, 0, Side::A};
+    case BlockPath::Part::Object:
+        return {part, currentObject_, Side::A};
+    default:
+        return {part, currentObject_, activeSide_};
+    }
+}
+
+namespace {
+
+std::string_view kindOf(BlockPath::Part part) {
+    switch (part) {
+    case BlockPath::Part::Model:
+        return "models";
+    case BlockPath::Part::Light:
+        return "lights";
+    case BlockPath::Part::Shadow:
+        return "shadows";
+    case BlockPath::Part::Fog:
+        return "fog";
+    case BlockPath::Part::Environment:
+        return "environment";
+    case BlockPath::Part::Transparency:
+        return "transparency";
+    default:
+        return partKind(part);
+    }
+}
+
+} // namespace
+
+const Block* Document::block(const BlockPath& path) const {
+    if (const auto fixed = fixedBlocks_.find(path.part); fixed != fixedBlocks_.end()) {
+        return &fixed->second;
+    }
+    if (path.part != BlockPath::Part::Accuracy) {
+        const BlockValues* values = blockValuesAt(state_, path);
+        return values ? catalog_->find(kindOf(path.part), values->id) : nullptr;
+    }
+    const Material* material = materialAt(state_, path.index, path.side);
+    if (!material || !block({BlockPath::Part::Model, path.index, path.side})) {
+        return nullptr;
+    }
+    const std::vector<const Block*> blocks = blocksInUse(*material, *catalog_);
+    const auto known = accuracyBlocks_.find(blocks);
+    return known != accuracyBlocks_.end()
+               ? &known->second
+               : &accuracyBlocks_.emplace(blocks, accuracyBlock(blocks)).first->second;
+}
+
+Value Document::value(const BlockPath& path, const Parameter& parameter) const {
+    const std::optional<Value> stored = storedValue(state_, path, parameter.id);
+    return roundedToFloat(stored ? conformed(parameter, *stored) : parameter.defaultValue);
+}
+
+void Document::setValue(const BlockPath& path, std::string_view parameterId, const Value& wanted) {
+    const Block* described = block(path);
+    const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
+    if (!parameter || !isFinite(wanted)) {
+        return;
+    }
+    if (const auto* file = std::get_if<std::string>(&wanted)) {
+        allow(*file);
+    }
+    const Value after = roundedToFloat(conformed(*parameter, wanted));
+    if (after == value(path, *parameter)) {
+        return;
+    }
+    const auto edit = [&] {
+        undoStack_.push(new ParameterCommand(*this, path, *described, *parameter, after));
+    };
+    if (!isLaidOver(path, parameterId)) {
+        edit();
+        return;
+    }
+    const QString label = tr("Change %1").arg(QString::fromStdString(parameter->label));
+    editAsOneStep(label, [&] {
+        showOwnPicture(); // so that the edit is seen
+        edit();
+    });
+}
+
+int Document::beginInteraction() {
+    endFrozenEffects();
+    interaction_ = ++lastInteraction_;
+    return interaction_;
+}
+
+void Document::endInteraction(int token) {
+    if (token == 0 || token == interaction_) {
+        interaction_ = 0;
+        endFrozenEffects();
+    }
+}
+
+int Document::beginInteraction(const BlockPath& path, std::string_view parameterId) {
+    const int token = beginInteraction();
+    const Block* described = block(path);
+    const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
+    if (parameter) {
+        frozenEffects_.begin(state_, currentObject_, path, *parameter, *catalog_);
+        if (texture(path, parameterId)) {
+            frozenEffects_.keepTexture(state_, currentObject_, path,
+                                       textureKey(path.part, parameterId));
+        }
+        if (frozenEffects_.differs(state_, *catalog_)) {
+            Q_EMIT effectsChanged();
+        }
+    }
+    return token;
+}
+
+void Document::prewarm(const BlockPath& path, std::string_view parameterId) {
+    const Block* described = block(path);
+    const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
+    if (parameter && !isInteracting()) {
+        for (const DocumentState& state : prewarmed(state_, path, *parameter, *catalog_)) {
+            Q_EMIT effectsPrewarmed(state);
+        }
+    }
+}
+
+void Document::endFrozenEffects() {
+    const bool differs = frozenEffects_.differs(state_, *catalog_);
+    frozenEffects_.end();
+    if (differs) {
+        Q_EMIT effectsChanged();
+    }
+}
+
+void Document::setCamera(const Camera& camera) {
+    if (camera != state_.scene.camera) {
+        state_.scene.camera = camera;
+        Q_EMIT cameraChanged();
+    }
+}
+
+} // namespace patina

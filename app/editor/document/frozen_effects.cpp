@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/frozen_effects.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "shading/effect_choice.h"
+#include "shading/effect_key.h"
+#include "shading/light_reach.h"
+
+namespace patina {
+namespace {
+
+/// A value of the parameter's type with this number in every component.
+Value filled(const Parameter& parameter, double number) {
+    const double inside = std::clamp(number, parameter.min, parameter.max);
+    const Value& type = parameter.defaultValue;
+    if (std::holds_alternative<double>(type)) {
+        return inside;
+    }
+    if (std::holds_alternative<int>(type)) {
+        return static_cast<int>(std::clamp(inside, -1e9, 1e9));
+    }
+    if (std::holds_alternative<glm::dvec2>(type)) {
+        return glm::dvec2(inside);
+    }
+    if (std::holds_alternative<glm::dvec3>(type)) {
+        return glm::dvec3(inside);
+    }
+    return type;
+}
+
+/// Values never count as nothing in the inside of their range, except at 0.
+Value inside(const Parameter& parameter) {
+    const auto between = [&parameter](double share) {
+        return parameter.softMin + share * (parameter.softMax - parameter.softMin);
+    };
+    return filled(parameter, between(0.5) != 0.0 ? between(0.5) : between(0.75));
+}
+
+/// A Fresnel term with the same index on both sides bends nothing.
+void addOtherIndices(std::vector<Value>& edges, const Material* material, const BlockPath& path,
+                     const Parameter& parameter, const Catalog& catalog) {
+    constexpr std::string_view indices = "index.";
+    const bool isFresnel = path.part == BlockPath::Part::Fresnel && material != nullptr;
+    const BlockValues* part = isFresnel ? material->part("fresnel") : nullptr;
+    const Block* block = part != nullptr ? catalog.find("fresnel", part->id) : nullptr;
+    if (block == nullptr || !parameter.id.starts_with(indices)) {
+        return;
+    }
+    for (const Parameter& other : block->parameters) {
+        if (other.id.starts_with(indices)) {
+            edges.push_back(givenValue(other, part->parameters));
+        }
+    }
+}
+
+/// Values at which a program may lose an effect: the ends of the slider, 0, and every value that
+/// this one is compared with.
+std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
+                           const Parameter& parameter, const Catalog& catalog) {
+    std::vector<Value> edges{filled(parameter, 0.0), filled(parameter, parameter.softMin),
+                             filled(parameter, parameter.softMax)};
+    const Material* material = materialAt(state, path.index, path.side);
+    const bool isModel = path.part == BlockPath::Part::Model && material != nullptr;
+    const Block* model = isModel ? catalog.find("models", material->model.id) : nullptr;
+    for (const Parameter& other : model != nullptr ? model->parameters : std::vector<Parameter>()) {
+        if (other.equalTo == parameter.id || parameter.equalTo == other.id) {
+            edges.push_back(givenValue(other, material->model.parameters));
+        }
+    }
+    addOtherIndices(edges, material, path, parameter, catalog);
+    return edges;
+}
+
+/// A value where the effect is there: none of the edges.
+Value apart(const Parameter& parameter, const std::vector<Value>& edges) {
+    const Value usual = inside(parameter);
+    const bool isEdge = std::find(edges.begin(), edges.end(), usual) != edges.end();
+    return isEdge ? filled(parameter, 0.3 * parameter.softMin + 0.7 * parameter.softMax) : usual;
+}
+
+/// The keys of the programs for the objects and the ground, and of the one behind them.
+using Keys = std::array<std::uint64_t, 4>;
+
+Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
+    const Material* material = materialAt(state, path.index, path.side);
+    return {EffectKey().ofScene(state.scene, catalog),
+            material != nullptr ? EffectKey::ofMaterial(*material, catalog) : 0,
+            isSeen(state.scene.ground) ? 1u : 0u,
+            EffectKey::ofDisplay(state.scene)};
+}
+
+/// How much of the fog is seen decides whether it is in the programs, which depends on every value
+/// of it, on the exposure and on how far away things are.
+bool mayHideFog(const DocumentState& state, const BlockPath& path) {
+    return state.scene.fog &&
+           (path.part == BlockPath::Part::Fog || path.part == BlockPath::Part::Scene ||
+            path.part == BlockPath::Part::Object);
+}
+
+/// Which objects a light with an end reaches decides whether it is in their programs.
+bool mayMoveLight(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
+    const bool moves =
+        path.part == BlockPath::Part::Light || path.part == BlockPath::Part::Object;
+    return moves && std::ranges::any_of(state.scene.lights, [&catalog](const Light& light) {
+        const Block* block = catalog.find("lights", light.block.id);
+        return block != nullptr && !reachOf(light, *block).isEverywhere();
+    });
+}
+
+/// Whether it also depends on where things are.
+bool decidesByPlace(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
+    return mayHideFog(state, path) || mayMoveLight(state, path, catalog);
+}
+
+bool isNumber(const Parameter& parameter) {
+    return !std::holds_alternative<bool>(parameter.defaultValue) &&
+           !std::holds_alternative<std::string>(parameter.defaultValue);
+}
+
+} // namespace
+
+std::vector<DocumentState> prewarmed(const DocumentState& state, const BlockPath& path,
+                                     const Parameter& parameter, const Catalog& catalog) {
+    if (!isNumber(parameter)) {
+        return {};
+    }
+    std::vector<DocumentState> states;
+    if (decidesByPlace(state, path, catalog)) {
+        states.push_back(state); // with what is out because of its place
+    }
+    std::vector<Keys> known{keysOf(state, path, catalog)};
+    for (const Value& value :
+         {inside(parameter), filled(parameter, 0.0), filled(parameter, parameter.softMin),
+          filled(parameter, parameter.softMax)}) {
+        DocumentState changed = state;
+        storeValue(changed, path, parameter.id, value);
+        const Keys keys = keysOf(changed, path, catalog);
+        if (std::find(known.begin(), known.end(), keys) == known.end()) {
+            known.push_back(keys);
+            states.push_back(std::move(changed));
+        }
+    }
+    return states;
+}
+
+void FrozenEffects::begin(const DocumentState& state, int object, const BlockPath& path,
+                          const Parameter& parameter, const Catalog& catalog) {
+    Held held{state, {}, object, path, parameter.id};
+    const auto keysWith = [&](const Value& value) {
+        storeValue(held.state, path, parameter.id, value);
+        return keysOf(held.state, path, catalog);
+    };
+    const std::vector<Value> edges = edgesOf(state, path, parameter, catalog);
+    const Keys effective = keysWith(apart(parameter, edges));
+    const bool decides =
+        decidesByPlace(state, path, catalog) ||
+        std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
+            return keysWith(value) != effective;
+        });
+    held_.reset();
+    if (decides) {
+        storeValue(held.state, path, parameter.id, apart(parameter, edges));
+        held_ = std::move(held);
+        showSides();
+    }
+}
+
+void FrozenEffects::keepTexture(const DocumentState& state, int object, const BlockPath& path,
+                                const std::string& key) {
+    if (!held_) {
+        held_ = Held{state, {}, object, path, {}};
+    }
+    Material* material = materialAt(held_->state, path.index, path.side);
+    const auto use = material->textures.find(key);
+    if (use != material->textures.end()) {
+        use->second.strength = 1.0;
+    }
+    showSides();
+}
+
+void FrozenEffects::follow(const DocumentState& state, const BlockPath& path,
+                           std::string_view parameterId) {
+    if (!held_ || (path == held_->path && parameterId == held_->parameterId)) {
+        return;
+    }
+    if (const std::optional<Value> value = storedValue(state, path, parameterId)) {
+        storeValue(held_->state, path, parameterId, *value);
+        showSides();
+    }
+}
+
+bool FrozenEffects::differs(const DocumentState& state, const Catalog& catalog) const {
+    return held_ &&
+           keysOf(held_->state, held_->path, catalog) != keysOf(state, held_->path, catalog);
+}
+
+const Scene* FrozenEffects::scene(Side side) const {
+    if (!held_) {
+        return nullptr;
+    }
+    const std::optional<Scene>& shown = held_->shown[static_cast<std::size_t>(side)];
+    return shown ? &*shown : &held_->state.scene;
+}
+
+void FrozenEffects::showSides() {
+    const DocumentState& state = held_->state;
+    for (const Side side : {Side::A, Side::B}) {
+        const bool differs = state.second && held_->object >= 0 &&
+                             (side == Side::B || pictureLaidOver(state, side) != nullptr);
+        held_->shown[static_cast<std::size_t>(side)] =
+            differs ? std::optional(shownScene(state, held_->object, side)) : std::nullopt;
+    }
+}
+
+} // namespace patina

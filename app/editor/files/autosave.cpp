@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/autosave.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLockFile>
+
+#include "core/ordinary_file.h"
+#include "scene/scene_file.h"
+
+namespace patina {
+namespace {
+
+constexpr int defaultQuietMs = 2000;
+constexpr int defaultLongestMs = 15000;
+constexpr std::uintmax_t maxOriginBytes = 64u << 10;
+const QString copySuffix = QStringLiteral(".patina-scene.json");
+
+std::filesystem::path withEnding(const std::filesystem::path& stem, const char* ending) {
+    return stem.string() + ending;
+}
+
+std::filesystem::path sceneOf(const std::filesystem::path& stem) {
+    return withEnding(stem, ".patina-scene.json");
+}
+
+std::filesystem::path originOf(const std::filesystem::path& stem) {
+    return withEnding(stem, ".origin");
+}
+
+QString lockOf(const std::filesystem::path& stem) {
+    return QString::fromStdString(withEnding(stem, ".lock").string());
+}
+
+std::filesystem::path stemOf(const std::filesystem::path& scene) {
+    return scene.string().substr(0, scene.string().size() - std::size_t(copySuffix.size()));
+}
+
+/// A program that still runs holds its lock.
+bool isAbandoned(const std::filesystem::path& stem) {
+    QLockFile lock(lockOf(stem));
+    lock.setStaleLockTime(0);
+    return lock.tryLock(0);
+}
+
+/// A path and, on a line before it, what the file is.
+const std::map<QString, DocumentFile> kinds{
+    {"none", {DocumentFile::Kind::None, {}, false}},
+    {"preset", {DocumentFile::Kind::Preset, {}, false}},
+    {"read-only preset", {DocumentFile::Kind::Preset, {}, true}},
+    {"scene", {DocumentFile::Kind::Scene, {}, false}},
+    {"read-only scene", {DocumentFile::Kind::Scene, {}, true}}};
+
+std::string textOf(const DocumentFile& file) {
+    for (const auto& [name, kind] : kinds) {
+        if (kind.kind == file.kind && kind.readOnly == file.readOnly) {
+            return name.toStdString() + '\n' + file.path.string();
+        }
+    }
+    return {};
+}
+
+DocumentFile readOrigin(const std::filesystem::path& path) {
+    const Result<std::string> content = readFile(path, maxOriginBytes);
+    if (!content) {
+        return {};
+    }
+    const QString text = QString::fromStdString(*content);
+    const auto kind = kinds.find(text.section('\n', 0, 0));
+    if (kind == kinds.end()) {
+        return {};
+    }
+    DocumentFile origin = kind->second;
+    origin.path = text.section('\n', 1).toStdString();
+    return origin;
+}
+
+Result<void> write(const std::filesystem::path& stem, const Scene& scene,
+                   const DocumentFile& file) {
+    const Result<void> origin = writeFileAtomically(originOf(stem), textOf(file));
+    return origin ? writeScene(sceneOf(stem), scene) : origin;
+}
+
+} // namespace
+
+Autosave::Autosave(Document& document, std::filesystem::path folder, QObject* parent)
+    : QObject(parent), document_(document), folder_(std::move(folder)) {
+    quiet_.setSingleShot(true);
+    longest_.setSingleShot(true);
+    setIntervals(defaultQuietMs, defaultLongestMs);
+    connect(&quiet_, &QTimer::timeout, this, &Autosave::save);
+    connect(&longest_, &QTimer::timeout, this, &Autosave::save);
+    connect(&document, &Document::changed, this, &Autosave::schedule);
+    // The first edit is announced before it makes the document a modified one.
+    connect(&document, &Document::modifiedChanged, this, &Autosave::schedule);
+}
+
+Autosave::~Autosave() {
+    worker_.waitForDone();
+}
+
+void Autosave::setIntervals(int quietMs, int longestMs) {
+    quiet_.setInterval(quietMs);
+    longest_.setInterval(longestMs);
+}
+
+void Autosave::adopt(const Recovery& recovery) {
+    if (takeStem()) {
+        isAdopted_ = true;
+        std::error_code ignored; // it stays where it is and is offered again
+        std::filesystem::rename(recovery.scene, sceneOf(stem_), ignored);
+        std::filesystem::rename(originOf(stemOf(recovery.scene)), originOf(stem_), ignored);
+    }
+}
+
+void Autosave::discard() {
+    stop();
+    isAdopted_ = false;
+    if (lock_) {
+        remove({sceneOf(stem_), {}, {}});
+        lock_.reset();
+    }
+}
+
+void Autosave::giveUp() {
+    if (!isAdopted_) {
+        discard();
+        return;
+    }
+    stop();
+    isAdopted_ = false;
+    lock_.reset(); // as a program that is gone leaves it
+}
+
+void Autosave::stop() {
+    quiet_.stop();
+    longest_.stop();
+    worker_.waitForDone();
+}
+
+void Autosave::schedule() {
+    if (!document_.isModified()) {
+        return;
+    }
+    quiet_.start();
+    if (!longest_.isActive()) {
+        longest_.start();
+    }
+}
+
+void Autosave::save() {
+    quiet_.stop();
+    longest_.stop();
+    if (!document_.isModified()) {
+        return;
+    }
+    if (!takeStem()) {
+        Q_EMIT failed({folder_.string(), 0, 0, "unsaved work cannot be kept safe here",
+                       "a folder that can be written to"});
+        return;
+    }
+    worker_.start([this, stem = stem_, scene = document_.sceneToRecover(),
+                   file = document_.file()] {
+        if (const Result<void> written = write(stem, scene, file); !written) {
+            Q_EMIT failed(written.error());
+        }
+    });
+}
+
+/// A name of its own for this program's copy, locked while the program runs.
+bool Autosave::takeStem() {
+    if (lock_) {
+        return true;
+    }
+    const QString name = QStringLiteral("%1-%2")
+                             .arg(QDateTime::currentMSecsSinceEpoch())
+                             .arg(QCoreApplication::applicationPid());
+    stem_ = folder_ / name.toStdString();
+    auto lock = std::make_unique<QLockFile>(lockOf(stem_));
+    lock->setStaleLockTime(0);
+    if (!QDir().mkpath(QString::fromStdString(folder_.string())) || !lock->tryLock(0)) {
+        return false;
+    }
+    lock_ = std::move(lock);
+    return true;
+}
+
+std::vector<Recovery> Autosave::found(const std::filesystem::path& folder) {
+    std::vector<Recovery> recoveries;
+    const QDir dir(QString::fromStdString(folder.string()));
+    for (const QFileInfo& file : dir.entryInfoList({"*" + copySuffix}, QDir::Files, QDir::Time)) {
+        const std::filesystem::path scene = file.absoluteFilePath().toStdString();
+        if (isAbandoned(stemOf(scene))) {
+            recoveries.push_back({scene, readOrigin(originOf(stemOf(scene))), file.lastModified()});
+        }
+    }
+    return recoveries;
+}
+
+void Autosave::remove(const Recovery& recovery) {
+    std::error_code ignored; // it is gone already
+    std::filesystem::remove(recovery.scene, ignored);
+    std::filesystem::remove(originOf(stemOf(recovery.scene)), ignored);
+}
+
+} // namespace patina

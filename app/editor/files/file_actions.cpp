@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/file_actions.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QRegularExpression>
+
+#include "library/preset_library.h"
+#include "scene/scene_file.h"
+#include "window/details_dialog.h"
+
+namespace patina {
+namespace {
+
+const QString presetSuffix = QStringLiteral(".patina.json");
+const QString sceneSuffix = QStringLiteral(".patina-scene.json");
+
+constexpr int maxNameBytes = 160;
+
+QString presetFilter() {
+    return QObject::tr("Patina presets (*.patina.json)");
+}
+
+QString sceneFilter() {
+    return QObject::tr("Patina scenes (*.patina-scene.json)");
+}
+
+/// When a file was written; nothing where there is none.
+std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::path& file) {
+    std::error_code missing;
+    const auto time = std::filesystem::last_write_time(file, missing);
+    return missing ? std::nullopt : std::optional(time);
+}
+
+QString withSuffix(QString file, const QString& suffix) {
+    if (file.isEmpty() || file.endsWith(suffix)) {
+        return file;
+    }
+    const QString json = QStringLiteral(".json");
+    return (file.endsWith(json) ? file.chopped(json.size()) : file) + suffix;
+}
+
+} // namespace
+
+FileActions::FileActions(Document& document, MeshLibrary& meshes, Session& session,
+                         QWidget* window)
+    : QObject(window), document_(document), meshes_(meshes), session_(session),
+      consent_(session, window), window_(window) {
+    connect(&meshes, &MeshLibrary::loaded, this, &FileActions::meshLoaded);
+    connect(&meshes, &MeshLibrary::failed, this, &FileActions::meshFailed);
+    connect(&document, &Document::fileChanged, this,
+            [this] { written_ = timeOf(document_.file().path); });
+}
+
+void FileActions::newDocument() {
+    if (mayLoseDocument()) {
+        document_.openTemplate(defaultSceneFile());
+        forgetMeshes();
+        Q_EMIT documentReplaced();
+    }
+}
+
+bool FileActions::save() {
+    const DocumentFile& file = document_.file();
+    if (file.kind == DocumentFile::Kind::None || file.readOnly || document_.outgrewPreset()) {
+        return saveAs();
+    }
+    // Also when nothing was edited: the camera is no edit, and the file may be gone or another.
+    const bool isSaved = mayReplaceChanged(file.path) && document_.save();
+    if (isSaved) {
+        noteSaved(QString::fromStdString(file.path.string()));
+    }
+    return isSaved;
+}
+
+bool FileActions::saveAs() {
+    const bool isPreset =
+        document_.file().kind == DocumentFile::Kind::Preset && !document_.outgrewPreset();
+    QString filter = isPreset ? presetFilter() : sceneFilter();
+    const std::filesystem::path folder = document_.file().path.parent_path();
+    const QString start =
+        (folder.empty() ? session_.folder("scene") : QString::fromStdString(folder.string())) +
+        '/' + suggestedName();
+    QString file = QFileDialog::getSaveFileName(window_, tr("Save As"), start,
+                                                sceneFilter() + ";;" + presetFilter(), &filter);
+    if (file.isEmpty()) {
+        return false;
+    }
+    const bool asPreset =
+        file.endsWith(presetSuffix) || (!file.endsWith(sceneSuffix) && filter == presetFilter());
+    const QString asked = file;
+    file = withSuffix(file, asPreset ? presetSuffix : sceneSuffix);
+    if (!mayReplace(asked, file)) {
+        return false;
+    }
+    const bool isSaved = asPreset ? writePreset(file) : document_.saveScene(file.toStdString());
+    if (isSaved) {
+        session_.setFolderOf("scene", file);
+        noteSaved(file);
+    }
+    return isSaved;
+}
+
+/// A preset may hold less than what was changed.
+void FileActions::noteSaved(const QString& file) {
+    session_.addRecentFile(file);
+    consent_.noteSaved(file,
+                       file.endsWith(presetSuffix) ? DocumentFile::Kind::Preset
+                                                   : DocumentFile::Kind::Scene,
+                       document_);
+    if (!document_.isModified()) {
+        Q_EMIT saved();
+        return;
+    }
+    tell({file.toStdString(), 0, 0,
+          "the preset is saved, but lights, fog, objects and side B are not part of it",
+          "Save As with a scene file to keep them too"});
+}
+
+void FileActions::askAndOpen() {
+    const QStringList files = QFileDialog::getOpenFileNames(
+        window_, tr("Open"), session_.folder("open"),
+        tr("Presets, scenes and meshes") +
+            " (*.json *.obj *.gltf *.glb *.ply *.stl *.fbx *.dae *.3ds *.blend *.off"
+            " *.hdr *.exr);;" +
+            tr("All files") + " (*)");
+    if (!files.isEmpty()) {
+        session_.setFolderOf("open", files.front());
+        open(files, document_.activeSide());
+    }
+}
+
+void FileActions::exportPreset() {
+    const Material* material = document_.material(document_.activeSide());
+    if (!material) {
+        return;
+    }
+    const std::filesystem::path folder = PresetLibrary::userFolder();
+    std::error_code ignored; // the dialog then starts elsewhere
+    std::filesystem::create_directories(folder, ignored);
+    const QString name = asFileName(QString::fromStdString(material->name)) + presetSuffix;
+    const QString start = QString::fromStdString((folder / name.toStdString()).string());
+    const QString asked = QFileDialog::getSaveFileName(window_, tr("Save the material as a preset"),
+                                                       start, presetFilter());
+    const QString file = withSuffix(asked, presetSuffix);
+    if (!file.isEmpty() && mayReplace(asked, file) && writePreset(file)) {
+        session_.addRecentFile(file);
+        consent_.noteSaved(file, DocumentFile::Kind::Preset, document_);
+    }
+}
+
+/// Under another name it is another preset: the material is called what its file is called.
+bool FileActions::writePreset(const QString& file) {
+    const Side side = document_.activeSide();
+    const Material* material = document_.material(side);
+    if (!material) {
+        return false;
+    }
+    const QString held = QString::fromStdString(material->name);
+    const QString name = QFileInfo(file).fileName().chopped(presetSuffix.size());
+    const bool isSameFile = document_.file().path == file.toStdString();
+    const bool staysCalled = !held.isEmpty() && (isSameFile || name == asFileName(held) ||
+                                                 name.compare(held, Qt::CaseInsensitive) == 0);
+    return document_.savePreset(file.toStdString(), side,
+                                (staysCalled ? held : name).toStdString());
+}
+
+void FileActions::editDetails() {
+    const Side side = document_.activeSide();
+    const Material* material = document_.material(side);
+    if (!material) {
+        return;
+    }
+    DetailsDialog dialog(*material, window_);
+    if (dialog.exec() == QDialog::Accepted) {
+        document_.replaceMaterial(side, dialog.edited(), tr("Change details"));
+    }
+}
+
+/// Somebody else may have written the file since it was opened or saved here.
+bool FileActions::mayReplaceChanged(const std::filesystem::path& file) {
+    const auto written = timeOf(file);
+    return !written || written == written_ ||
+           QMessageBox::warning(window_, tr("Save"),
+                                tr("%1 was changed by another program since it was opened. "
+                                   "Replace it?")
+                                    .arg(QString::fromStdString(file.filename().string())),
+                                QMessageBox::Yes | QMessageBox::No,
+                                QMessageBox::No) == QMessageBox::Yes;
+}
+
+/// The dialog asked about the name that was typed, not about the one with its ending.
+bool FileActions::mayReplace(const QString& asked, const QString& file) {
+    return file == asked || !QFileInfo::exists(file) ||
+           QMessageBox::warning(
+               window_, tr("Save"),
+               tr("%1 already exists. Replace it?").arg(QFileInfo(file).fileName()),
+               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+}
+
+void FileActions::open(const QStringList& files, Side side) {
+    QStringList documents;
+    QStringList meshes; // these and what follows belong to the document that is opened
+    QStringList panoramas;
+    for (const QString& file : files) {
+        if (kindOf(file) == Kind::Mesh) {
+            meshes << file;
+        } else if (kindOf(file) == Kind::Panorama) {
+            panoramas << file;
+        } else {
+            documents << file;
+        }
+    }
+    if (!documents.isEmpty()) {
+        openDocument(documents.takeFirst());
+    }
+    if (!documents.isEmpty() && kindOf(documents.front()) == Kind::Preset) {
+        applyPreset(documents.takeFirst(), side == Side::A ? Side::B : Side::A);
+    }
+    for (const QString& mesh : meshes) {
+        load(mesh);
+    }
+    for (const QString& file : documents) {
+        tell({file.toStdString(), 0, 0, "is not opened: there is room for one scene or preset",
+              "beside it a preset for the other side, and meshes"});
+    }
+    drop(panoramas, side);
+}
+
+void FileActions::drop(const QStringList& files, Side side) {
+    for (const QString& file : files) {
+        switch (kindOf(file)) {
+        case Kind::Preset:
+            applyPreset(file, side);
+            document_.setActiveSide(side); // what was put there is what is worked on next
+            break;
+        case Kind::Scene:
+            openDocument(file);
+            break;
+        case Kind::Panorama:
+            document_.setEnvironmentPicture(QFileInfo(file).absoluteFilePath().toStdString());
+            break;
+        case Kind::Mesh:
+            load(file);
+            break;
+        }
+    }
+}
+
+void FileActions::applyPreset(const QString& file, Side side) {
+    const ReadingRights rights =
+        consent_.rightsFor(file, DocumentFile::Kind::Preset, document_.catalog());
+    document_.applyPreset(file.toStdString(), side, rights);
+}
+
+void FileActions::allowOutside() {
+    const OutsideFiles wanted = document_.outside();
+    const QString file = QString::fromStdString(document_.file().path.string());
+    if (!wanted.empty() && consent_.ask(file, wanted)) {
+        document_.allowOutside();
+    }
+}
+
+bool FileActions::mayLoseDocument() {
+    if (!document_.isModified()) {
+        return true;
+    }
+    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"), questionText(),
+                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    question.setInformativeText(document_.isRecovered()
+                                    ? tr("The recovered work is offered again at the next start "
+                                         "if you do not save it.")
+                                    : tr("They are lost if you do not save them."));
+    question.setDefaultButton(QMessageBox::Save);
+    const int answer = question.exec();
+    if (answer == QMessageBox::Save) {
+        return save() && mayLoseDocument(); // asks again when a preset held only a part of it
+    }
+    return answer == QMessageBox::Discard;
+}
+
+QString FileActions::questionText() const {
+    const QString file = QString::fromStdString(document_.file().path.filename().string());
+    if (document_.outgrewPreset()) {
+        return tr("Save the changes as a scene? %1 is a preset, which holds a material and no "
+                  "lights, fog, objects or side B.")
+            .arg(file);
+    }
+    return tr("Save the changes to %1?").arg(file.isEmpty() ? tr("the untitled scene") : file);
+}
+
+FileActions::Kind FileActions::kindOf(const QString& file) {
+    if (file.endsWith(sceneSuffix, Qt::CaseInsensitive)) {
+        return Kind::Scene;
+    }
+    for (const QString& panorama : {QStringLiteral(".hdr"), QStringLiteral(".exr")}) {
+        if (file.endsWith(panorama, Qt::CaseInsensitive)) {
+            return Kind::Panorama;
+        }
+    }
+    if (!file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
+        return Kind::Mesh;
+    }
+    const bool isNamed = file.endsWith(presetSuffix, Qt::CaseInsensitive);
+    return !isNamed && saysItIsAScene(file.toStdString()) ? Kind::Scene : Kind::Preset;
+}
+
+QString FileActions::asFileName(const QString& name) {
+    QString safe = name.trimmed().toLower();
+    safe.replace(QRegularExpression(QStringLiteral("[^\\w.-]+"),
+                                    QRegularExpression::UseUnicodePropertiesOption),
+                 QStringLiteral("-"));
+    while (safe.toUtf8().size() > maxNameBytes) { // with an ending it must fit into 255
+        safe.chop(safe.back().isLowSurrogate() ? 2 : 1);
+    }
+    return safe.isEmpty() ? QStringLiteral("untitled") : safe;
+}
+
+void FileActions::openDocument(const QString& file) {
+    if (!mayLoseDocument()) {
+        return;
+    }
+    const bool isScene = kindOf(file) == Kind::Scene;
+    const ReadingRights rights = consent_.rightsFor(
+        file, isScene ? DocumentFile::Kind::Scene : DocumentFile::Kind::Preset,
+        document_.catalog());
+    const bool opened = isScene ? document_.openScene(file.toStdString(), rights)
+                                : document_.openPreset(file.toStdString(), rights);
+    if (opened) {
+        forgetMeshes();
+        session_.addRecentFile(file);
+        tellOutside(file);
+        Q_EMIT documentReplaced();
+    }
+}
+
+void FileActions::tellOutside(const QString& file) {
+    if (!document_.outside().empty()) {
+        tell({file.toStdString(), 0, 0, "names files outside its folder, which are not read",
+              "File > Allow Files Outside, where you trust it"});
+    }
+}
+
+QString FileActions::suggestedName() const {
+    const std::filesystem::path& path = document_.file().path;
+    if (!path.empty()) {
+        const QString name = QString::fromStdString(path.filename().string());
+        return document_.outgrewPreset() && name.endsWith(presetSuffix)
+                   ? name.chopped(presetSuffix.size()) + sceneSuffix
+                   : name;
+    }
+    return asFileName(QString::fromStdString(document_.scene().name)) + sceneSuffix;
+}
+
+} // namespace patina

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+
+#include <QObject>
+#include <QStringList>
+
+#include "document/document.h"
+#include "files/outside_consent.h"
+#include "viewport/mesh_library.h"
+#include "window/session.h"
+
+class QWidget;
+
+namespace patina {
+
+/// What the File menu, a drop and the command line do with files: asks where to, asks before
+/// unsaved work would be lost, remembers folders and recent files.
+class FileActions : public QObject {
+    Q_OBJECT
+
+  public:
+    /// What a file is, by its name, and where that says no more than JSON, by its "format".
+    enum class Kind { Preset, Scene, Panorama, Mesh };
+
+    FileActions(Document& document, MeshLibrary& meshes, Session& session, QWidget* window);
+
+    void newDocument();
+    /// True when the document was saved.
+    bool save();
+    bool saveAs();
+    void askAndOpen();
+    void exportPreset();
+    void importMesh();
+
+    /// Asks for the name, description, author, licence and tags of the current material.
+    void editDetails();
+
+    /// Opens what was named on the command line or in a menu: a scene or a preset becomes the
+    /// document, a mesh an object in it: beside the others, or in place of a new document's.
+    void open(const QStringList& files, Side side);
+
+    /// What a drop does: a preset goes onto the side it was dropped on, undoably.
+    void drop(const QStringList& files, Side side);
+
+    /// Puts a preset on a side; asks about what it names outside its folder.
+    void applyPreset(const QString& file, Side side);
+
+    /// Asks about what the document names outside its folder and was not read.
+    void allowOutside();
+
+    /// Adds an object with a material like the current one's, in an empty scene like a new
+    /// document's, and makes it current.
+    void addObject(Object object);
+
+    /// The same, beside what is there and in view, as one undo step. Its mesh must be there.
+    void addBeside(const Object& object);
+
+    /// False when the user wants to go back. Saves when the user wants that.
+    bool mayLoseDocument();
+
+    void tell(const Error& message) { Q_EMIT document_.message(message); }
+
+    static Kind kindOf(const QString& file);
+
+    /// A name that any file system takes.
+    static QString asFileName(const QString& name);
+
+  Q_SIGNALS:
+    /// The document is on disk, all of it.
+    void saved();
+    /// There is another document; what was not saved of the former one was given up on purpose.
+    void documentReplaced();
+    /// A mesh that was opened, imported or dropped is now the current object.
+    void meshPlaced();
+
+  private:
+    void openDocument(const QString& file);
+    void forgetMeshes();
+    void load(const QString& mesh);
+    void meshLoaded(const QString& mesh);
+    bool showsOnlyTheStart() const;
+    bool writePreset(const QString& file);
+    void replaceObject(Object object);
+    void meshFailed(const QString& mesh, const Error& why);
+    void noteSaved(const QString& file);
+    void tellOutside(const QString& file);
+    bool mayReplace(const QString& asked, const QString& file);
+    bool mayReplaceChanged(const std::filesystem::path& file);
+    QString questionText() const;
+    QString suggestedName() const;
+
+    Document& document_;
+    MeshLibrary& meshes_;
+    Session& session_;
+    OutsideConsent consent_;
+    QWidget* window_;
+    std::optional<std::filesystem::file_time_type> written_; ///< the document's file, by us
+    std::map<QString, Object> wanted_; ///< objects that wait for their mesh, by its file
+};
+
+} // namespace patina

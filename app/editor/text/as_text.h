@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <QString>
+
+namespace patina {
+
+/// Converts the engine's UTF-8.
+inline QString asText(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+} // namespace patina

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/editor.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <optional>
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QTimer>
+
+#include "gl/driver.h"
+#include "gl/driver_cache.h"
+#include "shading/block_gate.h"
+#include "window/free_memory.h"
+#include "window/main_window.h"
+
+namespace patina {
+namespace {
+
+void say(const QString& text) {
+    std::fprintf(stderr, "patina: %s\n", qUtf8Printable(text));
+}
+
+/// Qt ends the program itself when no display can be opened; this says it in our words.
+void explainNoDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
+    if (type == QtFatalMsg) {
+        const QString display = qEnvironmentVariable("DISPLAY");
+        say(display.isEmpty() ? QStringLiteral("there is no display to open a window on")
+                              : QStringLiteral("the display %1 cannot be opened").arg(display));
+        say(QStringLiteral("`patina render` draws without one"));
+        std::_Exit(1);
+    }
+}
+
+/// What this machine offers instead of OpenGL 4.1.
+QString foundOpenGL() {
+    QOpenGLContext context;
+    context.setFormat(QSurfaceFormat());
+    QOffscreenSurface surface;
+    surface.create();
+    if (!context.create() || !context.makeCurrent(&surface)) {
+        return QStringLiteral("no OpenGL at all");
+    }
+    return QString::fromStdString(gl::driverText());
+}
+
+/// Empty when the view can draw.
+QString whyNothingIsDrawn(const Viewport& viewport) {
+    if (!viewport.failure().isEmpty()) {
+        return viewport.failure();
+    }
+    return viewport.isValid()
+               ? QString()
+               : QStringLiteral("OpenGL 4.1 is needed, but this machine has %1").arg(foundOpenGL());
+}
+
+/// What Qt leaves of the command line; a word like an option that is no file is a slip of the pen.
+std::optional<QString> unknownOption(const QStringList& arguments) {
+    for (const QString& argument : arguments) {
+        if (argument.startsWith('-') && !QFileInfo::exists(argument)) {
+            return argument;
+        }
+    }
+    return std::nullopt;
+}
+
+void tellTime(const char* what) {
+    if (qEnvironmentVariableIsSet("PATINA_TIME_STARTUP")) {
+        const std::chrono::duration<double> now =
+            std::chrono::steady_clock::now().time_since_epoch();
+        say(QStringLiteral("%1 at %2 s").arg(QLatin1String(what)).arg(now.count(), 0, 'f', 6));
+    }
+}
+
+/// Once, when what the view has drawn next is on the screen.
+void whenShown(Viewport& viewport, void (Viewport::*drawn)(), const std::function<void()>& then) {
+    QObject::connect(
+        &viewport, drawn, &viewport,
+        [&viewport, then] {
+            QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, &viewport, then,
+                             Qt::SingleShotConnection);
+        },
+        Qt::SingleShotConnection);
+}
+
+/// Leaves the rest of the start to the turn after the first frame is on the screen.
+void afterFirstFrame(MainWindow& window, Viewport& viewport) {
+    whenShown(viewport, &Viewport::sketchDrawn, [] { tellTime("sketch"); });
+    whenShown(viewport, &Viewport::frameDrawn, [&window] {
+        tellTime("first frame");
+        QTimer::singleShot(0, &window, [&window] { window.startRest(); });
+    });
+}
+
+} // namespace
+
+int runEditor(int argc, char** argv) {
+    gl::prepareDriverCache();
+    keepBuffersApart();
+    neverWaitForTrialsHere();
+    QCoreApplication::setApplicationName("patina");
+    QCoreApplication::setOrganizationName("patina");
+    QCoreApplication::setApplicationVersion(PATINA_VERSION);
+    QSurfaceFormat::setDefaultFormat(Viewport::surfaceFormat());
+    const QtMessageHandler ordinary = qInstallMessageHandler(explainNoDisplay);
+    QApplication application(argc, argv);
+    qInstallMessageHandler(ordinary);
+    QGuiApplication::setDesktopFileName("patina");
+    const QStringList files = QApplication::arguments().mid(1);
+    if (const auto option = unknownOption(files)) {
+        say(QStringLiteral("there is no option %1; `patina --help` names those there are")
+                .arg(*option));
+        return 1;
+    }
+
+    Theme theme;
+    MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
+    window.document().openTemplate(defaultSceneFile());
+    window.files().open(files, Side::A);
+    Viewport& viewport = window.views().first().viewport();
+    afterFirstFrame(window, viewport);
+    window.show();
+    if (const QString why = whyNothingIsDrawn(viewport); !why.isEmpty()) {
+        say(why);
+        return 1;
+    }
+    return QApplication::exec();
+}
+
+} // namespace patina

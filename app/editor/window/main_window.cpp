@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPointer>
+#include <QPushButton>
+#include <QScreen>
+#include <QUrl>
+
+#include "docks/lazy_dock.h"
+#include "docks/stability_dock.h"
+#include "gl/driver_cache.h"
+#include "window/focus_order.h"
+
+namespace patina {
+namespace {
+
+/// Goes up when docks come, go or move, so that an older layout is not forced upon them.
+constexpr int layoutVersion = 5;
+
+constexpr QSize preferredSize{1600, 1000};
+constexpr int narrowWindow = 1400;
+constexpr int saidMs = 4000; ///< so long the status line says what was done
+
+std::filesystem::path programCacheFolder() {
+    return cacheFolder() / "programs";
+}
+
+Qt::DockWidgetArea areaOf(DockPlace place) {
+    switch (place) {
+    case DockPlace::LeftTop:
+    case DockPlace::LeftBottom:
+        return Qt::LeftDockWidgetArea;
+    case DockPlace::Bottom:
+        return Qt::BottomDockWidgetArea;
+    default:
+        return Qt::RightDockWidgetArea;
+    }
+}
+
+} // namespace
+
+MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
+    : theme_(theme), document_(catalog), switches_(document_), watcher_(catalog), presets_(catalog),
+      thumbnails_(catalog,
+                  {cacheFolder() / "thumbnails", programCacheFolder(), defaultSceneFile()}),
+      programs_(programCacheFolder()), autosave_(document_, stateFolder() / "autosave"),
+      files_(new FileActions(document_, meshes_, session_, this)),
+      pictures_(new PictureExport(session_, this)),
+      views_(new CompareArea({document_, meshes_, environments_, switches_, programs_},
+                             programCacheFolder(), this)),
+      status_(new StatusLine(document_, meshes_, environments_, messages_, this)) {
+    document_.setTextureLibrary(&textures_);
+    setAcceptDrops(true);
+    setCentralWidget(views_);
+    setStatusBar(status_);
+    makeDocks();
+    makeFileMenu();
+    makeEditMenu();
+    makeViewMenu();
+    makeHelpMenu();
+    makeToolBar();
+    connectParts();
+    messages_.setGroup("catalog", catalog->errors);
+    if (const auto& note = gl::driverCacheNote()) {
+        messages_.add(*note);
+    }
+    updateTitle();
+    restoreWindow();
+}
+
+MainWindow::~MainWindow() {
+    // The views and docks go before the parts that they look at.
+    for (const auto& [name, dock] : docks_) {
+        delete dock;
+    }
+    delete status_;
+    delete views_;
+    delete pictures_;
+    delete files_;
+}
+
+QDockWidget* MainWindow::dock(const QString& name) const {
+    const auto found = docks_.find(name);
+    return found == docks_.end() ? nullptr : found->second;
+}
+
+void MainWindow::startRest() {
+    watcher_.start();
+    presets_.scan();
+    thumbnails_.start();
+    trials_.run(document_.sharedCatalog());
+    theme_.followDesktop();
+    views_->first().viewport().chooseTimer();
+    offerRecovery();
+}
+
+void MainWindow::makeDocks() {
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    const DockContext context{document_, *files_,       messages_, presets_, thumbnails_,
+                              meshes_,   environments_, switches_, *views_};
+    for (const DockEntry& entry : dockList()) {
+        auto* dock = new LazyDock(entry, context, this);
+        docks_[entry.name] = dock;
+        const auto [first, isFirst] = firstDocks_.try_emplace(entry.place, dock);
+        addDockWidget(areaOf(entry.place), dock);
+        if (!isFirst) {
+            tabifyDockWidget(first->second, dock);
+        }
+    }
+}
+
+void MainWindow::connectParts() {
+    connect(&document_, &Document::message, &messages_, &MessageLog::add);
+    connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::add);
+    connect(&textures_, &TextureLibrary::failed, this,
+            [this](const QString&, const Error& why) { messages_.add(why); });
+    connect(&document_, &Document::sceneReplaced, &textures_, &TextureLibrary::forgetFailures);
+    connect(&environments_, &EnvironmentLibrary::failed, &messages_, &MessageLog::add);
+    connect(&document_, &Document::sceneReplaced, &environments_,
+            &EnvironmentLibrary::forgetFailure);
+    connect(&document_, &Document::withheldChanged, this, [this] {
+        meshes_.withhold(document_.withheld());
+        environments_.withhold(document_.withheld());
+    });
+    connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
+    connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
+        status_->showMessage(tr("%1 is written").arg(QFileInfo(file).fileName()), saidMs);
+    });
+    connect(&autosave_, &Autosave::failed, &messages_, &MessageLog::add);
+    connect(&presets_, &PresetLibrary::checked, this,
+            [this](const Errors& mistakes) { messages_.setGroup("presets", mistakes); });
+    connect(&messages_, &MessageLog::arrived, this, &MainWindow::showMessages);
+    connect(&document_, &Document::fileChanged, this, &MainWindow::updateTitle);
+    connect(&document_, &Document::sceneReplaced, this, &MainWindow::updateTitle);
+    connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);
+    connect(files_, &FileActions::saved, &autosave_, &Autosave::discard);
+    connect(files_, &FileActions::documentReplaced, &autosave_, &Autosave::giveUp);
+    connect(files_, &FileActions::meshPlaced, this,
+            [this] { views_->active().frameCurrentObject(); });
+    connect(&switches_, &EffectSwitches::changed, this,
+            [this] { status_->setSwitchedOff(static_cast<int>(switches_.off().size())); });
+    connect(status_, &StatusLine::effectsWished, this, &MainWindow::showEffects);
+    connect(views_, &CompareArea::filesDropped, files_, &FileActions::drop);
+    connect(status_, &StatusLine::messagesWished, this, [this] {
+        const bool inFront = !dock("messages")->visibleRegion().isEmpty();
+        inFront ? dock("messages")->hide() : showMessages();
+    });
+    connect(&document_, &Document::currentChanged, this,
+            [this] { status_->setViewport(&views_->active().viewport()); });
+    status_->setViewport(&views_->first().viewport());
+    status_->watch(textures_);
+    const auto listen = [this](SideView* view) {
+        const QString group = "view " + letterOf(view->side());
+        connect(&view->viewport(), &Viewport::messagesDrawn, this,
+                [this, group](const Errors& errors) { messages_.setGroup(group, errors); });
+    };
+    listen(&views_->first());
+    connect(views_, &CompareArea::viewAdded, this, listen);
+    connect(&watcher_, &CatalogWatcher::changed, this,
+            [this](const std::shared_ptr<const Catalog>& catalog) {
+                document_.setCatalog(catalog);
+                presets_.setCatalog(catalog);
+                thumbnails_.setCatalog(catalog);
+                messages_.setGroup("catalog", catalog->errors);
+                trials_.run(catalog);
+            });
+    connect(&trials_, &BlockTrials::begun, this, [this](const QStringList& names) {
+        status_->showMessage(tr("Checking %1 …").arg(names.join(", ")));
+    });
+    connect(&trials_, &BlockTrials::finished, this, [this](const Errors& mistakes) {
+        messages_.setGroup("shaders", mistakes);
+        status_->clearMessage();
+        views_->first().viewport().refresh(); // of a block that it could not draw with before
+        if (SideView* second = views_->second()) {
+            second->viewport().refresh();
+        }
+    });
+}
+
+/// The layout of a first start: the material's look on the left, its values on the right, the
+/// picture large in the middle.
+void MainWindow::arrangeDocks() {
+    for (const auto& [place, dock] : firstDocks_) {
+        dock->show();
+        dock->raise();
+    }
+    hideBottom();
+    if (messages_.count() > 0) { // of the files that were opened before the window came
+        showMessages();
+    }
+    const bool narrow = width() < narrowWindow;
+    const int left = narrow ? 212 : 276;
+    const int right = narrow ? 384 : 440;
+    resizeDocks({dock("models"), dock("parameters")}, {left, right}, Qt::Horizontal);
+    resizeDocks({dock("models"), dock("presets")}, {10, 11}, Qt::Vertical);
+    resizeDocks({dock("parameters"), dock("lights")}, {11, 10}, Qt::Vertical);
+}
+
+/// Messages and checks come when there is something to say.
+void MainWindow::hideBottom() {
+    dock("messages")->hide();
+    dock("stability")->hide();
+    dock("effects")->hide();
+    dock("accuracy")->hide();
+}
+
+void MainWindow::restoreWindow() {
+    const QSize available = screen()->availableSize();
+    resize(preferredSize.boundedTo(available));
+    const bool known = restoreGeometry(session_.windowGeometry());
+    if (!known && available.width() < preferredSize.width()) {
+        setWindowState(Qt::WindowMaximized);
+    }
+    hideBottom();
+    arranged_ = restoreState(session_.windowLayout(), layoutVersion);
+    const QStringList opened = session_.openedDocks();
+    for (const auto& [name, dock] : docks_) {
+        if (arranged_ && opened.contains(name)) {
+            dock->keepHeight();
+        }
+    }
+    theme_.setLook(session_.look());
+}
+
+bool MainWindow::event(QEvent* event) {
+    const bool handled = QMainWindow::event(event);
+    if (event->type() == QEvent::Show && !arranged_) {
+        arranged_ = true;
+        arrangeDocks();
+    }
+    return handled;
+}
+
+bool MainWindow::focusNextPrevChild(bool next) {
+    return moveFocus(*this, next);
+}
+
+void MainWindow::updateTitle() {
+    const DocumentFile& file = document_.file();
+    const QString name =
+        file.path.empty() ? tr("Untitled") : QString::fromStdString(file.path.filename().string());
+    setWindowTitle(file.readOnly ? tr("%1[*] (read-only) – Patina").arg(name)
+                                 : tr("%1[*] – Patina").arg(name));
+    setWindowFilePath(QString::fromStdString(file.path.string()));
+    setWindowModified(document_.isModified());
+}
+
+void MainWindow::exportPicture() {
+    const QPointer viewport(&views_->active().viewport());
+    const auto capture = [viewport](bool display, Viewport::PictureTaken taken) {
+        viewport ? viewport->capture(display, std::move(taken)) : taken({});
+    };
+    const auto cancel = [viewport] {
+        if (viewport) {
+            viewport->cancelCapture();
+        }
+    };
+    const Material* material = document_.material(document_.activeSide());
+    pictures_->ask(
+        FileActions::asFileName(material ? QString::fromStdString(material->name) : QString()),
+        {capture, cancel});
+}
+
+void MainWindow::checkStability() {
+    QDockWidget* place = dock("stability");
+    place->show();
+    place->raise();
+    if (auto* check = place->findChild<StabilityDock*>()) {
+        check->start();
+    }
+}
+
+void MainWindow::showEffects() {
+    dock("effects")->show();
+    dock("effects")->raise();
+}
+
+void MainWindow::showMessages() {
+    dock("messages")->show();
+    dock("messages")->raise(); // it may lie behind other tabs
+}
+
+void MainWindow::offerRecovery() {
+    const std::vector<Recovery> found = Autosave::found(stateFolder() / "autosave");
+    if (found.empty()) {
+        return;
+    }
+    const Recovery& newest = found.front();
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Recover unsaved work"),
+                        tr("Patina did not close properly. There is unsaved work from %1.")
+                            .arg(QLocale().toString(newest.saved, QLocale::ShortFormat)),
+                        QMessageBox::NoButton, this);
+    question->setObjectName("recovery");
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    const QString file = QString::fromStdString(newest.original.path.string());
+    question->setInformativeText(file.isEmpty() ? tr("It was not saved to a file yet.")
+                                                : tr("It belongs to %1, which stays as it is until "
+                                                     "you save.")
+                                                      .arg(file));
+    QPushButton* take = question->addButton(tr("Recover"), QMessageBox::AcceptRole);
+    QPushButton* drop = question->addButton(tr("Discard"), QMessageBox::DestructiveRole);
+    question->addButton(tr("Ask again later"), QMessageBox::RejectRole);
+    question->setDefaultButton(take);
+    connect(take, &QPushButton::clicked, this, [this, newest] { recover(newest); });
+    connect(drop, &QPushButton::clicked, this, [this, newest] {
+        Autosave::remove(newest);
+        offerRecovery();
+    });
+    question->open();
+}
+
+void MainWindow::recover(const Recovery& recovery) {
+    if (files_->mayLoseDocument() && document_.recover(recovery.scene, recovery.original)) {
+        autosave_.giveUp();
+        autosave_.adopt(recovery);
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayLoseDocument()) {
+        event->ignore();
+        return;
+    }
+    autosave_.giveUp();
+    session_.setWindow(saveGeometry(), saveState(layoutVersion));
+    QStringList opened = session_.openedDocks();
+    for (const auto& [name, dock] : docks_) {
+        if (dock->isBuilt() && !opened.contains(name)) {
+            opened << name;
+        }
+    }
+    session_.setOpenedDocks(opened);
+    session_.sync();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList dropped;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        dropped << url.toLocalFile();
+    }
+    dropped.removeAll(QString());
+    event->acceptProposedAction();
+    files_->drop(dropped, document_.activeSide());
+}
+
+} // namespace patina

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include <QMainWindow>
+
+#include "docks/dock_list.h"
+#include "docks/effect_switches.h"
+#include "document/document.h"
+#include "files/autosave.h"
+#include "files/catalog_watcher.h"
+#include "files/file_actions.h"
+#include "files/picture_export.h"
+#include "library/block_trials.h"
+#include "library/preset_library.h"
+#include "library/thumbnail_maker.h"
+#include "viewport/compare_area.h"
+#include "viewport/program_worker.h"
+#include "viewport/texture_library.h"
+#include "window/message_log.h"
+#include "window/session.h"
+#include "window/status_line.h"
+#include "window/theme.h"
+
+class QMenu;
+
+namespace patina {
+
+class LazyDock;
+
+/// The editor's window. It owns the parts and connects them; what they do is theirs.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme);
+    ~MainWindow() override;
+
+    Document& document() { return document_; }
+    FileActions& files() { return *files_; }
+    PictureExport& pictures() { return *pictures_; }
+    CompareArea& views() { return *views_; }
+    MessageLog& messages() { return messages_; }
+    MeshLibrary& meshes() { return meshes_; }
+    Autosave& autosave() { return autosave_; }
+    QDockWidget* dock(const QString& name) const;
+
+    /// What can wait until the first frame is on the screen: presets, thumbnails, watching, the
+    /// desktop's look, work to recover.
+    void startRest();
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool event(QEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+
+  private:
+    void makeDocks();
+    void makeFileMenu();
+    void makeEditMenu();
+    void makeViewMenu();
+    void makeLookMenu(QMenu* menu);
+    void makeHelpMenu();
+    void makeToolBar();
+    void connectParts();
+    void fillRecentFiles();
+    void arrangeDocks();
+    void hideBottom();
+    void restoreWindow();
+    void updateTitle();
+    void offerRecovery();
+    void recover(const Recovery& recovery);
+    void exportPicture();
+    void showMessages();
+    void checkStability();
+    void showEffects();
+    void showKeys();
+    void showAbout();
+    QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,
+                 std::function<void()> what);
+
+    Theme& theme_;
+    Session session_;
+    MessageLog messages_;
+    Document document_;
+    MeshLibrary meshes_;
+    TextureLibrary textures_{[this]() -> AssetClient& { return meshes_.client(); }};
+    EnvironmentLibrary environments_;
+    EffectSwitches switches_;
+    CatalogWatcher watcher_;
+    PresetLibrary presets_;
+    ThumbnailMaker thumbnails_;
+    ProgramWorker programs_;
+    BlockTrials trials_;
+    Autosave autosave_;
+    FileActions* files_;
+    PictureExport* pictures_;
+    CompareArea* views_;
+    StatusLine* status_;
+    QMenu* recent_ = nullptr;
+    std::map<QString, LazyDock*> docks_;
+    std::map<DockPlace, QDockWidget*> firstDocks_; ///< the one that is on top at each place
+    QAction* compare_ = nullptr;
+    QAction* link_ = nullptr;
+    QAction* realign_ = nullptr;
+    QAction* swap_ = nullptr;
+    QAction* difference_ = nullptr;
+    bool arranged_ = false;
+};
+
+} // namespace patina

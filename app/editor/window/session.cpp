@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/session.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "core/ordinary_file.h"
+
+namespace patina {
+namespace {
+
+constexpr int maxRecentFiles = 12;
+constexpr int maxAskedFiles = 200;
+constexpr std::uintmax_t maxSettingsBytes = 16u << 20;
+
+std::filesystem::path xdgFolder(const char* variable, const char* fallback) {
+    const QString set = qEnvironmentVariable(variable);
+    const QString base = QDir::isAbsolutePath(set) ? set : QDir::home().filePath(fallback);
+    return std::filesystem::path(base.toStdString()) / "patina";
+}
+
+/// Where what is remembered lies. In place of what is there and is no ordinary file comes a name
+/// that no file can have: nothing is then remembered longer than the program runs.
+QString settingsFile() {
+    const std::filesystem::path file = xdgFolder("XDG_CONFIG_HOME", ".config") / "patina.ini";
+    std::error_code ignored; // it is refused then
+    const bool isUsable =
+        std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found ||
+        OrdinaryFile::open(file, maxSettingsBytes);
+    return QString::fromStdString(isUsable ? file.string() : "/dev/null/patina.ini");
+}
+
+/// A path has characters that are none for a key.
+QString outsideKey(const QString& file, bool allowed) {
+    const QByteArray name = file.toUtf8().toBase64(QByteArray::Base64UrlEncoding);
+    return QStringLiteral("outside/%1/%2")
+        .arg(allowed ? QStringLiteral("allowed") : QStringLiteral("refused"),
+             QString::fromLatin1(name));
+}
+
+} // namespace
+
+Session::Session() : settings_(settingsFile(), QSettings::IniFormat) {}
+
+QByteArray Session::windowGeometry() const {
+    return settings_.value("window/geometry").toByteArray();
+}
+
+QByteArray Session::windowLayout() const {
+    return settings_.value("window/layout").toByteArray();
+}
+
+QStringList Session::openedDocks() const {
+    return settings_.value("window/openedDocks").toStringList();
+}
+
+void Session::setOpenedDocks(const QStringList& names) {
+    settings_.setValue("window/openedDocks", names);
+}
+
+void Session::setWindow(const QByteArray& geometry, const QByteArray& layout) {
+    settings_.setValue("window/geometry", geometry);
+    settings_.setValue("window/layout", layout);
+}
+
+QStringList Session::recentFiles() const {
+    QStringList files = settings_.value("files/recent").toStringList();
+    files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+    return files;
+}
+
+void Session::addRecentFile(const QString& file) {
+    QStringList files = settings_.value("files/recent").toStringList();
+    const QString absolute = QFileInfo(file).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    settings_.setValue("files/recent", QStringList(files.mid(0, maxRecentFiles)));
+}
+
+void Session::clearRecentFiles() {
+    settings_.remove("files/recent");
+}
+
+QStringList Session::outside(const QString& file, bool allowed) const {
+    return settings_.value(outsideKey(file, allowed)).toStringList();
+}
+
+void Session::addOutside(const QString& file, bool allowed, const QStringList& others) {
+    const auto put = [&](bool where, const QStringList& files) {
+        const QString key = outsideKey(file, where);
+        files.isEmpty() ? settings_.remove(key) : settings_.setValue(key, files);
+    };
+    QStringList same = outside(file, allowed);
+    QStringList opposite = outside(file, !allowed);
+    for (const QString& other : others) {
+        same.removeAll(other);
+        opposite.removeAll(other);
+    }
+    put(allowed, same + others);
+    put(!allowed, opposite);
+    QStringList asked = settings_.value("outside/files").toStringList();
+    asked.removeAll(file);
+    asked.prepend(file);
+    for (const QString& old : asked.mid(maxAskedFiles)) {
+        settings_.remove(outsideKey(old, true));
+        settings_.remove(outsideKey(old, false));
+    }
+    settings_.setValue("outside/files", QStringList(asked.mid(0, maxAskedFiles)));
+}
+
+Look Session::look() const {
+    const QString look = settings_.value("view/look").toString();
+    if (look == "dark") {
+        return Look::Dark;
+    }
+    return look == "light" ? Look::Light : Look::System;
+}
+
+void Session::setLook(Look look) {
+    settings_.setValue("view/look", look == Look::Dark    ? "dark"
+                                    : look == Look::Light ? "light"
+                                                          : "system");
+}
+
+QString Session::folder(const QString& purpose) const {
+    const QString folder = settings_.value("folders/" + purpose).toString();
+    return QDir(folder).exists() && !folder.isEmpty() ? folder : QDir::homePath();
+}
+
+void Session::setFolderOf(const QString& purpose, const QString& file) {
+    settings_.setValue("folders/" + purpose, QFileInfo(file).absolutePath());
+}
+
+std::filesystem::path cacheFolder() {
+    return xdgFolder("XDG_CACHE_HOME", ".cache");
+}
+
+std::filesystem::path stateFolder() {
+    return xdgFolder("XDG_STATE_HOME", ".local/state");
+}
+
+std::filesystem::path userDataFolder() {
+    return xdgFolder("XDG_DATA_HOME", ".local/share");
+}
+
+} // namespace patina

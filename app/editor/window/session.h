@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include <QByteArray>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include "window/theme.h"
+
+namespace patina {
+
+/// What is remembered from one start to the next, in $XDG_CONFIG_HOME/patina/patina.ini.
+class Session {
+  public:
+    Session();
+
+    QByteArray windowGeometry() const;
+    QByteArray windowLayout() const;
+    QStringList openedDocks() const; ///< by name, those that were open once
+    void setWindow(const QByteArray& geometry, const QByteArray& layout);
+    void setOpenedDocks(const QStringList& names);
+
+    QStringList recentFiles() const; ///< newest first, only those that exist
+    void addRecentFile(const QString& file);
+    void clearRecentFiles();
+
+    /// What a file may read outside of its folder, and what not, as the user said. The files that
+    /// were asked about last are remembered.
+    QStringList outside(const QString& file, bool allowed) const;
+    void addOutside(const QString& file, bool allowed, const QStringList& others);
+
+    Look look() const;
+    void setLook(Look look);
+
+    /// The folder a file dialog opened in last, one for each purpose ("preset", "scene", "mesh").
+    QString folder(const QString& purpose) const;
+    void setFolderOf(const QString& purpose, const QString& file);
+
+    void sync() { settings_.sync(); }
+
+  private:
+    QSettings settings_;
+};
+
+/// $XDG_CACHE_HOME/patina, $XDG_STATE_HOME/patina and $XDG_DATA_HOME/patina.
+std::filesystem::path cacheFolder();
+std::filesystem::path stateFolder();
+std::filesystem::path userDataFolder();
+
+} // namespace patina

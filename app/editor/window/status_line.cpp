@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/status_line.h"
+
+#include <QFileInfo>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "docks/effect_label.h"
+#include "text/short_text.h"
+
+namespace patina {
+namespace {
+
+/// The line is written at most this often while frames follow each other.
+constexpr int settleMs = 100;
+constexpr int progressWidth = 200;
+
+} // namespace
+
+StatusLine::StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
+                       MessageLog& messages, QWidget* parent)
+    : QStatusBar(parent), document_(document), meshes_(meshes), environments_(environments),
+      messages_(messages), model_(new QLabel(this)), effects_(new QLabel(this)),
+      samples_(new QLabel(this)), time_(new QLabel(this)),
+      progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
+      badge_(new QToolButton(this)), switched_(new QToolButton(this)) {
+    setSizeGripEnabled(false);
+    model_->setObjectName("statusModel");
+    effects_->setObjectName("statusEffects");
+    time_->setObjectName("statusTime");
+    // The list of effects gives way when the window is narrow; its tool tip has all of it.
+    effects_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    addWidget(model_);
+    addWidget(effects_, 1);
+    makeLoadingRow();
+    samples_->setObjectName("statusSamples");
+    samples_->hide();
+    addPermanentWidget(samples_);
+    switched_->setAutoRaise(true);
+    switched_->setObjectName("switchedOff");
+    switched_->setToolTip(tr("The views do not show everything: open the list of effects"));
+    addPermanentWidget(switched_);
+    setSwitchedOff(0);
+    connect(switched_, &QToolButton::clicked, this, &StatusLine::effectsWished);
+    addPermanentWidget(time_);
+    badge_->setAutoRaise(true);
+    badge_->setObjectName("messageBadge");
+    addPermanentWidget(badge_);
+    settle_.setSingleShot(true);
+    settle_.setInterval(settleMs);
+    connect(&settle_, &QTimer::timeout, this, &StatusLine::showFrame);
+    connect(badge_, &QToolButton::clicked, this, &StatusLine::messagesWished);
+    connect(&messages_, &MessageLog::changed, this, &StatusLine::showBadge);
+    connect(&document_, &Document::currentChanged, &settle_, qOverload<>(&QTimer::start));
+    showBadge();
+    setMinimumHeight(sizeHint().height()); // what comes and goes in it does not move the views
+}
+
+void StatusLine::makeLoadingRow() {
+    progress_->setRange(0, 100);
+    progress_->setMaximumWidth(progressWidth);
+    cancel_->setText(tr("Cancel"));
+    cancel_->setToolTip(tr("Stop reading the file"));
+    addPermanentWidget(progress_);
+    addPermanentWidget(cancel_);
+    hideLoading();
+    connect(cancel_, &QToolButton::clicked, &meshes_, &MeshLibrary::cancelAll);
+    connect(cancel_, &QToolButton::clicked, &environments_, &EnvironmentLibrary::cancel);
+    connect(&environments_, &EnvironmentLibrary::loadingStarted, this,
+            [this](const QString& file) { showLoading(file, 0.0f); });
+    connect(&environments_, &EnvironmentLibrary::loaded, this, &StatusLine::hideLoading);
+    connect(&environments_, &EnvironmentLibrary::failed, this, &StatusLine::hideLoading);
+    connect(&meshes_, &MeshLibrary::loadingStarted, this,
+            [this](const QString& file) { showLoading(file, 0.0f); });
+    connect(&meshes_, &MeshLibrary::progressed, this, &StatusLine::showLoading);
+    connect(&meshes_, &MeshLibrary::loaded, this, &StatusLine::hideLoading);
+    connect(&meshes_, &MeshLibrary::failed, this, &StatusLine::hideLoading);
+}
+
+void StatusLine::watch(TextureLibrary& textures) {
+    textures_ = &textures;
+    connect(cancel_, &QToolButton::clicked, &textures, &TextureLibrary::cancelAll);
+    connect(&textures, &TextureLibrary::loadingStarted, this,
+            [this](const QString& file) { showLoading(file, 0.0f); });
+    connect(&textures, &TextureLibrary::loaded, this, &StatusLine::hideLoading);
+    connect(&textures, &TextureLibrary::failed, this, &StatusLine::hideLoading);
+}
+
+bool StatusLine::isLoading() const {
+    return meshes_.isLoading() || environments_.isLoading() ||
+           (textures_ && textures_->isLoading());
+}
+
+void StatusLine::setViewport(Viewport* viewport) {
+    if (viewport_) {
+        disconnect(viewport_, nullptr, this, nullptr);
+    }
+    viewport_ = viewport;
+    connect(viewport, &Viewport::frameDrawn, this, [this] {
+        if (!settle_.isActive()) {
+            settle_.start();
+        }
+    });
+    settle_.start();
+}
+
+void StatusLine::showFrame() {
+    const Material* material = document_.material(document_.activeSide());
+    const Block* model =
+        material ? document_.catalog().find("models", material->model.id) : nullptr;
+    const QString id = material ? QString::fromStdString(material->model.id) : QString();
+    model_->setText(model      ? shortened(QString::fromStdString(model->label))
+                    : material ? tr("%1 (not installed)").arg(shortened(id))
+                               : tr("No object"));
+    if (!viewport_) {
+        return;
+    }
+    QStringList effects;
+    for (const std::string& effect : viewport_->report().effects) {
+        effects << effectLabel(effect, material, document_.scene(document_.activeSide()),
+                               document_.catalog());
+    }
+    const QString list = effects.join(tr(", "));
+    effects_->setText(tr("In the shader: %1").arg(list));
+    effects_->setToolTip(effects.join('\n'));
+    time_->setText(viewport_->frameTime());
+    time_->setToolTip(tr("Time of the last frame of this view and how it was measured"));
+    showSamples();
+}
+
+/// How far the environment's light has settled.
+void StatusLine::showSamples() {
+    const int samples = viewport_->samples();
+    samples_->setVisible(samples > 0);
+    samples_->setText(samples < viewport_->wantedSamples()
+                          ? tr("Environment: %1 of %2 samples")
+                                .arg(samples)
+                                .arg(viewport_->wantedSamples())
+                          : tr("Environment: %1 samples").arg(samples));
+}
+
+void StatusLine::showLoading(const QString& file, float share) {
+    if (!isLoading()) {
+        return;
+    }
+    progress_->setValue(static_cast<int>(share * 100.0f));
+    progress_->setFormat(tr("%1 %p%").arg(shortened(QFileInfo(file).fileName())));
+    progress_->show();
+    cancel_->show();
+}
+
+void StatusLine::hideLoading() {
+    if (!isLoading()) {
+        progress_->hide();
+        cancel_->hide();
+    }
+}
+
+void StatusLine::setSwitchedOff(int effects) {
+    switched_->setVisible(effects > 0);
+    switched_->setText(effects == 1 ? tr("1 effect off") : tr("%1 effects off").arg(effects));
+    switched_->setAccessibleName(switched_->text());
+}
+
+void StatusLine::showBadge() {
+    const int count = messages_.count();
+    badge_->setText(count == 0   ? tr("No messages")
+                    : count == 1 ? tr("⚠ 1 message")
+                                 : tr("⚠ %1 messages").arg(count));
+    badge_->setAccessibleName(badge_->text());
+    badge_->setToolTip(tr("Show or hide the messages"));
+}
+
+} // namespace patina

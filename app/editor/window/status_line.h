@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStatusBar>
+#include <QTimer>
+
+#include "document/document.h"
+#include "viewport/environment_library.h"
+#include "viewport/mesh_library.h"
+#include "viewport/texture_library.h"
+#include "viewport/viewport.h"
+#include "window/message_log.h"
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace patina {
+
+/// The model, the effects in the shader, and the frame's time with how it was measured; what is
+/// loading; and how many messages there are.
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+
+  public:
+    StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
+               MessageLog& messages, QWidget* parent = nullptr);
+
+    /// Tells about what it loads, too.
+    void watch(TextureLibrary& textures);
+
+    /// Whose frames are told about.
+    void setViewport(Viewport* viewport);
+
+    /// How many effects the views do not show because they are switched off.
+    void setSwitchedOff(int effects);
+
+  Q_SIGNALS:
+    void messagesWished();
+    void effectsWished();
+
+  private:
+    void makeLoadingRow();
+    void showFrame();
+    void showLoading(const QString& file, float share);
+    void hideLoading();
+    void showSamples();
+    void showBadge();
+    bool isLoading() const;
+
+    Document& document_;
+    MeshLibrary& meshes_;
+    EnvironmentLibrary& environments_;
+    TextureLibrary* textures_ = nullptr;
+    MessageLog& messages_;
+    Viewport* viewport_ = nullptr;
+    QTimer settle_;
+    QLabel* model_;
+    QLabel* effects_;
+    QLabel* samples_;
+    QLabel* time_;
+    QProgressBar* progress_;
+    QToolButton* cancel_;
+    QToolButton* badge_;
+    QToolButton* switched_; ///< says that effects are switched off
+};
+
+} // namespace patina

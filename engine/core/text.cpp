@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text.h"
+
+#include <cctype>
+
+namespace patina {
+
+bool isBlank(std::string_view line) {
+    return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+bool isNameCharacter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+std::string capitalised(std::string_view word) {
+    std::string text(word);
+    if (!text.empty()) {
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    }
+    return text;
+}
+
+std::string constantCase(std::string_view name) {
+    std::string text;
+    for (const char c : name) {
+        const auto letter = static_cast<unsigned char>(c);
+        if (std::isupper(letter) != 0 && !text.empty() && text.back() != '_') {
+            text += '_';
+        }
+        text += std::isalnum(letter) != 0 ? static_cast<char>(std::toupper(letter)) : '_';
+    }
+    return text;
+}
+
+} // namespace patina

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "core/error.h"
+
+namespace patina::gl {
+
+/// Mesa maps the index of its cache of programs as a sparse file, and the process ends with SIGBUS
+/// when a page of it finds no room on the disk. This gives the index its room before Mesa maps it,
+/// so that a disk may become full later; where it cannot have it, or the folder cannot be written
+/// to, Mesa is told to keep no cache. To be called before anything of OpenGL is; only the first
+/// call does anything.
+void prepareDriverCache();
+
+/// Why the driver keeps no cache, where prepareDriverCache() had to turn it off.
+const std::optional<Error>& driverCacheNote();
+
+/// The room for the index in a folder of Mesa's cache, which is made when it is not there. What
+/// else is in the index stays.
+Result<void> reserveCacheIndex(const std::filesystem::path& folder);
+
+} // namespace patina::gl

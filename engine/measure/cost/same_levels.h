@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "measure/cost/cost_chart.h"
+
+namespace patina {
+
+/// Whether a picture of the scene has more triangles than pixels.
+bool isDense(const Scene& scene, const MeshSource& meshes, glm::ivec2 size);
+
+/// Levels of the picture's samples per pixel that the device of the current context cannot tell
+/// apart in frames of this size: it is asked what it makes of each. `dense` as for HdrTarget.
+std::vector<SameLevel> sameSampleLevels(const std::vector<Choice>& choices, glm::ivec2 size,
+                                        bool dense);
+
+/// The choices without the levels that are drawn as others are.
+std::vector<Choice> withoutSame(std::vector<Choice> choices, const std::vector<SameLevel>& same);
+
+} // namespace patina

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/cost/scaling_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace patina {
+namespace {
+
+/// The camera's right and up in the world.
+struct Facing {
+    glm::dvec3 right;
+    glm::dvec3 up;
+};
+
+Facing facing(const Camera& camera) {
+    const glm::dmat3 toWorld = glm::transpose(glm::dmat3(viewMatrix(camera)));
+    return {toWorld[0], toWorld[1]};
+}
+
+double widestOf(const glm::dvec3& scale) {
+    const glm::dvec3 size = glm::abs(scale);
+    return std::max({size.x, size.y, size.z});
+}
+
+} // namespace
+
+Scene withLights(Scene scene, int count) {
+    std::vector<Light> on;
+    for (Light& light : scene.lights) {
+        if (light.enabled) {
+            light.shadow.reset();
+            on.push_back(light);
+        }
+    }
+    scene.lights.clear();
+    for (int i = 0; i < count && !on.empty(); ++i) {
+        scene.lights.push_back(on[static_cast<std::size_t>(i) % on.size()]);
+    }
+    return scene;
+}
+
+Scene withCopies(Scene scene, std::size_t object, int count) {
+    const Object original = scene.objects[object];
+    const Facing camera = facing(scene.camera);
+    const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(double(count)))));
+    const double width = 2.0 * widestOf(original.scale);
+    scene.objects.clear();
+    for (int i = 0; i < count; ++i) {
+        const double x = (double(i % columns) + 0.5) / columns - 0.5;
+        const double y = (double(i / columns) + 0.5) / columns - 0.5;
+        Object copy = original;
+        copy.scale /= double(columns);
+        copy.translation += width * (x * camera.right - y * camera.up);
+        scene.objects.push_back(copy);
+    }
+    return scene;
+}
+
+} // namespace patina

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/cost/sweep_frames.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "measure/choice/picture_choices.h"
+#include "measure/cost/measured_scene.h"
+
+namespace patina {
+namespace {
+
+/// Directions of an environment's light with which errors of a material are measured: the same ones
+/// in every frame, too few for a search of the model's lobe, as that depends on the levels.
+constexpr int sampledDirections = 4 * Renderer::plainSamples;
+
+} // namespace
+
+SweepFrames::SweepFrames(CostSweep::Subject subject, const CostSweep::Options& options,
+                         glm::ivec2 size)
+    : subject_(std::move(subject)), scope_(options.scope), size_(size) {
+    (isOfMaterial() ? leaveSurfaces : leaveGround)(subject_.scene);
+    subject_.scene.accuracy = PictureAccuracy(); // which has a chart of its own
+    const Catalog& catalog = *subject_.catalog;
+    choices_ = isOfMaterial() ? materialChoices(subject_.scene, subject_.object, catalog)
+                              : choicesOfPicture(subject_.scene, catalog);
+    std::erase_if(choices_, [&options](const Choice& choice) {
+        return !options.only.empty() &&
+               std::ranges::find(options.only, choice.id) == options.only.end();
+    });
+    counted_ = isOfMaterial() ? sharingMaterial(subject_.scene, subject_.object)
+                              : std::vector<bool>(subject_.scene.objects.size(), true);
+}
+
+ChosenFrame SweepFrames::of(const ChosenLevels& levels) const {
+    ChosenFrame frame{subject_.scene, View()};
+    frame.view.size = size_;
+    frame.view.camera = subject_.camera;
+    frame.view.environmentImage = subject_.environment;
+    frame.view.samples = isOfMaterial() ? 1 : 0;
+    choose(frame, subject_.object, choices_, levels, *subject_.catalog);
+    return frame;
+}
+
+ChosenFrame SweepFrames::captured(const ChosenLevels& levels) const {
+    ChosenFrame frame = of(levels);
+    if (isOfMaterial()) {
+        frame.view.numbers = HdrNumbers::Full;
+        frame.view.environmentSamples = sampledDirections;
+        frame.samplesAtOnce = Renderer::plainSamples;
+    }
+    return frame;
+}
+
+ChosenFrame SweepFrames::empty() const {
+    ChosenFrame frame = of({});
+    for (std::size_t i = 0; i < counted_.size(); ++i) {
+        frame.scene.objects[i].visible = frame.scene.objects[i].visible && !counted_[i];
+    }
+    return frame;
+}
+
+} // namespace patina

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/error/ground_truth_frame.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "render/lights/environment_light.h"
+
+namespace patina {
+
+namespace {
+
+/// Shares of the progress: what is computed in double precision, and what is made ready for
+/// comparing in the end.
+constexpr double computedShare = 0.7;
+constexpr double preparedShare = 0.1;
+
+} // namespace
+
+GroundTruthFrame::GroundTruthFrame(Wish wish) : wish_(std::move(wish)), run_(run()) {}
+
+Result<bool> GroundTruthFrame::step(std::chrono::milliseconds patience) {
+    patience_ = patience;
+    run_.step();
+    return problem_ ? Result<bool>(tl::unexpected(*problem_)) : isDone();
+}
+
+Steps GroundTruthFrame::run() {
+    std::optional<LinearFrame> computed;
+    co_await compute(computed);
+    if (problem_) {
+        co_return;
+    }
+    co_await draw(computed);
+}
+
+/// Computes the frame in double precision where that can be: round after round of an environment's
+/// directions, which are those that the device draws.
+Steps GroundTruthFrame::compute(std::optional<LinearFrame>& computed) {
+    std::optional<SurfaceBuffer> buffer = surfaces(0);
+    if (buffer) {
+        countPixels(*buffer);
+    }
+    co_yield Steps::Pause();
+    const auto frame = problem_ ? nullptr : reference(std::move(*buffer));
+    if (!frame) {
+        co_return;
+    }
+    const int directions = frame->isSampled() ? wish_.drawn.view.environmentSamples : 0;
+    const int rounds = std::max(directions / EnvironmentLight::roundSamples, 1);
+    for (int round = 0; round < rounds; ++round) {
+        if (round > 0) {
+            buffer = surfaces(round);
+            if (!buffer) {
+                co_return;
+            }
+            frame->goOn(std::move(*buffer));
+        }
+        while (!frame->step(patience_)) {
+            progress_ = computedShare * (round + frame->progress()) / rounds;
+            co_yield Steps::Pause();
+        }
+    }
+    if (directions > 0) {
+        method_ += fmt::format(" and with the same {} directions of the environment per pixel",
+                               directions);
+    }
+    progress_ = computedShare;
+    computed = frame->frame();
+}
+
+std::optional<SurfaceBuffer> GroundTruthFrame::surfaces(int round) {
+    auto buffer =
+        wish_.renderer.captureSurfaces(wish_.exact.scene, wish_.exact.view, wish_.meshes, round);
+    if (!buffer) {
+        problem_ = buffer.error();
+        return std::nullopt;
+    }
+    return std::move(*buffer);
+}
+
+void GroundTruthFrame::countPixels(const SurfaceBuffer& buffer) {
+    counts_.resize(buffer.pixels());
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+        const std::optional<std::size_t> object = buffer.objectAt(i);
+        counts_[i] = object && wish_.counted[*object] ? 1 : 0;
+        pixels_ += counts_[i];
+    }
+    if (pixels_ == 0) {
+        problem_ =
+            failure("nothing of the material is in the picture", "an object in view").value();
+    }
+}
+
+/// What cannot be computed on the CPU is compared with what the device draws with every choice
+/// exact; null then.
+std::unique_ptr<ReferenceFrame> GroundTruthFrame::reference(SurfaceBuffer buffer) {
+    method_ = "the finest frame that the device draws";
+    if (!wish_.inDoubles) {
+        return nullptr;
+    }
+    auto made = ReferenceFrame::create(std::move(buffer), wish_.counted);
+    method_ = made ? "the same frame in double precision"
+                   : fmt::format("the exact frame as the device draws it, because {}",
+                                 made.error().problem);
+    return made ? std::move(*made) : nullptr;
+}
+
+/// Draws the frame on the device, takes what counts from the computed one, where there is one, and
+/// makes the meter.
+Steps GroundTruthFrame::draw(const std::optional<LinearFrame>& computed) {
+    const double before = progress_;
+    IncrementalCapture capture(wish_.renderer, wish_.meshes, wish_.drawn);
+    std::function<void(double)> tell = [this, before](double done) {
+        progress_ = before + (1.0 - before - preparedShare) * done;
+    };
+    Result<LinearFrame> drawn;
+    co_await patina::draw(std::move(capture), patience_, std::move(tell), drawn);
+    if (!drawn) {
+        problem_ = drawn.error();
+        co_return;
+    }
+    if (const int directions = wish_.renderer.environmentSamples(); !computed && directions > 0) {
+        method_ = fmt::format("{}, with the same {} directions of the environment per pixel",
+                              method_, directions);
+    }
+    for (std::size_t i = 0; computed && i < counts_.size(); ++i) {
+        if (counts_[i] != 0) {
+            drawn->colors[i] = computed->colors[i];
+        }
+    }
+    drawn->counts = std::move(counts_);
+    ParallelJob preparing;
+    meter_.emplace(std::move(*drawn), DisplayCurve::of(wish_.exact.scene), preparing);
+    while (!preparing.step(patience_)) {
+        co_yield Steps::Pause();
+    }
+}
+
+} // namespace patina

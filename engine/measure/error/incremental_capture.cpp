@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/error/incremental_capture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "measure/error/display_curve.h"
+
+namespace patina {
+
+IncrementalCapture::IncrementalCapture(Renderer& renderer, const MeshSource& meshes,
+                                       ChosenFrame frame)
+    : renderer_(renderer), meshes_(meshes), frame_(std::move(frame)) {}
+
+Result<void> IncrementalCapture::begin() {
+    View part = frame_.view;
+    part.isContinued = continued_;
+    if (continued_) {
+        part.environmentSamples = frame_.view.environmentSamples - renderer_.environmentSamples();
+    }
+    if (frame_.samplesAtOnce > 0) {
+        part.environmentSamples = std::min(part.environmentSamples, frame_.samplesAtOnce);
+    }
+    return renderer_.beginCapture(frame_.scene, part, meshes_);
+}
+
+/// One frame has no more of an environment's samples than it may.
+bool IncrementalCapture::needsSamples() const {
+    const int samples = renderer_.environmentSamples();
+    return samples > 0 && samples < frame_.view.environmentSamples;
+}
+
+Result<bool> IncrementalCapture::step(std::chrono::milliseconds patience) {
+    if (!begun_) {
+        if (auto begun = begin(); !begun) {
+            return tl::unexpected(begun.error());
+        }
+        begun_ = true;
+    }
+    if (!renderer_.proceed(patience)) {
+        return false;
+    }
+    if (needsSamples()) {
+        begun_ = false;
+        continued_ = true;
+        return false;
+    }
+    isDone_ = true;
+    return true;
+}
+
+double IncrementalCapture::progress() const {
+    const int wanted = frame_.view.environmentSamples;
+    const int samples = continued_ ? renderer_.environmentSamples() : 0;
+    return isDone_ ? 1.0 : wanted > 0 ? std::min(double(samples) / wanted, 1.0) : 0.0;
+}
+
+Result<LinearFrame> IncrementalCapture::frame() const {
+    const auto image = renderer_.captured(false);
+    if (!image) {
+        return tl::unexpected(image.error());
+    }
+    const double factor = DisplayCurve::of(frame_.scene).factor();
+    LinearFrame frame;
+    frame.size = {image->width, image->height};
+    frame.colors.reserve(image->pixels.size() / 4);
+    for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
+        const glm::dvec3 color(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]);
+        frame.colors.push_back(color / factor);
+    }
+    return frame;
+}
+
+Steps draw(IncrementalCapture capture, const std::chrono::milliseconds& patience,
+           std::function<void(double)> tell, Result<LinearFrame>& drawn) {
+    Result<bool> done = capture.step(patience);
+    while (done && !*done) {
+        tell(capture.progress());
+        co_yield Steps::Pause();
+        done = capture.step(patience);
+    }
+    tell(1.0);
+    drawn = done ? capture.frame() : tl::unexpected(done.error());
+    co_yield Steps::Pause();
+}
+
+} // namespace patina

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/error/surface_code.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "measure/eval/compiled_block.h"
+#include "shading/surface_buffer_layout.h"
+
+namespace patina {
+namespace {
+
+constexpr std::size_t sharesPerValue = 4;
+
+/// Programs end where a half float does.
+constexpr double maxLight = 65504.0;
+
+std::vector<double> widened(std::span<const glm::vec4> data, std::size_t first,
+                            std::size_t floats) {
+    std::vector<double> values(floats);
+    for (std::size_t i = 0; i < floats; ++i) {
+        values[i] = double(data[first + i / 4][static_cast<int>(i % 4)]);
+    }
+    return values;
+}
+
+Result<SurfaceCode::BlockCode> codeAt(const BlockPlace& place, std::span<const glm::vec4> data,
+                                      std::size_t first) {
+    return compiledBlock(*place.block).map([&](const reference::Block* code) {
+        return SurfaceCode::BlockCode{code, widened(data, first, place.layout.floats)};
+    });
+}
+
+const ParameterField* fieldOf(const BlockPlace& place, std::string_view name) {
+    const auto found = std::ranges::find_if(
+        place.layout.fields, [name](const ParameterField& field) { return field.name == name; });
+    return found == place.layout.fields.end() ? nullptr : &*found;
+}
+
+/// The levels that the program has, which may be others than the material's.
+void takeLevels(std::vector<double>& values, const BlockPlace& place, const BlockUse& use) {
+    for (const ParameterField& field : place.layout.fields) {
+        const auto compiled =
+            field.choice == nullptr
+                ? use.compiled.end()
+                : std::ranges::find(use.compiled, field.choice->id, &CompiledValue::id);
+        if (compiled != use.compiled.end() && field.offset < values.size()) {
+            const std::vector<EnumValue>& levels = field.choice->values;
+            const auto level = std::ranges::find(levels, compiled->value, &EnumValue::id);
+            values[field.offset] = static_cast<double>(level - levels.begin());
+        }
+    }
+}
+
+/// Collects an object's code, block by block.
+class Collector {
+  public:
+    Collector(const BufferedObject& object, const SurfaceBuffer& buffer)
+        : object_(object), buffer_(buffer), layout_(object.pipeline->object),
+          effects_(object.pipeline->effects) {}
+
+    Result<SurfaceCode> collect() {
+        if (auto whole = checkWhole(); !whole) {
+            return tl::unexpected(whole.error());
+        }
+        code_.eye = glm::dvec3(buffer_.eye);
+        code_.firstShare = object_.firstShare;
+        if (effects_.scene.environment) {
+            code_.firstSample = object_.firstSample;
+        }
+        code_.slots = layout_.slots.size();
+        code_.blends = layout_.blend.has_value();
+        addBlock(*layout_.model, *effects_.model);
+        for (std::size_t i = 0; i < layout_.slots.size(); ++i) {
+            addBlock(layout_.slots[i], effects_.slots[i]);
+        }
+        if (layout_.blend) {
+            addBlock(*layout_.blend, *effects_.blend);
+        }
+        addImages();
+        addEmission();
+        addLights();
+        addSurroundings();
+        return problem_ ? Result<SurfaceCode>(tl::unexpected(*problem_)) : std::move(code_);
+    }
+
+  private:
+    Result<void> checkWhole() const {
+        if (!layout_.model) {
+            return failure("an object has a plain stand-in for its model");
+        }
+        if (effects_.refraction) {
+            return failure("the object bends what is seen through it");
+        }
+        if (isVisiblyTransparent(effects_)) {
+            return failure("what is behind the object shines through");
+        }
+        return {};
+    }
+
+    SurfaceCode::BlockCode codeOf(const BlockPlace& place, std::span<const glm::vec4> data,
+                                  std::size_t first) {
+        Result<SurfaceCode::BlockCode> code = codeAt(place, data, first);
+        if (!code && !problem_) {
+            problem_ = code.error();
+        }
+        return code ? std::move(*code) : SurfaceCode::BlockCode();
+    }
+
+    void addBlock(const BlockPlace& place, const BlockUse& use) {
+        code_.blocks.push_back(
+            codeOf(place, object_.data, static_cast<std::size_t>(place.first)));
+        takeLevels(code_.blocks.back().values, place, use);
+        places_.push_back(&place);
+    }
+
+    void addImages() {
+        for (std::size_t i = 0; i < object_.inputs.size(); ++i) {
+            const TextureEffect& effect = effects_.textures[object_.inputs[i]];
+            for (std::size_t b = 0; b < places_.size(); ++b) {
+                const ParameterField* field = fieldOf(*places_[b], effect.field);
+                if (places_[b]->block->kind == effect.kind && field != nullptr) {
+                    code_.textured.push_back({b, field->offset, field->components, i});
+                }
+            }
+        }
+    }
+
+    void addEmission() {
+        for (const std::string& color : effects_.emission) {
+            const ParameterField* field = fieldOf(*layout_.model, fieldName(color));
+            if (field != nullptr) {
+                code_.emission.push_back({0, field->offset, field->components, 0});
+            }
+        }
+    }
+
+    /// As packScene() laid them out: a header, then light after light.
+    void addLights() {
+        std::size_t share = 0;
+        for (const LightPlace& group : object_.pipeline->scene.groups) {
+            const glm::vec4 header = buffer_.sceneData[static_cast<std::size_t>(group.light.first)];
+            const auto first = static_cast<std::size_t>(header.y);
+            for (std::size_t i = 0; i < static_cast<std::size_t>(header.x); ++i) {
+                const std::size_t at = first + i * static_cast<std::size_t>(group.vec4s());
+                SurfaceCode::LightCode light{codeOf(group.light, buffer_.sceneData, at), {}};
+                if (group.shadow) {
+                    light.share = share++;
+                }
+                code_.lights.push_back(std::move(light));
+            }
+        }
+    }
+
+    void addSurroundings() {
+        const SceneLayout& scene = object_.pipeline->scene;
+        const auto data = [this](int index) {
+            return glm::dvec3(buffer_.sceneData[static_cast<std::size_t>(index)]);
+        };
+        if (effects_.scene.ambient) {
+            code_.ambient = data(SceneLayout::ambient);
+        }
+        if (scene.hemisphere) {
+            code_.hemisphere = SurfaceCode::Hemisphere{
+                data(*scene.hemisphere), data(*scene.hemisphere + 1), data(*scene.hemisphere + 2)};
+        }
+        if (scene.fog) {
+            code_.fog = codeOf(*scene.fog, buffer_.sceneData,
+                               static_cast<std::size_t>(scene.fog->first));
+        }
+    }
+
+    const BufferedObject& object_;
+    const SurfaceBuffer& buffer_;
+    const ObjectLayout& layout_;
+    const EffectSet& effects_;
+    SurfaceCode code_;
+    std::vector<const BlockPlace*> places_;
+    std::optional<Error> problem_;
+};
+
+glm::dvec3 at(std::span<const double> values, std::size_t offset) {
+    return {values[offset], values[offset + 1], values[offset + 2]};
+}
+
+bool sends(const glm::dvec3& radiance) {
+    return std::max({radiance.r, radiance.g, radiance.b}) > 0.0;
+}
+
+} // namespace
+
+Result<SurfaceCode> SurfaceCode::of(const BufferedObject& object, const SurfaceBuffer& buffer) {
+    return Collector(object, buffer).collect();
+}
+
+SurfaceShader::SurfaceShader(const SurfaceCode& code)
+    : code_(code), incidence_(reference::findFunction("incidenceBetween")) {
+    for (const SurfaceCode::BlockCode& block : code.blocks) {
+        values_.push_back(block.values);
+    }
+    for (std::size_t i = 0; i < code.slots; ++i) {
+        fillers_.push_back({code.blocks[i + 1].code, values_[i + 1]});
+    }
+}
+
+void SurfaceShader::lookAt(const SurfaceBuffer& buffer, std::size_t pixel) {
+    buffer_ = &buffer;
+    pixel_ = pixel;
+    const glm::dvec3 x(buffer.positions[pixel]);
+    point_ = {x, glm::dvec3(buffer.normals[pixel]), glm::dvec3(buffer.tangents[pixel]),
+              code_.eye - x, buffer.place(pixel)};
+    takeImages();
+}
+
+glm::dvec3 SurfaceShader::still() const {
+    return lit() + ambient();
+}
+
+glm::dvec3 SurfaceShader::finished(glm::dvec3 sum) const {
+    if (code_.blends) {
+        sum = blended(sum);
+    }
+    sum += emitted();
+    if (code_.fog) {
+        sum = fogged(sum);
+    }
+    return glm::clamp(sum, 0.0, maxLight);
+}
+
+/// One of the values that the buffer has of the pixel.
+glm::dvec4 SurfaceShader::noted(std::size_t value) const {
+    return glm::dvec4(buffer_->values[value][pixel_]);
+}
+
+void SurfaceShader::takeImages() {
+    for (const SurfaceCode::FieldPlace& field : code_.textured) {
+        const glm::dvec4 value = noted(field.value);
+        for (int i = 0; i < field.components; ++i) {
+            values_[field.block][field.offset + static_cast<std::size_t>(i)] = value[i];
+        }
+    }
+}
+
+/// As passes/environment_light.glsl, of the directions of passes/environment_samples.glsl.
+glm::dvec3 SurfaceShader::sampled() const {
+    glm::dvec3 sum(0.0);
+    for (int i = 0; code_.firstSample && i < SurfaceBufferLayout::samples; ++i) {
+        const std::size_t first =
+            *code_.firstSample + std::size_t(i * SurfaceBufferLayout::sampleValues);
+        const glm::dvec3 arriving(noted(first + 1));
+        if (sends(arriving)) {
+            sum += arriving * value(glm::dvec3(noted(first)), point_.toEye);
+        }
+    }
+    return sum / double(SurfaceBufferLayout::samples);
+}
+
+/// What the model returns, cut at 0.
+glm::dvec3 SurfaceShader::value(const glm::dvec3& l, const glm::dvec3& v) const {
+    reference::Geometry geometry = reference::geometry(point_.n, point_.t, l, v);
+    geometry.pixel = point_.place;
+    return reference::shade(*code_.blocks.front().code, geometry, values_.front(), fillers_);
+}
+
+glm::dvec3 SurfaceShader::lit() const {
+    glm::dvec3 sum(0.0);
+    for (const SurfaceCode::LightCode& light : code_.lights) {
+        reference::Illumination arriving = light.block.code->light(point_.x, light.block.values);
+        if (light.share) {
+            const std::size_t value = code_.firstShare + *light.share / sharesPerValue;
+            const auto part = static_cast<int>(*light.share % sharesPerValue);
+            arriving.radiance *= noted(value)[part];
+        }
+        if (sends(arriving.radiance)) {
+            sum += arriving.radiance * value(arriving.l, point_.toEye);
+        }
+    }
+    return sum;
+}
+
+/// As passes/ambient.glsl and passes/hemisphere.glsl.
+glm::dvec3 SurfaceShader::ambient() const {
+    if (!code_.ambient && !code_.hemisphere) {
+        return glm::dvec3(0.0);
+    }
+    const reference::Geometry g = reference::geometry(point_.n, point_.t, point_.n, point_.toEye);
+    glm::dvec3 light = code_.ambient.value_or(glm::dvec3(0.0));
+    if (code_.hemisphere) {
+        const double up = glm::clamp(0.5 + 0.5 * glm::dot(g.n, code_.hemisphere->up), 0.0, 1.0);
+        light += glm::mix(code_.hemisphere->ground, code_.hemisphere->sky, up);
+    }
+    return light * value(g.n, 0.5 * g.n + std::sqrt(0.75) * g.t);
+}
+
+glm::dvec3 SurfaceShader::emitted() const {
+    glm::dvec3 sum(0.0);
+    for (const SurfaceCode::FieldPlace& field : code_.emission) {
+        sum += at(values_.front(), field.offset);
+    }
+    return sum;
+}
+
+glm::dvec3 SurfaceShader::blended(const glm::dvec3& shaded) const {
+    const reference::Geometry g = reference::geometry(point_.n, point_.t, point_.n, point_.toEye);
+    const std::array<double, 6> directions{g.n.x, g.n.y, g.n.z, g.v.x, g.v.y, g.v.z};
+    std::array<double, 2> incidence{};
+    incidence_->call(directions.data(), incidence.data());
+    const reference::Block& block = *code_.blocks.back().code;
+    const glm::dvec3 share = block.fresnel(incidence[0], incidence[1], values_.back());
+    return glm::mix(shaded, block.tint(values_.back()), share);
+}
+
+glm::dvec3 SurfaceShader::fogged(const glm::dvec3& shaded) const {
+    const double range = glm::length(point_.toEye);
+    const reference::FogRay ray{code_.eye, -point_.toEye / std::max(range, 1e-300), range};
+    const reference::Block& block = *code_.fog->code;
+    return glm::mix(block.fogColor(code_.fog->values), shaded,
+                    block.fog(ray, code_.fog->values));
+}
+
+} // namespace patina

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/eval/eval_source.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "catalog/table_source.h"
+#include "measure/eval/eval_reference.h"
+#include "shading/block_source.h"
+#include "shading/source_builder.h"
+
+namespace patina {
+namespace {
+
+using Subject = EvalCase::Subject;
+
+int texelsOf(std::size_t numbers) {
+    return static_cast<int>((numbers + 3) / 4);
+}
+
+const Value& valueOf(const EvalBlock& block, const Parameter& parameter) {
+    const auto found = block.values.find(parameter.id);
+    return found == block.values.end() ? parameter.defaultValue : found->second;
+}
+
+std::string compiledText(const Value& value) {
+    if (const auto* id = std::get_if<std::string>(&value)) {
+        return *id;
+    }
+    if (const auto* flag = std::get_if<bool>(&value)) {
+        return *flag ? "true" : "false";
+    }
+    return value == Value(0.0) ? "zero" : "nonzero";
+}
+
+std::string keyOf(const EvalBlock& block) {
+    if (block.block == nullptr) {
+        return {};
+    }
+    std::string key = block.block->kind + '/' + block.block->id;
+    for (const CompiledValue& value : compiledValues(block)) {
+        key += ' ' + value.id + '=' + value.value;
+    }
+    return key;
+}
+
+/// Texels before the parameters: n, t, l and v, or the one argument.
+int argumentTexels(Subject subject) {
+    return subject == Subject::Model ? 4 : subject == Subject::Fog ? 2 : 1;
+}
+
+std::string header(const EvalShape& shape) {
+    return fmt::format("#version 410 core\n#define OUT(T) out T\n#define CASE_TEXELS {}\n"
+                       "#define RESULT_PIXELS {}\n#define CASES_WIDTH {}\n"
+                       "#define RESULT_WIDTH {}\n#define PARAMETER_DATA(i) caseData(base + (i))\n",
+                       shape.caseTexels, shape.resultPixels, evalWidth, evalWidth);
+}
+
+void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::string& function,
+                   std::span<const SlotFill> slots) {
+    const std::vector<CompiledValue> compiled = compiledValues(block);
+    builder.add(constantsSource(*block.block));
+    builder.add(structSource(*block.block));
+    builder.add(unpackSource(*block.block, {function, compiled, slots}));
+}
+
+/// What fills the model's slots, under the names by which the model knows it.
+void addSlots(SourceBuilder& builder, const EvalCase& request) {
+    for (const Slot& slot : request.block.block->slots) {
+        const EvalBlock& filler = request.slot;
+        if (filler.block == nullptr || filler.block->kind != slot.kind) {
+            builder.add(emptySlotSource(slot.kind));
+            continue;
+        }
+        addParameters(builder, filler, "unpack" + slotStructName(slot.kind), {});
+        builder.add(tableDeclarations(*filler.block));
+        builder.addBlock(*filler.block);
+        builder.add(computedTables(*filler.block));
+        builder.add(slotNamesSource(*filler.block));
+    }
+}
+
+void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
+    const Block& block = *request.block.block;
+    addSlots(builder, request);
+    std::vector<SlotFill> filled;
+    if (request.slot.block != nullptr) {
+        filled.push_back({request.slot.block->kind, vec4Count(*request.slot.block)});
+    }
+    addParameters(builder, request.block, "unpackEvaluated", filled);
+    builder.add(tableDeclarations(block));
+    builder.addBlock(block);
+    builder.add(computedTables(block));
+    builder.add(fmt::format("#define EVALUATED_BLOCK {}\n#define LIGHT_GATE {}\n"
+                            "#define VIEW_GATE {}\n",
+                            functionName(block), block.hasGate("light"), block.hasGate("view")));
+    builder.addFile("passes/evaluate_" + block.kind + ".glsl");
+}
+
+void addFunctionProgram(SourceBuilder& builder, const EvalCase& request,
+                        const std::filesystem::path& shaders) {
+    std::vector<std::filesystem::path> files;
+    std::error_code ignored; // an unreadable folder leaves the function undeclared, and says so
+    for (const auto& item : std::filesystem::directory_iterator(shaders / "lib", ignored)) {
+        files.push_back(item.path());
+    }
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files) {
+        builder.addFile(file);
+    }
+    builder.add(fmt::format("#define FUNCTION_CALL {}\n",
+                            reference::findFunction(request.function)->glslCall));
+    builder.addFile("passes/evaluate_function.glsl");
+}
+
+void append(std::vector<float>& texels, const glm::dvec3& v, double last = 0.0) {
+    for (const double x : {v.x, v.y, v.z, last}) {
+        texels.push_back(static_cast<float>(x));
+    }
+}
+
+void appendValues(std::vector<float>& texels, const EvalBlock& block) {
+    if (block.block != nullptr) {
+        for (const double x : block.packedValues()) {
+            texels.push_back(static_cast<float>(x));
+        }
+    }
+}
+
+} // namespace
+
+std::vector<CompiledValue> compiledValues(const EvalBlock& block) {
+    std::vector<CompiledValue> values;
+    for (const Parameter& parameter : block.block->parameters) {
+        const bool isLooked = parameter.compiled == Compiled::WhenEqual; // at, by the program
+        if (parameter.compiled != Compiled::No && !isLooked) {
+            values.push_back({parameter.id, compiledText(valueOf(block, parameter))});
+        }
+    }
+    for (const AccuracyChoice& choice : block.block->accuracy) {
+        const auto level = block.accuracy.find(choice.id);
+        values.push_back(
+            {choice.id, level == block.accuracy.end() ? choice.values.front().id : level->second});
+    }
+    return values;
+}
+
+std::string evalKey(const EvalCase& request) {
+    if (request.subject == Subject::Function) {
+        return request.function + '(' + std::to_string(request.arguments.size());
+    }
+    return keyOf(request.block) + " | " + keyOf(request.slot);
+}
+
+Result<EvalShape> evalShape(const EvalCase& request) {
+    if (request.subject == Subject::Function) {
+        const auto function = findEvalFunction(request);
+        if (!function) {
+            return tl::unexpected(function.error());
+        }
+        return EvalShape{std::max(texelsOf((*function)->arguments), 1),
+                         texelsOf((*function)->results), (*function)->results};
+    }
+    int texels = argumentTexels(request.subject) + vec4Count(*request.block.block);
+    if (request.slot.block != nullptr) {
+        texels += vec4Count(*request.slot.block);
+    }
+    switch (request.subject) {
+    case Subject::Light:
+        return EvalShape{texels, 2, 6};
+    case Subject::Fog:
+        return EvalShape{texels, 1, 1};
+    default:
+        return EvalShape{texels, 1, 3};
+    }
+}
+
+Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape,
+                                 const std::filesystem::path& shaders) {
+    SourceBuilder builder(shaders);
+    builder.add(header(shape));
+    builder.addFile("passes/evaluate.glsl");
+    if (request.subject == Subject::Function) {
+        addFunctionProgram(builder, request, shaders);
+    } else {
+        addBlockProgram(builder, request);
+    }
+    return builder.finish();
+}
+
+std::vector<float> placeTexels(const EvalCase& request) {
+    std::vector<float> texels;
+    switch (request.subject) {
+    case Subject::Model:
+        append(texels, request.n, request.pixel.x);
+        append(texels, request.t, request.pixel.y);
+        append(texels, request.l);
+        append(texels, request.v);
+        break;
+    case Subject::Function:
+        texels.assign(request.arguments.begin(), request.arguments.end());
+        break;
+    case Subject::Light:
+        append(texels, request.l);
+        break;
+    case Subject::Fog:
+        append(texels, request.l, request.number);
+        append(texels, request.v);
+        break;
+    default:
+        append(texels, {request.number, 0.0, 0.0});
+    }
+    return texels;
+}
+
+std::vector<float> valueTexels(const EvalCase& request) {
+    std::vector<float> texels;
+    appendValues(texels, request.block);
+    appendValues(texels, request.slot);
+    return texels;
+}
+
+} // namespace patina

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "measure/eval/eval_program.h"
+#include "measure/stability/claim_trials.h"
+
+namespace patina {
+
+/// Tries a block's claims in one of its programs on the graphics device, with the variant's own
+/// values and with a few that sliders reach. For blocks whose claims no test of this program has
+/// tried before.
+class ClaimSweep {
+  public:
+    explicit ClaimSweep(const EvalCase& variant);
+
+    bool finished() const { return row_ == rows_.size(); }
+    double progress() const;
+
+    /// Draws the places of some trials and judges them; its context must be current.
+    Result<void> step(const EvalProgram& program, SweepReport& report);
+
+  private:
+    std::vector<const ClaimTrial*> nextTrials();
+    EvalCase caseOf(const ClaimTrial& trial, std::size_t place) const;
+    void judge(const ClaimTrial& trial, std::span<const double> values, SweepReport& report) const;
+
+    std::vector<ClaimTrial> trials_;
+    std::vector<EvalCase> rows_; ///< empty where nothing is to be tried
+    std::size_t row_ = 0;
+    std::size_t trial_ = 0;
+};
+
+} // namespace patina

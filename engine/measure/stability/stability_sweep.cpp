@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/stability/stability_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "measure/error/parallel.h"
+#include "measure/eval/eval_program.h"
+#include "measure/stability/claim_sweep.h"
+#include "measure/stability/edge_case_directions.h"
+#include "measure/stability/error_bound.h"
+#include "measure/stability/sweep_cases.h"
+#include "measure/stability/value_checks.h"
+
+namespace patina {
+namespace {
+
+std::vector<double> inFloat(std::vector<double> values) {
+    for (double& x : values) {
+        x = static_cast<double>(static_cast<float>(x));
+    }
+    return values;
+}
+
+std::vector<double> packedInFloat(const EvalBlock& block) {
+    return block.block == nullptr ? std::vector<double>() : inFloat(block.packedValues());
+}
+
+/// Devices take results below 1.2e-38 as 0; products of values below this may get there on the way
+/// to a result that is large again, so nothing is said about their digits.
+constexpr double minExact = 1e-30;
+
+bool hasLostDigits(const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(),
+                       [](double x) { return x != 0.0 && std::abs(x) < minExact; });
+}
+
+/// Of directions nearer to the horizon the sweep asks that values are finite and not negative, not
+/// that they have all digits: geometry is full of squares of cosines, which a float does not hold.
+constexpr double minExactCosine = 1e-9;
+
+bool hasLostDigits(const EvalPlace& place) {
+    const auto isLost = [&place](const glm::dvec3& direction) {
+        const double cosine = std::abs(glm::dot(place.n, direction));
+        return cosine > 0.0 && cosine < minExactCosine;
+    };
+    const glm::dvec3 half = glm::normalize(place.l) + glm::normalize(place.v);
+    return isLost(place.l) || isLost(place.v) || isLost(half);
+}
+
+/// Places between the hard ones, where a formula of its own may break as well; a band of cosines
+/// that is 1/200 wide meets several.
+constexpr std::size_t ordinaryCount = 2048;
+
+/// One in so many of the places with a further set of values is an ordinary one.
+constexpr std::size_t ordinaryEvery = 4;
+
+/// A step through the places that meets every one: it has no divisor in common with their number.
+std::size_t strideFor(std::size_t places) {
+    std::size_t stride = places / 3 + 1;
+    while (std::gcd(stride, places) != 1) {
+        ++stride;
+    }
+    return stride;
+}
+
+} // namespace
+
+/// One program's cases, numbered: every place with the variant's own values, then a few places,
+/// hard and ordinary ones, with every other row of values.
+class StabilitySweep::Variant {
+  public:
+    Variant(const EvalCase& variant, const SweepOptions& options, std::size_t cases)
+        : options_(options), variant_(variant), rows_(sweepRows(variant)),
+          places_(edgeCaseDirections(variant.subject)), hard_(places_.size()),
+          placesPerRow_(std::clamp<std::size_t>(cases / rows_.size(), 16, places_.size())),
+          stride_(strideFor(hard_)), checks_(variant) {
+        const auto ordinary = ordinaryPlaces(variant.subject, ordinaryCount);
+        places_.insert(places_.end(), ordinary.begin(), ordinary.end());
+    }
+
+    /// Makes what evaluates: an error when neither the CPU nor the device can.
+    Result<void> open(std::string& withoutReference, SweepReport& report) {
+        if (options_.cpu) {
+            const auto code = ReferenceCode::find(variant_);
+            code_ = code ? std::optional(*code) : std::nullopt;
+            withoutReference = code ? withoutReference : code.error().problem;
+        }
+        report.withoutDouble = report.withoutDouble || !code_;
+        report.withoutDevice = report.withoutDevice || !options_.gpu;
+        if (!options_.gpu) {
+            return code_ ? Result<void>() : failure(withoutReference, "a graphics device");
+        }
+        auto program = EvalProgram::link(variant_, options_.shaders);
+        if (!program) {
+            return tl::unexpected(program.error());
+        }
+        program_.emplace(std::move(*program));
+        if (!code_) {
+            claims_.emplace(variant_);
+        }
+        return {};
+    }
+
+    bool finished() const { return done_ >= count() && (!claims_ || claims_->finished()); }
+
+    double progress() const {
+        const double values = static_cast<double>(done_) / static_cast<double>(count());
+        return claims_ ? 0.5 * (values + claims_->progress()) : values;
+    }
+
+    Result<void> step(SweepReport& report) {
+        return done_ < count() ? stepValues(report) : claims_->step(*program_, report);
+    }
+
+    std::size_t count() const { return places_.size() + (rows_.size() - 1) * placesPerRow_; }
+
+  private:
+    Result<void> stepValues(SweepReport& report) {
+        const std::size_t size = std::min(options_.slice, count() - done_);
+        std::vector<float> drawn;
+        if (program_) {
+            Result<std::vector<float>> read = program_->draw(texels(done_, size), size);
+            if (!read) {
+                return tl::unexpected(read.error());
+            }
+            drawn = std::move(*read);
+        }
+        std::vector<SweepReport> parts(parallelParts());
+        inParallel(size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+            examine(done_, begin, end, drawn, parts[part]);
+        });
+        for (const SweepReport& part : parts) {
+            report.add(part);
+        }
+        report.cases += size;
+        done_ += size;
+        return {};
+    }
+
+    std::size_t rowOf(std::size_t i) const {
+        return i < places_.size() ? 0 : 1 + (i - places_.size()) / placesPerRow_;
+    }
+
+    const EvalPlace& placeOf(std::size_t i) const {
+        if (i < places_.size()) {
+            return places_[i];
+        }
+        const std::size_t further = i - places_.size();
+        const std::size_t ordinary = further / ordinaryEvery;
+        return further % ordinaryEvery == 0 ? places_[hard_ + ordinary % ordinaryCount]
+                                            : places_[(further - ordinary) * stride_ % hard_];
+    }
+
+    EvalCase caseOf(std::size_t i) const {
+        EvalCase request = rows_[rowOf(i)];
+        static_cast<EvalPlace&>(request) = placeOf(i);
+        return request;
+    }
+
+    std::vector<float> texels(std::size_t from, std::size_t size) const {
+        const auto numbers = static_cast<std::size_t>(program_->shape().caseTexels) * 4;
+        std::vector<float> all;
+        all.reserve(size * numbers);
+        EvalCase request = rows_[rowOf(from)];
+        std::vector<float> values = valueTexels(request);
+        for (std::size_t i = from, row = rowOf(from); i < from + size; ++i) {
+            if (rowOf(i) != row) {
+                row = rowOf(i);
+                values = valueTexels(rows_[row]);
+            }
+            static_cast<EvalPlace&>(request) = placeOf(i);
+            const std::vector<float> place = placeTexels(request);
+            all.insert(all.end(), place.begin(), place.end());
+            all.insert(all.end(), values.begin(), values.end());
+            all.resize((i - from + 1) * numbers);
+        }
+        return all;
+    }
+
+    /// Cases from + begin .. from + end; `drawn` holds the device's numbers from case `from` on.
+    void examine(std::size_t from, std::size_t begin, std::size_t end,
+                 const std::vector<float>& drawn, SweepReport& report) const {
+        std::unique_ptr<ReferenceCase> bound;
+        std::size_t row = rows_.size();
+        for (std::size_t i = begin; i < end; ++i) {
+            if (code_ && rowOf(from + i) != row) {
+                row = rowOf(from + i);
+                bound = std::make_unique<ReferenceCase>(*code_, packedInFloat(rows_[row].block),
+                                                        packedInFloat(rows_[row].slot));
+            }
+            ReferenceNumbers device{};
+            if (!drawn.empty()) {
+                std::copy_n(drawn.begin() + static_cast<std::ptrdiff_t>(i * checks_.numbers()),
+                            checks_.numbers(), device.begin());
+            }
+            examineCase(from + i, bound.get(), drawn.empty() ? nullptr : &device, report);
+        }
+    }
+
+    void examineCase(std::size_t i, const ReferenceCase* bound, const ReferenceNumbers* device,
+                     SweepReport& report) const {
+        bool sound = true;
+        if (device != nullptr) {
+            sound = examineNumbers(i, *device, true, report);
+        }
+        if (bound == nullptr) {
+            return;
+        }
+        const ReferenceNumbers exact = bound->evaluate(placeOf(i));
+        sound = examineNumbers(i, exact, false, report) && sound;
+        if (sound && device != nullptr && options_.error) {
+            examineError(i, *bound, exact, *device, report);
+        }
+    }
+
+    bool examineNumbers(std::size_t i, const ReferenceNumbers& numbers, bool gpu,
+                        SweepReport& report) const {
+        double excess = 0.0;
+        const std::span<const double> own(numbers.data(), checks_.numbers());
+        const auto defect = checks_.check(placeOf(i), own, excess);
+        if (defect) {
+            report.add({*defect, requestOf(i, gpu), numbers, checks_.numbers(), {}, excess});
+        }
+        return !defect;
+    }
+
+    void examineError(std::size_t i, const ReferenceCase& bound, const ReferenceNumbers& exact,
+                      const ReferenceNumbers& device, SweepReport& report) const {
+        const bool isModel = variant_.subject == EvalCase::Subject::Model;
+        if (hasLostDigits(bound.values()) || hasLostDigits(bound.slotValues()) ||
+            (isModel && hasLostDigits(placeOf(i)))) {
+            return;
+        }
+        double excess = 0.0;
+        for (std::size_t k = 0; k < checks_.numbers(); ++k) {
+            excess = std::max(excess, std::abs(device[k] - exact[k]) / ErrorBound::floor(exact[k]));
+        }
+        if (excess > 1.0) {
+            excess = ErrorBound(*code_, rows_[rowOf(i)]).excess(bound, placeOf(i), exact, device);
+        }
+        report.largestError = std::max(report.largestError, excess);
+        if (excess > 1.0) {
+            report.add(
+                {Defect::Inaccurate, requestOf(i, true), device, checks_.numbers(), exact, excess});
+        }
+    }
+
+    EvalCase requestOf(std::size_t i, bool gpu) const {
+        EvalCase request = caseOf(i);
+        request.gpu = gpu;
+        return request;
+    }
+
+    SweepOptions options_;
+    EvalCase variant_;
+    std::vector<EvalCase> rows_;
+    std::vector<EvalPlace> places_; ///< the hard ones, then ordinary ones
+    std::size_t hard_;
+    std::size_t placesPerRow_;
+    std::size_t stride_;
+    ValueChecks checks_;
+    std::optional<ReferenceCode> code_;
+    std::optional<EvalProgram> program_;
+    std::optional<ClaimSweep> claims_; ///< of what is not there in double precision
+    std::size_t done_ = 0;
+};
+
+StabilitySweep::StabilitySweep(std::vector<EvalCase> variants, SweepOptions options)
+    : variants_(std::move(variants)), options_(std::move(options)) {}
+
+StabilitySweep::~StabilitySweep() = default;
+
+bool StabilitySweep::finished() const {
+    return current_ == nullptr && next_ >= variants_.size();
+}
+
+double StabilitySweep::progress() const {
+    if (variants_.empty()) {
+        return 1.0;
+    }
+    const double within = current_ != nullptr ? current_->progress() - 1.0 : 0.0;
+    return (static_cast<double>(next_) + within) / static_cast<double>(variants_.size());
+}
+
+std::size_t StabilitySweep::plannedCases() const {
+    std::size_t cases = 0;
+    for (const EvalCase& variant : variants_) {
+        cases += Variant(variant, options_, casesOfEach()).count();
+    }
+    return cases;
+}
+
+void StabilitySweep::open() {
+    const EvalCase& variant = variants_[next_++];
+    current_ = std::make_unique<Variant>(variant, options_, casesOfEach());
+    ++report_.programs;
+    if (const auto opened = current_->open(withoutReference_, report_); !opened) {
+        report_.errors.push_back(opened.error());
+        current_.reset();
+    }
+}
+
+void StabilitySweep::step() {
+    if (current_ == nullptr) {
+        if (next_ < variants_.size()) {
+            open();
+        }
+        return;
+    }
+    if (const auto done = current_->step(report_); !done) {
+        report_.errors.push_back(done.error());
+        current_.reset();
+        return;
+    }
+    if (current_->finished()) {
+        current_.reset();
+    }
+}
+
+} // namespace patina

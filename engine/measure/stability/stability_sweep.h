@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "measure/stability/sweep_report.h"
+
+namespace patina {
+
+/// Where a sweep evaluates, and how much of it.
+struct SweepOptions {
+    bool cpu = true;
+    bool gpu = true;   ///< an OpenGL context must be current while the sweep exists
+    bool error = true; ///< compare the two where both are evaluated
+    /// About so many cases in all; at least every place once and 16 with each set of hard values.
+    std::size_t cases = 300000;
+    std::size_t slice = 1u << 14;  ///< cases of one step
+    std::filesystem::path shaders; ///< the folder that holds lib/ and passes/
+};
+
+/// Evaluates programs of blocks at every hard place and at ordinary ones between with their own
+/// values, and at some of both with every set of hard values; looks at each value before it is cut
+/// or clamped, and holds the graphics device against the double-precision code. Where there is
+/// none, for a block that came after this program was built, what the block claims is tried on the
+/// device. Works in steps, so that a caller can show progress and stop between them.
+class StabilitySweep {
+  public:
+    /// `variants` come from sweepVariants() or sweepVariant(); their blocks must outlive the sweep.
+    StabilitySweep(std::vector<EvalCase> variants, SweepOptions options);
+    ~StabilitySweep();
+
+    bool finished() const;
+
+    /// 0 .. 1.
+    double progress() const;
+
+    /// How many cases it evaluates from beginning to end.
+    std::size_t plannedCases() const;
+
+    /// Does one slice of the work: compiles at most one program.
+    void step();
+
+    const SweepReport& report() const { return report_; }
+
+    /// The block whose code cannot be evaluated in double precision, and why; empty text when all
+    /// can.
+    const std::string& withoutReference() const { return withoutReference_; }
+
+  private:
+    class Variant;
+    std::size_t casesOfEach() const { return options_.cases / variants_.size(); }
+    void open();
+
+    std::vector<EvalCase> variants_;
+    SweepOptions options_;
+    std::size_t next_ = 0;
+    std::unique_ptr<Variant> current_;
+    SweepReport report_;
+    std::string withoutReference_;
+};
+
+} // namespace patina

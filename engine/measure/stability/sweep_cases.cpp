@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/stability/sweep_cases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "measure/stability/edge_case_values.h"
+#include "measure/stability/pairwise.h"
+
+namespace patina {
+namespace {
+
+using Candidates = std::vector<Value>;
+
+bool isZero(const Value& value) {
+    return value == Value(0.0);
+}
+
+Candidates zeroAndNot(const Parameter& parameter) {
+    const Candidates values = edgeCaseValues(parameter);
+    Candidates both;
+    for (const bool zero : {true, false}) {
+        const auto found = std::find_if(values.begin(), values.end(), [zero](const Value& value) {
+            return isZero(value) == zero;
+        });
+        if (found != values.end()) {
+            both.push_back(*found);
+        }
+    }
+    return both;
+}
+
+/// What a parameter's compiled part can be; empty when it has none.
+Candidates compiledCandidates(const Parameter& parameter) {
+    switch (parameter.compiled) {
+    case Compiled::Yes:
+        return edgeCaseValues(parameter);
+    case Compiled::WhenZero:
+        return zeroAndNot(parameter);
+    default:
+        return {};
+    }
+}
+
+std::vector<std::size_t> compiledCounts(const Block& block) {
+    std::vector<std::size_t> counts;
+    for (const Parameter& parameter : block.parameters) {
+        if (const std::size_t count = compiledCandidates(parameter).size(); count > 0) {
+            counts.push_back(count);
+        }
+    }
+    for (const AccuracyChoice& choice : block.accuracy) {
+        counts.push_back(choice.values.size());
+    }
+    return counts;
+}
+
+EvalBlock defaults(const Block& block) {
+    EvalBlock made{&block, {}, {}};
+    for (const Parameter& parameter : block.parameters) {
+        made.values.emplace(parameter.id, roundedToFloat(parameter.defaultValue));
+    }
+    return made;
+}
+
+/// The block with the compiled choices that a row of pairwiseRows(compiledCounts(block)) names.
+EvalBlock chosen(const Block& block, const std::vector<std::size_t>& row) {
+    EvalBlock made = defaults(block);
+    std::size_t next = 0;
+    for (const Parameter& parameter : block.parameters) {
+        if (const Candidates values = compiledCandidates(parameter); !values.empty()) {
+            made.values[parameter.id] = values[row[next++]];
+        }
+    }
+    for (const AccuracyChoice& choice : block.accuracy) {
+        made.accuracy[choice.id] = choice.values[row[next++]].id;
+    }
+    return made;
+}
+
+/// As few rows as have every choice: the pairs are for the filler's own sweep.
+std::vector<std::vector<std::size_t>> everyChoiceOnce(const std::vector<std::size_t>& counts) {
+    const std::size_t most = counts.empty() ? 1 : *std::max_element(counts.begin(), counts.end());
+    std::vector<std::vector<std::size_t>> rows(most);
+    for (std::size_t i = 0; i < most; ++i) {
+        for (const std::size_t count : counts) {
+            rows[i].push_back(i % count);
+        }
+    }
+    return rows;
+}
+
+std::vector<EvalBlock> fillers(const Catalog& catalog, const Block& block) {
+    std::vector<EvalBlock> all;
+    if (block.slots.empty()) {
+        return all;
+    }
+    if (block.slots.front().defaultBlock.empty()) {
+        all.emplace_back(); // the slot may stay empty
+    }
+    for (const Block* filler : catalog.ofKind(block.slots.front().kind)) {
+        for (const auto& row : everyChoiceOnce(compiledCounts(*filler))) {
+            all.push_back(chosen(*filler, row));
+        }
+    }
+    return all;
+}
+
+/// What a parameter may be without another program: its own value first.
+Candidates candidates(const Parameter& parameter, const Value& own) {
+    Candidates values{own};
+    for (const Value& value : edgeCaseValues(parameter)) {
+        const bool otherProgram =
+            parameter.compiled == Compiled::Yes ||
+            (parameter.compiled == Compiled::WhenZero && isZero(value) != isZero(own));
+        if (!otherProgram && value != own) {
+            values.push_back(value);
+        }
+    }
+    return values;
+}
+
+/// One parameter of a case, of its block or of what fills its slot.
+struct Factor {
+    EvalBlock EvalCase::*part;
+    const Parameter* parameter;
+    Candidates values;
+};
+
+std::vector<Factor> factorsOf(const EvalCase& variant) {
+    std::vector<Factor> factors;
+    for (const auto part : {&EvalCase::block, &EvalCase::slot}) {
+        const EvalBlock& block = variant.*part;
+        if (block.block == nullptr) {
+            continue;
+        }
+        for (const Parameter& parameter : block.block->parameters) {
+            if (parameter.type != ParameterType::Texture) {
+                factors.push_back(
+                    {part, &parameter, candidates(parameter, block.values.at(parameter.id))});
+            }
+        }
+    }
+    return factors;
+}
+
+/// A value that a slider reaches.
+double sliderValue(const Parameter& parameter, std::mt19937& random) {
+    const double low = parameter.softMin;
+    const double high = parameter.softMax;
+    const bool log = parameter.scale == Scale::Log && low > 0.0;
+    std::uniform_real_distribution<double> along(log ? std::log(low) : low,
+                                                 log ? std::log(high) : high);
+    const double x = along(random);
+    return std::clamp(log ? std::exp(x) : x, parameter.min, parameter.max);
+}
+
+Value ordinaryValue(const Factor& factor, std::mt19937& random) {
+    const auto next = [&] { return sliderValue(*factor.parameter, random); };
+    switch (factor.parameter->type) {
+    case ParameterType::Bool:
+    case ParameterType::Enum:
+        return factor.values[random() % factor.values.size()];
+    case ParameterType::Int:
+        return conformed(*factor.parameter, static_cast<int>(std::round(next())));
+    case ParameterType::Vec2:
+        return roundedToFloat(glm::dvec2(next(), next()));
+    case ParameterType::Vec3:
+    case ParameterType::Color:
+        return roundedToFloat(glm::dvec3(next(), next(), next()));
+    default:
+        return roundedToFloat(next());
+    }
+}
+
+void addChoices(std::string& text, const EvalBlock& block) {
+    const auto add = [&text](const std::string& id, const std::string& value) {
+        text += (text.empty() ? "" : ", ") + id + '=' + value;
+    };
+    for (const Parameter& parameter : block.block->parameters) {
+        const auto found = block.values.find(parameter.id);
+        if (parameter.compiled == Compiled::No || parameter.compiled == Compiled::WhenEqual ||
+            found == block.values.end()) {
+            continue;
+        }
+        const auto* word = std::get_if<std::string>(&found->second);
+        const auto* flag = std::get_if<bool>(&found->second);
+        add(parameter.id, word != nullptr         ? *word
+                          : flag != nullptr       ? (*flag ? "true" : "false")
+                          : isZero(found->second) ? "0"
+                                                  : "not 0");
+    }
+    for (const auto& [id, level] : block.accuracy) {
+        add(id, level);
+    }
+}
+
+/// A material's levels serve its model and its Fresnel block: each takes those that it knows.
+EvalBlock valued(const Block& block, const BlockValues& values, const AccuracyLevels& levels) {
+    EvalBlock made = defaults(block);
+    for (const auto& [id, level] : levels) {
+        if (block.accuracyChoice(id) != nullptr) {
+            made.accuracy.emplace(id, level);
+        }
+    }
+    for (const Parameter& parameter : block.parameters) {
+        if (const auto found = values.parameters.find(parameter.id);
+            found != values.parameters.end()) {
+            made.values[parameter.id] = roundedToFloat(conformed(parameter, found->second));
+        }
+    }
+    return made;
+}
+
+} // namespace
+
+std::vector<EvalCase> sweepVariants(const Catalog& catalog, const Block& block) {
+    const auto subject = subjectOfKind(block.kind);
+    if (!subject) {
+        return {};
+    }
+    std::vector<std::size_t> counts = compiledCounts(block);
+    const std::vector<EvalBlock> slots = fillers(catalog, block);
+    if (!slots.empty()) {
+        counts.push_back(slots.size());
+    }
+    std::vector<EvalCase> variants;
+    for (const auto& row : pairwiseRows(counts)) {
+        EvalCase& variant = variants.emplace_back();
+        variant.subject = *subject;
+        variant.block = chosen(block, row);
+        if (!slots.empty()) {
+            variant.slot = slots[row.back()];
+        }
+    }
+    return variants;
+}
+
+Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) {
+    const Block* model = catalog.find("models", material.model.id);
+    if (model == nullptr) {
+        return failure(fmt::format("there is no model \"{}\"", material.model.id));
+    }
+    EvalCase variant;
+    variant.block = valued(*model, material.model, material.accuracy);
+    if (!model->slots.empty()) {
+        const Slot& slot = model->slots.front();
+        const BlockValues* part = material.part(slot.kind);
+        const std::string id = part != nullptr ? part->id : slot.defaultBlock;
+        const Block* filler = catalog.find(slot.kind, id);
+        if (filler == nullptr && !id.empty()) {
+            return failure(fmt::format("there is no {} block \"{}\"", slot.kind, id));
+        }
+        if (filler != nullptr) {
+            variant.slot =
+                valued(*filler, part != nullptr ? *part : BlockValues(), material.accuracy);
+        }
+    }
+    return variant;
+}
+
+std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material) {
+    const Block* model = catalog.find("models", material.model.id);
+    const BlockValues* part = material.part("fresnel");
+    const Block* block = part != nullptr ? catalog.find("fresnel", part->id) : nullptr;
+    if (block == nullptr || (model != nullptr && model->slot(block->kind) != nullptr)) {
+        return std::nullopt;
+    }
+    EvalCase variant;
+    variant.subject = EvalCase::Subject::Fresnel;
+    variant.block = valued(*block, *part, material.accuracy);
+    return variant;
+}
+
+std::vector<EvalCase> sweepRows(const EvalCase& variant) {
+    const std::vector<Factor> factors = factorsOf(variant);
+    std::vector<std::size_t> counts;
+    for (const Factor& factor : factors) {
+        counts.push_back(factor.values.size());
+    }
+    std::vector<EvalCase> cases;
+    for (const auto& row : pairwiseRows(counts)) {
+        EvalCase& next = cases.emplace_back(variant);
+        for (std::size_t i = 0; i < factors.size(); ++i) {
+            (next.*factors[i].part).values[factors[i].parameter->id] = factors[i].values[row[i]];
+        }
+    }
+    return cases;
+}
+
+std::vector<EvalCase> ordinaryRows(const EvalCase& variant, std::size_t count) {
+    std::mt19937 random(20251121);
+    const std::vector<Factor> factors = factorsOf(variant);
+    std::vector<EvalCase> cases(count, variant);
+    for (EvalCase& next : cases) {
+        for (const Factor& factor : factors) {
+            if (factor.values.size() > 1) {
+                (next.*factor.part).values[factor.parameter->id] = ordinaryValue(factor, random);
+            }
+        }
+    }
+    return cases;
+}
+
+std::string variantText(const EvalCase& variant) {
+    std::string text;
+    addChoices(text, variant.block);
+    if (variant.slot.block != nullptr) {
+        text +=
+            (text.empty() ? "" : ", ") + variant.slot.block->kind + '=' + variant.slot.block->id;
+        addChoices(text, variant.slot);
+    }
+    return text;
+}
+
+} // namespace patina

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "material/material.h"
+#include "measure/eval/eval_case.h"
+
+namespace patina {
+
+/// The block once with each of its programs: its compiled choices, accuracy levels and what can
+/// fill its slot (with its own compiled choices) such that every two choices meet in some case.
+/// Other values are the defaults. Empty for a block of a kind that cannot be evaluated.
+std::vector<EvalCase> sweepVariants(const Catalog& catalog, const Block& block);
+
+/// The one program of a material, with its values. A block that is missing is an error.
+Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material);
+
+/// A material's Fresnel block alone, where it is blended over a model that has no slot for it.
+std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material);
+
+/// The variant itself and then with hard values of its parameters and of what fills its slot, such
+/// that every two values meet; what is compiled stays.
+std::vector<EvalCase> sweepRows(const EvalCase& variant);
+
+/// The variant with `count` sets of values that a slider reaches, the same for every call.
+std::vector<EvalCase> ordinaryRows(const EvalCase& variant, std::size_t count);
+
+/// The compiled choices of the variant as a message names them: "scale=normalised".
+/// Empty when there is only one program.
+std::string variantText(const EvalCase& variant);
+
+} // namespace patina

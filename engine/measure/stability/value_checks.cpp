@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/stability/value_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace patina {
+namespace {
+
+using Subject = EvalCase::Subject;
+
+/// The sine of the angle below the surface; about a normal that is no axis a cosine of 0 is known
+/// to a few roundings only, so that a direction in the surface may count as above.
+bool isBelow(const glm::dvec3& n, const glm::dvec3& direction) {
+    const bool axis = n.x == 0.0 && n.y == 0.0;
+    return glm::dot(glm::normalize(n), glm::normalize(direction)) <= (axis ? 0.0 : -1e-6);
+}
+
+} // namespace
+
+ValueChecks::ValueChecks(const EvalCase& variant)
+    : numbers_(resultsOf(variant.subject)), firstSigned_(variant.subject == Subject::Light ? 3 : 0),
+      darkBelow_(variant.subject == Subject::Model &&
+                 variant.block.block->hasClaim("zero_below_horizon")) {}
+
+bool ValueChecks::belowHorizon(const EvalPlace& place) const {
+    return isBelow(place.n, place.l) || isBelow(place.n, place.v);
+}
+
+std::optional<Defect> ValueChecks::check(const EvalPlace& place, std::span<const double> numbers,
+                                         double& excess) const {
+    excess = std::numeric_limits<double>::infinity();
+    if (std::any_of(numbers.begin(), numbers.end(), [](double x) { return std::isnan(x); })) {
+        return Defect::NotANumber;
+    }
+    if (std::any_of(numbers.begin(), numbers.end(), [](double x) { return std::isinf(x); })) {
+        return Defect::Infinite;
+    }
+    const auto magnitudes = numbers.subspan(firstSigned_);
+    const auto [least, most] = std::minmax_element(magnitudes.begin(), magnitudes.end());
+    excess = -*least;
+    if (*least < 0.0) {
+        return Defect::Negative;
+    }
+    excess = *most;
+    if (darkBelow_ && *most > 0.0 && belowHorizon(place)) {
+        return Defect::BelowHorizon;
+    }
+    return std::nullopt;
+}
+
+} // namespace patina

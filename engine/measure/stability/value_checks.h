@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "measure/stability/sweep_report.h"
+
+namespace patina {
+
+/// Looks at the values of one variant's cases for what no correct block gives.
+class ValueChecks {
+  public:
+    explicit ValueChecks(const EvalCase& variant);
+
+    /// The worst that is wrong with the numbers of a case: not a number, infinite, negative, or not
+    /// 0 below the horizon where the block claims that. `excess` gets the size of the wrong number.
+    std::optional<Defect> check(const EvalPlace& place, std::span<const double> numbers,
+                                double& excess) const;
+
+    /// How many numbers the block answers.
+    std::size_t numbers() const { return numbers_; }
+
+  private:
+    bool belowHorizon(const EvalPlace& place) const;
+
+    std::size_t numbers_ = 3;
+    std::size_t firstSigned_ = 0; ///< of a light's direction the sign says nothing
+    bool darkBelow_ = false;      ///< whether the block claims to be
+};
+
+} // namespace patina

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace patina {
+
+/// How many triangles a step of a frame draws at once: as many as took some milliseconds.
+class SlicePace {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// A new frame. Triangles of one that has many are small; of others the pixels may take long.
+    void begin(bool isLarge) {
+        most_ = isLarge ? maxAtOnce : 1;
+        drawn_ = 0;
+        began_.reset();
+    }
+
+    std::int64_t most() const { return most_; }
+
+    void add(std::int64_t triangles, Clock::time_point now) {
+        began_ = began_.value_or(now);
+        drawn_ += triangles;
+    }
+
+    /// Whether it is time to look at the clock.
+    bool isDue() const { return drawn_ >= most_; }
+
+    /// The device is done with what was added.
+    void passed(Clock::time_point now) {
+        if (!began_) {
+            return;
+        }
+        const std::chrono::duration<double, std::milli> taken = now - *began_;
+        const double change = std::clamp(sliceMs / std::max(taken.count(), 1e-3), 0.0, maxGrowth);
+        most_ = std::clamp(static_cast<std::int64_t>(change * static_cast<double>(most_)),
+                           std::int64_t(1), maxAtOnce);
+        drawn_ = 0;
+        began_.reset();
+    }
+
+  private:
+    static constexpr std::int64_t maxAtOnce = 16384;
+    static constexpr double sliceMs = 15.0;
+    static constexpr double maxGrowth = 4.0; ///< from slice to slice: the next may be larger
+
+    std::int64_t most_ = 1;
+    std::int64_t drawn_ = 0; ///< since passed()
+    std::optional<Clock::time_point> began_;
+};
+
+} // namespace patina

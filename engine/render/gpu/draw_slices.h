@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "render/gpu/gpu_mesh.h"
+
+namespace patina {
+
+/// Where drawing many objects of one mesh goes on: in slices of whole objects, or of one object's
+/// triangles where those are many.
+class DrawSlices {
+  public:
+    /// The next slice, of about `most` triangles, of objects of `triangles` each, `count` of them
+    /// from `first` on in an InstanceBuffer.
+    DrawRange next(int triangles, std::size_t first, std::size_t count, std::int64_t most) {
+        DrawRange range{triangle_, triangles - triangle_, first + instance_, 1};
+        if (most < range.triangles) {
+            range.triangles = static_cast<int>(std::max<std::int64_t>(most, 1));
+        } else if (triangle_ == 0) {
+            const auto whole = static_cast<std::size_t>(most / std::max(triangles, 1));
+            range.instances = std::clamp<std::size_t>(whole, 1, count - instance_);
+        }
+        triangle_ += range.triangles;
+        if (triangle_ == triangles) {
+            triangle_ = 0;
+            instance_ += range.instances;
+        }
+        return range;
+    }
+
+    /// Nothing is drawn yet.
+    bool isAtStart() const { return instance_ == 0 && triangle_ == 0; }
+
+    /// All `count` objects are drawn.
+    bool isDone(std::size_t count) const { return instance_ == count; }
+
+  private:
+    std::size_t instance_ = 0;
+    int triangle_ = 0;
+};
+
+} // namespace patina

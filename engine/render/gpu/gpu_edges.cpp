@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gpu/gpu_edges.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include <epoxy/gl.h>
+
+#include "render/gpu/edge_finder.h"
+
+namespace patina {
+namespace {
+
+/// What takes some milliseconds.
+constexpr std::size_t itemsAtOnce = 32768;
+constexpr std::size_t bytesAtOnce = std::size_t(4) << 20;
+
+} // namespace
+
+GpuEdges::GpuEdges(const MeshView& mesh) : finder_(std::make_unique<EdgeFinder>(mesh)) {}
+
+GpuEdges::~GpuEdges() = default;
+GpuEdges::GpuEdges(GpuEdges&&) noexcept = default;
+GpuEdges& GpuEdges::operator=(GpuEdges&&) noexcept = default;
+
+void GpuEdges::proceed(const MeshView& mesh) {
+    static_assert(sizeof(MeshEdge) == bytesPerEdge);
+    if (!finder_->isDone()) {
+        finder_->proceed(mesh, itemsAtOnce);
+        return;
+    }
+    const auto bytes = std::as_bytes(finder_->edges());
+    if (uploaded_ == 0) {
+        // A target that no vertex array remembers.
+        indices_.reserve(GL_COPY_WRITE_BUFFER, bytes.size(), gl::Buffer::Content::Lasting);
+    }
+    const auto slice = bytes.subspan(uploaded_, std::min(bytesAtOnce, bytes.size() - uploaded_));
+    if (!slice.empty()) {
+        indices_.write(GL_COPY_WRITE_BUFFER, slice, uploaded_);
+    }
+    uploaded_ += slice.size();
+    if (uploaded_ == bytes.size()) {
+        finder_.reset();
+    }
+}
+
+gl::VertexArray GpuEdges::makeArray(const gl::Buffer& vertices) const {
+    gl::VertexArray array = gl::VertexArray::create();
+    array.bind();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
+    array.attribute(0, vertices, 3, sizeof(Vertex), offsetof(Vertex, position));
+    return array;
+}
+
+void GpuEdges::draw(const gl::Buffer& vertices, const InstanceBuffer& instances,
+                    const DrawRange& range) const {
+    arrays_.draw(GL_LINES_ADJACENCY, 4, instances, range,
+                 [this, &vertices] { return makeArray(vertices); });
+}
+
+} // namespace patina

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gpu/gpu_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "render/gpu/valid_normals.h"
+
+namespace patina {
+namespace {
+
+/// Writes the bytes from `offset` on, at most `bytes` of them, and says how many.
+std::size_t writeSlice(gl::Buffer& target, std::span<const std::byte> content, std::size_t offset,
+                       std::size_t bytes) {
+    const auto slice = content.subspan(offset, std::min(bytes, content.size() - offset));
+    target.write(GL_COPY_WRITE_BUFFER, slice, offset);
+    return slice.size();
+}
+
+/// The same of vertices, whose normals arrive sound whatever the mesh has.
+std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices,
+                          std::size_t offset, std::size_t bytes) {
+    const std::size_t end = offset + std::min(bytes, vertices.size_bytes() - offset);
+    const std::size_t first = offset / sizeof(Vertex);
+    const auto touched =
+        vertices.subspan(first, (end + sizeof(Vertex) - 1) / sizeof(Vertex) - first);
+    if (haveValidNormals(touched)) {
+        return writeSlice(target, std::as_bytes(vertices), offset, bytes);
+    }
+    const std::vector<Vertex> sound = withValidNormals(touched);
+    const auto slice = std::as_bytes(std::span(sound))
+                           .subspan(offset - first * sizeof(Vertex), end - offset);
+    target.write(GL_COPY_WRITE_BUFFER, slice, offset);
+    return slice.size();
+}
+
+} // namespace
+
+GpuMesh::GpuMesh(const MeshView& mesh, std::uint64_t serial)
+    : triangles_(static_cast<int>(mesh.indices.size() / 3)), serial_(serial) {
+    // A target that no vertex array remembers.
+    vertices_.reserve(GL_COPY_WRITE_BUFFER, mesh.vertices.size_bytes(),
+                      gl::Buffer::Content::Lasting);
+    indices_.reserve(GL_COPY_WRITE_BUFFER, mesh.indices.size_bytes(),
+                     gl::Buffer::Content::Lasting);
+}
+
+gl::VertexArray GpuMesh::makeArray() const {
+    gl::VertexArray array = gl::VertexArray::create();
+    array.bind();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
+    array.attribute(0, vertices_, 3, sizeof(Vertex), offsetof(Vertex, position));
+    array.attribute(1, vertices_, 3, sizeof(Vertex), offsetof(Vertex, normal));
+    array.attribute(2, vertices_, 3, sizeof(Vertex), offsetof(Vertex, tangent));
+    array.attribute(3, vertices_, 2, sizeof(Vertex), offsetof(Vertex, uv));
+    array.attribute(4, vertices_, 1, sizeof(Vertex),
+                    offsetof(Vertex, tangent) + offsetof(glm::vec4, w));
+    return array;
+}
+
+void GpuMesh::upload(const MeshView& mesh, std::size_t bytes) {
+    const std::size_t split = vertices_.size();
+    uploaded_ += uploaded_ < split
+                     ? writeVertices(vertices_, mesh.vertices, uploaded_, bytes)
+                     : writeSlice(indices_, std::as_bytes(mesh.indices), uploaded_ - split, bytes);
+}
+
+void GpuMesh::draw(const InstanceBuffer& instances, const DrawRange& range) const {
+    arrays_.draw(GL_TRIANGLES, 3, instances, range, [this] { return makeArray(); });
+}
+
+GpuEdges& GpuMesh::edges(const MeshView& mesh, std::uint64_t frame) {
+    edgesFrame_ = frame;
+    return edges_ ? *edges_ : edges_.emplace(mesh);
+}
+
+void GpuMesh::forgetEdges(std::uint64_t frame) {
+    if (edgesFrame_ < frame) {
+        edges_.reset();
+    }
+}
+
+} // namespace patina

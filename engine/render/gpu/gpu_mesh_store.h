@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+#include "core/mesh.h"
+#include "render/gpu/gpu_mesh.h"
+
+namespace patina {
+
+/// The meshes that are in the GPU's memory. They are told apart by where they lie in memory, their
+/// sizes and a sample of their content, so that a new mesh at an old address is seen.
+class GpuMeshStore {
+  public:
+    /// The mesh; uploads it when it is not there yet.
+    const GpuMesh& get(const MeshView& mesh);
+
+    /// The mesh, with room for its content when it is new; it may be incomplete.
+    GpuMesh& prepare(const MeshView& mesh);
+
+    /// The edges of a mesh that prepare() gave; they may be incomplete.
+    GpuEdges& prepareEdges(GpuMesh& mesh, const MeshView& view) {
+        return mesh.edges(view, frame_);
+    }
+
+    /// Call once per frame: contents are looked at once between its two ends.
+    void beginFrame();
+
+    /// Call once per frame: forgets what was not drawn for a while.
+    void endFrame();
+
+  private:
+    using Key = std::tuple<const void*, const void*, std::size_t, std::size_t>;
+    struct Entry {
+        GpuMesh mesh;
+        std::uint64_t sample = 0;
+        std::uint64_t looked = 0; ///< in which frame that was made
+        std::uint64_t lastFrame = 0;
+    };
+
+    std::map<Key, Entry> meshes_;
+    Key last_; ///< objects of the same mesh often follow each other
+    Entry* lastEntry_ = nullptr;
+    std::uint64_t frame_ = 0;
+    std::uint64_t look_ = 1;
+    std::uint64_t made_ = 0;
+};
+
+} // namespace patina

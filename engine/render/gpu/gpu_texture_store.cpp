@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gpu/gpu_texture_store.h"
+
+#include <algorithm>
+#include <array>
+
+#include <epoxy/gl.h>
+
+#include "render/gpu/binding.h"
+#include "shading/texture_choice.h"
+
+namespace patina {
+namespace {
+
+constexpr std::uint64_t texturesKept = 120;
+
+/// A texel of four numbers.
+using Texel = std::array<float, 4>;
+
+/// Eight by eight fields that nobody takes for a real look.
+std::shared_ptr<const TexturePicture> checker(const Texel& light, const Texel& dark) {
+    constexpr int fields = 8;
+    constexpr int texelsPerField = 8;
+    constexpr int size = fields * texelsPerField;
+    FileImage image{{size, size, 4, {}}, 8};
+    for (int i = 0; i < size * size; ++i) {
+        const bool isLight = (i % size / texelsPerField + i / size / texelsPerField) % 2 == 0;
+        const Texel& field = isLight ? light : dark;
+        image.image.pixels.insert(image.image.pixels.end(), field.begin(), field.end());
+    }
+    return std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
+}
+
+/// What stands in for an image that cannot be had: colours; fields that lean to the left and to the
+/// right; steps; and holes in half of the fields.
+const std::shared_ptr<const TexturePicture>& placeholder(TextureRole role) {
+    static const auto colors = checker({1.0f, 0.0f, 1.0f, 1.0f}, {0.1f, 0.1f, 0.1f, 1.0f});
+    static const auto slopes = checker({0.75f, 0.5f, 0.9f, 1.0f}, {0.25f, 0.5f, 0.9f, 1.0f});
+    static const auto steps = checker({1.0f, 1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f, 0.0f});
+    switch (role) {
+    case TextureRole::Normal:
+        return slopes;
+    case TextureRole::Height:
+    case TextureRole::Opacity:
+        return steps;
+    default:
+        return colors;
+    }
+}
+
+/// Whether the alpha itself is meant, of an image that has none. Else its grey counts there.
+bool showsOpaque(const TexturePicture& picture, const TextureUse& use) {
+    return !picture.hasAlpha && use.channel == TextureChannel::Alpha;
+}
+
+GLenum wrapOf(TextureWrap wrap) {
+    switch (wrap) {
+    case TextureWrap::Clamp:
+        return GL_CLAMP_TO_EDGE;
+    case TextureWrap::Mirror:
+        return GL_MIRRORED_REPEAT;
+    default:
+        return GL_REPEAT;
+    }
+}
+
+} // namespace
+
+void GpuTextureStore::beginFrame(std::size_t bytes) {
+    bytesLeft_ = bytes;
+    isWaiting_ = false;
+}
+
+void GpuTextureStore::bind(std::span<glm::vec4> data, const Pipeline& pipeline,
+                           const Material& material) {
+    const std::vector<TextureEffect>& effects = pipeline.effects.textures;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        const unsigned unit = binding::firstTexture + static_cast<unsigned>(i);
+        glActiveTexture(GL_TEXTURE0 + unit);
+        bindOne(effects[i], material, data[std::size_t(pipeline.object.texture(i))]);
+        const auto use = material.textures.find(effects[i].id);
+        if (use != material.textures.end()) {
+            sampler(use->second).bind(unit);
+        }
+    }
+    glActiveTexture(GL_TEXTURE0);
+}
+
+std::uint64_t GpuTextureStore::stateOf(const TextureEffect& effect,
+                                       const Material& material) const {
+    const auto use = material.textures.find(effect.id);
+    if (!source_ || use == material.textures.end()) {
+        return 0;
+    }
+    const TextureLookup found = source_(use->second, decodingOf(use->second, effect));
+    const bool isOpaque = found.picture && showsOpaque(*found.picture, use->second);
+    const auto entry = entries_.find({found.picture.get(), isOpaque});
+    const bool isComplete = entry != entries_.end() && entry->second.texture.isComplete();
+    // Addresses are even.
+    return std::uint64_t(reinterpret_cast<std::uintptr_t>(found.picture.get())) +
+           (isComplete ? 1 : 0);
+}
+
+/// A relief keeps its own strength; of anything else the placeholder is all that is seen.
+void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& material,
+                              glm::vec4& data) {
+    const auto use = material.textures.find(effect.id);
+    TextureLookup found;
+    if (source_ && use != material.textures.end()) {
+        found = source_(use->second, decodingOf(use->second, effect));
+    }
+    if (found.picture) {
+        show(found.picture, showsOpaque(*found.picture, use->second));
+        return;
+    }
+    show(placeholder(effect.role), false);
+    const bool isRelief =
+        effect.role == TextureRole::Normal || effect.role == TextureRole::Height;
+    if (!found.isMissing) {
+        data.w = 0.0f;
+    } else if (!isRelief) {
+        data.w = 1.0f;
+    }
+}
+
+void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque) {
+    const EntryKey key{picture.get(), isOpaque};
+    auto entry = entries_.find(key);
+    if (entry == entries_.end()) {
+        entry = entries_.emplace(key, Entry{picture, GpuTexture(*picture, isOpaque)}).first;
+    }
+    entry->second.lastFrame = frame_;
+    GpuTexture& texture = entry->second.texture;
+    if (texture.isComplete()) {
+        texture.bind();
+        return;
+    }
+    bytesLeft_ -= std::min(bytesLeft_, texture.upload(*picture, bytesLeft_));
+    isWaiting_ = isWaiting_ || !texture.isComplete();
+}
+
+const gl::Sampler& GpuTextureStore::sampler(const TextureUse& use) {
+    const bool isSmooth = use.filter == TextureFilter::Smooth;
+    auto& held = samplers_[std::size_t(use.wrap) * 2 + (isSmooth ? 1 : 0)];
+    if (!held) {
+        held = gl::Sampler::create(wrapOf(use.wrap), isSmooth);
+    }
+    return *held;
+}
+
+void GpuTextureStore::endFrame() {
+    std::erase_if(entries_, [this](const auto& entry) {
+        return frame_ - entry.second.lastFrame > texturesKept;
+    });
+    ++frame_;
+}
+
+} // namespace patina

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <glm/vec4.hpp>
+
+#include "gl/sampler.h"
+#include "render/gpu/gpu_texture.h"
+#include "render/gpu/pipeline.h"
+#include "render/gpu/texture_source.h"
+
+namespace patina {
+
+/// The images that are in the GPU's memory, each once however many materials show it.
+class GpuTextureStore {
+  public:
+    static constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
+
+    void setSource(TextureSource source) { source_ = std::move(source); }
+
+    /// The frame takes about so many bytes of images into the GPU's memory.
+    void beginFrame(std::size_t bytes = everything);
+
+    /// Binds what the program shows of a material's images. One that is not there yet counts for
+    /// nothing in `data`, the object's; one that is missing is a checker. Leaves texture unit 0
+    /// active.
+    void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material);
+
+    /// A number that changes when bind() would show another state of one image of the material.
+    std::uint64_t stateOf(const TextureEffect& effect, const Material& material) const;
+
+    /// Whether images of this frame are not whole yet: another frame shows more of them.
+    bool isWaiting() const { return isWaiting_; }
+
+    /// Forgets what was not drawn for a while.
+    void endFrame();
+
+  private:
+    struct Entry {
+        std::shared_ptr<const TexturePicture> picture; ///< kept, so that its address stays its own
+        GpuTexture texture;
+        std::uint64_t lastFrame = 0;
+    };
+
+    /// A picture, and whether it is shown as an opaque one.
+    using EntryKey = std::pair<const TexturePicture*, bool>;
+
+    void bindOne(const TextureEffect& effect, const Material& material, glm::vec4& data);
+    void show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque);
+    const gl::Sampler& sampler(const TextureUse& use);
+
+    TextureSource source_;
+    std::map<EntryKey, Entry> entries_;
+    std::array<std::optional<gl::Sampler>, 6> samplers_; ///< by wrap and filter
+    std::size_t bytesLeft_ = everything;
+    std::uint64_t frame_ = 0;
+    bool isWaiting_ = false;
+};
+
+} // namespace patina

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gpu/valid_normals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace patina {
+namespace {
+
+constexpr float shortestSquared = 0.25f;
+constexpr float longestSquared = 4.0f;
+
+bool isSound(const Vertex& vertex) {
+    const float squared = glm::dot(vertex.normal, vertex.normal);
+    const bool isUsual = squared >= shortestSquared && squared <= longestSquared;
+    return isUsual || vertex.normal == glm::vec3(0.0f); // neither holds for what is no number
+}
+
+glm::vec3 unitOrZero(const glm::vec3& v) {
+    const glm::dvec3 whole(v); // whose squares fit
+    const double length = glm::length(whole);
+    return std::isfinite(length) ? glm::vec3(whole / length) : glm::vec3(0.0f);
+}
+
+} // namespace
+
+bool haveValidNormals(std::span<const Vertex> vertices) {
+    return std::ranges::all_of(vertices, isSound);
+}
+
+std::vector<Vertex> withValidNormals(std::span<const Vertex> vertices) {
+    std::vector<Vertex> sound(vertices.begin(), vertices.end());
+    for (Vertex& vertex : sound) {
+        if (!isSound(vertex)) {
+            vertex.normal = unitOrZero(vertex.normal);
+        }
+    }
+    return sound;
+}
+
+} // namespace patina

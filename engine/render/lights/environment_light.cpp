@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/lights/environment_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <epoxy/gl.h>
+#include <glm/trigonometric.hpp>
+
+#include "render/gpu/binding.h"
+#include "render/gpu/environment_units.h"
+#include "render/gpu/long_pieces.h"
+#include "shading/data_layout.h"
+#include "shading/effect_key.h"
+#include "shading/parameter_packer.h"
+
+namespace patina {
+namespace {
+
+/// Pixels of the small picture of an environment without an image.
+constexpr glm::ivec2 plainSize{256, 128};
+
+/// What does not change where the environment is bright, seen from within.
+constexpr std::array<std::string_view, 3> otherValues{"rotate", "background", "background.blur"};
+
+/// In place of a picture that is on its way. A software driver compiles programs anew where one
+/// with coarser versions, or with sides that are powers of two, takes the place of one without.
+const EnvironmentTexels& blackTexels() {
+    static const EnvironmentTexels black{glm::ivec2(4), std::vector<std::uint16_t>(4 * 16)};
+    return black;
+}
+
+} // namespace
+
+EnvironmentLight::Known& EnvironmentLight::known(std::uint64_t key, const Scene& effects,
+                                                 const Catalog& catalog) {
+    const auto found = known_.find(key);
+    if (found != known_.end()) {
+        return found->second;
+    }
+    Known made;
+    made.use = *sceneEffects(effects, catalog).environment;
+    made.block = catalog.find(made.use.kind, made.use.id);
+    made.layout = layoutOf(*made.block);
+    return known_.emplace(key, std::move(made)).first->second;
+}
+
+/// A block that does not compile is reported by the programs of the surfaces, which hold it too.
+const gl::Program* EnvironmentLight::program(Known& known, EnvironmentOutput output,
+                                             const Catalog& catalog, ProgramCache& cache) {
+    const auto found = known.programs.find(output);
+    if (found != known.programs.end()) {
+        return found->second.get();
+    }
+    std::shared_ptr<const gl::Program>& made = known.programs[output];
+    if (const auto source = environmentProgram(*known.block, known.use, catalog, output)) {
+        const ProgramCache::Found answer = cache.get(*source);
+        if (!answer.isFinal) {
+            known.programs.erase(output);
+            return nullptr;
+        }
+        made = answer.program;
+    }
+    if (made) {
+        environment::assignUnits(*made);
+    }
+    return made.get();
+}
+
+void EnvironmentLight::follow(const Scene& effects, const Scene& scene,
+                              const std::shared_ptr<const EnvironmentImage>& image,
+                              const Catalog& catalog, ProgramCache& cache) {
+    while (followSome(effects, scene, image, catalog, cache)) {
+    }
+}
+
+bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
+                                  const std::shared_ptr<const EnvironmentImage>& image,
+                                  const Catalog& catalog, ProgramCache& cache) {
+    const std::uint64_t key = EffectKey::ofEnvironment(effects, catalog);
+    const bool fits =
+        key != 0 && scene.environment && effects.environment->id == scene.environment->id;
+    current_ = fits ? &known(key, effects, catalog) : nullptr;
+    background_ = nullptr;
+    if (current_ == nullptr) {
+        return false;
+    }
+    const BlockValues& values = *scene.environment;
+    pack(values);
+    if (takeImage(pictureParameter(*current_->block) ? image : nullptr)) {
+        return true;
+    }
+    if (looksOtherwise() || madeFor_ != current_) {
+        madeFor_ = nullptr;
+        const int built = cache.builtCount();
+        const gl::Program* small = program(*current_, EnvironmentOutput::Small, catalog, cache);
+        if (cache.builtCount() == built) {
+            makeTable(small);
+            madeFor_ = current_;
+        }
+        return true;
+    }
+    const Backdrop backdrop = backdropOf(values, *current_->block);
+    blur_ = 0.5 * glm::radians(environmentNumber(values, *current_->block, "background.blur"));
+    if (backdrop != Backdrop::Hidden) {
+        background_ = program(*current_,
+                              backdrop == Backdrop::Blurred ? EnvironmentOutput::BlurredBackground
+                                                            : EnvironmentOutput::SharpBackground,
+                              catalog, cache);
+    }
+    return false;
+}
+
+void EnvironmentLight::pack(const BlockValues& values) {
+    static const AccuracyLevels exact;
+    const std::size_t vec4s = current_->layout.floats / 4;
+    values_.reserve(EnvironmentLayout::fixed + vec4s);
+    const std::span<glm::vec4> own = values_.staging().subspan(EnvironmentLayout::fixed, vec4s);
+    packInto(own, current_->layout, values.parameters, exact, glm::dmat4(1.0));
+    const double turn = glm::radians(environmentNumber(values, *current_->block, "rotate"));
+    values_.staging()[EnvironmentLayout::turn] =
+        glm::vec4(std::cos(turn), std::sin(turn), 0.0f, 1.0f);
+    wantedLook_.assign(own.begin(), own.end());
+    for (const ParameterField& field : current_->layout.fields) {
+        if (field.parameter != nullptr &&
+            std::find(otherValues.begin(), otherValues.end(), field.parameter->id) !=
+                otherValues.end()) {
+            wantedLook_[field.offset / 4][static_cast<int>(field.offset % 4)] = 0.0f;
+        }
+    }
+}
+
+/// Another picture, or the next part of it. False where all of it is there.
+bool EnvironmentLight::takeImage(const std::shared_ptr<const EnvironmentImage>& image) {
+    const EnvironmentTexels& texels = image ? image->whole : blackTexels();
+    if (!hasImage_ || image != image_) {
+        image_ = image;
+        hasImage_ = true;
+        madeFor_ = nullptr;
+        small_.fill(image ? image->small : blackTexels());
+        whole_.begin(texels.size);
+        if (takesLong(texels.size)) {
+            return true;
+        }
+    }
+    return whole_.fillSome(texels);
+}
+
+bool EnvironmentLight::looksOtherwise() {
+    if (look_ == wantedLook_) {
+        return false;
+    }
+    look_.assign(wantedLook_.begin(), wantedLook_.end());
+    return true;
+}
+
+void EnvironmentLight::makeTable(const gl::Program* program) {
+    const bool hasPicture = pictureParameter(*current_->block) != nullptr;
+    const glm::ivec2 size = program == nullptr ? glm::ivec2(1)
+                            : hasPicture       ? small_.size()
+                                               : plainSize;
+    values_.staging()[EnvironmentLayout::sizes] = glm::vec4(size, 0.0f, 0.0f);
+    if (program == nullptr) {
+        table_.build(size, {});
+    } else {
+        upload();
+        values_.bind(binding::environment);
+        small_.bind(binding::environmentImage);
+        baked_.draw(*program, size);
+        table_.build(size, baked_.radiance());
+    }
+    tableTexture_.fill(table_);
+}
+
+void EnvironmentLight::upload() {
+    values_.upload(EnvironmentLayout::fixed + current_->layout.floats / 4);
+}
+
+void EnvironmentLight::setSamples(const Samples& samples) {
+    glm::vec4& turn = values_.staging()[EnvironmentLayout::turn];
+    turn.z = static_cast<float>(samples.firstRound);
+    turn.w = static_cast<float>((samples.count + roundSamples - 1) / roundSamples);
+    const glm::ivec2 size = table_.size();
+    values_.staging()[EnvironmentLayout::sizes] =
+        glm::vec4(size, static_cast<float>(samples.count), static_cast<float>(samples.series));
+    upload();
+}
+
+void EnvironmentLight::bind() const {
+    values_.bind(binding::environment);
+    tableTexture_.bind(binding::environmentTable);
+    whole_.bind(binding::environmentImage);
+    baked_.bind(binding::environmentSmall);
+}
+
+void EnvironmentLight::forget() {
+    known_.clear();
+    current_ = nullptr;
+    background_ = nullptr;
+    madeFor_ = nullptr;
+}
+
+} // namespace patina

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "render/gpu/uniform_buffer.h"
+#include "render/lights/environment_image.h"
+#include "render/lights/environment_table.h"
+#include "render/lights/environment_texture.h"
+#include "scene/environment.h"
+#include "shading/environment_source.h"
+#include "shading/program_cache.h"
+
+namespace patina {
+
+/// What the frames of a scene know of its environment: its values, its picture, and where it is
+/// bright. Programs read it at the places of binding.h.
+class EnvironmentLight {
+  public:
+    /// Follows the scene; `effects` is the one whose effects the programs have. Allocates nothing
+    /// while only values change. Without a picture that is there an environment that needs one is
+    /// black.
+    void follow(const Scene& effects, const Scene& scene,
+                const std::shared_ptr<const EnvironmentImage>& image, const Catalog& catalog,
+                ProgramCache& cache);
+
+    /// The same up to and with the first thing that takes long, a part of the picture, a program or
+    /// the table: true as long as there may be more, and the next call goes on.
+    bool followSome(const Scene& effects, const Scene& scene,
+                    const std::shared_ptr<const EnvironmentImage>& image, const Catalog& catalog,
+                    ProgramCache& cache);
+
+    /// Whether programs look at an environment.
+    bool isIn() const { return current_ != nullptr; }
+
+    /// What a white matte surface that faces up reflects.
+    glm::dvec3 upward() const { return table_.upward(); }
+
+    /// Which samples programs draw.
+    struct Samples {
+        int firstRound = 0;
+        int count = 0;  ///< whole rounds or a part of one
+        int series = 0; ///< see View::environmentSeries
+    };
+    void setSamples(const Samples& samples);
+
+    static constexpr int roundSamples = 4; ///< as in shaders/passes/environment_light.glsl
+
+    /// For the programs that are used next.
+    void bind() const;
+
+    /// The program for what is seen behind the objects; null where the environment is hidden or
+    /// the block does not compile.
+    const gl::Program* background() const { return background_; }
+    double backgroundBlur() const { return blur_; } ///< half the width of the disc, in radians
+
+    /// Shaders may have changed.
+    void forget();
+
+  private:
+    /// What is kept of a block as long as its text stays.
+    struct Known {
+        const Block* block = nullptr;
+        BlockUse use;
+        ParameterLayout layout;
+        std::map<EnvironmentOutput, std::shared_ptr<const gl::Program>> programs;
+    };
+
+    Known& known(std::uint64_t key, const Scene& effects, const Catalog& catalog);
+    const gl::Program* program(Known& known, EnvironmentOutput output, const Catalog& catalog,
+                               ProgramCache& cache);
+    void pack(const BlockValues& values);
+    bool takeImage(const std::shared_ptr<const EnvironmentImage>& image);
+    bool looksOtherwise();
+    void makeTable(const gl::Program* program);
+    void upload();
+
+    std::map<std::uint64_t, Known> known_; ///< by EffectKey
+    Known* current_ = nullptr;
+    const gl::Program* background_ = nullptr;
+    double blur_ = 0.0;
+    UniformBuffer values_;
+    std::vector<glm::vec4> look_; ///< the values that the table was made from
+    std::vector<glm::vec4> wantedLook_;
+    const Known* madeFor_ = nullptr;
+    std::shared_ptr<const EnvironmentImage> image_;
+    bool hasImage_ = false;
+    EnvironmentTexture whole_;
+    EnvironmentTexture small_;
+    SmallEnvironment baked_;
+    EnvironmentTable table_;
+    EnvironmentTexture tableTexture_;
+};
+
+} // namespace patina

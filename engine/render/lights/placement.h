@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/mesh.h"
+#include "render/gpu/instance.h"
+#include "render/lights/light_lists.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// Where an object is, in world space: what follows from its transform and its mesh's box.
+struct Placement {
+    glm::dmat4 world{1.0};
+    glm::dvec3 middle{0.0};              ///< of the box
+    std::array<glm::dvec3, 8> corners{}; ///< of the box
+    Ball ball;                           ///< around the box
+    Instance instance;
+};
+
+Placement placementOf(const Object& object, const Bounds& bounds);
+
+/// Whether nothing of the box can be in the picture. `worldToClip` is a perspective whose near and
+/// far plane do not matter.
+bool isOutside(const Placement& placement, const glm::dmat4& worldToClip);
+
+/// The placements of a scene's objects, computed again only when one has changed.
+class PlacementStore {
+  public:
+    /// Placements of the same frame stay where they are.
+    void makeRoom(std::size_t objects);
+    const Placement& of(std::size_t index, const Object& object, const Bounds& bounds);
+
+  private:
+    struct Entry {
+        glm::dvec3 translation{0.0};
+        glm::dvec3 rotation{0.0};
+        glm::dvec3 scale{0.0};
+        Bounds bounds;
+        bool isKnown = false;
+        Placement placement;
+
+        bool isOf(const Object& object, const Bounds& box) const;
+    };
+
+    std::vector<Entry> entries_;
+};
+
+} // namespace patina

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/data_packer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "render/gpu/hdr_numbers.h"
+#include "shading/effect_choice.h"
+#include "shading/effect_key.h"
+#include "shading/parameter_packer.h"
+
+namespace patina {
+namespace {
+
+const AccuracyLevels exact;
+
+void packShadow(std::span<glm::vec4> out, const BlockPlace& place, const Light& light,
+                const ShadowView& view, const glm::dmat4& cameraToWorld) {
+    static const Values none;
+    const auto first = static_cast<std::size_t>(place.first);
+    const auto size = static_cast<std::size_t>(place.vec4s());
+    packInto(out.subspan(first, size), place.layout, light.shadow ? light.shadow->parameters : none,
+             exact, cameraToWorld);
+    packView(out.subspan(first + size, ShadowLayout::vec4s), view);
+}
+
+void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToPack& packing,
+               std::size_t index, const glm::dmat4& cameraToWorld) {
+    static const ShadowView nowhere;
+    const Light& light = packing.scene.lights[index];
+    packInto(out, place.light.layout, light.block.parameters, exact, cameraToWorld);
+    if (place.shadow) {
+        packShadow(out, *place.shadow, light,
+                   index < packing.shadows.size() ? packing.shadows[index] : nowhere,
+                   cameraToWorld);
+    }
+}
+
+glm::vec4 radianceOf(const glm::dvec3& color) {
+    return {storable(color.x), storable(color.y), storable(color.z), 0.0f};
+}
+
+void packHemisphere(std::span<glm::vec4> out, const Hemisphere& hemisphere) {
+    const double length = glm::length(hemisphere.up);
+    const bool isDirection = std::isfinite(length) && length > 1e-30;
+    out[0] = radianceOf(hemisphere.sky);
+    out[1] = radianceOf(hemisphere.ground);
+    out[2] = glm::vec4(isDirection ? hemisphere.up / length : glm::dvec3(0.0, 1.0, 0.0), 0.0);
+}
+
+/// The lights of a group, and its header: how many there are, and where. A group that stands in the
+/// text line by line has all its lights; one that does not arrive is dark.
+void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
+               std::size_t index, const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
+    const bool shadows = hasShadows(packing.effects, *pipeline.catalog);
+    const LightPlace& group = pipeline.scene.groups[index];
+    const LightGroup& effect = pipeline.effects.scene.lights[index];
+    const auto size = static_cast<std::size_t>(group.vec4s());
+    const std::size_t start = packed.vec4s;
+    int count = 0;
+    for (std::size_t i = 0; i < packing.scene.lights.size(); ++i) {
+        if ((effect.lines == 0 && !packing.has(i)) ||
+            EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog, shadows) !=
+                effect.key) {
+            continue;
+        }
+        if (packed.vec4s + size > out.size()) {
+            ++packed.lostLights;
+            continue;
+        }
+        const std::span<glm::vec4> place = out.subspan(packed.vec4s, size);
+        if (packing.has(i)) {
+            packLight(place, group, packing, i, cameraToWorld);
+        } else {
+            std::ranges::fill(place, glm::vec4(0.0f));
+        }
+        packed.vec4s += size;
+        ++count;
+    }
+    out[static_cast<std::size_t>(group.light.first)] = glm::vec4(count, start, 0.0f, 0.0f);
+}
+
+/// Lines come first: the program reads them without asking how many there are.
+void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
+                const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
+    const std::vector<LightGroup>& groups = pipeline.effects.scene.lights;
+    for (const bool inLines : {true, false}) {
+        for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
+            if ((groups[g].lines > 0) == inLines) {
+                packGroup(packed, out, pipeline, g, packing, cameraToWorld);
+            }
+        }
+    }
+}
+
+void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& values,
+               const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
+    packInto(out.subspan(static_cast<std::size_t>(place.first)), place.layout, values, levels,
+             cameraToWorld);
+}
+
+/// Values for the place of a part: the material's when it is the material's block.
+const Values& partValues(const BlockPlace& place, const Material& material) {
+    static const Values none;
+    const BlockValues* part = material.part(place.block->kind);
+    return part != nullptr && part->id == place.block->id ? part->parameters : none;
+}
+
+/// The rows that take (u, v, 1) to a place in the image: turned about the middle, scaled, moved.
+void packTexture(std::span<glm::vec4> out, const TextureUse& use, TextureRole role) {
+    const double angle = glm::radians(std::fmod(use.rotation, 360.0));
+    const glm::dvec2 turn(std::cos(angle), std::sin(angle));
+    const glm::dvec2 across = use.scale.x * turn;
+    const glm::dvec2 up = use.scale.y * glm::dvec2(-turn.y, turn.x);
+    const glm::dvec2 start =
+        0.5 * use.scale + use.offset - 0.5 * glm::dvec2(across.x + across.y, up.x + up.y);
+    const bool isShare = role == TextureRole::Input || role == TextureRole::Opacity;
+    const double strength = isShare ? std::clamp(use.strength, 0.0, 1.0) : use.strength;
+    out[0] = glm::vec4(across, start.x, strength);
+    out[1] = glm::vec4(up, start.y, use.threshold);
+}
+
+void packTextures(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material) {
+    for (std::size_t i = 0; i < pipeline.effects.textures.size(); ++i) {
+        const TextureEffect& effect = pipeline.effects.textures[i];
+        const auto use = material.textures.find(effect.id);
+        static const TextureUse nothing = [] {
+            TextureUse none;
+            none.strength = 0.0;
+            return none;
+        }();
+        packTexture(out.subspan(static_cast<std::size_t>(pipeline.object.texture(i))),
+                    use == material.textures.end() ? nothing : use->second, effect.role);
+    }
+}
+
+} // namespace
+
+PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
+                      const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
+    const Scene& scene = packing.scene;
+    out[SceneLayout::ambient] = radianceOf(scene.ambient);
+    if (pipeline.scene.hemisphere) {
+        packHemisphere(out.subspan(static_cast<std::size_t>(*pipeline.scene.hemisphere)),
+                       scene.hemisphere);
+    }
+    if (pipeline.scene.fog && scene.fog) {
+        packPlace(out, *pipeline.scene.fog, scene.fog->parameters, exact, cameraToWorld);
+    }
+    PackedScene packed{static_cast<std::size_t>(pipeline.scene.firstLight), 0};
+    packLights(packed, out, pipeline, packing, cameraToWorld);
+    return packed;
+}
+
+void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
+                  const glm::dmat4& cameraToWorld) {
+    const double opacity = opacityOf(material, *pipeline.catalog);
+    out[ObjectLayout::surface] =
+        glm::vec4(std::clamp(static_cast<float>(opacity), 0.0f, 1.0f),
+                  1.0 / (1.0 - passedShare(material, *pipeline.catalog)), 0.0f, 0.0f);
+    if (pipeline.object.model) {
+        packPlace(out, *pipeline.object.model, material.model.parameters, material.accuracy,
+                  cameraToWorld);
+    }
+    for (const BlockPlace& slot : pipeline.object.slots) {
+        packPlace(out, slot, partValues(slot, material), material.accuracy, cameraToWorld);
+    }
+    if (pipeline.object.blend) {
+        packPlace(out, *pipeline.object.blend, partValues(*pipeline.object.blend, material),
+                  material.accuracy, cameraToWorld);
+    }
+    packTextures(out, pipeline, material);
+}
+
+void packLayers(std::span<glm::vec4> out, const Pipeline& pipeline, const LayersToPack& packing,
+                const glm::dmat4& cameraToWorld) {
+    const ObjectLayout& layout = pipeline.object;
+    packPlace(out, *layout.transparency, packing.values, exact, cameraToWorld);
+    const double way = packing.farthest - packing.nearest;
+    out[static_cast<std::size_t>(layout.layers())] =
+        glm::vec4(packing.nearest, way > 1e-30 ? 1.0 / way : 0.0, 0.0, 0.0);
+}
+
+void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground& ground,
+                const GroundToPack& packing) {
+    const GroundPlace& place = packing.place;
+    const auto first = static_cast<std::size_t>(*pipeline.object.ground);
+    out[first] = glm::vec4(glm::vec3(glm::clamp(ground.color, 0.0, 1.0)),
+                           std::clamp(static_cast<float>(ground.opacity), 0.0f, 1.0f));
+    out[first + 1] = glm::vec4(place.middle.x, place.middle.z, 1.0 / place.radius, 0.0);
+    if (pipeline.scene.environment != nullptr) {
+        out[first + 2] = radianceOf(packing.environment);
+    }
+}
+
+/// What lies back by a share of its distance lies back by the same in clip space at all of them.
+/// That share is a part of the picture's height: as little is to see of it through a long lens.
+double farSide(const glm::dmat4& worldToClip, const glm::dvec3& eye) {
+    constexpr double share = 1e-4;
+    constexpr double shareOfHeight = 1.0 / 3000.0; // of its half
+    const double zoom = glm::length(glm::dvec3(glm::row(worldToClip, 1)));
+    const double eyeDepth = (worldToClip * glm::dvec4(eye, 1.0)).z;
+    return -std::min(share, shareOfHeight / zoom) * eyeDepth;
+}
+
+void packView(std::span<glm::vec4> out, const glm::dmat4& worldToClip, const glm::dvec3& eye,
+              double pixel) {
+    for (int column = 0; column < 4; ++column) {
+        out[static_cast<std::size_t>(ViewLayout::clip + column)] = glm::vec4(worldToClip[column]);
+    }
+    out[ViewLayout::eye] = glm::vec4(eye, pixel);
+    out[ViewLayout::farSide] = glm::vec4(farSide(worldToClip, eye), 0.0, 0.0, 0.0);
+}
+
+} // namespace patina

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/display_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <epoxy/gl.h>
+
+namespace patina {
+namespace {
+
+/// Beyond this a half float's whole range is black or white.
+constexpr double maxStops = 40.0;
+
+std::array<std::string, 3> fragmentFiles(const Scene& scene) {
+    const bool none = scene.toneMapping == ToneMapping::None;
+    return {none ? "passes/tone_none.glsl" : "passes/tone_neutral.glsl",
+            scene.exposure == 0.0 ? "passes/exposed_none.glsl" : "passes/exposed.glsl",
+            "passes/display.frag"};
+}
+
+} // namespace
+
+std::size_t DisplayPass::indexOf(const Scene& scene) {
+    return 2 * static_cast<std::size_t>(scene.toneMapping) + (scene.exposure == 0.0 ? 0 : 1);
+}
+
+Result<void> DisplayPass::prepare(const Scene& scene, const Catalog& catalog,
+                                  ProgramCache& cache) {
+    const Result<void> made = prewarm(scene, catalog, cache);
+    if (made) {
+        current_ = &*stages_[indexOf(scene)];
+    }
+    return made;
+}
+
+Result<void> DisplayPass::prewarm(const Scene& scene, const Catalog& catalog, ProgramCache& cache) {
+    std::optional<Stage>& stage = stages_[indexOf(scene)];
+    if (!stage) {
+        const auto source = passProgram(catalog, "passes/screen.vert", fragmentFiles(scene));
+        if (!source) {
+            return tl::unexpected(source.error().front());
+        }
+        const ProgramCache::Found found = cache.get(*source);
+        if (!found.program) {
+            return tl::unexpected(found.errors.front());
+        }
+        stage = Stage{found.program, found.program->uniform("exposureFactor")};
+    }
+    return {};
+}
+
+void DisplayPass::draw(const gl::Texture& linear, double exposure) {
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_DITHER);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    current_->program->use();
+    const double stops = std::clamp(exposure, -maxStops, maxStops);
+    glUniform1f(current_->exposureUniform, static_cast<float>(std::exp2(stops)));
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, linear.name());
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void DisplayPass::forget() {
+    stages_ = {};
+    current_ = nullptr;
+}
+
+} // namespace patina

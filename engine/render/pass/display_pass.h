@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "catalog/catalog.h"
+#include "core/error.h"
+#include "gl/texture.h"
+#include "gl/vertex_array.h"
+#include "scene/scene.h"
+#include "shading/program_cache.h"
+
+namespace patina {
+
+/// Exposure, tone mapping and the sRGB curve: from the linear image to a framebuffer.
+class DisplayPass {
+  public:
+    /// Compiles (or finds) the program for the scene's exposure and tone mapping the first time it
+    /// is asked for: one that multiplies by nothing where the exposure is 0.
+    Result<void> prepare(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
+
+    /// The same ahead of its use: what is drawn with stays.
+    Result<void> prewarm(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
+    /// Whether prepare() would find it, made before.
+    bool has(const Scene& scene) const { return stages_[indexOf(scene)].has_value(); }
+
+    bool isPrepared() const { return current_ != nullptr; }
+
+    /// Draws with the program that was prepared last into the bound framebuffer.
+    void draw(const gl::Texture& linear, double exposure);
+
+    /// The shader files may have changed.
+    void forget();
+
+  private:
+    struct Stage {
+        std::shared_ptr<const gl::Program> program;
+        int exposureUniform = -1;
+    };
+
+    static std::size_t indexOf(const Scene& scene);
+
+    gl::VertexArray noVertices_ = gl::VertexArray::create();
+    std::array<std::optional<Stage>, 4> stages_; ///< by tone mapping and whether it is exposed
+    const Stage* current_ = nullptr;
+};
+
+} // namespace patina

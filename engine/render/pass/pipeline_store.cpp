@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/pipeline_store.h"
+
+#include <algorithm>
+
+#include <glm/vec4.hpp>
+
+#include "gl/driver.h"
+#include "render/gpu/binding.h"
+#include "render/gpu/environment_units.h"
+#include "render/pass/refraction_pass.h"
+#include "shading/program_source.h"
+#include "shading/texture_writer.h"
+
+namespace patina {
+
+PipelineStore::PipelineStore(std::filesystem::path programCache, SurfaceOutput output)
+    : programs_(std::move(programCache)), output_(output),
+      sceneCapacity_(std::clamp(gl::largestUniformBlock() / int(sizeof(glm::vec4)),
+                                SceneLayout::minCapacity, SceneLayout::maxCapacity)) {}
+
+void PipelineStore::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+    entries_.clear();
+}
+
+const PipelineStore::Entry& PipelineStore::get(const Material& material, std::uint64_t materialKey,
+                                               const Surroundings& surroundings) {
+    return find(materialKey, material, surroundings);
+}
+
+const PipelineStore::Entry& PipelineStore::fallback(const Surroundings& surroundings) {
+    static const Material nothing;
+    return find(0, nothing, surroundings);
+}
+
+const PipelineStore::Entry& PipelineStore::ground(const Surroundings& around) {
+    const Key key{keyOf(around.scene.ground.mode), around.key};
+    if (!hasFinal(key)) {
+        EffectSet effects = groundEffects(around.scene, *catalog_, around.view);
+        entries_.insert_or_assign(key, make(std::move(effects), around.key));
+    }
+    return entries_.at(key);
+}
+
+bool PipelineStore::hasFinal(const Key& key) const {
+    const auto known = entries_.find(key);
+    return known != entries_.end() && known->second.isFinal;
+}
+
+const PipelineStore::Entry& PipelineStore::find(std::uint64_t materialKey, const Material& material,
+                                                const Surroundings& surroundings) {
+    const Key key{materialKey, surroundings.key};
+    if (!hasFinal(key)) {
+        EffectSet effects = effectSet(material, surroundings.scene, *catalog_, surroundings.view);
+        entries_.insert_or_assign(key, make(std::move(effects), key.second));
+    }
+    return entries_.at(key);
+}
+
+tl::expected<void, PipelineStore::Entry> PipelineStore::addOutline(Pipeline& pipeline,
+                                                                   const EffectSet& effects) {
+    const auto source = outlineProgram(effects, *catalog_, sceneCapacity_);
+    if (!source) {
+        return tl::unexpected(Entry{nullptr, source.error()});
+    }
+    const ProgramCache::Found found = programs_.get(*source);
+    if (!found.program) {
+        return tl::unexpected(Entry{nullptr, found.errors, found.isFinal});
+    }
+    found.program->bindBlock("ViewBlock", binding::view);
+    found.program->bindBlock("SceneBlock", binding::scene);
+    found.program->bindBlock("ObjectBlock", binding::object);
+    pipeline.outline = outlineLayout(effects, *catalog_);
+    pipeline.outlineProgram = found.program;
+    return {};
+}
+
+/// Made with the program that reads them, so that filling them later compiles nothing.
+tl::expected<void, PipelineStore::Entry> PipelineStore::addTables(Pipeline& pipeline,
+                                                                  const EffectSet& effects) {
+    const auto source = surfaceProgram(effects, *catalog_, SurfaceOutput::Tables);
+    if (!source) {
+        return tl::unexpected(Entry{nullptr, source.error()});
+    }
+    const ProgramCache::Found found = programs_.get(*source);
+    if (!found.program) {
+        return tl::unexpected(Entry{nullptr, found.errors, found.isFinal});
+    }
+    found.program->bindBlock("ObjectBlock", binding::object);
+    pipeline.tableProgram = found.program;
+    return {};
+}
+
+PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneKey) {
+    auto pipeline = std::make_shared<Pipeline>();
+    const auto source = surfaceProgram(effects, *catalog_, output_, sceneCapacity_);
+    if (!source) {
+        return {nullptr, source.error()};
+    }
+    const ProgramCache::Found found = programs_.get(*source);
+    if (!found.program) {
+        return {nullptr, found.errors, found.isFinal};
+    }
+    found.program->bindBlock("ViewBlock", binding::view);
+    found.program->bindBlock("SceneBlock", binding::scene);
+    found.program->bindBlock("ObjectBlock", binding::object);
+    for (std::size_t i = 0; i < effects.textures.size(); ++i) {
+        found.program->bindSampler(samplerName(i).c_str(),
+                                   binding::firstTexture + static_cast<unsigned>(i));
+    }
+    found.program->bindSampler("shadowMaps", binding::shadowMaps);
+    RefractionPass::assignUnits(*found.program);
+    if (effects.scene.environment) {
+        environment::assignUnits(*found.program);
+    }
+    found.program->bindSampler("blockTables", binding::blockTables);
+    pipeline->object = objectLayout(effects, *catalog_);
+    if (!pipeline->object.tables.empty() && output_ == SurfaceOutput::Picture) {
+        if (auto added = addTables(*pipeline, effects); !added) {
+            return added.error();
+        }
+    }
+    if (effects.outline && output_ == SurfaceOutput::Picture) {
+        if (auto added = addOutline(*pipeline, effects); !added) {
+            return added.error();
+        }
+    }
+    pipeline->catalog = catalog_;
+    pipeline->scene = sceneLayout(effects.scene, *catalog_);
+    pipeline->effects = std::move(effects);
+    pipeline->sceneKey = sceneKey;
+    pipeline->program = found.program;
+    return {std::move(pipeline), {}};
+}
+
+} // namespace patina

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/refraction_packer.h"
+
+#include "render/gpu/hdr_numbers.h"
+#include "shading/parameter_packer.h"
+#include "shading/refraction_choice.h"
+
+namespace patina {
+void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
+                    const glm::dvec3& background) {
+    static const Values none;
+    const BlockPlace& place = *pipeline.object.refraction;
+    const BlockValues* part = material.part(place.block->kind);
+    const bool isPart = part != nullptr && part->id == place.block->id;
+    const RefractionChoice choice{place.block, isPart ? &part->parameters : &none, ""};
+    const std::span<glm::vec4> own = out.subspan(static_cast<std::size_t>(place.first));
+    packInto(own, place.layout, *choice.values, material.accuracy, glm::dmat4(1.0));
+    for (const ParameterField& field : place.layout.fields) {
+        if (field.parameter != nullptr && field.parameter->id == "index") {
+            own[field.offset / 4][static_cast<int>(field.offset % 4)] =
+                static_cast<float>(bodyIndex(material, choice, *pipeline.catalog));
+        }
+    }
+    out[static_cast<std::size_t>(pipeline.object.refractionBackground())] =
+        glm::vec4(storable(background.x), storable(background.y), storable(background.z), 0.0f);
+}
+
+} // namespace patina

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/surfaces/inspection_drawer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <epoxy/gl.h>
+
+#include "render/gpu/binding.h"
+
+namespace patina {
+namespace {
+
+/// Terms in one window, and the number of the first light's (shaders/passes/inspection.glsl).
+constexpr int window = inspectionOutputs - 1;
+constexpr int firstLightTerm = 7;
+
+/// Beyond this a half float's whole range is black or white.
+constexpr double maxStops = 40.0;
+
+float luminance(const glm::dvec3& color) {
+    const double sum = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+    return std::isfinite(sum) ? static_cast<float>(std::clamp(sum, 0.0, 65504.0)) : 0.0f;
+}
+
+} // namespace
+
+InspectionDrawer::InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
+                                   GpuTextureStore& textures, ShadowMaps& shadows)
+    : items_(programCache, SurfaceOutput::Inspection, meshes, textures, shadows),
+      tables_(std::move(programCache), SurfaceOutput::AlbedoTable) {}
+
+void InspectionDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+    items_.setCatalog(catalog_);
+    tables_.setCatalog(catalog_);
+    display_.reset();
+    for (AlbedoTable& albedo : albedos_) {
+        albedo.forget();
+    }
+}
+
+Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
+                                          const MeshSource& meshes) {
+    Result<void> ready = prepare(scene, view, meshes);
+    if (ready) {
+        ready = target_.fit(view.size, 1, false).map([](bool) {});
+    }
+    if (!ready) {
+        items_.report().messages.assign(1, ready.error());
+        return ready;
+    }
+    target_.bind();
+    glClearColor(luminance(scene.background), 0.0f, 0.0f, 1.0f);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    drawItems(scene, 0);
+    target_.resolve();
+    items_.end();
+    return {};
+}
+
+Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
+                                       const MeshSource& meshes) {
+    items_.report() = FrameReport();
+    if (catalog_ == nullptr) {
+        return failure("there are no shaders to draw with", "a call of setCatalog before draw");
+    }
+    if (!display_) {
+        const std::array<std::string, 1> files{"passes/inspection.frag"};
+        const auto source = passProgram(*catalog_, "passes/screen.vert", files);
+        if (!source) {
+            return tl::unexpected(source.error().front());
+        }
+        const ProgramCache::Found found = items_.pipelines().programs().get(*source);
+        if (!found.program) {
+            return tl::unexpected(found.errors.front());
+        }
+        display_ = found.program;
+    }
+    items_.prepare(scene, view, meshes, false);
+    while (albedos_.size() < scene.objects.size()) {
+        albedos_.emplace_back();
+    }
+    for (const Item& item : items_.items()) {
+        if (item.pipeline && item.pipeline->object.model) {
+            fillAlbedo(scene.objects[item.index].material, item);
+        }
+    }
+    return {};
+}
+
+void InspectionDrawer::fillAlbedo(const Material& material, const Item& item) {
+    static const Scene nothing; // a table knows no lights
+    const PipelineStore::Entry& table =
+        tables_.get(material, EffectKey::ofMaterial(material, *catalog_), {nothing});
+    AlbedoTable& albedo = albedos_[item.index];
+    if (table.pipeline && (item.isNew || albedo.filledWith() != table.pipeline.get())) {
+        item.data->bind(binding::object);
+        albedo.fill(*table.pipeline);
+    }
+}
+
+/// The target is bound.
+void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
+    items_.draw(scene, [&](const Item& item) {
+        glUniform1i(item.pipeline->program->uniform("firstTerm"), firstTerm);
+        glUniform1f(item.pipeline->program->uniform("objectNumber"),
+                    static_cast<float>(item.index + 1));
+        albedos_[item.index].bind();
+    });
+}
+
+void InspectionDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, view.size.x, view.size.y);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    display_->use();
+    const double stops = std::clamp(scene.exposure, -maxStops, maxStops);
+    glUniform1f(display_->uniform("exposureFactor"), static_cast<float>(std::exp2(stops)));
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, target_.resolved().name());
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+Result<std::optional<PixelProbe>> InspectionDrawer::probe(const Scene& scene, const View& view,
+                                                          const MeshSource& meshes,
+                                                          glm::ivec2 pixel) {
+    if (auto prepared = prepare(scene, view, meshes); !prepared) {
+        return tl::unexpected(prepared.error());
+    }
+    if (!probeTarget_) {
+        Result<ProbeTarget> target = ProbeTarget::create();
+        if (!target) {
+            return tl::unexpected(target.error());
+        }
+        probeTarget_ = std::move(*target);
+    }
+    const glm::ivec2 fromBelow(pixel.x, view.size.y - 1 - pixel.y);
+    probeTarget_->begin(view.size, fromBelow);
+    drawItems(scene, 0);
+    const ProbeTarget::Outputs outputs = probeTarget_->read(fromBelow);
+    const auto number = static_cast<std::size_t>(outputs[0].b);
+    const auto item = std::ranges::find_if(
+        items_.items(), [number](const Item& each) { return each.index + 1 == number; });
+    if (item == items_.items().end()) {
+        return std::optional<PixelProbe>();
+    }
+    PixelProbe probe = read(scene, *item, outputs);
+    readLights(scene, view, fromBelow, probe);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return std::optional(std::move(probe));
+}
+
+PixelProbe InspectionDrawer::read(const Scene& scene, const Item& item,
+                                  const ProbeTarget::Outputs& outputs) {
+    const EffectSet& effects = item.pipeline->effects;
+    const auto term = [&outputs](std::size_t i) { return outputs[i + 1]; };
+    PixelProbe probe;
+    probe.object = item.index;
+    probe.defect = static_cast<PixelDefect>(std::clamp(std::lround(outputs[0].g), 0L, 4L));
+    probe.normal = glm::vec3(term(0));
+    probe.nv = term(0).w;
+    probe.albedo = term(1).w > 0.0f ? std::optional(glm::vec3(term(1))) : std::nullopt;
+    if (effects.model && (effects.scene.ambient || effects.scene.hemisphere)) {
+        probe.ambient = glm::vec3(term(2));
+    }
+    if (!effects.emission.empty()) {
+        probe.emission = glm::vec3(term(3));
+    }
+    if (effects.blend) {
+        probe.blended = BlendedColor{glm::vec3(term(4)), term(4).w};
+    }
+    if (effects.scene.fog) {
+        probe.fogged = BlendedColor{glm::vec3(term(5)), term(5).w};
+    }
+    probe.color = glm::vec3(term(6));
+    probe.opacity = term(6).w;
+    for (const std::size_t light : lightsInOrder(scene, *item.pipeline)) {
+        probe.lights.push_back({light, {}, 0.0f});
+    }
+    if (!effects.model) {
+        probe.lights.clear();
+    }
+    return probe;
+}
+
+void InspectionDrawer::readLights(const Scene& scene, const View& view, glm::ivec2 pixel,
+                                  PixelProbe& probe) {
+    for (std::size_t first = 0; first < probe.lights.size(); first += window) {
+        probeTarget_->begin(view.size, pixel);
+        drawItems(scene, firstLightTerm + static_cast<int>(first));
+        const ProbeTarget::Outputs outputs = probeTarget_->read(pixel);
+        const std::size_t count = std::min<std::size_t>(window, probe.lights.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            probe.lights[first + i].value = glm::vec3(outputs[i + 1]);
+            probe.lights[first + i].nl = outputs[i + 1].w;
+        }
+    }
+}
+
+} // namespace patina

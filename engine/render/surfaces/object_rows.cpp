@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/surfaces/object_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "core/image_places.h"
+#include "render/lights/frustum.h"
+#include "render/lights/light_lists.h"
+#include "render/lights/placement.h"
+#include "render/surfaces/scene_depth.h"
+#include "shading/effect_choice.h"
+#include "shading/light_effects.h"
+#include "shading/light_reach.h"
+#include "shading/texture_choice.h"
+#include "shading/texture_effects.h"
+
+namespace patina {
+namespace {
+
+constexpr std::string_view textureKind = "texture/";
+constexpr std::string_view environmentKind = "environment/";
+
+/// From a point to a box of object space.
+double distanceTo(const Bounds& bounds, const glm::dmat4& world, const glm::dvec3& point) {
+    const glm::dvec3 way = point - ballAround(bounds, world).center;
+    glm::dvec3 outside(0.0);
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 edge(world[i]);
+        const double length = glm::length(edge);
+        const double half = 0.5 * length * double(bounds.upper[i] - bounds.lower[i]);
+        const double along = length > 0.0 ? std::abs(glm::dot(way, edge / length)) : 0.0;
+        outside[i] = std::max(along - half, 0.0);
+    }
+    return glm::length(outside);
+}
+
+/// Why a light is not on an object's list, by the ball around it.
+std::string whyUnreached(const LightReach& reach, const Bounds& bounds, const glm::dmat4& world) {
+    const Ball ball = ballAround(bounds, world);
+    if (!(reach.range > 0.0) ||
+        glm::distance(reach.from, ball.center) - ball.radius <= reach.range) {
+        return "Its cone misses this object.";
+    }
+    return fmt::format("Its range of {:.3g} m ends before this object, which is at least {:.3g} m "
+                       "away.",
+                       reach.range, distanceTo(bounds, world, reach.from));
+}
+
+/// A row for each light that shines and does not reach the object.
+void addUnreached(std::vector<EffectRow>& rows, const Scene& scene, std::size_t object,
+                  const Catalog& catalog, const EffectView& view, const MeshView& mesh) {
+    const glm::dmat4 world = worldMatrix(scene.objects[object]);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        const Block* block = catalog.find("lights", light.block.id);
+        if (block != nullptr && canShine(light, *block) && !view.reaches(i)) {
+            rows.push_back({{lightName(scene, i), {},
+                             whyUnreached(reachOf(light, *block), mesh.bounds, world)},
+                            false,
+                            false,
+                            {}});
+        }
+    }
+}
+
+/// What an image does that is the same all over the object.
+const char* evenlyText(const TextureEffect& image) {
+    switch (image.role) {
+    case TextureRole::Normal:
+        return "it leans all of the surface the same way";
+    case TextureRole::Height:
+        return "it has no effect";
+    case TextureRole::Opacity:
+        return "it is one opacity";
+    default:
+        return image.isColor ? "it is one colour" : "it is one value";
+    }
+}
+
+bool isMissing(const TextureUse& use, const TextureEffect& image, const KnownImages& images) {
+    return images.textures && images.textures(use, decodingOf(use, image)).isMissing;
+}
+
+const char* missingText(const TextureUse& use) {
+    return use.outside ? " The image's file lies outside the preset's folder and is not "
+                         "read: a placeholder is shown."
+                       : " The image's file is missing or cannot be read: a placeholder is shown.";
+}
+
+/// What an image's own row does not know: whether there is one, and whether the mesh says where it
+/// lies.
+void describeImages(std::vector<EffectRow>& rows, const Material& material, const Catalog& catalog,
+                    const MeshView& mesh, const KnownImages& images) {
+    const bool isPlaceless = !mesh.indices.empty() && !hasImagePlaces(mesh.vertices);
+    for (EffectRow& row : rows) {
+        if (!row.in || !row.line.effect.starts_with(textureKind)) {
+            continue;
+        }
+        const auto use = material.textures.find(row.line.effect.substr(textureKind.size()));
+        const TextureEffect image = textureEffect(use->first, use->second, material, catalog);
+        if (isMissing(use->second, image, images)) {
+            row.line.reason += missingText(use->second);
+        }
+        if (isPlaceless) {
+            row.line.reason +=
+                fmt::format(" The mesh has no texture coordinates: {}.", evenlyText(image));
+        }
+    }
+}
+
+void describeEnvironment(std::vector<EffectRow>& rows, const KnownImages& images) {
+    for (EffectRow& row : rows) {
+        if (images.isEnvironmentMissing && row.in &&
+            row.line.effect.starts_with(environmentKind)) {
+            row.line.reason = "The file of the environment's picture is missing or cannot be read: "
+                              "a placeholder sends light.";
+        }
+    }
+}
+
+bool isOfThePicture(const EffectRow& row) {
+    return row.line.effect == "ground" || row.line.effect == "exposure" ||
+           row.line.effect == "tone mapping";
+}
+
+/// Takes all effects out for the reason that the object is not drawn.
+void takeOut(std::vector<EffectRow>& rows, const std::string& reason) {
+    for (EffectRow& row : rows) {
+        if (row.in && !isOfThePicture(row)) {
+            row.in = false;
+            row.removable = false;
+            row.line.reason = reason;
+        }
+    }
+}
+
+/// As the renderer leaves it out.
+bool isOutside(const Scene& scene, std::size_t object, const MeshView& mesh, double aspect) {
+    const glm::dmat4 worldToClip =
+        projection(scene.camera, aspect, DepthRange()) * viewMatrix(scene.camera);
+    return !mesh.indices.empty() &&
+           patina::isOutside(placementOf(scene.objects[object], mesh.bounds), worldToClip);
+}
+
+} // namespace
+
+std::string whyNotDrawn(const Scene& scene, std::size_t object, const MeshSource& meshes,
+                        double aspect) {
+    if (!scene.objects[object].visible) {
+        return "The object is hidden.";
+    }
+    if (!canBeSeen(scene.objects[object].material)) {
+        return "Nothing of the object can be seen: its opacity is 0.";
+    }
+    return aspect > 0.0 && isOutside(scene, object, meshes(scene.objects[object]), aspect)
+               ? "The object is outside the view: it is not drawn."
+               : "";
+}
+
+std::vector<EffectRow> objectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
+                                  const MeshSource& meshes, const KnownImages& images,
+                                  double aspect) {
+    const EffectView view = objectView(scene, object, catalog, meshes);
+    std::vector<EffectRow> rows = effectRows(scene, object, catalog, view);
+    const Material& material = scene.objects[object].material;
+    if (const std::string why = whyNotDrawn(scene, object, meshes, aspect); !why.empty()) {
+        takeOut(rows, why);
+        return rows;
+    }
+    const MeshView mesh = meshes(scene.objects[object]);
+    addUnreached(rows, scene, object, catalog, view, mesh);
+    describeImages(rows, material, catalog, mesh, images);
+    describeEnvironment(rows, images);
+    return rows;
+}
+
+} // namespace patina

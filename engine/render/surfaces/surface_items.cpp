@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/surfaces/surface_items.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <epoxy/gl.h>
+#include <glm/matrix.hpp>
+
+#include "render/gpu/binding.h"
+#include "render/pass/data_packer.h"
+#include "shading/effect_choice.h"
+#include "shading/texture_choice.h"
+
+namespace patina {
+std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipeline) {
+    const bool shadows = hasShadows(scene, *pipeline.catalog);
+    std::vector<std::size_t> order;
+    for (const LightGroup& group : pipeline.effects.scene.lights) {
+        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog, shadows) == group.key) {
+                order.push_back(i);
+            }
+        }
+    }
+    return order;
+}
+
+SurfaceItems::SurfaceItems(std::filesystem::path programCache, SurfaceOutput output,
+                           GpuMeshStore& meshes, GpuTextureStore& textures, ShadowMaps& shadows)
+    : pipelines_(std::move(programCache), output), meshes_(meshes), textures_(textures),
+      shadows_(shadows) {
+    viewData_.reserve(ViewLayout::vec4s);
+    sceneData_.reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
+}
+
+void SurfaceItems::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+    pipelines_.setCatalog(catalog_);
+}
+
+void SurfaceItems::prepare(const Scene& scene, const View& view, const MeshSource& meshes,
+                           bool usesDepths) {
+    report_ = FrameReport();
+    textures_.beginFrame();
+    collect(scene, view, meshes);
+    choosePipelines(scene, usesDepths ? effectView(depths_, fogReach(scene)) : EffectView());
+    drawShadows(scene);
+    feed(scene, view);
+}
+
+FogReach SurfaceItems::fogReach(const Scene& scene) const {
+    FogReach fog(scene, *catalog_, glm::dvec3(cameraToWorld_[3]));
+    for (const Item& item : items_) {
+        fog.add(item.bounds, item.world);
+    }
+    return fog;
+}
+
+void SurfaceItems::end() {
+    meshes_.endFrame();
+    textures_.endFrame();
+}
+
+void SurfaceItems::collect(const Scene& scene, const View& view, const MeshSource& meshes) {
+    const glm::dmat4 worldToCamera = viewMatrix(view.camera);
+    cameraToWorld_ = glm::inverse(worldToCamera);
+    depths_ = DepthRange();
+    items_.clear();
+    instances_.clear();
+    meshes_.beginFrame();
+    while (data_.size() < scene.objects.size()) {
+        data_.push_back(std::make_unique<UniformBuffer>());
+    }
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const bool drawn = object.visible && canBeSeen(object.material);
+        const MeshView mesh = drawn ? meshes(object) : MeshView{};
+        if (!mesh.indices.empty()) {
+            const glm::dmat4 world = worldMatrix(object);
+            depths_.add(mesh.bounds, worldToCamera * world);
+            items_.push_back({i, &meshes_.get(mesh), mesh.bounds, world, data_[i].get(), {}});
+            instances_.add(instanceAt(world));
+        }
+    }
+    instances_.upload();
+}
+
+void SurfaceItems::note(const PipelineStore::Entry& entry) {
+    addNew(report_.messages, entry.errors);
+    if (!entry.pipeline) {
+        return;
+    }
+    for (const EffectLine& line : effectLines(entry.pipeline->effects)) {
+        if (std::find(report_.effects.begin(), report_.effects.end(), line.effect) ==
+            report_.effects.end()) {
+            report_.effects.push_back(line.effect);
+        }
+    }
+}
+
+void SurfaceItems::choosePipelines(const Scene& scene, const EffectView& view) {
+    const int before = pipelines_.programs().compiledCount();
+    const PipelineStore::Surroundings around{scene, keys_.ofScene(scene, *catalog_, view), view};
+    for (Item& item : items_) {
+        const Material& material = scene.objects[item.index].material;
+        const std::uint64_t key = EffectKey::ofMaterial(material, *catalog_);
+        const PipelineStore::Entry& entry = pipelines_.get(material, key, around);
+        note(entry);
+        item.pipeline = entry.pipeline ? entry.pipeline : pipelines_.fallback(around).pipeline;
+    }
+    report_.compiled = pipelines_.programs().compiledCount() - before;
+}
+
+/// The same maps as the picture's; where they cannot be made everything is lit.
+void SurfaceItems::drawShadows(const Scene& scene) {
+    shadows_.clearCasters();
+    for (const Item& item : items_) {
+        if (isCaster(scene.objects[item.index], *catalog_)) {
+            shadows_.addCaster(*item.mesh, {item.bounds, item.world},
+                               scene.objects[item.index].material);
+        }
+    }
+    if (auto planned =
+            shadows_.plan(scene, scene, cameraToWorld_, pipelines_.programs(), textures_);
+        !planned) {
+        report_.messages.push_back(planned.error());
+    }
+    report_.shadowMaps = shadows_.pending();
+    while (shadows_.pending() > 0) {
+        shadows_.drawSome(std::numeric_limits<int>::max(), textures_);
+    }
+}
+
+void SurfaceItems::feed(const Scene& scene, const View& view) {
+    const double aspect = double(view.size.x) / double(view.size.y);
+    const glm::dmat4 worldToClip =
+        projection(view.camera, aspect, depths_) * glm::inverse(cameraToWorld_);
+    packView(viewData_.staging(), worldToClip, eye(view.camera), 1.0);
+    report_.uploadedBuffers += viewData_.upload(ViewLayout::vec4s) ? 1 : 0;
+    viewData_.bind(binding::view);
+    // All were made for this scene: they read the same data.
+    const auto fed =
+        std::ranges::find_if(items_, [](const Item& item) { return item.pipeline != nullptr; });
+    if (fed != items_.end()) {
+        const PackedScene packed = packScene(sceneData_.staging(), *fed->pipeline,
+                                             {scene, scene, shadows_.views()}, cameraToWorld_);
+        report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
+    }
+    for (Item& item : items_) {
+        if (item.pipeline) {
+            feedMaterial(scene.objects[item.index].material, item);
+        }
+    }
+}
+
+void SurfaceItems::feedMaterial(const Material& material, Item& item) {
+    const auto size = static_cast<std::size_t>(item.pipeline->object.vec4s);
+    item.data->reserve(size);
+    packMaterial(item.data->staging(), *item.pipeline, material, cameraToWorld_);
+    textures_.bind(item.data->staging(), *item.pipeline, material);
+    item.isNew = item.data->upload(size);
+    report_.uploadedBuffers += item.isNew ? 1 : 0;
+}
+
+void SurfaceItems::draw(const Scene& scene, const std::function<void(const Item&)>& begin) {
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glDisable(GL_DITHER);
+    glDepthFunc(GL_LESS);
+    sceneData_.bind(binding::scene);
+    shadows_.bind();
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        const Item& item = items_[i];
+        if (!item.pipeline) {
+            continue;
+        }
+        ++report_.drawnObjects;
+        item.data->bind(binding::object);
+        item.pipeline->program->use();
+        begin(item);
+        textures_.bind(item.data->staging(), *item.pipeline, scene.objects[item.index].material);
+        item.mesh->draw(instances_, {0, item.mesh->triangles(), i, 1});
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace patina {
+
+/// What makes the triangles of one object differ from another's.
+struct MeshKey {
+    std::string mesh;
+    bool fitUnitBox = false;
+    bool flipNormals = false;
+
+    friend auto operator<=>(const MeshKey&, const MeshKey&) = default;
+};
+
+inline MeshKey meshKey(const Object& object) {
+    return {object.mesh, object.fitUnitBox, object.flipNormals};
+}
+
+} // namespace patina

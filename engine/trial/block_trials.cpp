@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trial/block_trials.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "catalog/catalog.h"
+#include "gl/headless_context.h"
+#include "render/renderer.h"
+#include "scene/builtin_mesh.h"
+#include "shading/block_trial.h"
+#include "shading/program_cache.h"
+#include "trial/trial_scene.h"
+
+namespace patina {
+namespace {
+
+constexpr int side = 16; // pixels of the picture that nobody sees
+
+std::string nameOf(const Block& block) {
+    return block.kind + '/' + block.id;
+}
+
+std::string hashIn(const ProgramSource& source, const Block& block) {
+    for (const ShaderSource* stage :
+         {&source.vertex, &source.fragment, source.geometry ? &*source.geometry : nullptr}) {
+        if (stage == nullptr) {
+            continue;
+        }
+        for (const StrangerBlock& stranger : stage->strangers) {
+            if (stranger.kind == block.kind && stranger.id == block.id) {
+                return stranger.hash;
+            }
+        }
+    }
+    return {};
+}
+
+/// A drawing of each block in turn.
+class TrialDrawer {
+  public:
+    explicit TrialDrawer(std::shared_ptr<const Catalog> catalog)
+        : catalog_(std::move(catalog)), mesh_(builtinMesh(Object()).value_or(Mesh())) {}
+
+    /// Nothing: no context could be made.
+    bool open() {
+        context_ = gl::HeadlessContext::create().value_or(nullptr);
+        renderer_ = context_ ? Renderer::create({}).value_or(nullptr) : nullptr;
+        if (renderer_) {
+            renderer_->setCatalog(catalog_);
+        }
+        return renderer_ != nullptr;
+    }
+
+    TrialReport report(const Block& block) {
+        const Checked<ProgramSource> source = trialProgram(block, *catalog_);
+        if (!source) {
+            return {nameOf(block), true, {}, source.error()};
+        }
+        const std::string hash = hashIn(*source, block);
+        const auto program = compileProgram(*source);
+        return {nameOf(block), true, hash, program ? drawnMistakes(block) : program.error()};
+    }
+
+  private:
+    /// What drawing says of the block's own files.
+    Errors drawnMistakes(const Block& block) {
+        View view;
+        view.size = {side, side};
+        const auto image = renderer_->capture(
+            trialScene(block, *catalog_), view, [this](const Object&) { return mesh_.view(); },
+            true);
+        Errors mistakes;
+        const FrameReport& report = renderer_->report();
+        std::copy_if(report.messages.begin(), report.messages.end(), std::back_inserter(mistakes),
+                     [&](const Error& error) { return error.file == block.shaderFile.string(); });
+        return mistakes;
+    }
+
+    std::shared_ptr<const Catalog> catalog_;
+    Mesh mesh_;
+    std::unique_ptr<gl::HeadlessContext> context_;
+    std::unique_ptr<Renderer> renderer_;
+};
+
+const Block* blockNamed(const Catalog& catalog, const std::string& name) {
+    const auto found = std::find_if(catalog.blocks.begin(), catalog.blocks.end(),
+                                    [&](const Block& block) { return nameOf(block) == name; });
+    return found == catalog.blocks.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+void tryBlocks(const TrialRequest& request, const std::function<void(const TrialReport&)>& tell) {
+    const std::array<BlockRoot, 2> roots{BlockRoot{request.shaders, true},
+                                         BlockRoot{request.own, false}};
+    const auto catalog = std::make_shared<const Catalog>(loadCatalog(roots));
+    TrialDrawer drawer(catalog);
+    if (!drawer.open()) {
+        tell({{}, true});
+        return;
+    }
+    for (const std::string& name : request.blocks) {
+        tell({name, false});
+        const Block* block = blockNamed(*catalog, name);
+        tell(block == nullptr ? TrialReport{name, true} : drawer.report(*block));
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace patina {
+
+/// A line that the process which tries blocks writes: that a trial begins, or what came of it.
+struct TrialReport {
+    std::string block; ///< "<kind>/<id>"; empty: no block can be tried on this machine
+    bool isDone = false;
+    std::string hash{}; ///< of what was tried (see StrangerBlock)
+    Errors mistakes{};
+};
+
+/// One line of JSON without its end. At most 20 mistakes, with texts of 2000 bytes at most.
+std::string toLine(const TrialReport& report);
+
+/// Nothing when the line is something else.
+std::optional<TrialReport> trialReport(std::string_view line);
+
+} // namespace patina

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that what is opened names outside its folder.
+#include <sys/stat.h>
+
+#include <QFileDialog>
+#include <QTest>
+
+#include "catalog/catalog.h"
+#include "scene/scene_file.h"
+#include "ui/answer.h"
+#include "ui/window_fixture.h"
+
+namespace patina::tests {
+namespace {
+
+constexpr int waitMs = 20000;
+
+class OutsideFilesWindow : public WindowFixture {
+  protected:
+    OutsideFilesWindow() {
+        std::filesystem::create_directory(home("scene"));
+        writeFile(home("secret.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        writeFile(scene(), R"({"format": "patina.scene", "version": 1, "objects": [
+                               {"mesh": "../secret.obj", "preset": {"format": "patina.preset",
+                                "version": 1, "model": {"id": "phong", "version": 1}}}]})");
+    }
+
+    std::filesystem::path scene() const { return home("scene/a.patina-scene.json"); }
+    void openScene() { openFile(scene()); }
+    void openFile(const std::filesystem::path& file) {
+        window().files().open({QString::fromStdString(file.string())}, Side::A);
+    }
+    bool isShown() {
+        return QTest::qWaitFor(
+            [this] {
+                return document().scene().objects.size() == 1 &&
+                       window().meshes().has(document().scene().objects.front());
+            },
+            waitMs);
+    }
+    bool isRefused() {
+        window().meshes().view(document().scene().objects.front());
+        return QTest::qWaitFor([this] { return said().contains("is not read"); }, waitMs) &&
+               !window().meshes().has(document().scene().objects.front());
+    }
+    QString said() { return QString::fromStdString(text(window().messages().messages())); }
+};
+
+TEST_F(OutsideFilesWindow, SceneWithAMeshOutside_IsOpenedWithItWhenThatIsAllowed) {
+    const Answer answer(QMessageBox::Yes);
+    openScene();
+    EXPECT_TRUE(answer.wasAsked());
+    EXPECT_TRUE(isShown());
+}
+
+TEST_F(OutsideFilesWindow, SceneWithAMeshOutside_IsOpenedWithoutItWhenThatIsRefused) {
+    const Answer answer(QMessageBox::No);
+    openScene();
+    EXPECT_EQ(document().file().path, scene());
+    EXPECT_TRUE(isRefused());
+    EXPECT_TRUE(said().contains("Allow Files Outside")) << said().toStdString();
+}
+
+TEST_F(OutsideFilesWindow, Answer_IsRememberedAcrossSessions) {
+    {
+        const Answer answer(QMessageBox::Yes);
+        openScene();
+    }
+    close();
+    open();
+    const Answer again(QMessageBox::No);
+    openScene();
+    EXPECT_FALSE(again.wasAsked());
+    EXPECT_TRUE(isShown());
+}
+
+TEST_F(OutsideFilesWindow, FileThatWantsMore_IsAskedAboutThat) {
+    {
+        const Answer answer(QMessageBox::Yes);
+        openScene();
+    }
+    std::string text = readFile(scene());
+    text.replace(text.find("secret"), 6, "hidden");
+    writeFile(scene(), text);
+    const Answer again(QMessageBox::No);
+    openScene();
+    EXPECT_TRUE(again.wasAsked());
+}
+
+TEST_F(OutsideFilesWindow, RefusedFiles_CanBeAllowedLater) {
+    {
+        const Answer answer(QMessageBox::No);
+        openScene();
+    }
+    ASSERT_TRUE(isRefused());
+    const Answer answer(QMessageBox::Yes);
+    window().files().allowOutside();
+    EXPECT_TRUE(answer.wasAsked());
+    EXPECT_TRUE(isShown());
+    EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(OutsideFilesWindow, PresetOfTheScene_IsReadWhenItIsAllowedLater) {
+    ASSERT_TRUE(document().savePreset(home("secret.patina.json"), Side::A));
+    const std::string name = document().material(Side::A)->name;
+    writeFile(scene(), R"({"format": "patina.scene", "version": 1, "objects": [
+                           {"mesh": "builtin:cube", "preset": "../secret.patina.json"}]})");
+    {
+        const Answer answer(QMessageBox::No);
+        openScene();
+    }
+    ASSERT_NE(document().material(Side::A)->name, name);
+    const Answer answer(QMessageBox::Yes);
+    window().files().allowOutside();
+    EXPECT_EQ(document().material(Side::A)->name, name);
+}
+
+TEST_F(OutsideFilesWindow, SceneSavedElsewhere_IsOpenedWithItsMeshesUnasked) {
+    {
+        const Answer answer(QMessageBox::Yes);
+        openScene();
+    }
+    ASSERT_TRUE(isShown());
+    std::filesystem::create_directory(home("elsewhere"));
+    const std::filesystem::path file = home("elsewhere/b.patina-scene.json");
+    ASSERT_TRUE(document().saveScene(file));
+    ASSERT_TRUE(window().files().save());
+    const Answer again(QMessageBox::No);
+    openFile(file);
+    EXPECT_FALSE(again.wasAsked());
+    EXPECT_TRUE(isShown());
+}
+
+TEST_F(OutsideFilesWindow, RecoveredWork_HasWhatWasAllowed) {
+    {
+        const Answer answer(QMessageBox::Yes);
+        openScene();
+    }
+    std::filesystem::create_directory(home("copies"));
+    const std::filesystem::path copy = home("copies/copy.patina-scene.json");
+    ASSERT_TRUE(writeScene(copy, document().sceneToRecover()));
+    ASSERT_TRUE(document().recover(copy, document().file()));
+    EXPECT_TRUE(document().outside().empty());
+    EXPECT_TRUE(isShown());
+}
+
+TEST_F(OutsideFilesWindow, RecoveredWork_HasNothingThatWasRefused) {
+    {
+        const Answer answer(QMessageBox::No);
+        openScene();
+    }
+    std::filesystem::create_directory(home("copies"));
+    const std::filesystem::path copy = home("copies/copy.patina-scene.json");
+    ASSERT_TRUE(writeScene(copy, document().sceneToRecover()));
+    ASSERT_TRUE(document().openTemplate(defaultSceneFile()));
+    ASSERT_TRUE(document().recover(copy, {DocumentFile::Kind::Scene, scene(), false}));
+    EXPECT_TRUE(isRefused());
+}
+
+TEST_F(OutsideFilesWindow, SettingsThatAreAPipe_DoNotHoldUpTheStart) {
+    close();
+    const std::filesystem::path file = home("XDG_CONFIG_HOME/patina/patina.ini");
+    std::filesystem::create_directories(file.parent_path());
+    std::filesystem::remove(file);
+    ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+    open();
+    EXPECT_TRUE(window().isVisible());
+}
+
+} // namespace
+} // namespace patina::tests
