@@ -8,7 +8,7 @@
 
 #include "source_tree.h"
 
-namespace patina::tests {
+namespace patina::tests::arrows_test {
 namespace {
 
 using Arrows = std::map<std::string, std::set<std::string>>; // folder -> what it may use
@@ -158,4 +158,4 @@ TEST(Arrows, CommandLineAndFilesProgram_HaveNoQt) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::arrows_test

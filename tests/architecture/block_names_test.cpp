@@ -7,7 +7,7 @@
 
 #include "source_tree.h"
 
-namespace patina::tests {
+namespace patina::tests::block_names_test {
 namespace {
 
 /// Block ids that are also ordinary words of this trade. They may stand in a sentence or a name
@@ -83,4 +83,4 @@ TEST(BlockNames, Program_HasNoIdThatIsNotAnOrdinaryWord) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::block_names_test

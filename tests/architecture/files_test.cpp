@@ -9,7 +9,7 @@
 
 #include "source_tree.h"
 
-namespace patina::tests {
+namespace patina::tests::files_test {
 namespace {
 
 std::vector<SourceFile> everyFile() {
@@ -140,4 +140,4 @@ TEST(Files, Sources_HaveNoLeftOverMarks) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::files_test

@@ -5,7 +5,7 @@
 
 #include "source_tree.h"
 
-namespace patina::tests {
+namespace patina::tests::glsl_rules_test {
 namespace {
 
 std::set<std::string> libraryFunctions() {
@@ -117,4 +117,4 @@ TEST(GlslRules, CountingAndIndexing_AreFree) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::glsl_rules_test

@@ -7,7 +7,7 @@
 
 #include "source_tree.h"
 
-namespace patina::tests {
+namespace patina::tests::shaders_test {
 namespace {
 
 /// What a kind adds to the names of its blocks (docs/design/blocks.md, "Names").
@@ -90,4 +90,4 @@ TEST(Blocks, Shader_LeavesItsStructToTheGenerator) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::shaders_test

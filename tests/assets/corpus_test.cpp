@@ -12,7 +12,7 @@
 
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST(AssimpTestModels, EveryFile_EndsInAMeshOrAClearMessage) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::corpus_test

@@ -7,7 +7,7 @@
 
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::damaged_file_test {
 namespace {
 
 constexpr const char* models = "/usr/share/assimp/models/";
@@ -89,4 +89,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& information) { return std::string(information.param.name); });
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::damaged_file_test

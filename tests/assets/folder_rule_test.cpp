@@ -6,7 +6,7 @@
 
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::folder_rule_test {
 namespace {
 
 class MeshFolderRule : public testing::Test {
@@ -163,4 +163,4 @@ TEST_F(MeshFolderRule, Device_IsRefused) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::folder_rule_test

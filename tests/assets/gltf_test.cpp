@@ -11,7 +11,7 @@
 #include "glb_writer.h"
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::gltf_test {
 namespace {
 
 constexpr int byteType = 5120;
@@ -376,4 +376,4 @@ TEST(Gltf, NodesInACircle_SaySo) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::gltf_test

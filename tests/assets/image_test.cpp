@@ -10,7 +10,7 @@
 #include "assets/asset_client.h"
 #include "support/program.h"
 
-namespace patina::tests {
+namespace patina::tests::image_test {
 namespace {
 
 /// A gradient in all channels, alpha included, so that no two neighbours are equal.
@@ -200,4 +200,4 @@ TEST(ImageFile, OfNoise_SaysSo) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::image_test

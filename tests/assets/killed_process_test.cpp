@@ -12,7 +12,7 @@
 #include "child_processes.h"
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::killed_process_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -177,4 +177,4 @@ TEST(SharedMesh, OutlivesItsClient) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::killed_process_test

@@ -6,7 +6,7 @@
 #include "fake_program.h"
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::lying_process_test {
 namespace {
 
 LoadedMesh load(AssetClient& client) {
@@ -138,4 +138,4 @@ TEST(MissingProgram, IsAMessage) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::lying_process_test

@@ -6,7 +6,7 @@
 
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::mesh_test {
 namespace {
 
 constexpr float tolerance = 1e-6f; // a few roundings of numbers near one
@@ -195,4 +195,4 @@ TEST(PoorMesh, FacesBackToBack_HaveUnitNormals) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::mesh_test

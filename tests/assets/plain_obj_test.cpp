@@ -9,7 +9,7 @@
 
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::plain_obj_test {
 namespace {
 
 constexpr float objTolerance = 1e-6f; // one rounding of a decimal number near one
@@ -133,4 +133,4 @@ TEST(PlainObj, LastLineWithoutAnEnd_Counts) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::plain_obj_test

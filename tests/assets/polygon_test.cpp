@@ -9,7 +9,7 @@
 
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::polygon_test {
 namespace {
 
 struct Flat {
@@ -158,4 +158,4 @@ TEST(Polygon, CornerAtNan_LeavesTheOthers) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::polygon_test

@@ -8,7 +8,7 @@
 #include "core/srgb_table.h"
 #include "support/program.h"
 
-namespace patina::tests {
+namespace patina::tests::texture_test {
 namespace {
 
 std::vector<int> codesOf(const TexturePicture& picture, std::size_t level) {
@@ -164,4 +164,4 @@ TEST(Texture, CancelledBeforeItBegan_SaysSo) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::texture_test

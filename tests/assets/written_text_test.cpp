@@ -4,7 +4,7 @@
 
 #include "mesh_files.h"
 
-namespace patina::tests {
+namespace patina::tests::written_text_test {
 namespace {
 
 constexpr const char* mark = "\xef\xbb\xbf";
@@ -114,4 +114,4 @@ TEST(CommasInAnObj, InNamesAndRemarks_MeanNothing) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::written_text_test

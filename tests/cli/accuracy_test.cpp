@@ -3,7 +3,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_test {
 namespace {
 
 Outcome rendered(const std::vector<std::string>& more) {
@@ -60,4 +60,4 @@ TEST(SetOption, AccuracyOfABlockThatIsNotUsed_IsAMistake) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_test

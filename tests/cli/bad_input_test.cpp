@@ -10,7 +10,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::bad_input_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -242,4 +242,4 @@ TEST(BadInput, MoreLightsThanCanBeDrawn_AreAWarning) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::bad_input_test

@@ -7,7 +7,7 @@
 #include "shading/block_trial.h"
 #include "trial/trial_gate.h"
 
-namespace patina::tests {
+namespace patina::tests::block_gate_test {
 namespace {
 
 constexpr const char* good = "    return p.tint * d.nl;\n";
@@ -168,4 +168,4 @@ TEST_F(TrialGateTest, Render_RefusesABombAndLivesOn) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::block_gate_test

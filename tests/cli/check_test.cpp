@@ -4,7 +4,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::check_test {
 namespace {
 
 /// A user's folder with a model of two files whose body is `body`.
@@ -99,4 +99,4 @@ TEST_F(CheckCommand, ModelThatDoesNotCompile_Fails) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::check_test

@@ -11,7 +11,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::cost_test {
 namespace {
 
 /// Small and short: what is tested is not the time.
@@ -271,4 +271,4 @@ TEST(Cost, NothingToMeasure_IsAMistake) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::cost_test

@@ -10,7 +10,7 @@
 #include "cli/patina_program.h"
 #include "gl/driver_cache.h"
 
-namespace patina::tests {
+namespace patina::tests::driver_cache_test {
 namespace {
 
 std::size_t bytesOnDisk(const std::filesystem::path& file) {
@@ -60,4 +60,4 @@ TEST(DriverCache, NoRoomForTheIndex_IsToldOnceAndThePictureIsDrawn) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::driver_cache_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina::tests {
+namespace patina::tests::effect_table_test {
 namespace {
 
 EffectRow row(const std::string& effect, const std::string& within = "") {
@@ -61,4 +61,4 @@ TEST(EffectTable, TooFewPairs_AreMarked) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::effect_table_test

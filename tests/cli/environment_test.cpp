@@ -3,7 +3,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::environment_test {
 namespace {
 
 std::vector<std::string> rendering(std::vector<std::string> more) {
@@ -75,4 +75,4 @@ TEST(EnvironmentOption, Effects_NameIt) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::environment_test

@@ -7,7 +7,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::eval_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -237,4 +237,4 @@ TEST(EvalCommand, Slot_IsFilledByItsDefaultOrTheGivenBlock) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::eval_test

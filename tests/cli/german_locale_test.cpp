@@ -3,7 +3,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::german_locale_test {
 namespace {
 
 const std::map<std::string, std::string> german = {{"LC_ALL", "de_DE.UTF-8"},
@@ -50,4 +50,4 @@ TEST(GermanLocale, Set_WantsAPoint) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::german_locale_test

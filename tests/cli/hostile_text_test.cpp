@@ -14,7 +14,7 @@
 #include "shading/unused_code.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::hostile_text_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -122,4 +122,4 @@ TEST_F(HostileText, HundredMegabytes_AreRefusedUnread) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::hostile_text_test

@@ -3,7 +3,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::install_test {
 namespace {
 
 /// An installation under a folder that is not the configured prefix, as a packager makes it.
@@ -53,4 +53,4 @@ TEST_F(Installation, DesktopFiles_AreThere) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::install_test

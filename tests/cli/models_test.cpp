@@ -4,7 +4,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::models_test {
 namespace {
 
 std::vector<std::filesystem::path> shippedDescriptors() {
@@ -84,4 +84,4 @@ TEST(ModelsCommand, BrokenUserBlock_LeavesTheShippedOnes) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::models_test

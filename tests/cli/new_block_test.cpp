@@ -7,7 +7,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::new_block_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -82,4 +82,4 @@ TEST_F(NewBlock, FresnelOnTheGpu_GivesItsFormula) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::new_block_test

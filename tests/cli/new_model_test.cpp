@@ -7,7 +7,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::new_model_test {
 namespace {
 
 class NewModel : public testing::Test {
@@ -114,4 +114,4 @@ TEST_F(NewModel, EvalOnTheGpu_CutsANegativeValueAtZero) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::new_model_test

@@ -8,7 +8,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::other_commands_test {
 namespace {
 
 const std::string plastic = shipped("presets/strauss/red-plastic.patina.json").string();
@@ -334,4 +334,4 @@ TEST(EvalCommand, Gpu_AgreesWithDouble) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::other_commands_test

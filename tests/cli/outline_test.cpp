@@ -3,7 +3,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::outline_test {
 namespace {
 
 std::vector<std::string> rendering(const std::vector<std::string>& more) {
@@ -39,4 +39,4 @@ TEST(EffectsSource, OfAnOutline_HasItsThreeStages) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::outline_test

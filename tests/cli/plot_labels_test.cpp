@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina::tests {
+namespace patina::tests::plot_labels_test {
 namespace {
 
 constexpr glm::ivec2 chart{400, 300};
@@ -45,4 +45,4 @@ TEST(PlotLabels, PointWithoutRoom_HasNone) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::plot_labels_test

@@ -3,7 +3,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::refraction_test {
 namespace {
 
 /// In surroundings that are not the same everywhere: else nothing is bent that could be seen.
@@ -39,4 +39,4 @@ TEST(RefractionOption, UnknownName_IsAnError) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::refraction_test

@@ -4,7 +4,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::render_test {
 namespace {
 
 const std::string pngSignature = "\x89PNG\r\n\x1a\n";
@@ -218,4 +218,4 @@ TEST(RenderCommand, OldOpenGl_SaysWhatWasFoundAndExitsWithOne) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::render_test

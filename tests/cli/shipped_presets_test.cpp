@@ -7,7 +7,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::shipped_presets_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,4 +43,4 @@ TEST_P(ShippedPreset, IsCheckedAtItsHardPlaces_NothingBreaks) {
 INSTANTIATE_TEST_SUITE_P(Every, ShippedPreset, testing::ValuesIn(shippedPresets()), nameOf);
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::shipped_presets_test

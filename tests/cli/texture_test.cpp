@@ -4,7 +4,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::texture_test {
 namespace {
 
 class TextureOption : public testing::Test {
@@ -139,4 +139,4 @@ TEST_F(TextureOption, Effects_NameTheImage) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::texture_test

@@ -3,7 +3,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::transparency_test {
 namespace {
 
 /// Of a torus, of which several layers are seen through each other.
@@ -54,4 +54,4 @@ TEST(TransparencyOption, ValueWithoutAChoice_IsAnErrorThatNamesTheOption) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::transparency_test

@@ -5,7 +5,7 @@
 
 #include "cli/patina_program.h"
 
-namespace patina::tests {
+namespace patina::tests::validate_test {
 namespace {
 
 /// A sound preset.
@@ -241,4 +241,4 @@ TEST(ValidateCommand, EmptyFile_IsRefused) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::validate_test

@@ -6,7 +6,7 @@
 
 #include "reference/reference.h"
 
-namespace patina::tests {
+namespace patina::tests::two_files_test {
 namespace {
 
 const reference::Block* added() { return reference::findBlock("models", "half-bright"); }
@@ -48,4 +48,4 @@ TEST(AddedModel, ItsEnum_IsCompared) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::two_files_test

@@ -7,7 +7,7 @@
 #include "fuzz/read_files.h"
 #include "support/program.h"
 
-namespace patina::tests {
+namespace patina::tests::corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST(JsonCorpus, DamagedDescriptors_AreReadOrRefused) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::corpus_test

@@ -10,7 +10,7 @@
 #include "shading/program_source.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::block_tables_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -309,4 +309,4 @@ TEST_F(UserFresnelTableTest, BesideAModelsTable_SharesItsTexture) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::block_tables_test

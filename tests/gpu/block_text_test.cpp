@@ -12,7 +12,7 @@
 #include "shading/source_builder.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::block_text_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -186,4 +186,4 @@ TEST(CompileErrors, PreprocessorOfMesa_NamesFileAndLine) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::block_text_test

@@ -8,7 +8,7 @@
 #include "shading/program_cache.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::block_trial_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -71,4 +71,4 @@ TEST_F(BlockTrial, SlipInAnyKindOfBlock_IsToldAtItsLine) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::block_trial_test

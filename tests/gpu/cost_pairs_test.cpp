@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::cost_pairs_test {
 namespace {
 
 TEST(CostPairs, EqualTimes_SettleAtOnce) {
@@ -71,4 +71,4 @@ TEST(CostPairs, RestlessTimes_EndUnsettled) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::cost_pairs_test

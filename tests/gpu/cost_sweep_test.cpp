@@ -12,7 +12,7 @@
 #include "material/block_values.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::cost_sweep_test {
 namespace {
 
 class CostSweepTest : public GpuTest {
@@ -329,4 +329,4 @@ TEST_F(CostSweepTest, ErrorMap_ShowsWhereItIsWrong) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::cost_sweep_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::cost_table_test {
 namespace {
 
 /// An exact point, and another with these levels.
@@ -140,4 +140,4 @@ TEST(CostCsv, QuotationMarksInAName_AreDoubled) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::cost_table_test

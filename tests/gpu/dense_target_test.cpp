@@ -4,7 +4,7 @@
 
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::dense_target_test {
 namespace {
 
 constexpr int size = 16; // far fewer pixels than the sphere has triangles
@@ -58,4 +58,4 @@ TEST_F(DenseTarget, ComesAndGoesWithTheTriangles) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::dense_target_test

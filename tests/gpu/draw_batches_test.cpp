@@ -11,7 +11,7 @@
 #include "render/gpu/draw_slices.h"
 #include "shading/material_hash.h"
 
-namespace patina {
+namespace patina::draw_batches_test {
 namespace {
 
 class DrawBatches : public GpuTest {
@@ -188,4 +188,4 @@ TEST(DrawSlices, LargeObjects_AreCut) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::draw_batches_test

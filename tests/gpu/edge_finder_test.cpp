@@ -8,7 +8,7 @@
 
 #include "scene/primitives.h"
 
-namespace patina {
+namespace patina::edge_finder_test {
 namespace {
 
 std::vector<MeshEdge> edgesOf(const Mesh& mesh, std::size_t step = 1u << 20) {
@@ -96,4 +96,4 @@ TEST(EdgeFinder, PlacesThatAreNoNumbers_AreEachTheirOwn) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::edge_finder_test

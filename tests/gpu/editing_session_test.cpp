@@ -11,7 +11,7 @@
 #include "shading/effect_set.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::editing_session_test {
 namespace {
 
 using Edit = std::function<void(Scene&)>;
@@ -172,4 +172,4 @@ TEST_F(EditingSession, TouchingEverythingOnce_CompilesNoMoreThanEffectSetsAreSee
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::editing_session_test

@@ -11,7 +11,7 @@
 #include "measure/time/median_interval.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::effect_cost_test {
 namespace {
 
 TEST(MedianInterval, NoSamples_AreZero) {
@@ -224,4 +224,4 @@ TEST_F(EffectCostTest, StepByStep_ProgressGrowsToOne) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::effect_cost_test

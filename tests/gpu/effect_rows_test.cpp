@@ -8,7 +8,7 @@
 #include "shading/fog_depth.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::effect_rows_test {
 namespace {
 
 class EffectRowsTest : public ShadingTest {
@@ -304,4 +304,4 @@ TEST_F(EffectRowsTest, UnknownModel_ListsNoLights) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::effect_rows_test

@@ -4,7 +4,7 @@
 #include "shading/effect_key.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::effect_set_test {
 namespace {
 
 class EffectSetTest : public ShadingTest {
@@ -267,4 +267,4 @@ TEST_F(EffectSetTest, EqualRoughness_IsKnownInTheProgram) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::effect_set_test

@@ -3,7 +3,7 @@
 #include "gpu_fixture.h"
 #include "scene/picture_choice_text.h"
 
-namespace patina {
+namespace patina::emission_test {
 namespace {
 
 class EmissionTest : public GpuTest {
@@ -56,4 +56,4 @@ TEST_F(EmissionTest, DenseFog_HidesTheGlow) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::emission_test

@@ -17,7 +17,7 @@
 #include "shading/effect_key.h"
 #include "shading/texture_choice.h"
 
-namespace patina {
+namespace patina::environment_frames_test {
 namespace {
 
 constexpr std::chrono::milliseconds noPatience{0};
@@ -270,4 +270,4 @@ TEST(TextureUnits, OfAllKinds_AreDistinctAndFewEnough) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::environment_frames_test

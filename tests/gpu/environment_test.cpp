@@ -7,7 +7,7 @@
 #include "gl/framebuffer.h"
 #include "render/lights/environment_table.h"
 
-namespace patina {
+namespace patina::environment_test {
 namespace {
 
 TEST_F(EnvironmentTest, WhiteSurfaceUnderAWhiteSky_IsWhite) {
@@ -274,4 +274,4 @@ TEST(EnvironmentTableTest, NoLight_DrawsAllDirectionsEvenly) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::environment_test

@@ -2,7 +2,7 @@
 // Models that have no grain where two roughnesses are the same.
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::equal_roughness_test {
 namespace {
 
 /// Where the roughnesses meet the program changes, and the picture must not.
@@ -29,4 +29,4 @@ TEST_P(EqualRoughness, Picture_IsThatOfNearlyEqualOnes) {
 INSTANTIATE_TEST_SUITE_P(Models, EqualRoughness, testing::Values("ward", "ashikhmin-shirley"));
 
 } // namespace
-} // namespace patina
+} // namespace patina::equal_roughness_test

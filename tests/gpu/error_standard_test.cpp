@@ -4,7 +4,7 @@
 #include "environment_fixture.h"
 #include "measure/error/incremental_capture.h"
 
-namespace patina {
+namespace patina::error_standard_test {
 namespace {
 
 constexpr const char* choice = "picture.environment";
@@ -85,4 +85,4 @@ TEST_F(ErrorStandardTest, SeriesOfDirections_HaveTheSameMeanAndNothingElseInComm
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::error_standard_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::fallback_size_test {
 namespace {
 
 bool isPowerOfTwo(int length) {
@@ -38,4 +38,4 @@ TEST(FallbackSize, IsNearTheSmallOne) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::fallback_size_test

@@ -2,7 +2,7 @@
 // The side of a shape that faces away shows nowhere.
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::far_side_test {
 namespace {
 
 constexpr std::size_t centre = 4 * (33 * 16 + 16);
@@ -68,4 +68,4 @@ TEST_F(FarSideTest, CardThatFacesAway_ShowsBeforeTheWallThroughALongLens) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::far_side_test

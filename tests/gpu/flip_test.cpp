@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::flip_test {
 namespace {
 
 constexpr int side = 32;
@@ -90,4 +90,4 @@ TEST(Flip, LiftedPicture_DiffersAsTheAuthorsSay) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::flip_test

@@ -13,7 +13,7 @@
 #include "render/surfaces/object_rows.h"
 #include "render/surfaces/scene_depth.h"
 
-namespace patina {
+namespace patina::fog_reach_test {
 namespace {
 
 class FogReachTest : public GpuTest {
@@ -328,4 +328,4 @@ TEST_F(FogLayerTest, RandomWays_HaveNoMoreOfItThanIsSaid) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::fog_reach_test

@@ -9,7 +9,7 @@
 
 #include "measure/error/error_colors.h"
 
-namespace patina {
+namespace patina::frame_difference_test {
 namespace {
 
 Image pixel(float red, float green, float blue) {
@@ -57,4 +57,4 @@ TEST(ErrorColors, NoError_IsBlack) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::frame_difference_test

@@ -10,7 +10,7 @@
 #include "gpu_fixture.h"
 #include "measure/time/timer_work.h"
 
-namespace patina {
+namespace patina::frame_timer_test {
 namespace {
 
 class FrameTimerTest : public GpuTest {};
@@ -67,4 +67,4 @@ TEST_F(FrameTimerTest, SoftwareDriver_IsTimedByTheClock) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::frame_timer_test

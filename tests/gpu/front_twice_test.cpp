@@ -8,7 +8,7 @@
 
 #include "support/front_share.h"
 
-namespace patina {
+namespace patina::front_twice_test {
 namespace {
 
 /// Milliseconds of frames on a machine that others use, too: it gets slower and faster for all,
@@ -88,4 +88,4 @@ TEST(FrontTwice, BusyMachine_HasNineteenOfTwentyPointsAgain) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::front_twice_test

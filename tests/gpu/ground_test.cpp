@@ -8,7 +8,7 @@
 #include "render/surfaces/scene_depth.h"
 #include "shading/effect_set.h"
 
-namespace patina {
+namespace patina::ground_test {
 namespace {
 
 class GroundTest : public GpuTest {
@@ -109,4 +109,4 @@ TEST(LowestPoint, OfATurnedMesh_IsThatOfItsVertices) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::ground_test

@@ -6,7 +6,7 @@
 
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::held_effects_test {
 namespace {
 
 /// A value that decides about an effect, and 0 .. 1 of how much of the effect it brings.
@@ -134,4 +134,4 @@ TEST_F(Prewarmed, PictureWithoutExposure_CompilesNothingWhenItComes) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::held_effects_test

@@ -2,7 +2,7 @@
 // Ambient light from a sky and a ground.
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::hemisphere_test {
 namespace {
 
 class HemisphereTest : public GpuTest {
@@ -43,4 +43,4 @@ TEST_F(HemisphereTest, BesideAmbient_BothAdd) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::hemisphere_test

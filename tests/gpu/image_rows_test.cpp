@@ -5,7 +5,7 @@
 #include "scene/primitives.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::image_rows_test {
 namespace {
 
 class ImageRows : public ShadingTest {
@@ -89,4 +89,4 @@ TEST_F(ImageRows, PlaceholderOfAnEnvironment_SaysThatItIsOne) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::image_rows_test

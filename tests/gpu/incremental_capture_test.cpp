@@ -9,7 +9,7 @@
 #include "measure/error/frame_error.h"
 #include "measure/error/parallel.h"
 
-namespace patina {
+namespace patina::incremental_capture_test {
 namespace {
 
 constexpr std::chrono::milliseconds noPatience{0};
@@ -160,4 +160,4 @@ TEST_F(IncrementalCaptureTest, StepOf512Pixels_IsShorterThanAWindowMayWait) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::incremental_capture_test

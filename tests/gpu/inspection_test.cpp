@@ -7,7 +7,7 @@
 #include "shading/program_source.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::inspection_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -245,4 +245,4 @@ TEST_F(InspectionTest, EveryModel_HasAProgramOfIt) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::inspection_test

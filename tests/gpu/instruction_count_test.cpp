@@ -11,7 +11,7 @@
 #include "scene/scene.h"
 #include "shading/program_source.h"
 
-namespace patina {
+namespace patina::instruction_count_test {
 namespace {
 
 InstructionCount counted(const std::string& body) {
@@ -72,4 +72,4 @@ TEST(InstructionCount, ProgramsOfAllModels_AreCounted) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::instruction_count_test

@@ -7,7 +7,7 @@
 #include "measure/cost/cost_sweep.h"
 #include "measure/error/relative_error.h"
 
-namespace patina {
+namespace patina::known_errors_test {
 namespace {
 
 class KnownErrorsTest : public GpuTest {
@@ -108,4 +108,4 @@ TEST_F(KnownErrorsTest, TablesOfGrazingTerms_ErrByWhatTheirTextsSay) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::known_errors_test

@@ -5,7 +5,7 @@
 #include "shading/effect_set.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::light_lines_test {
 namespace {
 
 class LightLinesTest : public ShadingTest {
@@ -68,4 +68,4 @@ TEST_F(LightLinesTest, LightThatIsOff_ChangesNoKey) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::light_lines_test

@@ -15,7 +15,7 @@
 #include "render/surfaces/scene_depth.h"
 #include "shading/program_source.h"
 
-namespace patina {
+namespace patina::light_lists_test {
 namespace {
 
 class LightListsTest : public GpuTest {
@@ -385,4 +385,4 @@ TEST_F(LightListsTest, MovingLamp_CompilesNothing) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::light_lists_test

@@ -7,7 +7,7 @@
 #include "gpu_fixture.h"
 #include "measure/cost/ranking_table.h"
 
-namespace patina {
+namespace patina::model_ranking_test {
 namespace {
 
 class ModelRankingTest : public GpuTest {
@@ -79,4 +79,4 @@ TEST_F(ModelRankingTest, SceneWithoutObjects_IsAnError) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::model_ranking_test

@@ -8,7 +8,7 @@
 #include "shading/effect_rows.h"
 #include "shading/effect_set.h"
 
-namespace patina {
+namespace patina::model_transparency_test {
 namespace {
 
 constexpr float halfPrecision = 1.0f / 1024.0f;
@@ -130,4 +130,4 @@ TEST_F(ModelTransparencyTest, SuchObjects_AreDrawnFarOnesFirst) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::model_transparency_test

@@ -10,7 +10,7 @@
 #include "render/surfaces/object_rows.h"
 #include "shading/effect_key.h"
 
-namespace patina {
+namespace patina::neutral_values_test {
 namespace {
 
 struct Neutral {
@@ -227,4 +227,4 @@ TEST_F(NeutralSceneTest, FlatObjectWithAnother_HasAShadowMap) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::neutral_values_test

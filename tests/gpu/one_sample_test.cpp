@@ -4,7 +4,7 @@
 
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::one_sample_test {
 namespace {
 
 /// A half float keeps 11 bits.
@@ -71,4 +71,4 @@ TEST_F(OneSample, PerPixel_ResolvesNothing) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::one_sample_test

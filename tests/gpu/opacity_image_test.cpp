@@ -2,7 +2,7 @@
 // Images of the opacity: by their alpha, or their grey where they have none.
 #include "texture_fixture.h"
 
-namespace patina {
+namespace patina::opacity_image_test {
 namespace {
 
 class OpacityImage : public TextureTest {};
@@ -68,4 +68,4 @@ TEST_F(OpacityImage, ImageWithoutAlpha_GivesEachUseItsOwn) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::opacity_image_test

@@ -6,7 +6,7 @@
 #include "shading/outline_source.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::outline_rows_test {
 namespace {
 
 class OutlineRows : public ShadingTest {
@@ -111,4 +111,4 @@ TEST_F(OutlineRows, Program_HasNoLights) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::outline_rows_test

@@ -7,7 +7,7 @@
 
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::outline_test {
 namespace {
 
 constexpr int outlineSize = 200;
@@ -310,4 +310,4 @@ TEST_F(Outlines, EdgeBeforeTheEye_IsCutAtTheNearPlane) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::outline_test

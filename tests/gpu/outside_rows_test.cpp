@@ -4,7 +4,7 @@
 #include "gpu_fixture.h"
 #include "render/surfaces/object_rows.h"
 
-namespace patina {
+namespace patina::outside_rows_test {
 namespace {
 
 class OutsideRowsTest : public GpuTest {
@@ -54,4 +54,4 @@ TEST_F(OutsideRowsTest, FrameOfThatShape_DrawsAsManyObjects) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::outside_rows_test

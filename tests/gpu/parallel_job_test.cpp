@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::parallel_job_test {
 namespace {
 
 constexpr std::size_t places = 100'000; ///< several pieces
@@ -68,4 +68,4 @@ TEST(ParallelJob, WithoutPlaces_IsDone) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::parallel_job_test

@@ -11,7 +11,7 @@
 #include "measure/time/timed_frames.h"
 #include "scene/picture_choice_text.h"
 
-namespace patina {
+namespace patina::picture_accuracy_test {
 namespace {
 
 constexpr int size = 64;
@@ -245,4 +245,4 @@ TEST_F(PictureAccuracyTest, MoreDirectionsThanOneFrameHas_TakeTheirTime) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::picture_accuracy_test

@@ -10,7 +10,7 @@
 #include "shading/highlight_width.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::picture_effects_test {
 namespace {
 
 class PictureEffects : public ShadingTest {
@@ -207,4 +207,4 @@ TEST_F(PictureEffects, Key_DiffersExactlyWhereTheSetDoes) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::picture_effects_test

@@ -13,7 +13,7 @@
 #include "environment_fixture.h"
 #include "frame_target.h"
 
-namespace patina {
+namespace patina::prepared_frame_test {
 namespace {
 
 constexpr std::chrono::milliseconds noPatience{0};
@@ -247,4 +247,4 @@ TEST_F(PreparedFrame, ThatCannotBeMade_IsDoneAndLeavesTheFramebufferAsItWas) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::prepared_frame_test

@@ -8,7 +8,7 @@
 #include "shading/source_builder.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::private_names_test {
 namespace {
 
 using tests::readFile;
@@ -149,4 +149,4 @@ TEST_F(PrivateNamesTest, CopiesOfAShippedLight_ShineBesideIt) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::private_names_test

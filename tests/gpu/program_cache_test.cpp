@@ -7,7 +7,7 @@
 #include "shading/program_file.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::program_cache_test {
 namespace {
 
 using tests::readFile;
@@ -98,4 +98,4 @@ TEST_F(ProgramCacheTest, BrokenSource_IsCompiledOnce) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::program_cache_test

@@ -7,7 +7,7 @@
 
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::program_source_test {
 namespace {
 
 std::string lower(std::string text) {
@@ -203,4 +203,4 @@ TEST_F(ProgramSourceTest, MissingShaderFolder_IsAnErrorThatNamesTheFile) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::program_source_test

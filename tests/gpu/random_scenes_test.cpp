@@ -18,7 +18,7 @@
 #include "shading/glsl_tokens.h"
 #include "shading/texture_writer.h"
 
-namespace patina {
+namespace patina::random_scenes_test {
 namespace {
 
 constexpr std::uint64_t parts = 4;
@@ -274,4 +274,4 @@ TEST_P(RandomScene, OfAnyMixture_CompilesIsFiniteAndHasNoOtherBlock) {
 INSTANTIATE_TEST_SUITE_P(Parts, RandomScene, testing::Range(std::uint64_t(0), parts));
 
 } // namespace
-} // namespace patina
+} // namespace patina::random_scenes_test

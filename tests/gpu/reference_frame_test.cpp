@@ -10,7 +10,7 @@
 #include "measure/error/frame_error.h"
 #include "render/lights/environment_light.h"
 
-namespace patina {
+namespace patina::reference_frame_test {
 namespace {
 
 class ReferenceFrameTest : public GpuTest {
@@ -251,4 +251,4 @@ TEST(FrameError, WhatIsNoNumber_IsInfinitelyWrong) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::reference_frame_test

@@ -5,7 +5,7 @@
 #include "shading/refraction_choice.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::refraction_rows_test {
 namespace {
 
 class RefractionRows : public ShadingTest {
@@ -150,4 +150,4 @@ TEST_F(RefractionRows, SceneKey_KnowsWhetherThereIsSomethingBehind) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::refraction_rows_test

@@ -4,7 +4,7 @@
 
 #include "refraction_fixture.h"
 
-namespace patina {
+namespace patina::refraction_test {
 namespace {
 
 /// A ray at a surface, as in a textbook: n on the side it comes from, eta the index beyond.
@@ -247,4 +247,4 @@ TEST_F(Refraction, BehindAnother_IsSeenThroughIt) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::refraction_test

@@ -9,7 +9,7 @@
 
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::renderer_test {
 namespace {
 
 /// A half float keeps 11 bits.
@@ -378,4 +378,4 @@ TEST_F(RendererTest, NewMeshAtAnOldAddress_IsSeen) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::renderer_test

@@ -7,7 +7,7 @@
 #include "gpu_fixture.h"
 #include "measure/cost/scaling_scenes.h"
 
-namespace patina {
+namespace patina::scaling_sweep_test {
 namespace {
 
 using Axis = ScalingCurve::Axis;
@@ -155,4 +155,4 @@ TEST_F(ScalingSweepTest, EveryAxis_HasATimeForEachCount) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::scaling_sweep_test

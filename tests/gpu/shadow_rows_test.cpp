@@ -5,7 +5,7 @@
 #include "shading/effect_key.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::shadow_rows_test {
 namespace {
 
 /// Two objects on a plane in a sun with shadows.
@@ -151,4 +151,4 @@ TEST_F(ShadowRowsTest, SwitchedOffGround_IsGone) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::shadow_rows_test

@@ -11,7 +11,7 @@
 #include "gpu_fixture.h"
 #include "render/lights/ground_place.h"
 
-namespace patina {
+namespace patina::shadow_test {
 namespace {
 
 constexpr int pixels = 256;
@@ -396,4 +396,4 @@ TEST_F(ShadowMapsDrawn, WithoutCaster_DrawsNone) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::shadow_test

@@ -14,7 +14,7 @@
 #include "shading/data_layout.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::shadow_view_test {
 namespace {
 
 class ShadowViewTest : public ShadingTest {
@@ -79,4 +79,4 @@ TEST_F(ShadowViewTest, WithoutCasters_EveryPlaceIsOutside) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::shadow_view_test

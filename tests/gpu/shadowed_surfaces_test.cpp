@@ -8,7 +8,7 @@
 
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::shadowed_surfaces_test {
 namespace {
 
 class ShadowedSurfacesTest : public GpuTest, public testing::WithParamInterface<const char*> {
@@ -160,4 +160,4 @@ TEST_F(FilteredWidth, AboveASixteenthOfWhatCasts_IsThatSixteenth) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::shadowed_surfaces_test

@@ -6,7 +6,7 @@
 #include "shading/compile_log.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::source_builder_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -104,4 +104,4 @@ TEST(CompileErrors, UnknownForm_IsKeptWhole) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::source_builder_test

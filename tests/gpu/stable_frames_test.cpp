@@ -10,7 +10,7 @@
 #include "material/preset_file.h"
 #include "measure/stability/edge_case_values.h"
 
-namespace patina {
+namespace patina::stable_frames_test {
 namespace {
 
 /// A scene with everything in it that the cases below push to an end.
@@ -326,4 +326,4 @@ INSTANTIATE_TEST_SUITE_P(Exposures, DisplayedFrame, testing::Values(-20.0, 0.0, 
                          });
 
 } // namespace
-} // namespace patina
+} // namespace patina::stable_frames_test

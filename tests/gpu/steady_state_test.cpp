@@ -40,7 +40,7 @@ void operator delete[](void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
-namespace patina {
+namespace patina::steady_state_test {
 namespace {
 
 class SteadyStateTest : public GpuTest {
@@ -154,4 +154,4 @@ TEST_F(SteadyStateTest, DraggedEnvironment_AllocatesNothing) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::steady_state_test

@@ -12,7 +12,7 @@
 #include "gpu_fixture.h"
 #include "render/frame/row_tiles.h"
 
-namespace patina {
+namespace patina::stepped_frame_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -296,4 +296,4 @@ TEST(RowTiles, PaceOfAFrameThatTookLong_IsSlow) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::stepped_frame_test

@@ -4,7 +4,7 @@
 #include "shading/texture_choice.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::texture_effects_test {
 namespace {
 
 class TextureEffects : public ShadingTest {
@@ -135,4 +135,4 @@ TEST_F(TextureEffects, OpacityImage_IsTransparentUnlessItCutsOut) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::texture_effects_test

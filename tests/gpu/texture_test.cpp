@@ -9,7 +9,7 @@
 #include "shading/program_source.h"
 #include "texture_fixture.h"
 
-namespace patina {
+namespace patina::texture_test {
 namespace {
 
 TEST_F(TextureTest, Checker_ShowsItsTexelsTheRightWayUp) {
@@ -310,4 +310,4 @@ TEST_F(TextureTest, Inspection_FindsNothingWrong) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::texture_test

@@ -5,7 +5,7 @@
 #include "shading/effect_rows.h"
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::transparency_rows_test {
 namespace {
 
 class TransparencyRows : public ShadingTest {
@@ -130,4 +130,4 @@ TEST_F(TransparencyRows, Key_DiffersExactlyWhereTheEffectDoes) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::transparency_rows_test

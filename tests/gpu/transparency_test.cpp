@@ -3,7 +3,7 @@
 
 #include "transparency_fixture.h"
 
-namespace patina {
+namespace patina::transparency_test {
 namespace {
 
 constexpr int size = 48;
@@ -257,4 +257,4 @@ TEST_F(NoTransparency, DraggingTheLayers_CompilesNothing) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::transparency_test

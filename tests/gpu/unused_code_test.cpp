@@ -7,7 +7,7 @@
 
 #include "shading_scene.h"
 
-namespace patina {
+namespace patina::unused_code_test {
 namespace {
 
 std::string kept(const std::string& text) {
@@ -112,4 +112,4 @@ INSTANTIATE_TEST_SUITE_P(Models, EveryModel, testing::ValuesIn(modelIds()),
                          });
 
 } // namespace
-} // namespace patina
+} // namespace patina::unused_code_test

@@ -6,7 +6,7 @@
 #include "shading/effect_set.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::user_blocks_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -118,4 +118,4 @@ TEST_F(UserBlockTest, BrokenShader_StillFollowsTheCamera) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::user_blocks_test

@@ -10,7 +10,7 @@
 #include "gpu/gpu_fixture.h"
 #include "render/gpu/gpu_mesh.h"
 
-namespace patina {
+namespace patina::valid_normals_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -82,4 +82,4 @@ TEST_F(UploadedMesh, InSlicesOfAnySize_HasValidNormals) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::valid_normals_test

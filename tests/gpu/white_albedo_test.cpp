@@ -6,7 +6,7 @@
 
 #include "gpu_fixture.h"
 
-namespace patina {
+namespace patina::white_albedo_test {
 namespace {
 
 TEST(WhiteAlbedo, Matte_GivesAllOfItBack) {
@@ -29,4 +29,4 @@ TEST(WhiteAlbedo, ModelsThatClaimToConserve_SendOutNoMoreThanArrives) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::white_albedo_test

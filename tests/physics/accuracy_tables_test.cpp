@@ -10,7 +10,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::accuracy_tables_test {
 namespace {
 
 constexpr int tableSteps = 4000;
@@ -92,4 +92,4 @@ TEST(WaveTable, AtAnyRoughness_IsCloseToTheSeries) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::accuracy_tables_test

@@ -8,7 +8,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::accuracy_test {
 namespace {
 
 constexpr int steps = 2000;
@@ -397,4 +397,4 @@ TEST(CoatedBase, AsLambert_LosesTheEighthOfThePaper) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::accuracy_test

@@ -3,7 +3,7 @@
 
 #include "direction_pairs.h"
 
-namespace patina::physics {
+namespace patina::physics::anisotropic_values_test {
 namespace {
 
 const nlohmann::json& numbers() {
@@ -176,4 +176,4 @@ TEST(HeidrichSeidel, ShadingItself_MultipliesByTheCosine) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::anisotropic_values_test

@@ -5,7 +5,7 @@
 #include "physics_cases.h"
 #include "shading/fog_depth.h"
 
-namespace patina::physics {
+namespace patina::physics::bounds_test {
 namespace {
 
 TEST(FogBounds, EveryFog_HidesWhatItsDescriptorSays) {
@@ -80,4 +80,4 @@ TEST(LightBounds, HalfWayToTheEnd_FifteenSixteenthsAreLeft) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::bounds_test

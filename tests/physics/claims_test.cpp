@@ -10,7 +10,7 @@
 #include "measure/eval/eval_reference.h"
 #include "measure/eval/reference_case.h"
 
-namespace patina::physics {
+namespace patina::physics::claims_test {
 namespace {
 
 /// Two values of the shader are each within 1e-4 of theirs, as tests of its agreement show.
@@ -173,4 +173,4 @@ TEST(Descriptors, FresnelBlocks_SayWhyTheyAreNotMonotonic) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::claims_test

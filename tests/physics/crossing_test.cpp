@@ -6,7 +6,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::crossing_test {
 namespace {
 
 const glm::dvec3 up(0.0, 0.0, 1.0);
@@ -132,4 +132,4 @@ TEST(ThinPane, Leaving_GoesOnAsItCame) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::crossing_test

@@ -9,7 +9,7 @@
 #include "measure/eval/eval_reference.h"
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::device_values_test {
 namespace {
 
 /// A model with all its values at their defaults, facing light and viewer.
@@ -115,4 +115,4 @@ TEST_F(DeviceValues, HatchingTurnedOnce_DrawsTheSameStrokes) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::device_values_test

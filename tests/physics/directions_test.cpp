@@ -5,7 +5,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::directions_test {
 namespace {
 
 enum Projection {
@@ -125,4 +125,4 @@ TEST(SlopeWidth, Roughness_IsTheWidthDownToItsFloor) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::directions_test

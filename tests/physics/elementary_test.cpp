@@ -5,7 +5,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::elementary_test {
 namespace {
 
 const reference::Function& polynomial(const std::string& name) {
@@ -165,4 +165,4 @@ TEST(Elementary, EveryPolynomial_HasATwinOfTheSameShape) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::elementary_test

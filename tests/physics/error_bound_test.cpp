@@ -10,7 +10,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::error_bound_test {
 namespace {
 
 /// A white Lambert surface that counts how often it is asked.
@@ -74,4 +74,4 @@ TEST(ErrorBound, AnswerBeyondTheNoise_ExceedsAllOfIt) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::error_bound_test

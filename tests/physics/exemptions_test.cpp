@@ -5,7 +5,7 @@
 #include "measure/stability/hemisphere_rule.h"
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::exemptions_test {
 namespace {
 
 constexpr double grazing = 1e-7;
@@ -49,4 +49,4 @@ TEST(RareExemptions, StraussUnderLightBelowThreeDegrees_GivesBackMoreThanArrives
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::exemptions_test

@@ -6,7 +6,7 @@
 #include "measure/eval/eval_reference.h"
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::fresnel_tables_test {
 namespace {
 
 /// The tables have 15 digits; a float has 7.
@@ -111,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(Published, FresnelTables, testing::ValuesIn(tableNames(
                          });
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::fresnel_tables_test

@@ -3,7 +3,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::fresnel_values_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -141,4 +141,4 @@ TEST(ConstantFresnel, EveryAngle_GivesItsParameter) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::fresnel_values_test

@@ -3,7 +3,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::gloss_test {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -17,4 +17,4 @@ TEST(Gloss, Limiting_CutsOnlyWhatIsBrighterThanItsShareOfWhite) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::gloss_test

@@ -6,7 +6,7 @@
 #include "measure/stability/error_bound.h"
 #include "random_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::gpu_agreement_test {
 namespace {
 
 /// What the project promises: ordinary values agree to 1e-4 of themselves where they exceed 1e-4.
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(EveryBlock, GpuAgreement, testing::ValuesIn(blockNames(
                          [](const auto& tested) { return testName(tested.param); });
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::gpu_agreement_test

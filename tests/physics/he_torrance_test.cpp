@@ -5,7 +5,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::he_torrance_test {
 namespace {
 
 constexpr double sigma0 = 0.2;
@@ -125,4 +125,4 @@ TEST(HeTorrance, MirrorImage_HoldsAllOfAPolishedSurface) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::he_torrance_test

@@ -8,7 +8,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::light_values_test {
 namespace {
 
 reference::Illumination lightAt(const std::string& id, const glm::dvec3& x, const Values& values) {
@@ -215,4 +215,4 @@ TEST(BoxedFog, ThinAndFarAway_KeepsItsDigits) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::light_values_test

@@ -4,7 +4,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::limits_test {
 namespace {
 
 /// A row of model, values and the ids of what goes to its end.
@@ -156,4 +156,4 @@ TEST(Limits, OfEonAtTheHorizon_AreFinite) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::limits_test

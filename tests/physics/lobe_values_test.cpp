@@ -3,7 +3,7 @@
 
 #include "direction_pairs.h"
 
-namespace patina::physics {
+namespace patina::physics::lobe_values_test {
 namespace {
 
 TEST(Directions, SixPairs_MatchTheirDotProducts) {
@@ -139,4 +139,4 @@ TEST(Strauss, PerfectMirror_ShinesOnlyInTheMirrorDirection) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::lobe_values_test

@@ -7,7 +7,7 @@
 #include "measure/eval/eval_reference.h"
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::marks_test {
 namespace {
 
 /// A drawing of black ink on white paper whose tone runs over all of n.l.
@@ -90,4 +90,4 @@ TEST(Hatching, FirstTone_DrawsTheFirstLayerOnly) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::marks_test

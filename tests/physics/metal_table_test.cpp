@@ -8,7 +8,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::metal_table_test {
 namespace {
 
 double tableError(double eta, double k, double outside = 1.0) {
@@ -49,4 +49,4 @@ TEST(MetalTable, OfChannels_KeepsThemApart) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::metal_table_test

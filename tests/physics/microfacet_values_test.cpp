@@ -3,7 +3,7 @@
 
 #include "direction_pairs.h"
 
-namespace patina::physics {
+namespace patina::physics::microfacet_values_test {
 namespace {
 
 const nlohmann::json& numbers() {
@@ -166,4 +166,4 @@ TEST(CookTorrance, GaussianConstant_ScalesThePrintedGaussian) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::microfacet_values_test

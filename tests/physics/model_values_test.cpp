@@ -7,7 +7,7 @@
 #include "catalog/value_json.h"
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::model_values_test {
 namespace {
 
 /// The table has 15 digits of each value; a value near 0 is the difference of terms near 1.
@@ -269,4 +269,4 @@ TEST(SpecularSlot, Limited_HasAPlateau) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::model_values_test

@@ -6,7 +6,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::outline_test {
 namespace {
 
 reference::Edge fold(double degrees) {
@@ -57,4 +57,4 @@ TEST(InkLine, Colour_IsTheChosenOne) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::outline_test

@@ -5,7 +5,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::refraction_test {
 namespace {
 
 glm::dvec3 refractedFrom(const glm::dvec3& l, double eta) {
@@ -58,4 +58,4 @@ TEST(CauchyIndex, BorosilicateGlass_IsThatOfItsCatalogue) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::refraction_test

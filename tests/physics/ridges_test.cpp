@@ -3,7 +3,7 @@
 
 #include "direction_pairs.h"
 
-namespace patina::physics {
+namespace patina::physics::ridges_test {
 namespace {
 
 /// How far two quadratures may differ.
@@ -160,4 +160,4 @@ TEST(Elementary, RidgeLobesSlope_KeepsItsDigits) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::ridges_test

@@ -9,7 +9,7 @@
 
 #include "physics_cases.h"
 
-namespace patina::physics {
+namespace patina::physics::transparency_test {
 namespace {
 
 struct Sheet {
@@ -103,4 +103,4 @@ TEST(WeightedTransparency, WithoutFalloff_CountsByOpacityAlone) {
 }
 
 } // namespace
-} // namespace patina::physics
+} // namespace patina::physics::transparency_test

@@ -14,7 +14,7 @@
 #include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
 
-namespace patina::stability {
+namespace patina::stability::energy_test {
 namespace {
 
 constexpr double lightDegrees[] = {0.0, 30.0, 60.0, 80.0, 89.0};
@@ -163,4 +163,4 @@ TEST(Energy, WhiteLambert_GivesEverythingBack) {
 }
 
 } // namespace
-} // namespace patina::stability
+} // namespace patina::stability::energy_test

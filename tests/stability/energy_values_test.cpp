@@ -8,7 +8,7 @@
 #include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
 
-namespace patina::stability {
+namespace patina::stability::energy_values_test {
 namespace {
 
 const glm::dvec3 black{0.0};
@@ -165,4 +165,4 @@ TEST(CookTorranceEnergy, SmithsMaskingOfThePower_GivesBackAThirdMoreAtGrazingAng
 }
 
 } // namespace
-} // namespace patina::stability
+} // namespace patina::stability::energy_values_test

@@ -12,7 +12,7 @@
 #include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
 
-namespace patina::stability {
+namespace patina::stability::ordinary_error_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -163,4 +163,4 @@ INSTANTIATE_TEST_SUITE_P(EveryModel, OrdinaryError, testing::ValuesIn(catalog().
                          nameOf);
 
 } // namespace
-} // namespace patina::stability
+} // namespace patina::stability::ordinary_error_test

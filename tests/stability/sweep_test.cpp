@@ -9,7 +9,7 @@
 #include "measure/stability/sweep_cases.h"
 #include "stability_cases.h"
 
-namespace patina::stability {
+namespace patina::stability::sweep_test {
 namespace {
 
 std::string described(const SweepReport& report) {
@@ -63,4 +63,4 @@ TEST(StabilitySweep, OfAllBlocks_HasTwoMillionCases) {
 INSTANTIATE_TEST_SUITE_P(EveryBlock, EveryHardCase, testing::ValuesIn(evaluatedBlocks()), nameOf);
 
 } // namespace
-} // namespace patina::stability
+} // namespace patina::stability::sweep_test

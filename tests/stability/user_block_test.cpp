@@ -8,7 +8,7 @@
 #include "stability_cases.h"
 #include "support/program.h"
 
-namespace patina::stability {
+namespace patina::stability::user_block_test {
 namespace {
 
 using Found = std::vector<std::string>;
@@ -114,4 +114,4 @@ TEST_F(UserModel, TrueClaims_AreNotDoubted) {
 }
 
 } // namespace
-} // namespace patina::stability
+} // namespace patina::stability::user_block_test

@@ -2,7 +2,7 @@
 // What a budget for time or error buys.
 #include "ui/accuracy_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_budget_test {
 namespace {
 
 TEST_F(AccuracyPanel, BudgetsInAGermanLocale_TakeEitherMarkAndShowAPoint) {
@@ -82,4 +82,4 @@ TEST_F(AccuracyPanel, TimeBudgetThatNothingMeets_SaysSo) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_budget_test

@@ -3,7 +3,7 @@
 #include "ui/accuracy_fixture.h"
 #include "viewport/side_view.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_compare_test {
 namespace {
 
 TEST_F(AccuracyPanel, Compared_HasTheExactWayInAAndTheChosenInB) {
@@ -96,4 +96,4 @@ TEST_F(AccuracyPanel, ChosenWhileComparing_IsChosen) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_compare_test

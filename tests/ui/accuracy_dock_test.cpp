@@ -8,7 +8,7 @@
 #include "support/full_disk.h"
 #include "ui/accuracy_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_dock_test {
 namespace {
 
 TEST_F(AccuracyPanel, Measured_HasARowForEveryLevel) {
@@ -299,4 +299,4 @@ TEST_F(AccuracyPanel, WhileMeasuring_TheWindowAnswers) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_dock_test

@@ -8,7 +8,7 @@
 #include "accuracy/scaling_page.h"
 #include "ui/accuracy_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_pages_test {
 namespace {
 
 class ModelsPanel : public AccuracyPanel {
@@ -233,4 +233,4 @@ TEST_F(ScalingPanel, ChangedScene_PutsItOutOfDate) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_pages_test

@@ -12,7 +12,7 @@
 #include "viewport/difference_view.h"
 #include "viewport/side_view.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_picture_test {
 namespace {
 
 /// The panel with the chart of a picture. That has many levels and takes long: one is measured for
@@ -325,4 +325,4 @@ TEST_F(ComparedPicturePanel, MaterialsThatAreComparedNext_HaveTheScenesPicture) 
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_picture_test

@@ -3,7 +3,7 @@
 #include "scene/scene_file.h"
 #include "ui/accuracy_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_restart_test {
 namespace {
 
 class RestartedAccuracy : public AccuracyPanel {
@@ -123,4 +123,4 @@ TEST_F(RestartedAccuracy, FolderThatMayNotBeWritten_IsToldAndLosesNothing) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_restart_test

@@ -3,7 +3,7 @@
 
 #include "ui/fixtures.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_test {
 namespace {
 
 constexpr const char* shineModel = R"({
@@ -63,4 +63,4 @@ TEST_F(AccuracyForm, LevelThatIsChosen_IsOneUndoStep) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_test

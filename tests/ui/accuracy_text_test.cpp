@@ -14,7 +14,7 @@
 #include "accuracy/long_line.h"
 #include "accuracy/plot_library.h"
 
-namespace patina::tests {
+namespace patina::tests::accuracy_text_test {
 namespace {
 
 TEST(CostText, Shares_AreWrittenWithoutExponents) {
@@ -239,4 +239,4 @@ TEST(AxisTicks, OfAShortAxis_AreEven) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::accuracy_text_test

@@ -13,7 +13,7 @@
 #include "viewport/ray_cast.h"
 #include "viewport/turning.h"
 
-namespace patina::tests {
+namespace patina::tests::camera_moves_test {
 namespace {
 
 /// Rounding of a few double operations on numbers of about one.
@@ -162,4 +162,4 @@ TEST(RayCast, AtAHiddenObject_HitsNothing) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::camera_moves_test

@@ -7,7 +7,7 @@
 #include "ui/accuracy_fixture.h"
 #include "viewport/difference_view.h"
 
-namespace patina::tests {
+namespace patina::tests::difference_test {
 namespace {
 
 class Difference : public AccuracyPanel {
@@ -138,4 +138,4 @@ TEST_F(Difference, ComparedPoint_ShowsItBesideTheExactWay) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::difference_test

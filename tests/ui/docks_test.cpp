@@ -9,7 +9,7 @@
 #include "docks/search_box.h"
 #include "ui/fixtures.h"
 
-namespace patina::tests {
+namespace patina::tests::docks_test {
 namespace {
 
 struct Docks : testing::Test {
@@ -42,4 +42,4 @@ TEST_F(Docks, UndoInTheSearch_IsTheDocumentsWhileNothingStandsInIt) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::docks_test

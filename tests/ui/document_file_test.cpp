@@ -6,7 +6,7 @@
 #include "scene/scene_file.h"
 #include "ui/fixtures.h"
 
-namespace patina::tests {
+namespace patina::tests::document_file_test {
 
 namespace {
 
@@ -241,4 +241,4 @@ TEST_F(DocumentFile_, PresetFromTheFutureUnderAnotherName_IsNotSavedOver) {
     EXPECT_EQ(readFile(folder / "a.patina.json"), future);
 }
 
-} // namespace patina::tests
+} // namespace patina::tests::document_file_test

@@ -4,7 +4,7 @@
 
 #include "ui/fixtures.h"
 
-namespace patina::tests {
+namespace patina::tests::document_test {
 
 namespace {
 
@@ -378,4 +378,4 @@ TEST_F(DocumentEdit, NewCatalogue_KeepsValuesById) {
     EXPECT_EQ(fixture.steps(), 1);
 }
 
-} // namespace patina::tests
+} // namespace patina::tests::document_test

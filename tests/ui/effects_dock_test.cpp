@@ -15,7 +15,7 @@
 #include "docks/effects_dock.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::effects_dock_test {
 namespace {
 
 constexpr int waitMs = 120000;
@@ -294,4 +294,4 @@ TEST_F(EffectsPanel, Keyboard_SwitchesTheCurrentRow) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::effects_dock_test

@@ -10,7 +10,7 @@
 #include "scene/environment.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::environment_test {
 namespace {
 
 constexpr int limitMs = 120000;
@@ -161,4 +161,4 @@ TEST_F(EnvironmentInTheWindow, Dock_OffersEveryKindAndOff) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::environment_test

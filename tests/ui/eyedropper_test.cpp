@@ -8,7 +8,7 @@
 #include "parameters/color_swatch.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::eyedropper_test {
 namespace {
 
 /// The first colour of the parameters dock, with its eyedropper picking.
@@ -97,4 +97,4 @@ TEST_F(EyedropperTest, AfterPicking_ThePickerIsBackAndTheMouseIsFree) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::eyedropper_test

@@ -9,7 +9,7 @@
 
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::focus_order_test {
 namespace {
 
 using FocusOrder = WindowFixture;
@@ -78,4 +78,4 @@ TEST_F(FocusOrder, ShiftTab_GoesBack) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::focus_order_test

@@ -16,7 +16,7 @@
 #include "parameters/warning_mark.h"
 #include "ui/form_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::form_test {
 
 TEST_F(Form, FirstModel_HasARowForEachParameter) {
     EXPECT_EQ(form->rows().size(), document.block(fixture.model())->parameters.size());
@@ -305,4 +305,4 @@ TEST_F(Form, UnknownModel_SaysThatValuesAreKept) {
     EXPECT_TRUE(isSaid);
 }
 
-} // namespace patina::tests
+} // namespace patina::tests::form_test

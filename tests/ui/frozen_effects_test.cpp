@@ -13,7 +13,7 @@
 #include "parameters/parameter_row.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::frozen_effects_test {
 namespace {
 
 struct Dragged {
@@ -212,4 +212,4 @@ TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::frozen_effects_test

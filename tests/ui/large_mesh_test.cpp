@@ -13,7 +13,7 @@
 
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::large_mesh_test {
 namespace {
 
 constexpr int gridSide = 330; // 2 * 329^2 triangles: 216 000
@@ -209,4 +209,4 @@ TEST_F(LargeMesh, DoubleClicked_PutsThePivotOnItsSurface) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::large_mesh_test

@@ -8,7 +8,7 @@
 
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::long_names_test {
 namespace {
 
 const std::string longName(200, 'W');
@@ -120,4 +120,4 @@ TEST_F(LongNames, OfAMaterialInAnotherScript_MakeFileNamesThatCanBeWritten) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::long_names_test

@@ -9,7 +9,7 @@
 #include "material/preset_file.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::material_details_test {
 namespace {
 
 using Naming = WindowFixture;
@@ -72,4 +72,4 @@ TEST_F(Naming, MaterialDetails_AreOneStep) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::material_details_test

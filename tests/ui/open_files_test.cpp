@@ -8,7 +8,7 @@
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::open_files_test {
 namespace {
 
 constexpr int readingMs = 20000;
@@ -95,4 +95,4 @@ TEST_F(OpenFiles, FileThatOnlyWeWrote_IsReplacedWithoutAQuestion) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::open_files_test

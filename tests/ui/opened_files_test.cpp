@@ -10,7 +10,7 @@
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::opened_files_test {
 namespace {
 
 constexpr int waitMs = 20000;
@@ -147,4 +147,4 @@ TEST_F(OpenedFiles, FirstStartWithNothingToSay_HidesTheMessages) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::opened_files_test

@@ -6,7 +6,7 @@
 #include "docks/block_chooser.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::outline_test {
 namespace {
 
 constexpr int limitMs = 120000;
@@ -79,4 +79,4 @@ TEST_F(OutlineInTheWindow, WidthDraggedToNothingAndBack_CompilesNothing) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::outline_test

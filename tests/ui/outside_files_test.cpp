@@ -10,7 +10,7 @@
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::outside_files_test {
 namespace {
 
 constexpr int waitMs = 20000;
@@ -168,4 +168,4 @@ TEST_F(OutsideFilesWindow, SettingsThatAreAPipe_DoNotHoldUpTheStart) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::outside_files_test

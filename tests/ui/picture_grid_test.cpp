@@ -6,7 +6,7 @@
 
 #include "docks/picture_grid.h"
 
-namespace patina::tests {
+namespace patina::tests::picture_grid_test {
 namespace {
 
 std::vector<PictureGrid::Entry> entries(int count) {
@@ -113,4 +113,4 @@ TEST(Grid, PicturesOfSomethingThatChanged_AreWishedAnew) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::picture_grid_test

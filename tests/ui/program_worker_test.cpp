@@ -11,7 +11,7 @@
 #include "ui/window_fixture.h"
 #include "viewport/program_worker.h"
 
-namespace patina::tests {
+namespace patina::tests::program_worker_test {
 namespace {
 
 constexpr int compilingMs = 20000;
@@ -106,4 +106,4 @@ TEST_F(ProgramsMadeElsewhere, WhatTheDriverMade_IsOnTheDiskWhenTheyAreFinished) 
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::program_worker_test

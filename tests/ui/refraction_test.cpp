@@ -9,7 +9,7 @@
 #include "docks/refraction_panel.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::refraction_test {
 namespace {
 
 constexpr int limitMs = 120000;
@@ -70,4 +70,4 @@ TEST_F(RefractionInTheWindow, DraggedToIndexOneAndBack_CompilesNothing) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::refraction_test

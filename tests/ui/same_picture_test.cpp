@@ -7,7 +7,7 @@
 
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::same_picture_test {
 namespace {
 
 class SamePicture : public WindowFixture {
@@ -46,4 +46,4 @@ TEST_F(SamePicture, OfAPreset_InTheEditorAndFromTheCommandLine) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::same_picture_test

@@ -5,7 +5,7 @@
 
 #include "ui/form_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::slider_test {
 
 using Slider = Form;
 using Number = Form;
@@ -362,4 +362,4 @@ TEST_F(Number, LeavingTheBox_TakesWhatWasTyped) {
     EXPECT_FLOAT_EQ(static_cast<float>(fixture.number("roughness")), 0.9f);
 }
 
-} // namespace patina::tests
+} // namespace patina::tests::slider_test

@@ -12,7 +12,7 @@
 #include "ui/form_fixture.h"
 #include "viewport/texture_library.h"
 
-namespace patina::tests {
+namespace patina::tests::texture_test {
 namespace {
 
 constexpr int waitMs = 20000;
@@ -169,4 +169,4 @@ TEST_F(TextureForm, SurfaceForm_TakesNormalAndHeightMaps) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::texture_test

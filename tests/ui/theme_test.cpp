@@ -10,7 +10,7 @@
 
 #include "support/program.h"
 
-namespace patina::tests {
+namespace patina::tests::theme_test {
 namespace {
 
 constexpr unsigned noPreference = 0;
@@ -63,4 +63,4 @@ TEST_F(DesktopLook, LookOfTheUser_Wins) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::theme_test

@@ -7,7 +7,7 @@
 #include "docks/block_chooser.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::transparency_test {
 namespace {
 
 constexpr int limitMs = 120000;
@@ -69,4 +69,4 @@ TEST_F(TransparencyInTheWindow, OpacityDraggedToOneAndBack_CompilesNothing) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::transparency_test

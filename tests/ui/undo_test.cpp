@@ -11,7 +11,7 @@
 #include "parameters/parameter_row.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::undo_test {
 namespace {
 
 using Part = BlockPath::Part;
@@ -149,4 +149,4 @@ TEST_F(NumberField, EscapeInIt_TakesTypingBackAndNothingElse) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::undo_test

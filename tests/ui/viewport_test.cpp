@@ -15,7 +15,7 @@
 
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::viewport_test {
 namespace {
 
 using Viewports = WindowFixture;
@@ -264,4 +264,4 @@ TEST_F(Viewports, PresetDroppedOnB_ChangesOnlyB) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::viewport_test

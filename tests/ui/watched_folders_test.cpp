@@ -9,7 +9,7 @@
 #include "material/preset_file.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::watched_folders_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -271,4 +271,4 @@ TEST_F(WatchedFolders, PresetThatCannotBeRead_IsAMessageUntilItIsMended) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::watched_folders_test

@@ -17,7 +17,7 @@
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
-namespace patina::tests {
+namespace patina::tests::window_test {
 namespace {
 
 class Window : public WindowFixture {
@@ -399,4 +399,4 @@ TEST_F(Window, SavedWork_LeavesNoCopy) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::window_test

@@ -10,7 +10,7 @@
 #include "support/full_disk.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ TEST_F(AtomicFile, TwoWritersAtOnce_LeaveOneOfTheirTexts) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::atomic_file_test

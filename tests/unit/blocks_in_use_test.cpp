@@ -5,7 +5,7 @@
 
 #include "catalog_fixture.h"
 
-namespace patina {
+namespace patina::blocks_in_use_test {
 namespace {
 
 using nlohmann::json;
@@ -66,4 +66,4 @@ TEST(BlocksInUse, OfAModelThatIsNotKnown_AreNone) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::blocks_in_use_test

@@ -6,7 +6,7 @@
 
 #include "catalog_fixture.h"
 
-namespace patina {
+namespace patina::bounds_test {
 namespace {
 
 /// What is wrong with a plain descriptor that has one more key.
@@ -102,4 +102,4 @@ TEST(DescriptorBounds, NeutralCaseForWhichAnotherIsEnough_IsAMistake) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::bounds_test

@@ -6,7 +6,7 @@
 #include "catalog/xdg_folders.h"
 #include "catalog_fixture.h"
 
-namespace patina {
+namespace patina::catalog_test {
 namespace {
 
 using tests::BlockFolder;
@@ -230,4 +230,4 @@ TEST(Catalog, MissingSchema_IsAnErrorThatNamesIt) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::catalog_test

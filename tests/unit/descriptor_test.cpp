@@ -5,7 +5,7 @@
 
 #include "catalog_fixture.h"
 
-namespace patina {
+namespace patina::descriptor_test {
 namespace {
 
 using nlohmann::json;
@@ -397,4 +397,4 @@ TEST_F(Mistakes, NoChoiceForOnesOwnValues_IsFound) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::descriptor_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::expression_test {
 namespace {
 
 const Values values{{"on", true},
@@ -127,4 +127,4 @@ TEST(Expression, Comparisons_NameBothSides) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::expression_test

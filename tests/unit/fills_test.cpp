@@ -7,7 +7,7 @@
 #include "material/block_values.h"
 #include "material/material.h"
 
-namespace patina {
+namespace patina::fills_test {
 namespace {
 
 const Catalog& fillCatalog() {
@@ -109,4 +109,4 @@ TEST(Metals, EveryOne_NamesItsSource) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::fills_test

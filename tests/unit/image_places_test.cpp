@@ -5,7 +5,7 @@
 
 #include "scene/primitives.h"
 
-namespace patina {
+namespace patina::image_places_test {
 namespace {
 
 TEST(ImagePlaces, VerticesAtOnePlace_HaveNone) {
@@ -34,4 +34,4 @@ TEST(ImagePlaces, VeryManyVertices_AreLookedAtHereAndThere) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::image_places_test

@@ -7,7 +7,7 @@
 
 #include "support/program.h"
 
-namespace patina {
+namespace patina::json_parse_test {
 namespace {
 
 /// "line:column" of the value at a pointer.
@@ -205,4 +205,4 @@ TEST(ReadJson, HundredMegabytes_AreRefusedWithoutReadingThem) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::json_parse_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::json_write_test {
 namespace {
 
 using nlohmann::json;
@@ -96,4 +96,4 @@ TEST(WriteJson, Written_IsWrittenTheSameAgain) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::json_write_test

@@ -11,7 +11,7 @@
 #include "catalog/json_text.h"
 #include "core/number_text.h"
 
-namespace patina {
+namespace patina::locale_test {
 namespace {
 
 /// Decimal commas and grouped thousands, as in Germany.
@@ -86,4 +86,4 @@ TEST_F(DecimalComma, PlaceInAMessage_IsUngrouped) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::locale_test

@@ -5,7 +5,7 @@
 
 #include "material/reconciled.h"
 
-namespace patina {
+namespace patina::material_test {
 namespace {
 
 Parameter number(std::string id, double defaultValue, double max = 1.0) {
@@ -227,4 +227,4 @@ TEST(Reconciled, LightsRemovedParameter_ComesBack) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::material_test

@@ -6,7 +6,7 @@
 #include "catalog_fixture.h"
 #include "material/preset_file.h"
 
-namespace patina {
+namespace patina::model_swap_test {
 namespace {
 
 using nlohmann::json;
@@ -187,4 +187,4 @@ TEST(SwappedModel, UnknownModelBefore_KeepsTheParts) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::model_swap_test

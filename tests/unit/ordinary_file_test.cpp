@@ -11,7 +11,7 @@
 
 #include "support/program.h"
 
-namespace patina {
+namespace patina::ordinary_file_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -166,4 +166,4 @@ TEST_F(FileBelow, Pipe_IsRefusedWithoutWaiting) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::ordinary_file_test

@@ -7,7 +7,7 @@
 #include "catalog_fixture.h"
 #include "scene/scene_file.h"
 
-namespace patina {
+namespace patina::outside_files_test {
 namespace {
 
 using nlohmann::json;
@@ -166,4 +166,4 @@ TEST_F(OutsideFilesTest, ReferenceFolder_IsTheFilesOwn) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::outside_files_test

@@ -10,7 +10,7 @@
 #include "catalog/parameter_layout.h"
 #include "catalog/value_json.h"
 
-namespace patina {
+namespace patina::parameter_test {
 namespace {
 
 Parameter parameter(std::string id, ParameterType type, Value defaultValue) {
@@ -184,4 +184,4 @@ TEST_F(Layout, Point_IsPackedAsItIs) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::parameter_test

@@ -6,7 +6,7 @@
 #include "catalog/json_text.h"
 #include "scene/picture_accuracy_file.h"
 
-namespace patina {
+namespace patina::picture_accuracy_test {
 namespace {
 
 TEST(PictureAccuracy, NewOne_DrawsAsAlways) {
@@ -78,4 +78,4 @@ TEST(PictureChoiceText, UnknownNames_AreNothing) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::picture_accuracy_test

@@ -6,7 +6,7 @@
 #include "catalog_fixture.h"
 #include "material/texture_path.h"
 
-namespace patina {
+namespace patina::preset_file_test {
 namespace {
 
 using nlohmann::json;
@@ -364,4 +364,4 @@ TEST(PresetSchema, WrongTypes_AreReported) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::preset_file_test

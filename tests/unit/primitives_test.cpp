@@ -11,7 +11,7 @@
 
 #include "scene/builtin_mesh.h"
 
-namespace patina {
+namespace patina::primitives_test {
 namespace {
 
 class Primitive : public testing::TestWithParam<std::string> {
@@ -143,4 +143,4 @@ TEST(BuiltinMesh, UnknownName_NamesTheKnownOnes) {
 TEST(Primitives, UnknownName_GivesNothing) { EXPECT_FALSE(primitive("teapot").has_value()); }
 
 } // namespace
-} // namespace patina
+} // namespace patina::primitives_test

@@ -8,7 +8,7 @@
 #include "catalog_fixture.h"
 #include "scene/mesh_path.h"
 
-namespace patina {
+namespace patina::scene_file_test {
 namespace {
 
 using nlohmann::json;
@@ -381,4 +381,4 @@ TEST(MeshPath, DotsInAPath_AreResolved) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::scene_file_test

@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-namespace patina {
+namespace patina::scene_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -49,4 +49,4 @@ TEST(WorldMatrix, Rotation_TurnsAboutXBeforeY) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::scene_test

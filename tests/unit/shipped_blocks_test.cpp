@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::shipped_blocks_test {
 namespace {
 
 Catalog shipped() {
@@ -98,4 +98,4 @@ TEST(ShippedBlocks, AccuracyChoicesOfOneId_HaveTheSameLevels) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::shipped_blocks_test

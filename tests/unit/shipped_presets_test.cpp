@@ -8,7 +8,7 @@
 
 #include "material/preset_file.h"
 
-namespace patina {
+namespace patina::shipped_presets_test {
 namespace {
 
 const Catalog& shippedCatalog() {
@@ -92,4 +92,4 @@ TEST(ShippedPresets, EveryModel_HasAtLeastThree) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::shipped_presets_test

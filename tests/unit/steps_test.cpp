@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina::tests {
+namespace patina::tests::steps_test {
 namespace {
 
 Steps counted(std::vector<int>& log, int from, int to) {
@@ -112,4 +112,4 @@ TEST(Steps, AnotherWorkAssigned_TakesItsPlace) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::steps_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patina {
+namespace patina::suggestion_test {
 namespace {
 
 const std::vector<std::string> words{"label", "default", "min", "max"};
@@ -33,4 +33,4 @@ TEST(OneOf, NoCandidates_AreSaidToBeNone) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::suggestion_test

@@ -5,7 +5,7 @@
 #include "catalog/table_source.h"
 #include "catalog_fixture.h"
 
-namespace patina {
+namespace patina::table_checks_test {
 namespace {
 
 using nlohmann::json;
@@ -100,4 +100,4 @@ TEST_F(TableChecks, OtherKind_HasNoTables) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::table_checks_test

@@ -6,7 +6,7 @@
 #include "material/preset_file.h"
 #include "support/program.h"
 
-namespace patina {
+namespace patina::texture_file_test {
 namespace {
 
 using json = nlohmann::json;
@@ -170,4 +170,4 @@ TEST(TextureSettings, Stored_IsWhatIsReadBack) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::texture_file_test

@@ -6,7 +6,7 @@
 
 #include "core/value.h"
 
-namespace patina::tests {
+namespace patina::tests::value_test {
 namespace {
 
 TEST(RoundedValue, OfNumbersThatNoFloatHolds_HasTheNearestFloats) {
@@ -28,4 +28,4 @@ TEST(RoundedValue, OfAWord_IsTheWord) {
 }
 
 } // namespace
-} // namespace patina::tests
+} // namespace patina::tests::value_test

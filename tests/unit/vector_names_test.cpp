@@ -4,7 +4,7 @@
 
 #include "catalog_fixture.h"
 
-namespace patina {
+namespace patina::vector_names_test {
 namespace {
 
 using nlohmann::json;
@@ -63,4 +63,4 @@ TEST_F(VectorNames, TwoForThreeNumbers_AreAMistake) {
 }
 
 } // namespace
-} // namespace patina
+} // namespace patina::vector_names_test
