@@ -7,6 +7,7 @@ namespace patina::tests::accuracy_compare_test {
 namespace {
 
 TEST_F(AccuracyPanel, Compared_HasTheExactWayInAAndTheChosenInB) {
+    window().resize(1400, 800); // room for both titles
     ASSERT_TRUE(measure()) << state().toStdString();
     dock().apply(pointOf("near"));
     settle();

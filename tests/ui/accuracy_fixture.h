@@ -41,7 +41,7 @@ vec3 burning(Directions d, Burning p) {
     int count = 320;
     float value = 0.5;
     if (p.work == BURNING_WORK_NEAR) {
-        count = 16;
+        count = 32;
         value = 0.5005;
     }
     if (p.work == BURNING_WORK_FAR) {
@@ -68,6 +68,9 @@ class AccuracyPanel : public WindowFixture {
         document().setModel(Side::A, "burning");
         document().setPart(Side::A, BlockPath::Part::Fresnel, "");
         document().setEnvironment("");
+        while (document().scene().lights.size() > 1) { // each of them costs as much again
+            document().removeLight(0);
+        }
         document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient",
                             glm::dvec3(0.0));
         window().dock("accuracy")->show();
@@ -94,9 +97,9 @@ class AccuracyPanel : public WindowFixture {
     QString state() { return dock().findChild<QLabel*>("state")->text(); }
 
     /// Few small frames: what is tested here is not the instrument.
-    void start() {
+    void start(int size = 48) {
         CostSweep::Options options;
-        options.size = {48, 48};
+        options.size = {size, size};
         options.pairs.fewest = 7; // fewer let a noisy neighbour turn the order of two ways
         options.pairs.most = 9;
         options.combinations = false;

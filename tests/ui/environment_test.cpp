@@ -34,13 +34,15 @@ class EnvironmentInTheWindow : public WindowFixture {
 };
 
 TEST_F(EnvironmentInTheWindow, LeftAlone_SettlesAndThenDrawsNothing) {
+    constexpr int wanted = 64;
     view().setFixedSize(160, 120);
     document().setEnvironment("studio");
-    ASSERT_TRUE(waitForSamples(usualDirections));
+    document().setValue(document().currentPath(BlockPath::Part::Environment), "directions", wanted);
+    ASSERT_TRUE(waitForSamples(wanted));
     newFrames();
     QTest::qWait(1000);
     EXPECT_EQ(newFrames(), 0);
-    EXPECT_EQ(view().samples(), usualDirections);
+    EXPECT_EQ(view().samples(), wanted);
 }
 
 TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {

@@ -10,17 +10,19 @@
 #include <QTimer>
 
 #include "material/preset_file.h"
+#include "window/session.h"
 
 namespace patina::tests {
 namespace {
 
+constexpr QSize smallWindow{1000, 680};
 constexpr int settleMs = 60;
 constexpr int panelsMs = 200;
 constexpr int frameLimitMs = 20000;
 
 } // namespace
 
-WindowFixture::WindowFixture() {
+WindowFixture::WindowFixture(Size size) : size_(size) {
     for (const char* variable :
          {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
         qputenv(variable, QByteArray::fromStdString((home_ / variable).string()));
@@ -40,6 +42,9 @@ void WindowFixture::open() {
     window_ = std::make_unique<MainWindow>(
         std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), *theme_);
     ASSERT_TRUE(document().openTemplate(defaultSceneFile()));
+    if (size_ == Size::Small && Session().windowGeometry().isEmpty()) {
+        window_->resize(smallWindow);
+    }
     QSignalSpy frames(&view(), &Viewport::frameDrawn);
     QCursor::setPos(window_->screen()->geometry().bottomRight()); // where it rests on nothing
     window_->show();

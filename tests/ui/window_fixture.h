@@ -10,10 +10,14 @@
 
 namespace patina::tests {
 
-/// The editor's window on the shipped blocks, with folders of its own for everything it keeps.
+/// The editor's window on the shipped blocks, with folders of its own for everything it keeps. A
+/// view of the size that a first start gives it takes a software driver long to fill; most tests
+/// are as well served by a small one.
 class WindowFixture : public testing::Test {
   protected:
-    WindowFixture();
+    enum class Size { Small, AsAtFirstStart };
+
+    explicit WindowFixture(Size size = Size::Small);
     ~WindowFixture() override;
 
     void open();  ///< shows a window and waits for its first frame
@@ -39,6 +43,7 @@ class WindowFixture : public testing::Test {
 
   private:
     TemporaryFolder home_;
+    Size size_;
     std::unique_ptr<Theme> theme_;
     std::unique_ptr<MainWindow> window_;
     int framesBefore_ = 0;

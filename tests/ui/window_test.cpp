@@ -22,11 +22,18 @@ namespace {
 
 class Window : public WindowFixture {
   protected:
+    using WindowFixture::WindowFixture;
+
     /// Drops a mesh of one triangle onto the first view.
     void drop(const std::string& name) {
         writeFile(home(name), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         window().files().drop({QString::fromStdString(home(name).string())}, Side::A);
     }
+};
+
+class Layout : public Window {
+  protected:
+    Layout() : Window(Size::AsAtFirstStart) {}
 };
 
 constexpr int waitMs = 20000;
@@ -56,7 +63,7 @@ TEST_F(Window, Start_IsUnmodified) {
     EXPECT_FALSE(window().isWindowModified());
 }
 
-TEST_F(Window, DocksOpenAtTheEnd_AreOpenAtTheNextStart) {
+TEST_F(Layout, DocksOpenAtTheEnd_AreOpenAtTheNextStart) {
     window().findChild<QDockWidget*>("effects")->show();
     window().findChild<QDockWidget*>("presets")->hide();
     window().close();
@@ -67,7 +74,7 @@ TEST_F(Window, DocksOpenAtTheEnd_AreOpenAtTheNextStart) {
     EXPECT_FALSE(window().findChild<QDockWidget*>("stability")->isVisible());
 }
 
-TEST_F(Window, AccuracyDock_OpensHighEnoughToRead) {
+TEST_F(Layout, AccuracyDock_OpensHighEnoughToRead) {
     const int room = window().centralWidget()->height();
     QDockWidget& dock = *window().dock("accuracy");
     dock.show();
@@ -76,7 +83,7 @@ TEST_F(Window, AccuracyDock_OpensHighEnoughToRead) {
     EXPECT_LT(dock.height(), room / 2);
 }
 
-TEST_F(Window, HeightOfADock_IsKeptForTheNextStart) {
+TEST_F(Layout, HeightOfADock_IsKeptForTheNextStart) {
     constexpr int chosen = 290;
     constexpr int lowest = 300; ///< at which it opens
     window().dock("accuracy")->show();
