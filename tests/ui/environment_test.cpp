@@ -37,7 +37,8 @@ TEST_F(EnvironmentInTheWindow, LeftAlone_SettlesAndThenDrawsNothing) {
     constexpr int wanted = 64;
     view().setFixedSize(160, 120);
     document().setEnvironment("studio");
-    document().setValue(document().currentPath(BlockPath::Part::Environment), "directions", wanted);
+    document().setValue(document().currentPath(BlockPath::Part::Environment), "directions",
+                        wanted);
     ASSERT_TRUE(waitForSamples(wanted));
     newFrames();
     QTest::qWait(1000);
