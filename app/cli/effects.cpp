@@ -24,8 +24,8 @@
 #include "render/gpu/texture_loader.h"
 #include "render/surfaces/object_rows.h"
 #include "render/surfaces/scene_depth.h"
-#include "shading/outline_source.h"
-#include "shading/program_source.h"
+#include "shading/effects/outline_source.h"
+#include "shading/program/program_source.h"
 
 namespace patina {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "shading/effect_set.h"
-#include "shading/shader_source.h"
+#include "shading/effects/effect_set.h"
+#include "shading/glsl/shader_source.h"
 
 namespace patina {
 

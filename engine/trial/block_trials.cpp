@@ -9,8 +9,8 @@
 #include "gl/headless_context.h"
 #include "render/renderer.h"
 #include "scene/builtin_mesh.h"
-#include "shading/block_trial.h"
-#include "shading/program_cache.h"
+#include "shading/program/block_trial.h"
+#include "shading/program/program_cache.h"
 #include "trial/trial_scene.h"
 
 namespace patina {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "shading/block_gate.h"
+#include "shading/program/block_gate.h"
 
 namespace patina {
 

@@ -2,7 +2,7 @@
 #include "trial/trial_scene.h"
 
 #include "material/block_values.h"
-#include "shading/block_trial.h"
+#include "shading/program/block_trial.h"
 
 namespace patina {
 

@@ -8,7 +8,7 @@
 
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
-#include "shading/effect_key.h"
+#include "shading/effects/effect_key.h"
 
 namespace patina::benchmarks {
 

@@ -11,10 +11,10 @@
 #include "gl/vertex_array.h"
 #include "measure/eval/eval_case.h"
 #include "measure/eval/eval_source.h"
-#include "shading/block_source.h"
-#include "shading/block_use.h"
-#include "shading/compile_log.h"
-#include "shading/source_builder.h"
+#include "shading/effects/block_use.h"
+#include "shading/glsl/compile_log.h"
+#include "shading/glsl/source_builder.h"
+#include "shading/program/block_source.h"
 
 namespace patina::benchmarks {
 namespace {

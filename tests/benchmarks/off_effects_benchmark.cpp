@@ -10,7 +10,7 @@
 
 #include "benchmarks.h"
 #include "cpu_clock.h"
-#include "shading/program_source.h"
+#include "shading/program/program_source.h"
 #include "stage.h"
 #include "statistics.h"
 

@@ -12,10 +12,10 @@
 #include "gl/shader.h"
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
-#include "shading/block_source.h"
-#include "shading/data_layout.h"
-#include "shading/parameter_packer.h"
-#include "shading/program_source.h"
+#include "shading/effects/data_layout.h"
+#include "shading/program/block_source.h"
+#include "shading/program/parameter_packer.h"
+#include "shading/program/program_source.h"
 
 namespace patina::benchmarks {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "catalog/descriptor.h"
 #include "catalog/suggestion.h"
-#include "shading/block_text.h"
-#include "shading/shader_file.h"
-#include "shading/source_builder.h"
-#include "shading/unused_code.h"
+#include "shading/glsl/block_text.h"
+#include "shading/glsl/shader_file.h"
+#include "shading/glsl/source_builder.h"
+#include "shading/glsl/unused_code.h"
 #include "support/program.h"
 
 namespace patina::hostile_text_test {

@@ -6,8 +6,8 @@
 #include "gpu_fixture.h"
 #include "measure/error/frame_error.h"
 #include "measure/error/reference_frame.h"
-#include "shading/effect_key.h"
-#include "shading/program_source.h"
+#include "shading/effects/effect_key.h"
+#include "shading/program/program_source.h"
 #include "support/program.h"
 
 namespace patina::block_tables_test {

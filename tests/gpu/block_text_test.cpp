@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with a block's shader is told at its own file and line, not at Patina's.
-#include "shading/block_text.h"
+#include "shading/glsl/block_text.h"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
 #include "catalog/catalog.h"
-#include "shading/compile_log.h"
-#include "shading/shader_file.h"
-#include "shading/source_builder.h"
+#include "shading/glsl/compile_log.h"
+#include "shading/glsl/shader_file.h"
+#include "shading/glsl/source_builder.h"
 #include "support/program.h"
 
 namespace patina::block_text_test {

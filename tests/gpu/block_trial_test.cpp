@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A block tried alone, as the editor does with the user's when they come or change.
-#include "shading/block_trial.h"
+#include "shading/program/block_trial.h"
 
 #include <algorithm>
 
 #include "gpu_fixture.h"
-#include "shading/program_cache.h"
+#include "shading/program/program_cache.h"
 #include "support/program.h"
 
 namespace patina::block_trial_test {

@@ -9,7 +9,7 @@
 
 #include "gpu_fixture.h"
 #include "render/gpu/draw_slices.h"
-#include "shading/material_hash.h"
+#include "shading/effects/material_hash.h"
 
 namespace patina::draw_batches_test {
 namespace {

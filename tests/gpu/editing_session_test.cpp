@@ -8,7 +8,7 @@
 
 #include "gpu_fixture.h"
 #include "render/surfaces/scene_depth.h"
-#include "shading/effect_set.h"
+#include "shading/effects/effect_set.h"
 #include "support/program.h"
 
 namespace patina::editing_session_test {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why effects are in or out, and taking them out of a scene.
-#include "shading/effect_rows.h"
+#include "shading/effects/effect_rows.h"
 
 #include <algorithm>
 
-#include "shading/effect_key.h"
-#include "shading/fog_depth.h"
+#include "shading/effects/effect_key.h"
+#include "shading/effects/fog_depth.h"
 #include "shading_scene.h"
 
 namespace patina::effect_rows_test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/effect_set.h"
+#include "shading/effects/effect_set.h"
 
-#include "shading/effect_key.h"
+#include "shading/effects/effect_key.h"
 #include "shading_scene.h"
 
 namespace patina::effect_set_test {

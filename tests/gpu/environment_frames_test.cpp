@@ -14,8 +14,8 @@
 #include "frame_target.h"
 #include "render/gpu/binding.h"
 #include "render/pass/pipeline_store.h"
-#include "shading/effect_key.h"
-#include "shading/texture_choice.h"
+#include "shading/effects/effect_key.h"
+#include "shading/effects/texture_choice.h"
 
 namespace patina::environment_frames_test {
 namespace {

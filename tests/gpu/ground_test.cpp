@@ -6,7 +6,7 @@
 
 #include "gpu_fixture.h"
 #include "render/surfaces/scene_depth.h"
-#include "shading/effect_set.h"
+#include "shading/effects/effect_set.h"
 
 namespace patina::ground_test {
 namespace {

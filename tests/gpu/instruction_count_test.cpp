@@ -9,7 +9,7 @@
 #include "catalog/catalog.h"
 #include "material/material.h"
 #include "scene/scene.h"
-#include "shading/program_source.h"
+#include "shading/program/program_source.h"
 
 namespace patina::instruction_count_test {
 namespace {

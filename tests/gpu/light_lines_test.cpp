@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/light_lines.h"
+#include "shading/effects/light_lines.h"
 
-#include "shading/effect_key.h"
-#include "shading/effect_set.h"
+#include "shading/effects/effect_key.h"
+#include "shading/effects/effect_set.h"
 #include "shading_scene.h"
 
 namespace patina::light_lines_test {

@@ -13,7 +13,7 @@
 #include "render/lights/light_kinds.h"
 #include "render/surfaces/object_rows.h"
 #include "render/surfaces/scene_depth.h"
-#include "shading/program_source.h"
+#include "shading/program/program_source.h"
 
 namespace patina::light_lists_test {
 namespace {

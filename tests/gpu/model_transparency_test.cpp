@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "gpu_fixture.h"
-#include "shading/effect_choice.h"
-#include "shading/effect_key.h"
-#include "shading/effect_rows.h"
-#include "shading/effect_set.h"
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/effect_key.h"
+#include "shading/effects/effect_rows.h"
+#include "shading/effects/effect_set.h"
 
 namespace patina::model_transparency_test {
 namespace {

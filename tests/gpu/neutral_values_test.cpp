@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks that give 0 everywhere by their values are in no program.
-#include "shading/neutral_values.h"
+#include "shading/effects/neutral_values.h"
 
 #include <algorithm>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include "gpu_fixture.h"
 #include "render/surfaces/object_rows.h"
-#include "shading/effect_key.h"
+#include "shading/effects/effect_key.h"
 
 namespace patina::neutral_values_test {
 namespace {

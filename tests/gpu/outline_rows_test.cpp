@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the effects say of a material's lines, and what is in their program.
 
-#include "shading/effect_key.h"
-#include "shading/effect_rows.h"
-#include "shading/outline_source.h"
+#include "shading/effects/effect_key.h"
+#include "shading/effects/effect_rows.h"
+#include "shading/effects/outline_source.h"
 #include "shading_scene.h"
 
 namespace patina::outline_rows_test {

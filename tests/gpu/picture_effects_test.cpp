@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the picture's accuracy changes in a program's text, and what it leaves alone.
-#include "shading/picture_effects.h"
+#include "shading/effects/picture_effects.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "scene/picture_choice_text.h"
-#include "shading/effect_key.h"
-#include "shading/highlight_width.h"
+#include "shading/effects/effect_key.h"
+#include "shading/effects/highlight_width.h"
 #include "shading_scene.h"
 
 namespace patina::picture_effects_test {

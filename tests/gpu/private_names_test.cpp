@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a user's block defines for itself may have the name that something else in a program has.
-#include "shading/private_names.h"
+#include "shading/glsl/private_names.h"
 
 #include <algorithm>
 
 #include "gpu_fixture.h"
-#include "shading/source_builder.h"
+#include "shading/glsl/source_builder.h"
 #include "support/program.h"
 
 namespace patina::private_names_test {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/program_cache.h"
+#include "shading/program/program_cache.h"
 
 #include <filesystem>
 
 #include "gpu_fixture.h"
-#include "shading/program_file.h"
+#include "shading/program/program_file.h"
 #include "support/program.h"
 
 namespace patina::program_cache_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/program_source.h"
+#include "shading/program/program_source.h"
 
 #include <algorithm>
 #include <cctype>

@@ -15,8 +15,8 @@
 #include "render/lights/environment_image.h"
 #include "render/lights/ground_place.h"
 #include "render/surfaces/scene_depth.h"
-#include "shading/glsl_tokens.h"
-#include "shading/texture_writer.h"
+#include "shading/effects/texture_writer.h"
+#include "shading/glsl/tokens.h"
 
 namespace patina::random_scenes_test {
 namespace {

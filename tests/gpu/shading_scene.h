@@ -8,7 +8,7 @@
 
 #include "catalog/catalog.h"
 #include "scene/scene.h"
-#include "shading/program_source.h"
+#include "shading/program/program_source.h"
 
 namespace patina {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why shadows and the ground are in or out.
-#include "shading/effect_rows.h"
+#include "shading/effects/effect_rows.h"
 
-#include "shading/effect_key.h"
+#include "shading/effects/effect_key.h"
 #include "shading_scene.h"
 
 namespace patina::shadow_rows_test {

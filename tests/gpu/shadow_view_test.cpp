@@ -11,7 +11,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "shading/data_layout.h"
+#include "shading/effects/data_layout.h"
 #include "shading_scene.h"
 
 namespace patina::shadow_view_test {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/source_builder.h"
+#include "shading/glsl/source_builder.h"
 
 #include <gtest/gtest.h>
 
-#include "shading/compile_log.h"
+#include "shading/glsl/compile_log.h"
 #include "support/program.h"
 
 namespace patina::source_builder_test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which images are in a program, and that nothing of them is where there are none.
-#include "shading/effect_key.h"
-#include "shading/texture_choice.h"
+#include "shading/effects/effect_key.h"
+#include "shading/effects/texture_choice.h"
 #include "shading_scene.h"
 
 namespace patina::texture_effects_test {

@@ -6,7 +6,7 @@
 
 #include "core/srgb_table.h"
 #include "gl/framebuffer.h"
-#include "shading/program_source.h"
+#include "shading/program/program_source.h"
 #include "texture_fixture.h"
 
 namespace patina::texture_test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the effects say of objects that let something through, and what is in their programs.
 
-#include "shading/effect_key.h"
-#include "shading/effect_rows.h"
+#include "shading/effects/effect_key.h"
+#include "shading/effects/effect_rows.h"
 #include "shading_scene.h"
 
 namespace patina::transparency_rows_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/unused_code.h"
+#include "shading/glsl/unused_code.h"
 
 #include <cctype>
 #include <map>

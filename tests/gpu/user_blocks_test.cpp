@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "gpu_fixture.h"
-#include "shading/effect_set.h"
+#include "shading/effects/effect_set.h"
 #include "support/program.h"
 
 namespace patina::user_blocks_test {

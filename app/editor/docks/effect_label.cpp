@@ -5,7 +5,7 @@
 
 #include <QCoreApplication>
 
-#include "shading/texture_choice.h"
+#include "shading/effects/texture_choice.h"
 #include "text/as_text.h"
 
 namespace patina {

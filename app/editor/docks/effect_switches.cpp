@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "shading/effect_rows.h"
+#include "shading/effects/effect_rows.h"
 
 namespace patina {
 

@@ -15,7 +15,7 @@
 
 #include "gl/driver.h"
 #include "gl/driver_cache.h"
-#include "shading/block_gate.h"
+#include "shading/program/block_gate.h"
 #include "window/free_memory.h"
 #include "window/main_window.h"
 

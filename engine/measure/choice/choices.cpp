@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "measure/choice/picture_choices.h"
-#include "shading/effect_set.h"
+#include "shading/effects/effect_set.h"
 
 namespace patina {
 namespace {

@@ -9,8 +9,8 @@
 #include "scene/environment.h"
 #include "scene/picture_choice_text.h"
 #include "scene/transparency.h"
-#include "shading/effect_choice.h"
-#include "shading/effect_set.h"
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/effect_set.h"
 
 namespace patina {
 namespace {

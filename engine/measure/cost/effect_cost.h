@@ -9,7 +9,7 @@
 
 #include "measure/time/median_interval.h"
 #include "render/renderer.h"
-#include "shading/effect_rows.h"
+#include "shading/effects/effect_rows.h"
 
 namespace patina {
 

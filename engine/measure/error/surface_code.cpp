@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "measure/eval/compiled_block.h"
-#include "shading/surface_buffer_layout.h"
+#include "shading/program/surface_buffer_layout.h"
 
 namespace patina {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
-#include "shading/block_gate.h"
-#include "shading/compile_log.h"
-#include "shading/source_builder.h"
+#include "shading/glsl/compile_log.h"
+#include "shading/glsl/source_builder.h"
+#include "shading/program/block_gate.h"
 
 namespace patina {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "catalog/table_source.h"
 #include "measure/eval/eval_reference.h"
-#include "shading/block_source.h"
-#include "shading/source_builder.h"
+#include "shading/glsl/source_builder.h"
+#include "shading/program/block_source.h"
 
 namespace patina {
 namespace {

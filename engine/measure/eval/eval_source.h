@@ -5,8 +5,8 @@
 #include <string>
 
 #include "measure/eval/eval_case.h"
-#include "shading/effect_set.h"
-#include "shading/shader_source.h"
+#include "shading/effects/effect_set.h"
+#include "shading/glsl/shader_source.h"
 
 namespace patina {
 

@@ -2,8 +2,8 @@
 #include "measure/time/surface_instructions.h"
 
 #include "render/surfaces/scene_depth.h"
-#include "shading/block_gate.h"
-#include "shading/program_source.h"
+#include "shading/program/block_gate.h"
+#include "shading/program/program_source.h"
 
 namespace patina {
 

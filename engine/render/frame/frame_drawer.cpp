@@ -14,9 +14,9 @@
 #include "render/gpu/hdr_numbers.h"
 #include "render/pass/data_packer.h"
 #include "render/pass/refraction_packer.h"
-#include "shading/effect_choice.h"
-#include "shading/material_hash.h"
-#include "shading/texture_choice.h"
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/material_hash.h"
+#include "shading/effects/texture_choice.h"
 
 namespace patina {
 namespace {

@@ -35,7 +35,7 @@
 #include "render/pass/table_store.h"
 #include "render/pass/transparency_pass.h"
 #include "render/view.h"
-#include "shading/effect_key.h"
+#include "shading/effects/effect_key.h"
 
 namespace patina {
 

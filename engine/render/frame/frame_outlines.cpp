@@ -7,7 +7,7 @@
 
 #include "render/frame/frame_drawer.h"
 #include "render/gpu/binding.h"
-#include "shading/parameter_packer.h"
+#include "shading/program/parameter_packer.h"
 
 namespace patina {
 namespace {

@@ -6,8 +6,8 @@
 #include <epoxy/gl.h>
 
 #include "render/frame/frame_drawer.h"
-#include "shading/material_hash.h"
-#include "shading/refraction_choice.h"
+#include "shading/effects/material_hash.h"
+#include "shading/effects/refraction_choice.h"
 
 namespace patina {
 

@@ -5,7 +5,7 @@
 
 #include "render/frame/frame_drawer.h"
 #include "render/gpu/long_pieces.h"
-#include "shading/refraction_choice.h"
+#include "shading/effects/refraction_choice.h"
 
 namespace patina {
 

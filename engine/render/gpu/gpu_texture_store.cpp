@@ -7,7 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "render/gpu/binding.h"
-#include "shading/texture_choice.h"
+#include "shading/effects/texture_choice.h"
 
 namespace patina {
 namespace {

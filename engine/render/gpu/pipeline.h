@@ -6,9 +6,9 @@
 
 #include "catalog/catalog.h"
 #include "gl/program.h"
-#include "shading/data_layout.h"
-#include "shading/effect_set.h"
-#include "shading/outline_source.h"
+#include "shading/effects/data_layout.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/outline_source.h"
 
 namespace patina {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/gpu/texture_source.h"
 
-#include "shading/effect_set.h"
-#include "shading/texture_choice.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/texture_choice.h"
 
 namespace patina {
 

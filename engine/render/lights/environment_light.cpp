@@ -12,9 +12,9 @@
 #include "render/gpu/binding.h"
 #include "render/gpu/environment_units.h"
 #include "render/gpu/long_pieces.h"
-#include "shading/data_layout.h"
-#include "shading/effect_key.h"
-#include "shading/parameter_packer.h"
+#include "shading/effects/data_layout.h"
+#include "shading/effects/effect_key.h"
+#include "shading/program/parameter_packer.h"
 
 namespace patina {
 namespace {

@@ -10,8 +10,8 @@
 #include "render/lights/environment_table.h"
 #include "render/lights/environment_texture.h"
 #include "scene/environment.h"
-#include "shading/environment_source.h"
-#include "shading/program_cache.h"
+#include "shading/effects/environment_source.h"
+#include "shading/program/program_cache.h"
 
 namespace patina {
 

@@ -12,8 +12,8 @@
 #include "core/mesh.h"
 #include "render/lights/frustum.h"
 #include "scene/scene.h"
-#include "shading/effect_view.h"
-#include "shading/fog_depth.h"
+#include "shading/effects/effect_view.h"
+#include "shading/effects/fog_depth.h"
 
 namespace patina {
 

@@ -8,7 +8,7 @@
 #include "catalog/catalog.h"
 #include "render/lights/light_lists.h"
 #include "scene/scene.h"
-#include "shading/light_set.h"
+#include "shading/effects/light_set.h"
 
 namespace patina {
 

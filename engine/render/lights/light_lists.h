@@ -10,8 +10,8 @@
 #include "core/mesh.h"
 #include "render/lights/ground_place.h"
 #include "scene/scene.h"
-#include "shading/light_reach.h"
-#include "shading/light_set.h"
+#include "shading/effects/light_reach.h"
+#include "shading/effects/light_set.h"
 
 namespace patina {
 

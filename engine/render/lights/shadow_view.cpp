@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "shading/effect_choice.h"
+#include "shading/effects/effect_choice.h"
 
 namespace patina {
 namespace {

@@ -4,7 +4,7 @@
 #include "catalog/catalog.h"
 #include "gl/framebuffer.h"
 #include "gl/vertex_array.h"
-#include "shading/program_cache.h"
+#include "shading/program/program_cache.h"
 
 namespace patina {
 

@@ -9,9 +9,9 @@
 #include <glm/trigonometric.hpp>
 
 #include "render/gpu/hdr_numbers.h"
-#include "shading/effect_choice.h"
-#include "shading/effect_key.h"
-#include "shading/parameter_packer.h"
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/effect_key.h"
+#include "shading/program/parameter_packer.h"
 
 namespace patina {
 namespace {

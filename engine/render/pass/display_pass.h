@@ -12,7 +12,7 @@
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
 #include "scene/scene.h"
-#include "shading/program_cache.h"
+#include "shading/program/program_cache.h"
 
 namespace patina {
 

@@ -10,7 +10,7 @@
 
 #include "gl/driver.h"
 #include "render/gpu/long_pieces.h"
-#include "shading/texture_choice.h"
+#include "shading/effects/texture_choice.h"
 
 namespace patina {
 namespace {

@@ -9,8 +9,8 @@
 #include "render/gpu/binding.h"
 #include "render/gpu/environment_units.h"
 #include "render/pass/refraction_pass.h"
-#include "shading/program_source.h"
-#include "shading/texture_writer.h"
+#include "shading/effects/texture_writer.h"
+#include "shading/program/program_source.h"
 
 namespace patina {
 

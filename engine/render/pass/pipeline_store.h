@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "render/gpu/pipeline.h"
-#include "shading/program_cache.h"
-#include "shading/surface_output.h"
+#include "shading/program/program_cache.h"
+#include "shading/program/surface_output.h"
 
 namespace patina {
 

@@ -2,8 +2,8 @@
 #include "render/pass/refraction_packer.h"
 
 #include "render/gpu/hdr_numbers.h"
-#include "shading/parameter_packer.h"
-#include "shading/refraction_choice.h"
+#include "shading/effects/refraction_choice.h"
+#include "shading/program/parameter_packer.h"
 
 namespace patina {
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,

@@ -6,7 +6,7 @@
 #include <epoxy/gl.h>
 
 #include "render/gpu/binding.h"
-#include "shading/refraction_source.h"
+#include "shading/effects/refraction_source.h"
 
 namespace patina {
 namespace {

@@ -8,7 +8,7 @@
 #include "gl/target_texture.h"
 #include "render/gpu/hdr_target.h"
 #include "render/lights/light_lists.h"
-#include "shading/program_cache.h"
+#include "shading/program/program_cache.h"
 
 namespace patina {
 

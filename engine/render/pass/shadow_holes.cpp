@@ -6,8 +6,8 @@
 
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
-#include "shading/shadow_source.h"
-#include "shading/texture_writer.h"
+#include "shading/effects/shadow_source.h"
+#include "shading/effects/texture_writer.h"
 
 namespace patina {
 namespace {

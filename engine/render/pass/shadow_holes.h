@@ -12,7 +12,7 @@
 #include "render/gpu/gpu_texture_store.h"
 #include "render/gpu/pipeline.h"
 #include "render/gpu/uniform_buffer.h"
-#include "shading/program_cache.h"
+#include "shading/program/program_cache.h"
 
 namespace patina {
 

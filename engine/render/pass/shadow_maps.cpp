@@ -8,8 +8,8 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "render/gpu/binding.h"
-#include "shading/effect_choice.h"
-#include "shading/shadow_source.h"
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/shadow_source.h"
 
 namespace patina {
 namespace {

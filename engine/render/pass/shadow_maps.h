@@ -14,7 +14,7 @@
 #include "render/lights/shadow_view.h"
 #include "render/pass/shadow_holes.h"
 #include "scene/scene.h"
-#include "shading/program_cache.h"
+#include "shading/program/program_cache.h"
 
 namespace patina {
 

@@ -8,8 +8,8 @@
 
 #include "render/gpu/binding.h"
 #include "render/gpu/long_pieces.h"
-#include "shading/layer_source.h"
-#include "shading/texture_writer.h"
+#include "shading/effects/layer_source.h"
+#include "shading/effects/texture_writer.h"
 
 namespace patina {
 namespace {

@@ -13,7 +13,7 @@
 #include "gl/vertex_array.h"
 #include "render/gpu/hdr_target.h"
 #include "render/gpu/pipeline.h"
-#include "shading/program_cache.h"
+#include "shading/program/program_cache.h"
 
 namespace patina {
 

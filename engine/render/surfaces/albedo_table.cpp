@@ -3,7 +3,7 @@
 
 #include <epoxy/gl.h>
 
-#include "shading/surface_output.h"
+#include "shading/program/surface_output.h"
 
 namespace patina {
 

@@ -13,11 +13,11 @@
 #include "render/lights/light_lists.h"
 #include "render/lights/placement.h"
 #include "render/surfaces/scene_depth.h"
-#include "shading/effect_choice.h"
-#include "shading/light_effects.h"
-#include "shading/light_reach.h"
-#include "shading/texture_choice.h"
-#include "shading/texture_effects.h"
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/light_effects.h"
+#include "shading/effects/light_reach.h"
+#include "shading/effects/texture_choice.h"
+#include "shading/effects/texture_effects.h"
 
 namespace patina {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "render/gpu/texture_source.h"
 #include "render/view.h"
-#include "shading/effect_rows.h"
+#include "shading/effects/effect_rows.h"
 
 namespace patina {
 

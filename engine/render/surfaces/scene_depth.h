@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "render/view.h"
-#include "shading/effect_view.h"
+#include "shading/effects/effect_view.h"
 
 namespace patina {
 

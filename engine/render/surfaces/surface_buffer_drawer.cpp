@@ -7,7 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "gl/framebuffer.h"
-#include "shading/surface_buffer_layout.h"
+#include "shading/program/surface_buffer_layout.h"
 
 namespace patina {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
-#include "shading/effect_choice.h"
-#include "shading/texture_choice.h"
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/texture_choice.h"
 
 namespace patina {
 std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipeline) {

@@ -17,7 +17,7 @@
 #include "render/pass/pipeline_store.h"
 #include "render/pass/shadow_maps.h"
 #include "render/view.h"
-#include "shading/effect_key.h"
+#include "shading/effects/effect_key.h"
 
 namespace patina {
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "catalog/catalog.h"
+#include "catalog/parameter_layout.h"
+#include "shading/effects/effect_set.h"
+#include "shading/program/block_place.h"
+#include "shading/program/table_layout.h"
+
+namespace patina {
+
+/// Where one light's values lie in those of its group: the light's, its shadows' and its map's.
+struct LightPlace {
+    BlockPlace light; ///< `first` is the index of the group's header
+    std::optional<BlockPlace> shadow; ///< `first` counts from the light's first vec4
+
+    int vec4s() const;
+};
+
+/// How a light's depth map looks at the scene (passes/shadow.glsl says what is where).
+struct ShadowLayout {
+    static constexpr int vec4s = 6;
+};
+
+/// The array `objectData`: a material's values, shared by all objects that have them. Where an
+/// object is comes to the vertices (render/instance.h).
+struct ObjectLayout {
+    static constexpr int surface = 0; ///< x: opacity; y: one over what the model does not pass
+    static constexpr int fixed = 1;   ///< the model's values follow
+    /// The rows that take (u, v, 1) to a place in the image, with its strength and its threshold in
+    /// their w (see packTextures).
+    static constexpr int vec4sPerTexture = 2;
+
+    std::optional<BlockPlace> model;
+    std::vector<BlockPlace> slots; ///< right behind the model, in its order
+    std::optional<BlockPlace> blend;
+    int firstTexture = fixed; ///< of EffectSet::textures, each with vec4sPerTexture
+    std::optional<int> ground; ///< of the ground: colour and opacity, its disk, and the
+                               ///< environment's light on it where there is one
+    std::optional<BlockPlace> transparency; ///< of a surface that is put together with others: a
+                                            ///< block's values, then what layers() says
+    std::optional<BlockPlace> refraction; ///< then the colour behind the objects
+    TableLayout tables; ///< that the model and its parts read
+    int vec4s = fixed;
+
+    int refractionBackground() const { return refraction->first + refraction->vec4s(); }
+
+    /// Whether such surfaces are put in order, one layer after the other.
+    bool isPeeled() const;
+
+    /// x: the depth of the nearest surface of that sort; y: one over that from there to the last.
+    int layers() const { return transparency->first + transparency->vec4s(); }
+
+    int texture(std::size_t index) const {
+        return firstTexture + vec4sPerTexture * static_cast<int>(index);
+    }
+};
+
+/// The array `sceneData`: fog, ambient and lights, shared by all programs of a scene.
+struct SceneLayout {
+    static constexpr int ambient = 0;
+    static constexpr int fixed = 1;
+    /// What every driver offers in one block (16 KiB), and the most that is used of it (64 KiB).
+    static constexpr int minCapacity = 1024;
+    static constexpr int maxCapacity = 4096;
+
+    std::optional<BlockPlace> fog;
+    std::optional<int> hemisphere; ///< index of three: sky, ground, the unit direction up
+    std::vector<LightPlace> groups; ///< as SceneEffects::lights; a group's header:
+                                    ///< x: number of lights, y: index of the first one's values
+    int firstLight = fixed;
+    const Block* environment = nullptr; ///< its values are in an array of their own
+};
+
+/// The array `environmentData`, shared by all programs that look at the environment.
+struct EnvironmentLayout {
+    static constexpr int turn = 0;  ///< x, y: cosine and sine of its rotation; z: the first round
+                                    ///< of samples; w: how many rounds
+    static constexpr int sizes = 1; ///< x, y: columns and rows of the table; z: how many samples;
+                                    ///< w: which series of them
+    static constexpr int fixed = 2; ///< the block's values follow
+};
+
+/// The array `viewData`.
+struct ViewLayout {
+    static constexpr int clip = 0; ///< four columns of the matrix from world to clip space
+    static constexpr int eye = 4;
+    static constexpr int farSide = 5;
+    static constexpr int vec4s = 6;
+};
+
+/// They point into the catalogue's blocks, which must stay. Blocks it lacks are left out.
+ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog);
+SceneLayout sceneLayout(const SceneEffects& effects, const Catalog& catalog);
+
+} // namespace patina

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/neutral_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/texture_choice.h"
+
+namespace patina {
+namespace {
+
+/// Parameters without which a block of a kind does nothing.
+std::span<const std::string_view> decisiveIds(std::string_view kind) {
+    static constexpr std::array<std::string_view, 2> ofLights{"color", "intensity"};
+    static constexpr std::array<std::string_view, 1> ofFog{"density"};
+    static constexpr std::array<std::string_view, 2> ofEnvironments{"intensity", "tint"};
+    if (kind == "lights") {
+        return ofLights;
+    }
+    if (kind == "fog") {
+        return ofFog;
+    }
+    return kind == "environment" ? std::span<const std::string_view>(ofEnvironments)
+                                 : std::span<const std::string_view>();
+}
+
+/// The parameter that alone makes the block neutral; null where none does.
+const Parameter* decisiveZero(const Block& block, const Values& values) {
+    const auto isOff = [&values](const Parameter* parameter) {
+        return parameter != nullptr && parameter->min >= 0.0 &&
+               notPositive(givenValue(*parameter, values));
+    };
+    for (const std::string_view id : decisiveIds(block.kind)) {
+        if (isOff(block.parameter(id))) {
+            return block.parameter(id);
+        }
+    }
+    const Parameter* angle = block.reach ? block.parameter(block.reach->angle) : nullptr;
+    return isOff(angle) ? angle : nullptr;
+}
+
+/// The three parts of a value; the same one thrice of a number. What is not finite or out of range
+/// counts as what the program gets.
+glm::dvec3 partsOf(const Parameter& parameter, const Values& values) {
+    const Value value = conformed(parameter, givenValue(parameter, values));
+    if (const auto* triple = std::get_if<glm::dvec3>(&value)) {
+        return *triple;
+    }
+    const auto* number = std::get_if<double>(&value);
+    return glm::dvec3(number == nullptr ? 1.0 : *number);
+}
+
+bool holds(const NeutralValue& value, const Block& block, const Values& values,
+           const AccuracyLevels& levels) {
+    if (const AccuracyChoice* choice = block.accuracyChoice(value.id)) {
+        return !choice->values.empty() &&
+               choice->values[chosenIndex(*choice, levels)].id == value.word;
+    }
+    const Parameter* parameter = block.parameter(value.id);
+    if (parameter != nullptr && parameter->type == ParameterType::Enum) {
+        return parameter->values[chosenIndex(*parameter, values)].id == value.word;
+    }
+    const Parameter* other = value.word.empty() ? nullptr : block.parameter(value.word);
+    if (parameter == nullptr || (other == nullptr && !value.word.empty())) {
+        return false;
+    }
+    const glm::dvec3 parts = partsOf(*parameter, values);
+    return other == nullptr ? notPositive(Value(parts)) : parts == partsOf(*other, values);
+}
+
+const NeutralCase* neutralCase(const Block& block, const Values& values,
+                               const AccuracyLevels& levels) {
+    const auto found = std::ranges::find_if(block.neutral, [&](const NeutralCase& neutral) {
+        return std::ranges::all_of(neutral, [&](const NeutralValue& value) {
+            return holds(value, block, values, levels);
+        });
+    });
+    return found == block.neutral.end() ? nullptr : &*found;
+}
+
+std::string quotedLabel(std::string_view label) {
+    return fmt::format("“{}”", label);
+}
+
+/// "its “Key”, “Fill” and “Top” are 0"; empty for none.
+std::string listText(const std::vector<std::string>& labels, const char* what) {
+    if (labels.empty()) {
+        return {};
+    }
+    const std::span<const std::string> first(labels.data(), labels.size() - 1);
+    return first.empty() ? fmt::format("its {} is {}", labels.back(), what)
+                         : fmt::format("its {} and {} are {}", fmt::join(first, ", "),
+                                       labels.back(), what);
+}
+
+/// "its “Index outside” and “Index inside” are both 1.5".
+std::string equalText(const Parameter& one, const Parameter& other, const Values& values) {
+    return fmt::format("its {} and {} are both {:.4g}", quotedLabel(one.label),
+                       quotedLabel(other.label), partsOf(one, values).x);
+}
+
+std::string caseText(const NeutralCase& neutral, const Block& block, const Values& values) {
+    std::vector<std::string> zero;
+    std::vector<std::string> less;
+    std::vector<std::string> black;
+    std::vector<std::string> parts;
+    for (const Parameter& parameter : block.parameters) {
+        const auto value = std::ranges::find(neutral, parameter.id, &NeutralValue::id);
+        if (value == neutral.end() || parameter.type == ParameterType::Enum) {
+            continue;
+        }
+        if (!value->word.empty()) {
+            parts.push_back(equalText(*block.parameter(value->word), parameter, values));
+        } else {
+            std::vector<std::string>& signedOrNot = parameter.min < 0.0 ? less : zero;
+            (parameter.type == ParameterType::Color ? black : signedOrNot)
+                .push_back(quotedLabel(parameter.label));
+        }
+    }
+    for (std::string text : {listText(zero, "0"), listText(less, "not above 0"),
+                             listText(black, "black")}) {
+        if (!text.empty()) {
+            parts.push_back(std::move(text));
+        }
+    }
+    std::string sentence = fmt::format("{}.", fmt::join(parts, ", and "));
+    sentence.front() =
+        static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    return sentence;
+}
+
+} // namespace
+
+bool isNeutral(const Block& block, const Values& values, const AccuracyLevels& levels) {
+    return decisiveZero(block, values) != nullptr ||
+           neutralCase(block, values, levels) != nullptr;
+}
+
+std::string whyNeutral(const Block& block, const Values& values, const AccuracyLevels& levels) {
+    if (const Parameter* zero = decisiveZero(block, values)) {
+        const char* what = zero->type == ParameterType::Color ? "black" : "0";
+        return zero->id == "color" ? "It is black."
+                                   : fmt::format("Its {} is {}.", quotedLabel(zero->label), what);
+    }
+    const NeutralCase* neutral = neutralCase(block, values, levels);
+    return neutral == nullptr ? std::string() : caseText(*neutral, block, values);
+}
+
+bool isNeutralPart(const Block& block, const Values& values, const Material& material) {
+    const auto isOfKind = [&block, &material](const auto& texture) {
+        return texture.first.starts_with(block.kind) && isTextured(texture.first, material);
+    };
+    return isNeutral(block, values, material.accuracy) &&
+           std::ranges::none_of(material.textures, isOfKind);
+}
+
+} // namespace patina

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "material/material.h"
+#include "shading/effects/opacity_part.h"
+#include "shading/program/program_source.h"
+
+namespace patina {
+
+/// The program that draws depths into the map of a light, with the uniform `worldToMap`.
+Checked<ProgramSource> shadowMapProgram(const Catalog& catalog);
+
+/// Whether an image of the material decides where it casts shadows.
+bool hasHoles(const Material& material);
+
+/// What such a material's shadows depend on, with data of its own; nothing where no image decides.
+std::optional<OpacityPart> holesOf(const Material& material, const Catalog& catalog);
+
+/// The program for a surface with holes: also with the block of the object's data, and
+/// `samplerName(0)`. An image that cuts out leaves holes where it does, another one where less than
+/// half of the surface is there.
+Checked<ProgramSource> shadowMapProgram(const OpacityPart& holes, const Catalog& catalog);
+
+} // namespace patina

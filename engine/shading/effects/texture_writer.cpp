@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/texture_writer.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+/// A literal that GLSL takes for a float.
+std::string literal(double value) {
+    constexpr double most = std::numeric_limits<float>::max();
+    std::string text = fmt::format("{}", static_cast<float>(std::clamp(value, -most, most)));
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+const char* swizzle(TextureChannel channel) {
+    switch (channel) {
+    case TextureChannel::Red:
+        return "r";
+    case TextureChannel::Green:
+        return "g";
+    case TextureChannel::Blue:
+        return "b";
+    case TextureChannel::Alpha:
+        return "a";
+    default:
+        return "rgb";
+    }
+}
+
+const char* mask(TextureChannel channel) {
+    switch (channel) {
+    case TextureChannel::Green:
+        return "vec4(0.0, 1.0, 0.0, 0.0)";
+    case TextureChannel::Blue:
+        return "vec4(0.0, 0.0, 1.0, 0.0)";
+    case TextureChannel::Alpha:
+        return "vec4(0.0, 0.0, 0.0, 1.0)";
+    default:
+        return "vec4(1.0, 0.0, 0.0, 0.0)";
+    }
+}
+
+const char* operation(TextureMode mode) {
+    return mode == TextureMode::Multiply ? " * " : " + ";
+}
+
+} // namespace
+
+std::string samplerName(std::size_t index) {
+    return fmt::format("image{}", index);
+}
+
+bool TextureWriter::has(TextureRole role) const {
+    return std::ranges::any_of(set_.textures,
+                               [role](const TextureEffect& each) { return each.role == role; });
+}
+
+std::string TextureWriter::writeVertex(SourceBuilder& out) const {
+    if (set_.textures.empty()) {
+        return {};
+    }
+    out.addFile("passes/textures.vert");
+    if (!has(TextureRole::Height)) {
+        return "    placeImages();\n";
+    }
+    out.addFile("passes/height_map.vert");
+    return "    placeImages();\n    placeHeights();\n";
+}
+
+void TextureWriter::writeDeclarations(SourceBuilder& out) const {
+    if (set_.textures.empty()) {
+        return;
+    }
+    out.addFile("passes/textures.glsl");
+    if (has(TextureRole::Normal)) {
+        out.addFile("passes/normal_map.glsl");
+    }
+    if (has(TextureRole::Height)) {
+        out.addFile("passes/height_map.glsl");
+    }
+    writeSamplers(out);
+}
+
+void TextureWriter::writeOpacityDeclarations(SourceBuilder& out) const {
+    if (!set_.textures.empty()) {
+        out.addFile("passes/image_place.glsl");
+        writeSamplers(out);
+    }
+}
+
+void TextureWriter::writeSamplers(SourceBuilder& out) const {
+    for (std::size_t i = 0; i < set_.textures.size(); ++i) {
+        out.add(fmt::format("uniform sampler2D {};\n", samplerName(i)));
+    }
+}
+
+/// The part of the image that counts, as a colour where the value is one.
+std::string TextureWriter::texel(std::size_t index) const {
+    const TextureEffect& effect = set_.textures[index];
+    const std::string read = fmt::format("texture({}, imagePlace({})).{}", samplerName(index),
+                                         layout_.texture(index), swizzle(effect.channel));
+    const bool widens = effect.isColor && effect.channel != TextureChannel::Color;
+    const bool narrows = !effect.isColor && effect.channel == TextureChannel::Color;
+    return widens ? "vec3(" + read + ")" : narrows ? "imageGrey(" + read + ")" : read;
+}
+
+std::string TextureWriter::changed(std::size_t index, const std::string& value) const {
+    const TextureEffect& effect = set_.textures[index];
+    const std::string made = effect.mode == TextureMode::Replace
+                                 ? texel(index)
+                                 : value + operation(effect.mode) + texel(index);
+    return fmt::format("imaged({}, {}, {}, {}, {})", value, made, layout_.texture(index),
+                       literal(effect.range.x), literal(effect.range.y));
+}
+
+std::string TextureWriter::relief() const {
+    std::string out;
+    for (std::size_t i = 0; i < set_.textures.size(); ++i) {
+        const int place = layout_.texture(i);
+        if (set_.textures[i].role == TextureRole::Normal) {
+            out += fmt::format("    s = normalMapped(s, texture({}, imagePlace({})).rgb, {});\n",
+                               samplerName(i), place, place);
+        } else if (set_.textures[i].role == TextureRole::Height) {
+            out += fmt::format("    s = heightMapped(s, {}, {}, {});\n", samplerName(i),
+                               mask(set_.textures[i].channel), place);
+        }
+    }
+    return out;
+}
+
+std::string TextureWriter::values(std::string_view kind, const std::string& variable) const {
+    std::string out;
+    for (std::size_t i = 0; i < set_.textures.size(); ++i) {
+        const TextureEffect& effect = set_.textures[i];
+        if (effect.role != TextureRole::Input || effect.kind != kind) {
+            continue;
+        }
+        const std::string field = variable + '.' + effect.field;
+        out += fmt::format("    {} = {};\n", field, changed(i, field));
+    }
+    return out;
+}
+
+std::string TextureWriter::opacity(std::string& alpha) const {
+    for (std::size_t i = 0; i < set_.textures.size(); ++i) {
+        if (set_.textures[i].role != TextureRole::Opacity) {
+            continue;
+        }
+        const std::string there = fmt::format("    float there = {};\n", changed(i, alpha));
+        if (set_.textures[i].cutOut) {
+            return there + fmt::format("    if (there < objectData[{}].w) {{\n        discard;\n"
+                                       "    }}\n",
+                                       layout_.texture(i) + 1);
+        }
+        alpha = "there";
+        return there + "    if (!(there > 0.0)) {\n        discard;\n    }\n";
+    }
+    return {};
+}
+
+} // namespace patina

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/glsl/block_text.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "catalog/suggestion.h"
+#include "catalog/table_source.h"
+#include "shading/glsl/entry_text.h"
+#include "shading/glsl/tokens.h"
+
+namespace patina {
+namespace {
+
+/// A function that the program calls: its name is the block's and `suffix`. Its last argument is
+/// the block's struct.
+struct Call {
+    std::string_view kind;
+    std::string_view suffix;
+    std::string_view result;
+    std::string_view argument; ///< type of the first one; empty: there is none
+    std::string_view name;     ///< of the first one, for the message
+};
+
+constexpr auto calls = std::to_array<Call>({
+    {"models", "", "vec3", "Directions", "d"},
+    {"specular", "", "vec3", "Directions", "d"},
+    {"fresnel", "", "vec3", "Incidence", "i"},
+    {"fresnel", "Tint", "vec3", "", ""},
+    {"lights", "", "Illumination", "vec3", "x"},
+    {"fog", "", "float", "FogRay", "ray"},
+    {"fog", "Color", "vec3", "", ""},
+    {"shadows", "", "float", "ShadowPoint", "s"},
+    {"transparency", "", "float", "Layer", "l"},
+    {"environment", "", "vec3", "Outlook", "o"},
+    {"refraction", "", "vec3", "Crossing", "c"},
+    {"refraction", "Mirrored", "float", "Crossing", "c"},
+    {"refraction", "Left", "vec3", "float", "way"},
+    {"outline", "", "vec2", "Edge", "e"},
+    {"outline", "Color", "vec3", "", ""},
+});
+
+/// A function that the text defines.
+struct Function {
+    GlslToken name;
+    std::string_view result;
+    std::vector<std::string_view> arguments; ///< their types
+};
+
+Error errorAt(const Block& block, const GlslToken& place, std::string problem,
+              std::string expected) {
+    return {block.shaderFile.string(), place.line, place.column, std::move(problem),
+            std::move(expected)};
+}
+
+/// "ifdef" of "#  ifdef X".
+std::string_view directiveName(std::string_view directive) {
+    const std::size_t first = directive.find_first_not_of(" \t", 1);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    const std::string_view rest = directive.substr(first);
+    return rest.substr(0, rest.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+}
+
+bool isConditional(const GlslToken& token) {
+    return token.isDirective() && directiveName(token.text).starts_with("if");
+}
+
+/// What opens, closes or stands between, in order; an error for what has no partner.
+Errors conditionalMistakes(const Block& block, const GlslTokens& tokens) {
+    Errors errors;
+    std::vector<GlslToken> open;
+    for (const GlslToken& token : tokens) {
+        const std::string_view name =
+            token.isDirective() ? directiveName(token.text) : std::string_view();
+        if (isConditional(token)) {
+            open.push_back(token);
+        } else if (open.empty() && (name == "else" || name == "elif" || name == "endif")) {
+            errors.push_back(errorAt(block, token, fmt::format("#{} without an #if", name), {}));
+        } else if (name == "endif") {
+            open.pop_back();
+        }
+    }
+    for (const GlslToken& token : open) {
+        errors.push_back(errorAt(block, token,
+                                 fmt::format("#{} has no end", directiveName(token.text)),
+                                 "#endif before the end of the file"));
+    }
+    return errors;
+}
+
+/// The program says these once, before everything else; Patina counts the lines.
+Errors foreignDirectives(const Block& block, const GlslTokens& tokens) {
+    Errors errors;
+    for (const GlslToken& token : tokens) {
+        const std::string_view name =
+            token.isDirective() ? directiveName(token.text) : std::string_view();
+        if (name == "version" || name == "extension" || name == "line") {
+            errors.push_back(errorAt(block, token,
+                                     fmt::format("#{} is not for the file of a block", name),
+                                     "GLSL 4.10 without it"));
+        }
+    }
+    return errors;
+}
+
+/// Braces need not match where conditionals choose between them.
+Errors braceMistakes(const Block& block, const GlslTokens& tokens) {
+    std::vector<GlslToken> open;
+    if (std::any_of(tokens.begin(), tokens.end(), isConditional)) {
+        return {};
+    }
+    for (const GlslToken& token : tokens) {
+        if (token.text == "{") {
+            open.push_back(token);
+        } else if (token.text == "}" && open.empty()) {
+            return {errorAt(block, token, "} without a {", {})};
+        } else if (token.text == "}") {
+            open.pop_back();
+        }
+    }
+    return open.empty() ? Errors{}
+                        : Errors{errorAt(block, open.back(), "{ has no end",
+                                         "} before the end of the file")};
+}
+
+/// What stands last at the end of the file would go on in the text that follows it.
+Errors endMistakes(const Block& block, const GlslTokens& tokens) {
+    const auto last = std::find_if_not(tokens.rbegin(), tokens.rend(),
+                                       [](const GlslToken& token) { return token.isDirective(); });
+    if (last == tokens.rend() || last->text == "}" || last->text == ";") {
+        return {};
+    }
+    return {errorAt(block, *last, "the last declaration has no end",
+                    "; or } before the end of the file")};
+}
+
+/// By index of a parenthesis that opens: the one behind that which closes it, or the end.
+std::vector<std::size_t> closings(const GlslTokens& tokens) {
+    std::vector<std::size_t> closedAt(tokens.size(), tokens.size());
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (tokens[i].text == "(") {
+            open.push_back(i);
+        } else if (tokens[i].text == ")" && !open.empty()) {
+            closedAt[open.back()] = i + 1;
+            open.pop_back();
+        }
+    }
+    return closedAt;
+}
+
+/// The types of the arguments between the parentheses at `open` and before `end`.
+std::vector<std::string_view> typesOf(const GlslTokens& tokens, std::size_t open, std::size_t end) {
+    std::vector<std::string_view> types;
+    bool isTyped = false;
+    for (std::size_t i = open + 1; i + 1 < end; ++i) {
+        if (tokens[i].text == ",") {
+            isTyped = false;
+        } else if (!isTyped && !isQualifier(tokens[i].text) && tokens[i].text != "void") {
+            types.push_back(tokens[i].text);
+            isTyped = true;
+        }
+    }
+    return types;
+}
+
+/// All that is defined outside of braces: a type, a name, arguments and a brace.
+std::vector<Function> functionsIn(const GlslTokens& tokens) {
+    std::vector<Function> found;
+    const std::vector<std::size_t> closedAt = closings(tokens);
+    int depth = 0;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        depth += tokens[i].text == "{" ? 1 : tokens[i].text == "}" ? -1 : 0;
+        const bool isNamed = depth == 0 && i >= 1 && i + 1 < tokens.size() && tokens[i].isName() &&
+                             tokens[i - 1].isName() && tokens[i + 1].text == "(";
+        const std::size_t end = isNamed ? closedAt[i + 1] : 0;
+        if (isNamed && end < tokens.size() && tokens[end].text == "{") {
+            found.push_back({tokens[i], tokens[i - 1].text, typesOf(tokens, i + 1, end)});
+        }
+    }
+    return found;
+}
+
+/// One call of a block of some kind, looked for in what its file defines.
+class Wanted {
+  public:
+    Wanted(const Block& block, const Call& call)
+        : call_(call), struct_(structName(block)),
+          name_(functionName(block) + std::string(call.suffix)) {
+        if (!call.argument.empty()) {
+            arguments_.emplace_back(call.argument);
+        }
+        arguments_.push_back(struct_);
+    }
+
+    std::string signature() const {
+        const std::string first =
+            call_.argument.empty() ? "" : fmt::format("{} {}, ", call_.argument, call_.name);
+        return fmt::format("{}({}{} p)", name_, first, struct_);
+    }
+
+    bool is(const Function& function) const {
+        return function.name.text == name_ && function.result == call_.result && takes(function);
+    }
+
+    /// What was meant to be it: of its name, or nearly, or else with its arguments.
+    const Function* meant(const std::vector<Function>& functions) const {
+        std::vector<std::string> names;
+        for (const Function& function : functions) {
+            names.emplace_back(function.name.text);
+        }
+        const std::string near = nearest(name_, names);
+        const auto found =
+            std::find_if(functions.begin(), functions.end(), [&](const Function& function) {
+                return near.empty() ? takes(function) : function.name.text == near;
+            });
+        return found == functions.end() ? nullptr : &*found;
+    }
+
+    std::string expected(const Function* instead) const {
+        const std::string whole = fmt::format("{} {}", call_.result, signature());
+        return instead == nullptr || instead->name.text == name_
+                   ? whole
+                   : fmt::format("{}, where {} stands", whole, instead->name.text);
+    }
+
+  private:
+    bool takes(const Function& function) const {
+        return std::equal(function.arguments.begin(), function.arguments.end(), arguments_.begin(),
+                          arguments_.end());
+    }
+
+    Call call_;
+    std::string struct_;
+    std::string name_;
+    std::vector<std::string> arguments_; ///< their types
+};
+
+/// By which the functions of the entries of tables are named.
+std::vector<std::string> entrySuffixes(const Block& block) {
+    std::vector<std::string> suffixes;
+    for (const BlockTable& table : block.tables) {
+        suffixes.push_back(entryFunction(block, table).substr(functionName(block).size()));
+    }
+    return suffixes;
+}
+
+Errors functionMistakes(const Block& block, const GlslTokens& tokens) {
+    std::vector<Function> others = functionsIn(tokens);
+    std::vector<Wanted> missing;
+    for (const Call& call : calls) {
+        const Wanted wanted(block, call);
+        const auto isIt = [&wanted](const Function& function) { return wanted.is(function); };
+        if (call.kind == block.kind && std::erase_if(others, isIt) == 0) {
+            missing.push_back(wanted);
+        }
+    }
+    Errors errors;
+    const auto suffixes = entrySuffixes(block);
+    for (const std::string& suffix : suffixes) {
+        const Wanted wanted(block, {block.kind, suffix, "vec3", "vec2", "x"});
+        const auto isIt = [&wanted](const Function& function) { return wanted.is(function); };
+        if (std::erase_if(others, isIt) == 0) {
+            missing.push_back(wanted);
+        }
+    }
+    for (const Wanted& wanted : missing) {
+        const Function* meant = wanted.meant(others);
+        errors.push_back(errorAt(block, meant == nullptr ? GlslToken() : meant->name,
+                                 "there is no function " + wanted.signature(),
+                                 wanted.expected(meant)));
+    }
+    return errors;
+}
+
+} // namespace
+
+Errors blockTextMistakes(const Block& block, std::string_view glsl) {
+    const GlslTokens tokens = glslTokens(glsl);
+    Errors errors = foreignDirectives(block, tokens);
+    for (const auto& mistakesIn : {conditionalMistakes, braceMistakes, endMistakes}) {
+        const Errors more = mistakesIn(block, tokens);
+        errors.insert(errors.end(), more.begin(), more.end());
+    }
+    if (errors.empty()) {
+        errors = functionMistakes(block, tokens);
+    }
+    if (errors.empty()) {
+        errors = entryMistakes(block, tokens);
+    }
+    sortByPlace(errors);
+    return errors;
+}
+
+} // namespace patina

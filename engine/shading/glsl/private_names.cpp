@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/glsl/private_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+#include "shading/glsl/tokens.h"
+
+namespace patina {
+namespace {
+
+using Names = std::set<std::string_view>;
+
+/// By name: the types that functions of the name take, "(float,vec3)"; empty for what is none.
+using Declared = std::map<std::string_view, std::set<std::string>>;
+
+/// What a stretch of a program, from one declaration to another, has in it.
+struct Stretch {
+    Declared declared;
+    Names macros;
+    Names fields; ///< whatever stands behind a point
+    Names words;
+};
+
+/// Words of directives too, which are a token each.
+void addWords(Stretch& stretch, std::string_view text) {
+    char before = ' '; // the last sign that is no blank
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && isNameCharacter(text[end])) {
+            ++end;
+        }
+        const bool isWord = end > i && std::isdigit(static_cast<unsigned char>(text[i])) == 0;
+        if (isWord) {
+            stretch.words.insert(text.substr(i, end - i));
+        }
+        if (isWord && before == '.') {
+            stretch.fields.insert(text.substr(i, end - i));
+        }
+        end = std::max(end, i + 1);
+        before = text[end - 1] == ' ' ? before : text[end - 1];
+        i = end;
+    }
+}
+
+/// The macro that "#  define NAME..." defines; empty: it is another directive.
+std::string_view macroOf(std::string_view directive) {
+    GlslTokens tokens = glslTokens(directive.substr(1));
+    return tokens.size() > 1 && tokens[0].text == "define" ? tokens[1].text : std::string_view();
+}
+
+/// A name outside of braces and parentheses, between a type (or comma) and what follows a name.
+bool declares(const GlslTokens& tokens, std::size_t i) {
+    if (i == 0 || i + 1 >= tokens.size() || !tokens[i].isName()) {
+        return false;
+    }
+    constexpr std::string_view ends = "(={;[,";
+    const GlslToken& before = tokens[i - 1];
+    const std::string_view next = tokens[i + 1].text;
+    const bool followsType = before.isName() && !isPrecision(before.text);
+    return (followsType || before.text == "]" || before.text == ",") && next.size() == 1 &&
+           ends.find(next) != std::string_view::npos;
+}
+
+/// "(float,vec3)" of what is declared at `i`, when that is a function.
+std::string argumentsOf(const GlslTokens& tokens, std::size_t i) {
+    std::string arguments;
+    int depth = 0;
+    for (++i; i < tokens.size() && tokens[i].text.find_first_of("=;{") != 0; ++i) {
+        const std::string_view token = tokens[i].text;
+        depth += token == "(" ? 1 : token == ")" ? -1 : 0;
+        const bool isLast =
+            i + 1 < tokens.size() && (tokens[i + 1].text == "," || tokens[i + 1].text == ")");
+        const bool isName = isLast && tokens[i].isName() && token != "void" &&
+                            (tokens[i - 1].isName() || tokens[i - 1].text == ")") &&
+                            !isQualifier(tokens[i - 1].text);
+        if (!isName && !isQualifier(token) && token != "void") {
+            arguments += token;
+        }
+        if (depth == 0) {
+            return arguments;
+        }
+    }
+    return {};
+}
+
+Stretch stretchOf(std::string_view text) {
+    Stretch stretch;
+    addWords(stretch, text);
+    const GlslTokens tokens = glslTokens(text);
+    int depth = 0;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const std::string_view token = tokens[i].text;
+        if (tokens[i].isDirective()) {
+            stretch.macros.insert(macroOf(token));
+        }
+        if (depth == 0 && declares(tokens, i)) {
+            stretch.declared[token].insert(argumentsOf(tokens, i));
+        }
+        depth += token == "{" || token == "(" ? 1 : token == "}" || token == ")" ? -1 : 0;
+    }
+    stretch.macros.erase(std::string_view());
+    return stretch;
+}
+
+/// Lines to put before and after a block.
+struct Frame {
+    std::vector<std::string> before;
+    std::vector<std::string> after;
+};
+
+class Framer {
+  public:
+    Framer(std::string_view text, std::span<const BlockPart> parts) : parts_(parts) {
+        std::size_t done = 0;
+        for (const BlockPart& part : parts) {
+            around_.push_back(stretchOf(text.substr(done, part.first - done)));
+            own_.push_back(stretchOf(text.substr(part.first, part.last - part.first)));
+            done = part.last;
+        }
+        around_.push_back(stretchOf(text.substr(done)));
+    }
+
+    Frame frameOf(std::size_t block) const {
+        const Stretch& own = own_[block];
+        Frame frame;
+        for (const auto& [name, kinds] : own.declared) {
+            if (!isPublic(name, parts_[block]) && !own.fields.contains(name) && !isAround(name) &&
+                (isInOtherBlock(name, block) || isDoubled(name, kinds))) {
+                frame.before.push_back(
+                    fmt::format("#define {} {}Of{}", name, name, parts_[block].structName));
+                frame.after.push_back(fmt::format("#undef {}", name));
+            }
+        }
+        for (const std::string_view name : own.macros) {
+            if (isUsedElsewhere(name, block) && !isAround(name)) {
+                frame.after.push_back(fmt::format("#undef {}", name));
+            }
+        }
+        return frame;
+    }
+
+  private:
+    static bool isPublic(std::string_view name, const BlockPart& part) {
+        return name.starts_with(part.structName) || name.starts_with(part.functionName) ||
+               name.starts_with(constantCase(part.structName) + '_');
+    }
+
+    bool isInOtherBlock(std::string_view name, std::size_t block) const {
+        for (std::size_t i = 0; i < own_.size(); ++i) {
+            if (i != block && (own_[i].declared.contains(name) || own_[i].macros.contains(name))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// By Patina's own text; a function that takes other types may stand beside one of its name,
+    /// and the block may call either.
+    bool isDoubled(std::string_view name, const std::set<std::string>& kinds) const {
+        return std::ranges::any_of(around_, [&](const Stretch& stretch) {
+            const auto found = stretch.declared.find(name);
+            return found != stretch.declared.end() &&
+                   (kinds.contains("") || found->second.contains("") ||
+                    std::ranges::any_of(kinds, [&](const std::string& kind) {
+                        return found->second.contains(kind);
+                    }));
+        });
+    }
+
+    bool isUsedElsewhere(std::string_view name, std::size_t block) const {
+        const auto uses = [&](const Stretch& stretch) { return stretch.words.contains(name); };
+        for (std::size_t i = 0; i < own_.size(); ++i) {
+            if (i != block && uses(own_[i])) {
+                return true;
+            }
+        }
+        return std::ranges::any_of(around_, uses);
+    }
+
+    /// A macro of Patina's own: to define it again is a mistake, and shall be told as one.
+    bool isAround(std::string_view name) const {
+        return std::ranges::any_of(
+            around_, [&](const Stretch& stretch) { return stretch.macros.contains(name); });
+    }
+
+    std::span<const BlockPart> parts_;
+    std::vector<Stretch> own_;
+    std::vector<Stretch> around_; ///< before, between and after the parts
+};
+
+/// Copies lines and counts those that no file holds anew.
+class Writer {
+  public:
+    void lines(const std::vector<std::string>& more) {
+        for (const std::string& line : more) {
+            write(line);
+        }
+    }
+
+    void text(std::string_view rest) {
+        while (!rest.empty()) {
+            const std::size_t end = rest.find('\n');
+            const std::string_view line = rest.substr(0, end);
+            if (line.starts_with("#line ") && line.ends_with(" 0")) {
+                write(fmt::format("#line {} 0", lines_ + 2));
+            } else {
+                write(line);
+            }
+            rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+        }
+    }
+
+    std::string take() { return std::move(text_); }
+
+  private:
+    void write(std::string_view line) {
+        text_.append(line);
+        text_ += '\n';
+        ++lines_;
+    }
+
+    std::string text_;
+    int lines_ = 0;
+};
+
+} // namespace
+
+ShaderSource withPrivateNames(ShaderSource source, std::span<const BlockPart> parts) {
+    if (parts.empty()) {
+        return source;
+    }
+    const Framer framer(source.text, parts);
+    const std::string_view text = source.text;
+    Writer writer;
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Frame frame = framer.frameOf(i);
+        writer.text(text.substr(done, parts[i].first - done));
+        writer.lines(frame.before);
+        writer.text(text.substr(parts[i].first, parts[i].last - parts[i].first));
+        writer.lines(frame.after);
+        done = parts[i].last;
+    }
+    writer.text(text.substr(done));
+    source.text = writer.take();
+    return source;
+}
+
+} // namespace patina

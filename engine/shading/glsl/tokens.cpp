@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/glsl/tokens.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/text.h"
+
+namespace patina {
+namespace {
+
+/// The end of the line, and of those that a backslash joins to it.
+std::size_t directiveEnd(std::string_view text, std::size_t at) {
+    std::size_t end = text.find('\n', at);
+    while (end != std::string_view::npos) {
+        const std::string_view line = text.substr(at, end - at);
+        const std::size_t last = line.find_last_not_of('\r');
+        if (last == std::string_view::npos || line[last] != '\\') {
+            return end;
+        }
+        end = text.find('\n', end + 1);
+    }
+    return text.size();
+}
+
+std::size_t tokenEnd(std::string_view text, std::size_t at) {
+    if (text[at] == '#') {
+        return directiveEnd(text, at);
+    }
+    const auto end = std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(),
+                                      isNameCharacter);
+    return std::max(at + 1, static_cast<std::size_t>(end - text.begin()));
+}
+
+} // namespace
+
+bool GlslToken::isName() const {
+    return !text.empty() && isNameCharacter(text.front()) &&
+           std::isdigit(static_cast<unsigned char>(text.front())) == 0;
+}
+
+GlslTokens glslTokens(std::string_view text) {
+    GlslTokens tokens;
+    int line = 1;
+    std::size_t lineStart = 0;
+    std::size_t counted = 0; // so far `line` has taken newlines in
+    for (std::size_t at = text.find_first_not_of(" \t\r\n"); at != std::string_view::npos;
+         at = text.find_first_not_of(" \t\r\n", at)) {
+        for (; counted < at; ++counted) {
+            if (text[counted] == '\n') {
+                ++line;
+                lineStart = counted + 1;
+            }
+        }
+        const std::size_t end = tokenEnd(text, at);
+        tokens.push_back({text.substr(at, end - at), line, static_cast<int>(at - lineStart) + 1});
+        at = end;
+    }
+    return tokens;
+}
+
+bool isPrecision(std::string_view word) {
+    return word == "highp" || word == "mediump" || word == "lowp";
+}
+
+bool isQualifier(std::string_view word) {
+    return word == "in" || word == "const" || word == "precise" || isPrecision(word);
+}
+
+} // namespace patina

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/error.h"
+#include "gl/program.h"
+#include "shading/program/program_source.h"
+
+namespace patina {
+
+/// Programs by the hash of their text, in memory and as binaries in a folder. Belongs to one
+/// context. Nothing is compiled twice, also not what did not compile.
+class ProgramCache {
+  public:
+    struct Found {
+        std::shared_ptr<const gl::Program> program; ///< null when it does not compile
+        Errors errors;                              ///< then: why, at the files' own lines
+        bool compiled = false;                      ///< this call had to compile it
+        bool isFinal = true; ///< false: a block in it is still being tried (see BlockGate)
+    };
+
+    /// `folder` is made when it is not there; empty: nothing is kept on disk. A folder that cannot
+    /// be written to costs nothing but the time to compile.
+    explicit ProgramCache(std::filesystem::path folder);
+
+    Found get(const ProgramSource& source);
+
+    /// How many programs were compiled since the start.
+    int compiledCount() const { return compiledCount_; }
+
+    /// How many were compiled or loaded from the disk since the start.
+    int builtCount() const { return static_cast<int>(found_.size()); }
+
+  private:
+    Found build(const ProgramSource& source, const std::string& hash);
+
+    std::filesystem::path folder_;
+    std::map<std::string, Found> found_;
+    int compiledCount_ = 0;
+};
+
+/// Compiles and links; the errors are at the files' own lines.
+Checked<gl::Program> compileProgram(const ProgramSource& source);
+
+} // namespace patina

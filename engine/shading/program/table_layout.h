@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "shading/effects/effect_set.h"
+#include "shading/program/block_place.h"
+
+namespace patina {
+
+/// Says as which part of a program a block reads a table.
+enum class TableReader { Model, Slot, Blend };
+
+/// A table that a program reads, and where it lies in the texture of the material's tables.
+struct TablePlace {
+    const Block* block = nullptr;
+    const BlockTable* table = nullptr;
+    TableReader reader = TableReader::Model;
+    int first = 0; ///< index of the block's first vec4 in `objectData`
+    int row = 0;   ///< the first of table->size.y rows; an entry has a texel
+};
+
+/// All tables of a program: one above the other in one texture.
+struct TableLayout {
+    std::vector<TablePlace> places;
+    glm::ivec2 size{0};              ///< of the texture
+    std::vector<std::size_t> inputs; ///< floats of `objectData` that entries depend on
+
+    bool empty() const { return places.empty(); }
+
+    /// Adds those that the block's levels in `use` read. It keeps pointers into the block.
+    void add(const BlockPlace& place, const BlockUse& use, TableReader reader);
+
+    /// Whether the program reads this table.
+    bool has(const BlockTable& table) const;
+};
+
+/// Makes a level that reads a table exact where an image changes what the table's entries depend
+/// on, and says so.
+void forgetTablesOfTextured(EffectSet& set, const Catalog& catalog);
+
+} // namespace patina
