@@ -212,8 +212,8 @@ class HardFrame : public ExaminedFrame, public testing::WithParamInterface<HardS
     }
 
     /// Each scene is drawn with other materials, so that all are, and not all with each scene: a
-    /// program takes a third of a second to compile. A model is always in the same fog, for the same
-    /// reason.
+    /// program takes a third of a second to compile. A model is always in the same fog, for the
+    /// same reason.
     static std::size_t placeOfScene() {
         const auto found =
             std::find_if(std::begin(hardScenes), std::end(hardScenes),
