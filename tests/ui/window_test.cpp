@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -16,6 +17,7 @@
 #include "docks/picture_grid.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
+#include "window/key_pause.h"
 
 namespace patina::tests::window_test {
 namespace {
@@ -53,6 +55,16 @@ int copiesIn(const std::filesystem::path& folder) {
         copies += file.path().extension() == ".json" ? 1 : 0;
     }
     return copies;
+}
+
+std::string journalIn(const std::filesystem::path& folder) {
+    std::error_code missing; // then there is none
+    for (const auto& file : std::filesystem::directory_iterator(folder, missing)) {
+        if (file.path().extension() == ".journal") {
+            return readFile(file.path());
+        }
+    }
+    return {};
 }
 
 QString messagesIn(MainWindow& window) {
@@ -298,7 +310,7 @@ TEST_F(Window, ProgramKilledWithUnsavedWork_OffersItAtTheNextStart) {
     program.kill();
     program.waitForFinished(waitMs);
     window().show();
-    window().startRest();
+    window().offerRecovery();
     auto* question = window().findChild<QMessageBox*>("recovery");
     ASSERT_NE(question, nullptr);
     const glm::dvec3 before = document().scene().objects[0].rotation;
@@ -315,12 +327,44 @@ TEST_F(Window, RecoveredWork_KnowsItsFileAndIsModified) {
     ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
     close();
     open();
-    window().startRest();
+    window().offerRecovery();
     auto* question = window().findChild<QMessageBox*>("recovery");
     ASSERT_NE(question, nullptr);
     question->defaultButton()->click();
     EXPECT_EQ(document().file().path, home("a.patina-scene.json"));
     EXPECT_TRUE(window().isWindowModified());
+    EXPECT_EQ(document().scene().exposure, 0.5);
+}
+
+TEST_F(Window, EveryEdit_IsRecoveredWithoutAnotherOne) {
+    const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
+    edit(document());
+    ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1 && !journalIn(folder).empty(); }));
+    document().setValue(document().currentPath(BlockPath::Part::Scene), "exposure", -0.5);
+    ASSERT_TRUE(waitUntil([&] { return journalIn(folder).find("-0.5") != std::string::npos; }));
+    close();
+    open();
+    window().offerRecovery();
+    window().findChild<QMessageBox*>("recovery")->defaultButton()->click();
+    EXPECT_EQ(document().scene().exposure, -0.5);
+}
+
+TEST_F(Window, KeyTypedWhileTheQuestionOpens_DoesNotAnswerIt) {
+    window().autosave().setIntervals(1, 1);
+    edit(document());
+    const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
+    ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
+    close();
+    open();
+    window().offerRecovery();
+    QPointer<QMessageBox> question = window().findChild<QMessageBox*>("recovery");
+    QTest::keyClick(question->defaultButton(), Qt::Key_Return);
+    QTest::keyClick(question.data(), Qt::Key_Escape);
+    ASSERT_TRUE(question != nullptr && question->isVisible());
+    EXPECT_EQ(document().scene().exposure, 0.0);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(question.data(), waitMs));
+    QTest::qWait(2 * KeyPause::pauseMs);
+    QTest::keyClick(question->defaultButton(), Qt::Key_Return);
     EXPECT_EQ(document().scene().exposure, 0.5);
 }
 
@@ -331,7 +375,7 @@ TEST_F(Window, RecoveredWorkThatIsNotSaved_IsOfferedAgain) {
     ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
     close();
     open();
-    window().startRest();
+    window().offerRecovery();
     auto* question = window().findChild<QMessageBox*>("recovery");
     ASSERT_NE(question, nullptr);
     question->defaultButton()->click();

@@ -16,8 +16,8 @@
 namespace patina {
 namespace {
 
-constexpr int defaultQuietMs = 2000;
-constexpr int defaultLongestMs = 15000;
+constexpr int defaultQuietMs = 100;
+constexpr int defaultLongestMs = 200;
 constexpr std::uintmax_t maxOriginBytes = 64u << 10;
 const QString copySuffix = QStringLiteral(".patina-scene.json");
 
@@ -80,10 +80,18 @@ DocumentFile readOrigin(const std::filesystem::path& path) {
     return origin;
 }
 
-Result<void> write(const std::filesystem::path& stem, const Scene& scene,
-                   const DocumentFile& file) {
-    const Result<void> origin = writeFileAtomically(originOf(stem), textOf(file));
-    return origin ? writeScene(sceneOf(stem), scene) : origin;
+/// Writes a small file whose content seldom changes.
+Result<void> writeOnce(const std::filesystem::path& path, const std::string& text) {
+    const Result<std::string> before = readFile(path, maxOriginBytes);
+    return before && *before == text ? Result<void>() : writeFileAtomically(path, text);
+}
+
+/// When the work was kept last: with the copy or with an edit after it.
+QDateTime lastWritten(const QFileInfo& scene) {
+    const QFileInfo journal(
+        QString::fromStdString(EditJournal::beside(scene.filePath().toStdString()).string()));
+    return journal.exists() ? std::max(scene.lastModified(), journal.lastModified())
+                            : scene.lastModified();
 }
 
 } // namespace
@@ -107,6 +115,12 @@ Autosave::~Autosave() {
 void Autosave::setIntervals(int quietMs, int longestMs) {
     quiet_.setInterval(quietMs);
     longest_.setInterval(longestMs);
+}
+
+void Autosave::complete(const Recovery& recovery) {
+    if (const Result<void> joined = EditJournal::join(recovery.scene); !joined) {
+        Q_EMIT failed(joined.error());
+    }
 }
 
 void Autosave::adopt(const Recovery& recovery) {
@@ -159,17 +173,34 @@ void Autosave::save() {
     if (!document_.isModified()) {
         return;
     }
-    if (!takeStem()) {
-        Q_EMIT failed({folder_.string(), 0, 0, "unsaved work cannot be kept safe here",
-                       "a folder that can be written to"});
+    if (isWriting_) {
+        isChanged_ = true;
         return;
     }
-    worker_.start([this, stem = stem_, scene = document_.sceneToRecover(),
-                   file = document_.file()] {
-        if (const Result<void> written = write(stem, scene, file); !written) {
-            Q_EMIT failed(written.error());
-        }
+    if (!takeStem()) {
+        noteEnd(tl::unexpected(Error{folder_.string(), 0, 0,
+                                     "unsaved work cannot be kept safe here",
+                                     "a folder that can be written to"}));
+        return;
+    }
+    isWriting_ = true;
+    worker_.start([this, scene = document_.sceneToRecover(), file = document_.file()] {
+        const Result<void> origin = writeOnce(originOf(stem_), textOf(file));
+        const Result<void> written = origin ? journal_->write(scene) : origin;
+        QMetaObject::invokeMethod(this, [this, written] { noteEnd(written); });
     });
+}
+
+/// Says once that work cannot be kept, until it can be again.
+void Autosave::noteEnd(const Result<void>& written) {
+    isWriting_ = false;
+    if (!written && !hasFailed_) {
+        Q_EMIT failed(written.error());
+    }
+    hasFailed_ = !written;
+    if (std::exchange(isChanged_, false)) {
+        schedule();
+    }
 }
 
 /// A name of its own for this program's copy, locked while the program runs.
@@ -187,6 +218,7 @@ bool Autosave::takeStem() {
         return false;
     }
     lock_ = std::move(lock);
+    journal_ = std::make_unique<EditJournal>(sceneOf(stem_));
     return true;
 }
 
@@ -196,7 +228,7 @@ std::vector<Recovery> Autosave::found(const std::filesystem::path& folder) {
     for (const QFileInfo& file : dir.entryInfoList({"*" + copySuffix}, QDir::Files, QDir::Time)) {
         const std::filesystem::path scene = file.absoluteFilePath().toStdString();
         if (isAbandoned(stemOf(scene))) {
-            recoveries.push_back({scene, readOrigin(originOf(stemOf(scene))), file.lastModified()});
+            recoveries.push_back({scene, readOrigin(originOf(stemOf(scene))), lastWritten(file)});
         }
     }
     return recoveries;
@@ -205,6 +237,7 @@ std::vector<Recovery> Autosave::found(const std::filesystem::path& folder) {
 void Autosave::remove(const Recovery& recovery) {
     std::error_code ignored; // it is gone already
     std::filesystem::remove(recovery.scene, ignored);
+    std::filesystem::remove(EditJournal::beside(recovery.scene), ignored);
     std::filesystem::remove(originOf(stemOf(recovery.scene)), ignored);
 }
 

@@ -125,6 +125,7 @@ int runEditor(int argc, char** argv) {
     Viewport& viewport = window.views().first().viewport();
     afterFirstFrame(window, viewport);
     window.show();
+    window.offerRecovery(); // before the first frame, which may take a slow model seconds
     if (const QString why = whyNothingIsDrawn(viewport); !why.isEmpty()) {
         say(why);
         return 1;

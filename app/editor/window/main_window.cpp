@@ -17,6 +17,7 @@
 #include "docks/stability_dock.h"
 #include "gl/driver_cache.h"
 #include "window/focus_order.h"
+#include "window/key_pause.h"
 
 namespace patina {
 namespace {
@@ -98,7 +99,6 @@ void MainWindow::startRest() {
     trials_.run(document_.sharedCatalog());
     theme_.followDesktop();
     views_->first().viewport().chooseTimer();
-    offerRecovery();
 }
 
 void MainWindow::makeDocks() {
@@ -312,6 +312,7 @@ void MainWindow::offerRecovery() {
     QPushButton* drop = question->addButton(tr("Discard"), QMessageBox::DestructiveRole);
     question->addButton(tr("Ask again later"), QMessageBox::RejectRole);
     question->setDefaultButton(take);
+    new KeyPause(*question);
     connect(take, &QPushButton::clicked, this, [this, newest] { recover(newest); });
     connect(drop, &QPushButton::clicked, this, [this, newest] {
         Autosave::remove(newest);
@@ -321,7 +322,11 @@ void MainWindow::offerRecovery() {
 }
 
 void MainWindow::recover(const Recovery& recovery) {
-    if (files_->mayLoseDocument() && document_.recover(recovery.scene, recovery.original)) {
+    if (!files_->mayLoseDocument()) {
+        return;
+    }
+    autosave_.complete(recovery);
+    if (document_.recover(recovery.scene, recovery.original)) {
         autosave_.giveUp();
         autosave_.adopt(recovery);
     }

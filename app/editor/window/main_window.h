@@ -48,8 +48,11 @@ class MainWindow : public QMainWindow {
     QDockWidget* dock(const QString& name) const;
 
     /// What can wait until the first frame is on the screen: presets, thumbnails, watching, the
-    /// desktop's look, work to recover.
+    /// desktop's look.
     void startRest();
+
+    /// Asks about work that an earlier program could not save, the newest first.
+    void offerRecovery();
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -72,7 +75,6 @@ class MainWindow : public QMainWindow {
     void hideBottom();
     void restoreWindow();
     void updateTitle();
-    void offerRecovery();
     void recover(const Recovery& recovery);
     void exportPicture();
     void showMessages();
