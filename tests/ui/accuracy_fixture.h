@@ -115,6 +115,23 @@ class AccuracyPanel : public WindowFixture {
         return waitForEnd() && dock().shown() != nullptr && dock().shown()->complete;
     }
 
+    /// Measures until a level is known to be faster than the exact way: whoever else is busy on the
+    /// machine may blur one measurement, what is wrong with the instrument would blur all of them.
+    bool measureUntilFaster(const std::string& level) {
+        constexpr int attempts = 4;
+        for (int i = 0; i < attempts; ++i) {
+            const int point = measure() ? pointOf(level) : -1;
+            if (point < 0) {
+                continue;
+            }
+            const CostPoint& found = dock().shown()->chart.points[std::size_t(point)];
+            if (found.cost.ratio.upper < 1.0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /// The point with a level; -1: none.
     int pointOf(const std::string& level) {
         const std::vector<CostPoint>& points = dock().shown()->chart.points;

@@ -157,8 +157,8 @@ TEST_F(Stability, RunningCheck_ShowsItsProgressMeanwhile) {
 
 TEST_F(Stability, NumericalCheckOfABrokenModel_PaintsItInColour) {
     useBrokenModel();
+    newFrames(); // of a model that a process of its own has tried by then
     inspect(true);
-    // The view draws with the model once a process of its own has tried it.
     EXPECT_TRUE(QTest::qWaitFor(
         [this] { return colouredPixels(view().grabFramebuffer()) > 500; }, sweepMs));
 }
