@@ -134,7 +134,8 @@ void remark(const StabilitySweep& sweep, const SweepOptions& how) {
     }
 }
 
-Checked<bool> check(const CheckOptions& options) {
+/// The status of the program.
+Checked<int> check(const CheckOptions& options) {
     const Catalog catalog = loadCatalog(standardBlockRoots());
     report(catalog.errors);
     const auto variants = variantsOf(catalog, options.subject);
@@ -153,7 +154,10 @@ Checked<bool> check(const CheckOptions& options) {
     runSweep(sweep);
     print(sweep, options);
     remark(sweep, how);
-    return sweep.finished() && sweep.report().sound();
+    if (!sweep.report().sound()) {
+        return 1;
+    }
+    return sweep.finished() ? 0 : LongWork::stoppedStatus;
 }
 
 } // namespace
@@ -162,7 +166,7 @@ void addCheck(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "check", "Evaluate a preset or a block where formulas break, on the graphics device and\n"
                  "in double precision; the status is 1 when a value is not finite, negative or\n"
-                 "inaccurate. Each finding comes as a line for `patina eval`");
+                 "inaccurate, and 130 when it was interrupted before one was found. Each finding comes as a line for `patina eval`");
     auto options = std::make_shared<CheckOptions>();
     command
         ->add_option("subject", options->subject, "A preset, or the id of a model or other block")
@@ -177,10 +181,10 @@ void addCheck(CLI::App& program, int& status) {
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &status] {
-        const auto sound = check(*options);
-        status = sound && *sound ? 0 : 1;
-        if (!sound) {
-            report(sound.error());
+        const Checked<int> ended = check(*options);
+        status = ended.value_or(1);
+        if (!ended) {
+            report(ended.error());
         }
     });
 }

@@ -98,5 +98,11 @@ TEST_F(CheckCommand, ModelThatDoesNotCompile_Fails) {
     EXPECT_NE(outcome.out.find("tried.glsl:4"), std::string::npos) << outcome.out;
 }
 
+TEST_F(CheckCommand, InterruptedBeforeAnythingIsFound_HasAStatusOfItsOwn) {
+    const Outcome outcome = interrupted({"check", "he-torrance", "--cases", "100000000"});
+    EXPECT_EQ(outcome.exitCode, 130) << outcome.err;
+    EXPECT_NE(outcome.err.find("stopped"), std::string::npos) << outcome.err;
+}
+
 } // namespace
 } // namespace patina::tests::check_test

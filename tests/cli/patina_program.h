@@ -40,4 +40,24 @@ inline Outcome patina(std::vector<std::string> arguments) {
     return patina(Start{.arguments = std::move(arguments), .environment = {}, .input = {}});
 }
 
+/// Runs `patina` and interrupts it, as Ctrl-C does, a second after it listens to that.
+inline Outcome interrupted(std::vector<std::string> arguments) {
+    constexpr const char* script = R"(
+"$@" & program=$!
+for try in $(seq 1200); do
+    grep -q '^SigCgt:.*[2367abef]$' "/proc/$program/status" && break
+    sleep 0.05
+done
+sleep 1
+kill -INT "$program"
+wait "$program"
+)";
+    const TemporaryFolder home;
+    arguments.insert(arguments.begin(), {"-c", script, "sh", patinaProgram().string()});
+    return run("/bin/sh",
+               Start{.arguments = std::move(arguments),
+                     .environment = {{"DISPLAY", ""}, {"XDG_CACHE_HOME", home.path().string()}},
+                     .input = {}});
+}
+
 } // namespace patina::tests
