@@ -167,8 +167,11 @@ BlockValues BlockReader::read(JsonReader& block, JsonReader& parameters, std::st
     BlockValues values;
     block.read("id", values.id);
     block.read("version", values.version);
-    if (block.isObject() && !block.has("id")) {
+    const Json* id = block.find("id");
+    if (block.isObject() && id == nullptr) {
         block.addError("id", "the key \"id\" is missing", "the id of a block");
+    } else if (id != nullptr && *id == "") {
+        block.addError("id", "the id is empty", oneOf({}, idsOf(catalog.ofKind(kind))));
     }
     ValuesReader reader(parameters, values, notes, parked);
     const Block* known = catalog.find(kind, values.id);

@@ -173,6 +173,11 @@ TEST(ReadPreset, UnknownModel_OpensWithANote) {
               "there is no \"velour\" among the models; its values are kept; expec");
 }
 
+TEST(ReadPreset, EmptyModel_IsAnError) {
+    EXPECT_FALSE(reading({{"model", {{"id", ""}}}}));
+    EXPECT_EQ(messages({{"model", {{"id", ""}}}}), "the id is empty; expected one of velvet\n");
+}
+
 TEST(ReadPreset, UnknownModel_IsWrittenAsItCame) {
     const json came{{"fuzz", 0.123456789}, {"deep", {{"x", {1, 2, 3, 4}}}}, {"n", 3}, {"t", "s"}};
     const Material material =
