@@ -78,7 +78,6 @@ int main(int argc, char** argv) {
     const QTemporaryDir caches; // the driver's are in there too
     qputenv("XDG_CACHE_HOME", caches.path().toUtf8());
     QCoreApplication::setApplicationName("patina-compiling-editor");
-    QSurfaceFormat::setDefaultFormat(Viewport::surfaceFormat());
     QApplication application(argc, argv);
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);

@@ -97,7 +97,6 @@ bool runAll(MainWindow& window, const QStringList& meshes) {
 
 int main(int argc, char** argv) {
     QCoreApplication::setApplicationName("patina-loading-editor");
-    QSurfaceFormat::setDefaultFormat(Viewport::surfaceFormat());
     QApplication application(argc, argv);
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);

@@ -29,7 +29,6 @@ WindowFixture::WindowFixture(Size size) : size_(size) {
     }
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                        QString::fromStdString((home_ / "XDG_CONFIG_HOME").string()));
-    QSurfaceFormat::setDefaultFormat(Viewport::surfaceFormat());
     open();
 }
 

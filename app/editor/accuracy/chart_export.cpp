@@ -15,6 +15,7 @@
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_library.h"
 #include "gl/driver.h"
+#include "viewport/viewport.h"
 #include "window/session.h"
 
 namespace patina {
@@ -239,7 +240,7 @@ QByteArray chartSvg(const PlotMarks::Content& content, const ChartHeading& headi
 
 QString driverLine() {
     QOpenGLContext context;
-    context.setFormat(QSurfaceFormat::defaultFormat());
+    context.setFormat(Viewport::surfaceFormat());
     QOffscreenSurface surface;
     surface.create();
     return context.create() && context.makeCurrent(&surface)

@@ -24,6 +24,7 @@ Viewport::Viewport(Sources sources, QWidget* parent)
     note_->setContentsMargins(12, 6, 12, 6);
     note_->setAutoFillBackground(true);
     note_->hide();
+    setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
     setMinimumSize(160, 120);

@@ -106,7 +106,6 @@ int runEditor(int argc, char** argv) {
     QCoreApplication::setApplicationName("patina");
     QCoreApplication::setOrganizationName("patina");
     QCoreApplication::setApplicationVersion(PATINA_VERSION);
-    QSurfaceFormat::setDefaultFormat(Viewport::surfaceFormat());
     const QtMessageHandler ordinary = qInstallMessageHandler(explainNoDisplay);
     QApplication application(argc, argv);
     qInstallMessageHandler(ordinary);
