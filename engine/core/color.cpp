@@ -24,4 +24,8 @@ glm::dvec3 srgbDecoded(const glm::dvec3& encoded) {
     return {srgbDecoded(encoded.x), srgbDecoded(encoded.y), srgbDecoded(encoded.z)};
 }
 
+double luminance(const glm::dvec3& linear) {
+    return 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
+}
+
 } // namespace patina

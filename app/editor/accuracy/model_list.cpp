@@ -73,9 +73,9 @@ void nameColumns(QTreeWidget& list) {
     head.setToolTip(Images, ModelList::tr("Looks into images"));
     head.setToolTip(Branches, ModelList::tr("Where the way depends on a number"));
     head.setToolTip(Memory, ModelList::tr("Loads and stores"));
-    head.setToolTip(Loss, ModelList::tr("How much of an even white sky's light the model keeps in "
-                                        "its whitest colours; below 0: it sends out more than "
-                                        "arrives"));
+    head.setToolTip(Loss, ModelList::tr("How much of an even white sky's light the model keeps, "
+                                        "its colours as they are at first; below 0: it sends out "
+                                        "more than arrives"));
 }
 
 } // namespace

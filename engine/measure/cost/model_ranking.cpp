@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "gl/driver.h"
-#include "measure/stability/white_albedo.h"
+#include "measure/stability/white_sky_albedo.h"
 #include "measure/time/surface_instructions.h"
 #include "measure/time/timed_frames.h"
 #include "render/surfaces/surface_buffer.h"
@@ -28,7 +28,7 @@ glm::ivec2 chosenSize(glm::ivec2 wanted) {
 }
 
 std::optional<double> lossOf(const Catalog& catalog, const Block& model) {
-    const std::optional<double> albedo = whiteAlbedo(catalog, model);
+    const std::optional<double> albedo = whiteSkyAlbedo(catalog, model);
     return albedo ? std::optional(1.0 - *albedo) : std::nullopt;
 }
 

@@ -40,7 +40,7 @@ std::string rankingText(const std::vector<ModelCost>& costs) {
         text += rowText(each);
     }
     return text + fmt::format("time: beside the quickest model; {}\n"
-                              "loss: of an even white sky's light, in the model's whitest colours; "
+                              "loss: of an even white sky's light, with the model's own colours; "
                               "below 0: it sends out more than arrives\n",
                               signsText("the quickest model"));
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/stability/white_albedo.h"
+#include "measure/stability/white_sky_albedo.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/color.h"
 #include "measure/eval/reference_case.h"
 #include "measure/stability/claim_trials.h"
 #include "measure/stability/hemisphere_rule.h"
@@ -27,32 +28,35 @@ constexpr std::array<LightNode, 4> lights{{{0.0694318442, 0.1739274226},
                                            {0.6699905218, 0.3260725774},
                                            {0.9305681558, 0.1739274226}}};
 
+glm::dvec3 shading(const ReferenceNumbers& numbers) {
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
 double directionalAlbedo(const ReferenceCase& model, double sin2) {
     EvalPlace place;
     place.l = {std::sqrt(sin2), 0.0, std::sqrt(1.0 - sin2)};
     double sum = 0.0;
     for (const WeightedDirection& to : hemisphereRule(place.l, rule)) {
         place.v = to.v;
-        sum += to.weight * std::max(model.evaluate(place)[0], 0.0);
+        sum += to.weight * luminance(shading(model.evaluate(place)));
     }
     return sum / place.l.z;
 }
 
 } // namespace
 
-std::optional<double> whiteAlbedo(const Catalog& catalog, const Block& model) {
+std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Block& model) {
     const Result<EvalCase> variant = sweepVariant(catalog, defaultMaterial(model));
     if (!variant) {
         return std::nullopt;
     }
-    const EvalCase white = brightest(*variant);
-    const auto code = ReferenceCode::find(white);
+    const auto code = ReferenceCode::find(*variant);
     if (!code) {
         return std::nullopt;
     }
     const ReferenceCase compiled(
-        *code, white.block.packedValues(),
-        white.slot.block == nullptr ? std::vector<double>() : white.slot.packedValues());
+        *code, variant->block.packedValues(),
+        variant->slot.block == nullptr ? std::vector<double>() : variant->slot.packedValues());
     double sum = 0.0;
     for (const LightNode& light : lights) {
         sum += light.weight * directionalAlbedo(compiled, light.sin2);

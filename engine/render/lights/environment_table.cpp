@@ -6,13 +6,15 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/color.h"
+
 namespace patina {
 namespace {
 
 constexpr double evenShare = 0.01;
 
-double luminance(const glm::vec4& color) {
-    const double sum = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+double finiteLuminance(const glm::vec4& color) {
+    const double sum = luminance(glm::dvec3(color));
     return std::isfinite(sum) ? std::max(sum, 0.0) : 0.0;
 }
 
@@ -84,7 +86,7 @@ void EnvironmentTable::gatherUpward(std::span<const glm::vec4> radiance) {
 double EnvironmentTable::weigh(std::span<const glm::vec4> radiance) {
     double sum = 0.0;
     for (std::size_t i = 0; i < std::min(weights_.size(), radiance.size()); ++i) {
-        weights_[i] = luminance(radiance[i]);
+        weights_[i] = finiteLuminance(radiance[i]);
         sum += weights_[i];
     }
     return sum;

@@ -8,6 +8,7 @@
 
 #include <epoxy/gl.h>
 
+#include "core/color.h"
 #include "render/gpu/binding.h"
 
 namespace patina {
@@ -20,8 +21,8 @@ constexpr int firstLightTerm = 7;
 /// Beyond this a half float's whole range is black or white.
 constexpr double maxStops = 40.0;
 
-float luminance(const glm::dvec3& color) {
-    const double sum = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+float storableLuminance(const glm::dvec3& color) {
+    const double sum = luminance(color);
     return std::isfinite(sum) ? static_cast<float>(std::clamp(sum, 0.0, 65504.0)) : 0.0f;
 }
 
@@ -53,7 +54,7 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
         return ready;
     }
     target_.bind();
-    glClearColor(luminance(scene.background), 0.0f, 0.0f, 1.0f);
+    glClearColor(storableLuminance(scene.background), 0.0f, 0.0f, 1.0f);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawItems(scene, 0);
