@@ -45,7 +45,7 @@ Checked<std::vector<EvalCase>> variantsOfBlocks(const Catalog& catalog, const st
     }
     if (variants.empty()) {
         std::vector<std::string> ids;
-        for (const Block* model : catalog.ofKind("models")) {
+        for (const Block* model : catalog.ofKind(kinds::models)) {
             ids.push_back(model->id);
         }
         return tl::unexpected(oneError(
@@ -84,8 +84,8 @@ void runSweep(StabilitySweep& sweep) {
     LongWork work;
     while (!sweep.finished() && !work.isStopped()) {
         sweep.step();
-        work.tell(fmt::format("{:3.0f} %  {} cases ", 100.0 * sweep.progress(),
-                              sweep.report().cases));
+        work.tell(
+            fmt::format("{:3.0f} %  {} cases ", 100.0 * sweep.progress(), sweep.report().cases));
     }
 }
 

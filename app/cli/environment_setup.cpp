@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-constexpr std::string_view environmentKind = "environment";
+constexpr std::string_view environmentKind = kinds::environment;
 
 /// Directions that a scene gets without being asked for: more of them take long.
 constexpr int maxUnasked = 256;
@@ -37,11 +37,11 @@ const Block* blockWithPicture(const Catalog& catalog) {
 
 Result<void> choose(Scene& scene, const std::string& choice, const Catalog& catalog) {
     if (choice == "none") {
-        scene.environment.reset();
+        scene.setPart(kinds::environment, std::nullopt);
         return {};
     }
     if (const Block* block = catalog.find(environmentKind, choice)) {
-        scene.environment = defaultBlockValues(*block);
+        scene.setPart(kinds::environment, defaultBlockValues(*block));
         return {};
     }
     const Block* block = blockWithPicture(catalog);
@@ -51,8 +51,8 @@ Result<void> choose(Scene& scene, const std::string& choice, const Catalog& cata
             fmt::format("--environment {}: no such environment and no such file", choice),
             knownIds(catalog));
     }
-    scene.environment = defaultBlockValues(*block);
-    scene.environment->parameters[pictureParameter(*block)->id] =
+    scene.setPart(kinds::environment, defaultBlockValues(*block));
+    scene.part(kinds::environment)->parameters[pictureParameter(*block)->id] =
         std::filesystem::absolute(choice).generic_string();
     return {};
 }
@@ -66,16 +66,17 @@ Result<void> chooseEnvironment(Scene& scene, const PictureOptions& options,
             return chosen;
         }
     }
-    return assignAll({std::string(environmentKind), scene.environment}, options.sets, catalog);
+    return assignAll({std::string(environmentKind), scene.parts}, options.sets, catalog);
 }
 
-Result<std::shared_ptr<const EnvironmentImage>>
-environmentPicture(const Scene& scene, const PictureOptions& options, const Catalog& catalog,
-                   AssetClient& client) {
-    const Block* block =
-        scene.environment ? catalog.find(environmentKind, scene.environment->id) : nullptr;
-    const std::string_view file =
-        block == nullptr ? std::string_view() : pictureFile(*scene.environment, *block);
+Result<std::shared_ptr<const EnvironmentImage>> environmentPicture(const Scene& scene,
+                                                                   const PictureOptions& options,
+                                                                   const Catalog& catalog,
+                                                                   AssetClient& client) {
+    const Block* block = blockOf(scene.parts, kinds::environment, catalog);
+    const std::string_view file = block == nullptr
+                                      ? std::string_view()
+                                      : pictureFile(*scene.part(kinds::environment), *block);
     if (file.empty()) {
         return nullptr;
     }
@@ -91,10 +92,10 @@ int directionsFor(const Scene& scene, const PictureOptions& options, const Catal
     if (options.samples > 0) {
         return options.samples;
     }
-    const Block* block =
-        scene.environment ? catalog.find("environment", scene.environment->id) : nullptr;
-    return block == nullptr ? maxUnasked
-                            : std::min(directionsOf(*scene.environment, *block), maxUnasked);
+    const Block* block = blockOf(scene.parts, kinds::environment, catalog);
+    return block == nullptr
+               ? maxUnasked
+               : std::min(directionsOf(*scene.part(kinds::environment), *block), maxUnasked);
 }
 
 } // namespace patina

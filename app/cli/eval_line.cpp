@@ -20,6 +20,7 @@ namespace patina {
 namespace {
 
 using Json = nlohmann::json;
+using Subject = EvalCase::Subject;
 
 /// Puts the name of a key in front of what is wrong with its value.
 tl::unexpected<Error> at(const std::string& key, Error error) {
@@ -100,7 +101,7 @@ Result<AccuracyLevels> readLevels(const Block& block, const Json& json) {
     return levels;
 }
 
-Result<EvalBlock> readBlock(const Catalog& catalog, const std::string& kind, const std::string& id,
+Result<EvalBlock> readBlock(const Catalog& catalog, std::string_view kind, const std::string& id,
                             const Json& parameters, const Json& accuracy) {
     const Block* block = catalog.find(kind, id);
     if (block == nullptr) {
@@ -122,7 +123,7 @@ Result<EvalBlock> readBlock(const Catalog& catalog, const std::string& kind, con
 }
 
 /// {"id": ..., "parameters": {...}, "accuracy": {...}}, or the id alone.
-Result<EvalBlock> readNested(const Catalog& catalog, const std::string& kind, const Json& json) {
+Result<EvalBlock> readNested(const Catalog& catalog, std::string_view kind, const Json& json) {
     const Json& id = json.is_object() ? json.value("id", Json()) : json;
     if (!id.is_string()) {
         return failure("the block has no id", R"({"id": ..., "parameters": {...}})");
@@ -183,15 +184,15 @@ Result<void> readSlot(const Json& json, const Catalog& catalog, EvalCase& reques
 }
 
 Result<void> checkModelKeys(const Json& json) {
-    std::vector<std::string> known{"model", "parameters", "accuracy", "l",
-                                   "v",     "n",          "t",        "pixel"};
-    known.insert(known.end(), partKinds.begin(), partKinds.end());
+    std::vector<std::string> known{"model", "parameters", "accuracy", "l", "v", "n", "t", "pixel"};
+    const auto parts = partKinds(BlockOwner::Material);
+    known.insert(known.end(), parts.begin(), parts.end());
     return checkKeys(json, known);
 }
 
 /// A block that the model has no place for would not change the answer.
 Result<void> checkParts(const Json& json, const Block& model) {
-    for (const std::string_view kind : partKinds) {
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         const auto part = json.find(kind);
         if (part != json.end() && !part->is_null() && model.slot(kind) == nullptr) {
             return failure(fmt::format("{} has no slot for \"{}\"", model.id, kind),
@@ -210,7 +211,7 @@ Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase re
     }
     const Json none = Json::object();
     const Result<EvalBlock> block =
-        readBlock(catalog, "models", json["model"].get<std::string>(),
+        readBlock(catalog, kinds::models, json["model"].get<std::string>(),
                   json.value("parameters", none), json.value("accuracy", none));
     if (!block) {
         return tl::unexpected(block.error());
@@ -227,9 +228,10 @@ Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase re
 
 /// A block of a slot that is a function of directions as a model is.
 Result<EvalCase> readSurfacePart(const Json& json, const Catalog& catalog, EvalCase request,
-                                 const std::string& kind) {
-    const auto keys = checkKeys(json, {kind, "l", "v", "n", "t", "pixel"});
-    const Result<EvalBlock> block = readNested(catalog, kind, json[kind]);
+                                 const BlockKind& kind) {
+    const std::string key(kind.singular);
+    const auto keys = checkKeys(json, {key, "l", "v", "n", "t", "pixel"});
+    const Result<EvalBlock> block = readNested(catalog, kind.folder, json[key]);
     if (!keys || !block) {
         return tl::unexpected(keys ? block.error() : keys.error());
     }
@@ -259,19 +261,22 @@ Result<EvalCase> readRay(const Json& json, EvalCase request) {
 
 /// A block that is a function of a number, of a point or of a ray.
 Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase request,
-                           const std::string& key, const std::string& kind) {
-    const std::string argument = kind == "lights" ? "x" : kind == "fog" ? "distance" : "cos";
+                           const BlockKind& kind) {
+    const std::string key(kind.singular);
+    const bool isLight = request.subject == Subject::Light;
+    const bool isFog = request.subject == Subject::Fog;
+    const std::string argument = isLight ? "x" : isFog ? "distance" : "cos";
     std::vector<std::string> known{key, argument};
-    if (kind == "fog") {
+    if (isFog) {
         known.insert(known.end(), {"eye", "direction"});
     }
     const auto keys = checkKeys(json, known);
-    const Result<EvalBlock> block = readNested(catalog, kind, json[key]);
+    const Result<EvalBlock> block = readNested(catalog, kind.folder, json[key]);
     if (!keys || !block) {
         return tl::unexpected(keys ? block.error() : keys.error());
     }
     request.block = *block;
-    if (kind == "lights") {
+    if (isLight) {
         const Result<glm::dvec3> x = vector(json, argument);
         request.l = x.value_or(request.l);
         return x ? Result<EvalCase>(request) : tl::unexpected(x.error());
@@ -280,14 +285,14 @@ Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase re
     if (!x) {
         return tl::unexpected(x.error());
     }
-    if (kind == "fresnel" && !(std::abs(*x) <= 1.0)) {
+    if (!isFog && !(std::abs(*x) <= 1.0)) {
         return failure(fmt::format("cos is {}", json[argument].dump()), "-1 .. 1");
     }
-    if (kind == "fog" && !(*x >= 0.0)) {
+    if (isFog && !(*x >= 0.0)) {
         return failure(fmt::format("distance is {}", json[argument].dump()), "0 or more");
     }
     request.number = *x;
-    return kind == "fog" ? readRay(json, request) : Result<EvalCase>(request);
+    return isFog ? readRay(json, request) : Result<EvalCase>(request);
 }
 
 Result<EvalCase> readFunction(const Json& json, EvalCase request) {
@@ -323,7 +328,6 @@ Result<EvalCase> readCase(const Json& json, const Catalog& catalog) {
     EvalCase request;
     request.id = json.value("id", Json());
     request.gpu = *gpu;
-    using Subject = EvalCase::Subject;
     if (json.contains("model")) {
         return readModel(json, catalog, request);
     }
@@ -331,23 +335,20 @@ Result<EvalCase> readCase(const Json& json, const Catalog& catalog) {
         request.subject = Subject::Function;
         return readFunction(json, request);
     }
-    if (json.contains("specular")) {
-        return readSurfacePart(json, catalog, request, "specular");
-    }
-    struct Alone {
-        const char* key;
-        const char* kind;
-        Subject subject;
-    };
-    for (const Alone& alone :
-         {Alone{"fresnel", "fresnel", Subject::Fresnel}, Alone{"light", "lights", Subject::Light},
-          Alone{"fog", "fog", Subject::Fog}}) {
-        if (json.contains(alone.key)) {
-            request.subject = alone.subject;
-            return readAlone(json, catalog, request, alone.key, alone.kind);
+    std::string keys = "a model";
+    for (const BlockKind& kind : blockKinds()) {
+        const std::optional<Subject> subject = subjectOfKind(kind.folder);
+        if (!subject || kind.folder == kinds::models) {
+            continue;
         }
+        if (json.contains(kind.singular)) {
+            request.subject = *subject;
+            return *subject == Subject::Model ? readSurfacePart(json, catalog, request, kind)
+                                              : readAlone(json, catalog, request, kind);
+        }
+        keys.append(", ").append(kind.singular);
     }
-    return failure("nothing to evaluate", "a model, fresnel, specular, light, fog or function");
+    return failure("nothing to evaluate", keys + " or function");
 }
 
 /// The id in a line that is no JSON, so that its error still finds its way back.

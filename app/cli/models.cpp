@@ -85,7 +85,7 @@ std::vector<std::string> kindsOf(const Catalog& catalog) {
         }
     }
     std::stable_partition(kinds.begin(), kinds.end(),
-                          [](const std::string& kind) { return kind == "models"; });
+                          [](const std::string& kind) { return kind == kinds::models; });
     return kinds;
 }
 

@@ -41,7 +41,7 @@ double stopsIn(const std::string& text) {
 void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--model", options.model,
                        "A lighting model's id: alone, or in place of a preset's own");
-    for (const std::string_view kind : partKinds) {
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         command.add_option_function<std::string>(
             fmt::format("--{}", kind),
             [&options, key = std::string(kind)](const std::string& id) { options.parts[key] = id; },
@@ -57,8 +57,7 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
         ->type_size(1)
         ->allow_extra_args(false);
     command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
-    command.add_option("--scene", options.scene,
-                       "A scene file; a preset goes on its first object");
+    command.add_option("--scene", options.scene, "A scene file; a preset goes on its first object");
     command.add_option("--environment", options.environment,
                        "What lights the scene from all around: an environment's id, an HDR "
                        "panorama's file, or none");

@@ -13,7 +13,8 @@ Result<void> SceneBlock::assign(const std::string& assignment, const Catalog& ca
     const std::size_t equals = assignment.find('=');
     const std::size_t start = kind.size() + 1;
     const std::string id = assignment.substr(start, equals - start);
-    const Block* block = values ? catalog.find(kind, values->id) : nullptr;
+    BlockValues* values = partOf(parts, kind);
+    const Block* block = blockOf(parts, kind, catalog);
     const Parameter* parameter = block == nullptr ? nullptr : block->parameter(id);
     if (equals == std::string::npos || parameter == nullptr) {
         return failure(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace patina {
 /// `--set <kind>.<id>=value` sets one of its parameters.
 struct SceneBlock {
     std::string kind;
-    std::optional<BlockValues>& values;
+    BlockParts& parts;
 
     /// Whether an assignment of `--set` is about it.
     bool owns(const std::string& assignment) const { return assignment.starts_with(kind + '.'); }

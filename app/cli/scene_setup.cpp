@@ -100,7 +100,7 @@ Result<bool> choosePart(Material& material, const std::string& kind, const std::
     if (!block) {
         return tl::unexpected(block.error());
     }
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     if (model != nullptr && !hasPlaceFor(*model, kind)) {
         return failure(
             fmt::format("{} {}: the model \"{}\" has no place for it", kind, id, material.model.id),
@@ -116,7 +116,7 @@ Result<bool> choosePart(Material& material, const std::string& kind, const std::
 Result<void> chooseBlocks(Material& material, bool isPreset, const PictureOptions& options,
                           const Catalog& catalog) {
     if (!options.model.empty()) {
-        const auto model = knownBlock(catalog, "models", options.model);
+        const auto model = knownBlock(catalog, std::string(kinds::models), options.model);
         if (!model) {
             return tl::unexpected(model.error());
         }
@@ -160,7 +160,7 @@ Result<bool> setOpacity(Material& material, const std::string& text) {
 /// "<kind>" chooses a part, "<kind>.<id>" or the id alone sets one of its parameters.
 Result<bool> setInParts(Material& material, const std::string& id, const std::string& text,
                         const Catalog& catalog) {
-    for (const std::string_view kind : partKinds) {
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         if (id == kind) {
             return choosePart(material, id, text, catalog);
         }
@@ -186,7 +186,7 @@ Result<void> applySet(Material& material, const std::string& assignment, const C
         return failure(fmt::format("--set {}: this sets nothing", assignment), "id=value");
     }
     const std::string text = assignment.substr(equals + 1);
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     Result<bool> done =
         id == "opacity" ? setOpacity(material, text) : setIn(model, &material.model, id, text);
     if (done && !*done) {
@@ -212,10 +212,10 @@ bool isShorthandIn(const Block* block, std::string_view id) {
 }
 
 bool isShorthandSet(Material& material, std::string_view id, const Catalog& catalog) {
-    if (isShorthandIn(catalog.find("models", material.model.id), id)) {
+    if (isShorthandIn(catalog.find(kinds::models, material.model.id), id)) {
         return true;
     }
-    return std::any_of(std::begin(partKinds), std::end(partKinds), [&](std::string_view kind) {
+    return std::ranges::any_of(partKinds(BlockOwner::Material), [&](std::string_view kind) {
         const BlockValues* part = material.part(kind);
         const bool named = id.starts_with(std::string(kind) + '.');
         return part != nullptr &&
@@ -288,7 +288,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
     }
     if (!setup->scene.objects.empty()) {
         Object& object = setup->scene.objects.front();
-        const bool isKnown = catalog.find("models", object.material.model.id) != nullptr;
+        const bool isKnown = catalog.find(kinds::models, object.material.model.id) != nullptr;
         if (!isKnown && options.model.empty()) {
             return tl::unexpected(setup->notes); // they say where in the file it is named
         }

@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-constexpr std::string_view transparencyKind = "transparency";
+constexpr std::string_view transparencyKind = kinds::transparency;
 
 std::string knownIds(const Catalog& catalog) {
     std::string known = "sorted";
@@ -21,7 +21,7 @@ std::string knownIds(const Catalog& catalog) {
 
 Result<void> choose(Scene& scene, const std::string& choice, const Catalog& catalog) {
     if (choice == "sorted") {
-        scene.transparency.reset();
+        scene.setPart(kinds::transparency, std::nullopt);
         return {};
     }
     const Block* block = catalog.find(transparencyKind, choice);
@@ -29,8 +29,8 @@ Result<void> choose(Scene& scene, const std::string& choice, const Catalog& cata
         return failure(fmt::format("--transparency {}: no such kind of it", choice),
                        knownIds(catalog));
     }
-    if (!scene.transparency || scene.transparency->id != choice) {
-        scene.transparency = defaultBlockValues(*block);
+    if (!scene.part(kinds::transparency) || scene.part(kinds::transparency)->id != choice) {
+        scene.setPart(kinds::transparency, defaultBlockValues(*block));
     }
     return {};
 }
@@ -44,7 +44,7 @@ Result<void> chooseTransparency(Scene& scene, const PictureOptions& options,
             return chosen;
         }
     }
-    return assignAll({std::string(transparencyKind), scene.transparency}, options.sets, catalog);
+    return assignAll({std::string(transparencyKind), scene.parts}, options.sets, catalog);
 }
 
 } // namespace patina

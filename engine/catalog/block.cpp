@@ -9,20 +9,6 @@
 namespace patina {
 namespace {
 
-/// The kind whose blocks need no further word: a block is a lighting model unless it says more.
-constexpr std::string_view plainKind = "models";
-
-/// "lights" -> "Light", "fog" -> "Fog", "models" -> "".
-std::string kindWord(std::string_view kind) {
-    if (kind == plainKind) {
-        return {};
-    }
-    if (!kind.empty() && kind.back() == 's') {
-        kind.remove_suffix(1);
-    }
-    return capitalised(fieldName(kind));
-}
-
 template <class T>
 const T* withId(const std::vector<T>& items, std::string_view id) {
     const auto found =
@@ -67,7 +53,9 @@ Values defaultValues(const Block& block) {
 }
 
 std::string structName(const Block& block) {
-    return capitalised(fieldName(block.id)) + kindWord(block.kind);
+    const BlockKind* kind = findKind(block.kind);
+    const std::string_view word = kind == nullptr ? std::string_view() : kind->word;
+    return capitalised(fieldName(block.id)).append(word);
 }
 
 std::string functionName(const Block& block) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "catalog/block_kind.h"
 #include "catalog/block_table.h"
 #include "catalog/parameter.h"
 #include "catalog/shadow_projection.h"
@@ -87,7 +88,7 @@ struct Block {
     std::string doc;
     std::vector<Parameter> parameters;
     std::vector<AccuracyChoice> accuracy;
-    std::vector<BlockTable> tables; ///< models, fresnel and specular only
+    std::vector<BlockTable> tables; ///< of the kinds that may have them only
     std::vector<Slot> slots;
     std::vector<std::string> claims;
     std::map<std::string, std::string> exemptions; ///< claim -> why it is not made

@@ -96,8 +96,7 @@ class Loader {
         std::error_code status;
         for (const fs::path& folder : entriesOf(root.folder, status)) {
             std::error_code ignored;
-            if (isKindFolder(folder) && fs::is_directory(folder, ignored) &&
-                isKnownKind(folder, root)) {
+            if (isKindFolder(folder) && fs::is_directory(folder, ignored) && isKnownKind(folder)) {
                 readKind(folder, root.shipped);
             }
         }
@@ -106,20 +105,19 @@ class Loader {
         }
     }
 
-    /// The kinds there are stand in the shipped folder; a user's folder of another name is a slip
-    /// of the pen that nothing else would tell.
-    bool isKnownKind(const fs::path& folder, const BlockRoot& root) {
-        const std::string kind = folder.filename().string();
-        if (root.shipped) {
-            kinds_.push_back(kind);
+    /// A folder of another name is a slip of the pen that nothing else would tell.
+    bool isKnownKind(const fs::path& folder) {
+        const std::string name = folder.filename().string();
+        if (findKind(name) != nullptr) {
             return true;
         }
-        if (kinds_.empty() || std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end()) {
-            return true;
+        std::vector<std::string> known;
+        for (const BlockKind& kind : blockKinds()) {
+            known.emplace_back(kind.folder);
         }
         catalog_.errors.push_back({folder.string(), 0, 0,
-                                   fmt::format("\"{}\" is no kind of block", kind),
-                                   oneOf(kind, kinds_)});
+                                   fmt::format("\"{}\" is no kind of block", name),
+                                   oneOf(name, known)});
         return false;
     }
 
@@ -198,8 +196,8 @@ class Loader {
     }
 
     bool hasItsSlots(const Descriptor& descriptor) {
-        const Errors mistakes = slotMistakes(
-            descriptor, [this](const std::string& kind) { return idsOfKind(kind); });
+        const Errors mistakes =
+            slotMistakes(descriptor, [this](const std::string& kind) { return idsOfKind(kind); });
         catalog_.errors.insert(catalog_.errors.end(), mistakes.begin(), mistakes.end());
         return mistakes.empty();
     }
@@ -212,7 +210,6 @@ class Loader {
     }
 
     const JsonSchema& schema_;
-    std::vector<std::string> kinds_; ///< of the shipped folders
     std::vector<Descriptor> descriptors_;
     ShaderNames takenNames_; ///< of the first root
     Catalog catalog_;

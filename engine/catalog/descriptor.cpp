@@ -337,6 +337,14 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
 
 } // namespace
 
+Descriptor settingsDescriptor(const LocatedJson& document) {
+    Block block = blockFrom(document.file, Fields(document.value));
+    block.kind = "settings";
+    block.shaderFile.clear();
+    readFills(block, document.value);
+    return {std::move(block), document};
+}
+
 Checked<Descriptor> readDescriptor(const std::filesystem::path& path, const JsonSchema& schema) {
     Result<LocatedJson> document = readJson(path, descriptorLimits);
     if (!document) {

@@ -66,11 +66,14 @@ class Checker : DescriptorChecker {
                 "another id");
         }
         std::error_code status;
-        if (!std::filesystem::is_regular_file(block_.shaderFile, status)) {
+        if (!isOfSettings() && !std::filesystem::is_regular_file(block_.shaderFile, status)) {
             add("", "the block has no shader",
                 "a file " + block_.shaderFile.filename().string() + " beside this one");
         }
     }
+
+    /// Settings have no shader, and say themselves what a material's own images are.
+    bool isOfSettings() const { return block_.shaderFile.empty(); }
 
     void checkSlots() {
         std::set<std::string> kinds;
@@ -144,7 +147,7 @@ class Checker : DescriptorChecker {
     /// meaning of their own.
     void checkTexture(const Parameter& parameter, const std::string& pointer) {
         constexpr std::array<std::string_view, 3> taken{"normal", "height", "opacity"};
-        if (parameter.textureChannels.empty()) {
+        if (parameter.textureChannels.empty() || isOfSettings()) {
             return;
         }
         if ((parameter.type != ParameterType::Float && parameter.type != ParameterType::Color) ||

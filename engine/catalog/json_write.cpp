@@ -33,7 +33,7 @@ std::string scalarText(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-bool isNumber(const Json& value) {
+bool isWrittenAsNumber(const Json& value) {
     return value.is_number();
 }
 bool isScalar(const Json& value) {
@@ -73,7 +73,7 @@ void writeLongArray(const Json& array, std::size_t indent, std::string& out) {
 void writeArray(const Json& array, std::size_t indent, std::string& out) {
     if (std::all_of(array.begin(), array.end(), isScalar)) {
         const std::string line = onOneLine(array);
-        const bool numeric = std::all_of(array.begin(), array.end(), isNumber);
+        const bool numeric = std::all_of(array.begin(), array.end(), isWrittenAsNumber);
         if (numeric || indent + line.size() < columns) {
             out += line;
             return;

@@ -7,9 +7,8 @@ namespace patina {
 namespace {
 
 bool hasSpace(const Block& block, Space world, Space camera) {
-    return std::any_of(
-        block.parameters.begin(), block.parameters.end(),
-        [=](const Parameter& p) { return p.space == world || p.space == camera; });
+    return std::any_of(block.parameters.begin(), block.parameters.end(),
+                       [=](const Parameter& p) { return p.space == world || p.space == camera; });
 }
 
 bool hasAngle(const Block& block) {
@@ -27,7 +26,7 @@ Errors shadowMistakes(const Descriptor& descriptor) {
     const auto add = [&](const char* problem, const char* expected) {
         errors.push_back(descriptor.document.error("/shadowProjection", problem, expected));
     };
-    if (projection != ShadowProjection::None && block.kind != "lights") {
+    if (projection != ShadowProjection::None && block.kind != kinds::lights) {
         add("only a light casts shadows", "no such key");
     }
     if ((isCone || projection == ShadowProjection::Sphere) &&

@@ -2,7 +2,6 @@
 #include "catalog/table_checks.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include <fmt/format.h>
@@ -15,16 +14,13 @@
 namespace patina {
 namespace {
 
-/// Blocks of these kinds belong to a material, which has the texture for its tables.
-constexpr std::array<std::string_view, 3> kindsWithTables{"models", "fresnel", "specular"};
-
 class TableChecker : DescriptorChecker {
   public:
     explicit TableChecker(const Descriptor& descriptor) : DescriptorChecker(descriptor) {}
 
     Errors run() {
-        if (!block_.tables.empty() &&
-            std::ranges::find(kindsWithTables, block_.kind) == kindsWithTables.end()) {
+        const BlockKind* kind = findKind(block_.kind);
+        if (!block_.tables.empty() && (kind == nullptr || !kind->hasTables)) {
             add("/tables", fmt::format("a block of the kind {} has no tables", block_.kind),
                 "no such key");
         }

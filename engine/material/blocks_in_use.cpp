@@ -20,12 +20,12 @@ const Block* partInUse(const Material& material, const Block& model, std::string
 } // namespace
 
 std::vector<const Block*> blocksInUse(const Material& material, const Catalog& catalog) {
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     if (model == nullptr) {
         return {};
     }
     std::vector<const Block*> blocks{model};
-    for (const std::string_view kind : partKinds) {
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         if (const Block* block = partInUse(material, *model, kind, catalog)) {
             blocks.push_back(block);
         }

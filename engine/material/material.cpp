@@ -40,14 +40,27 @@ void putPool(nlohmann::json pool, nlohmann::json& parked, std::string_view kind)
 
 } // namespace
 
-const BlockValues* Material::part(std::string_view kind) const {
+const BlockValues* partOf(const BlockParts& parts, std::string_view kind) {
     const auto found = parts.find(kind);
     return found == parts.end() ? nullptr : &found->second;
 }
 
-BlockValues* Material::part(std::string_view kind) {
+BlockValues* partOf(BlockParts& parts, std::string_view kind) {
     const auto found = parts.find(kind);
     return found == parts.end() ? nullptr : &found->second;
+}
+
+const Block* blockOf(const BlockParts& parts, std::string_view kind, const Catalog& catalog) {
+    const BlockValues* part = partOf(parts, kind);
+    return part == nullptr ? nullptr : catalog.find(kind, part->id);
+}
+
+void setPart(BlockParts& parts, std::string_view kind, std::optional<BlockValues> values) {
+    if (values) {
+        parts.insert_or_assign(std::string(kind), std::move(*values));
+    } else if (const auto found = parts.find(kind); found != parts.end()) {
+        parts.erase(found);
+    }
 }
 
 Material defaultMaterial(const Block& model) {
@@ -60,13 +73,13 @@ Material defaultMaterial(const Block& model) {
 
 Material withModel(const Material& material, const Block* oldModel, const Block& newModel) {
     Material next = material;
-    std::array<nlohmann::json, partKinds.size()> pools;
-    for (std::size_t i = 0; i < pools.size(); ++i) {
-        pools[i] = takePool(next.parked, partKinds[i]);
+    std::vector<nlohmann::json> pools;
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
+        pools.push_back(takePool(next.parked, kind));
     }
     next.model = carriedOver(material.model, oldModel, newModel, next.parked);
     for (std::size_t i = 0; i < pools.size(); ++i) {
-        putPool(std::move(pools[i]), next.parked, partKinds[i]);
+        putPool(std::move(pools[i]), next.parked, partKinds(BlockOwner::Material)[i]);
     }
     completeAccuracy(newModel, next.accuracy);
     return next;
@@ -79,11 +92,11 @@ Material withPart(const Material& material, std::string_view kind, const Block* 
     const BlockValues* held = material.part(kind);
     const BlockValues current = held == nullptr ? BlockValues{} : *held;
     if (newBlock != nullptr) {
-        next.parts[std::string(kind)] = carriedOver(current, oldBlock, *newBlock, pool);
+        setPart(next.parts, kind, carriedOver(current, oldBlock, *newBlock, pool));
         completeAccuracy(*newBlock, next.accuracy);
     } else {
         park(current.parameters, pool);
-        next.parts.erase(std::string(kind));
+        setPart(next.parts, kind, std::nullopt);
     }
     putPool(std::move(pool), next.parked, kind);
     return next;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +26,18 @@ struct BlockValues {
     friend bool operator==(const BlockValues&, const BlockValues&) = default;
 };
 
-/// The kinds of block that a material chooses beside its model, each under its own key in a preset:
-/// they fill the model's slots, or work beside any model (hasPlaceFor()).
-inline constexpr std::array<std::string_view, 4> partKinds{"fresnel", "specular", "refraction",
-                                                           "outline"};
+/// What is chosen of the kinds that an owner may do without (partKinds()), by kind; absent: off.
+using BlockParts = std::map<std::string, BlockValues, std::less<>>;
+
+/// What is chosen of a kind; null where nothing is.
+const BlockValues* partOf(const BlockParts& parts, std::string_view kind);
+BlockValues* partOf(BlockParts& parts, std::string_view kind);
+
+/// The block that is chosen of a kind; null where none is or the catalogue does not know it.
+const Block* blockOf(const BlockParts& parts, std::string_view kind, const Catalog& catalog);
+
+/// Chooses a block of a kind, or none.
+void setPart(BlockParts& parts, std::string_view kind, std::optional<BlockValues> values);
 
 /// A lighting model with parameter values: the thing an artist makes, and what a preset holds.
 struct Material {
@@ -39,19 +47,18 @@ struct Material {
     std::string license;
     std::vector<std::string> tags;
     BlockValues model;
-    std::map<std::string, BlockValues, std::less<>> parts; ///< by kind; absent: off
-    double opacity = 1.0;                                  ///< 0 .. 1
+    BlockParts parts;     ///< they fill the model's slots, or work beside any (hasPlaceFor())
+    double opacity = 1.0; ///< 0 .. 1
     AccuracyLevels accuracy;
     std::map<std::string, TextureUse, std::less<>> textures; ///< by the id of the parameter, with
                                                              ///< "<kind>." before a part's; by
                                                              ///< "normal", "height", "opacity"
-    nlohmann::json parked = nlohmann::json::object();   ///< values the current blocks do not use
+    nlohmann::json parked = nlohmann::json::object(); ///< values the current blocks do not use
     nlohmann::json extras = nlohmann::json::object();
-    nlohmann::json unknown = nlohmann::json::object();  ///< unknown top-level keys, written back
+    nlohmann::json unknown = nlohmann::json::object(); ///< unknown top-level keys, written back
 
-    /// What is chosen of a kind; null where nothing is.
-    const BlockValues* part(std::string_view kind) const;
-    BlockValues* part(std::string_view kind);
+    const BlockValues* part(std::string_view kind) const { return partOf(parts, kind); }
+    BlockValues* part(std::string_view kind) { return partOf(parts, kind); }
 
     friend bool operator==(const Material&, const Material&) = default;
 };

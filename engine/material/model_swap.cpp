@@ -86,7 +86,7 @@ void swapParts(Material& material, const Block& before, const Block& after,
                const Catalog& catalog) {
     Json inSlot = take(material.parked, inSlotKey);
     Json withoutSlot = take(material.parked, withoutSlotKey);
-    for (const std::string_view kind : partKinds) {
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         const bool had = before.slot(kind) != nullptr;
         const bool has = after.slot(kind) != nullptr;
         PartSwap swap(material, std::string(kind), catalog);
@@ -102,8 +102,7 @@ void swapParts(Material& material, const Block& before, const Block& after,
 
 bool isBlack(const Material& material, const Parameter& parameter) {
     const auto found = material.model.parameters.find(parameter.id);
-    return found != material.model.parameters.end() &&
-           found->second == Value(glm::dvec3(0.0));
+    return found != material.model.parameters.end() && found->second == Value(glm::dvec3(0.0));
 }
 
 /// Nothing is to be seen of it, whatever the light.
@@ -147,12 +146,12 @@ Json lighten(Material& material, const Block& model) {
 } // namespace
 
 bool hasPlaceFor(const Block& model, std::string_view kind) {
-    return model.slot(kind) != nullptr || kind == "fresnel" || kind == "refraction" ||
-           kind == "outline";
+    const BlockKind* row = findKind(kind);
+    return model.slot(kind) != nullptr || (row != nullptr && !row->needsSlot);
 }
 
 Material swappedModel(const Material& material, const Block& newModel, const Catalog& catalog) {
-    const Block* before = catalog.find("models", material.model.id);
+    const Block* before = catalog.find(kinds::models, material.model.id);
     if (before == nullptr) {
         return withModel(material, before, newModel);
     }

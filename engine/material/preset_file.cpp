@@ -82,13 +82,13 @@ class PresetReader {
         JsonReader model = reader_.child("model");
         JsonReader parameters = reader_.child("parameters");
         if (reader_.has("model")) {
-            material().model = blocks_.read(model, parameters, "models", material().parked);
+            material().model = blocks_.read(model, parameters, kinds::models, material().parked);
             material().model.unknown.update(model.unknown());
         }
     }
 
     void readParts() {
-        for (const std::string_view kind : partKinds) {
+        for (const std::string_view kind : partKinds(BlockOwner::Material)) {
             const std::string key(kind);
             const Json* part = reader_.find(key);
             if (part != nullptr && !part->is_null()) {
@@ -103,7 +103,7 @@ class PresetReader {
 
     /// A part without a place changes nothing; it is kept for the next model.
     void notePlace(const std::string& kind) {
-        const Block* model = blocks_.catalog.find("models", material().model.id);
+        const Block* model = blocks_.catalog.find(kinds::models, material().model.id);
         if (model != nullptr && !hasPlaceFor(*model, kind)) {
             note(reader_.pointer(kind),
                  fmt::format("the model \"{}\" has no place for this", model->id),
@@ -128,7 +128,7 @@ class PresetReader {
             levels.read(choice, material().accuracy[choice]);
         }
         noteChoices(all);
-        completeLevels("models", material().model.id);
+        completeLevels(kinds::models, material().model.id);
         for (const auto& [kind, values] : material().parts) {
             completeLevels(kind, values.id);
         }
@@ -138,7 +138,7 @@ class PresetReader {
     /// is a slip, unless a block is missing that may know it.
     void noteChoices(const Json& levels) {
         std::vector<std::string> known;
-        bool isAllThere = addChoices("models", material().model.id, known);
+        bool isAllThere = addChoices(kinds::models, material().model.id, known);
         for (const auto& [kind, values] : material().parts) {
             isAllThere = addChoices(kind, values.id, known) && isAllThere;
         }
@@ -154,7 +154,7 @@ class PresetReader {
     }
 
     /// False where the catalogue lacks the block.
-    bool addChoices(const std::string& kind, const std::string& id,
+    bool addChoices(std::string_view kind, const std::string& id,
                     std::vector<std::string>& known) const {
         const Block* block = blocks_.catalog.find(kind, id);
         if (block == nullptr) {
@@ -172,7 +172,7 @@ class PresetReader {
         });
     }
 
-    void completeLevels(const std::string& kind, const std::string& id) {
+    void completeLevels(std::string_view kind, const std::string& id) {
         const Block* block = blocks_.catalog.find(kind, id);
         if (block == nullptr) {
             return;
@@ -240,7 +240,7 @@ nlohmann::json toJson(const Material& material, const std::filesystem::path& fol
     json["tags"] = material.tags;
     json["model"] = modelJson(material.model);
     json["parameters"] = parametersJson(material.model);
-    json["fresnel"] = Json(); // a preset always says whether it has one
+    json[std::string(kinds::fresnel)] = Json(); // a preset always says whether it has one
     for (const auto& [kind, values] : material.parts) {
         json[kind] = toJson(values);
     }

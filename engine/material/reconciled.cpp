@@ -31,8 +31,8 @@ BlockValues reconciled(const BlockValues& values, std::string_view kind, const C
 
 Material reconciled(const Material& material, const Catalog& before, const Catalog& after) {
     Material next = material;
-    const Block* modelBefore = before.find("models", material.model.id);
-    const Block* model = after.find("models", material.model.id);
+    const Block* modelBefore = before.find(kinds::models, material.model.id);
+    const Block* model = after.find(kinds::models, material.model.id);
     if (model != nullptr && !isAsItWas(modelBefore, *model)) {
         next = withModel(next, modelBefore, *model);
     }

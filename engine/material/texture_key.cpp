@@ -37,13 +37,13 @@ std::string partId(std::string_view kind, const Block& model, const Material& ma
 
 Keys keysOf(const Material& material, const Catalog& catalog) {
     Keys keys;
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     keys.isWhole = model != nullptr;
     if (model == nullptr) {
         return keys;
     }
     keys.add(*model, {});
-    for (const std::string_view kind : partKinds) {
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         const std::string id = partId(kind, *model, material);
         const Block* part = id.empty() ? nullptr : catalog.find(kind, id);
         keys.isWhole = keys.isWhole && (part != nullptr || id.empty());
@@ -62,7 +62,9 @@ std::optional<Error> whyNoImage(std::string_view key, const Material& material,
     if (!keys.isWhole || std::find(keys.known.begin(), keys.known.end(), key) != keys.known.end()) {
         return std::nullopt;
     }
-    return Error{{}, 0, 0,
+    return Error{{},
+                 0,
+                 0,
                  fmt::format("the material has no value \"{}\" that takes an image; it is kept as "
                              "it is",
                              key),

@@ -68,9 +68,6 @@ struct FilledSlot {
     const Geometry* geometry = nullptr;
 };
 
-using FresnelSlot = FilledSlot;
-using SpecularSlot = FilledSlot;
-
 /// The slot of a kind among what fills a model's slots.
 inline FilledSlot filledSlot(Fillers fillers, std::string_view kind, const Geometry& geometry) {
     for (const Filler& filler : fillers) {

@@ -38,6 +38,78 @@ double cut(double x) {
 
 } // namespace
 
+namespace {
+
+glm::dvec3 triple(const std::array<double, 3>& numbers) {
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+std::array<double, 8> numbersOf(const Crossing& x) {
+    return {x.l.x, x.l.y, x.l.z, x.n.x, x.n.y, x.n.z, double(x.channel), double(x.leaves)};
+}
+
+} // namespace
+
+const BlockCall& Block::findCall(std::string_view suffix) const {
+    return *std::find_if(calls.begin(), calls.end(),
+                         [suffix](const BlockCall& call) { return call.suffix == suffix; });
+}
+
+glm::dvec3 Block::fresnel(double c, double versine, Parameters parameters) const {
+    return triple(call<3>("", std::array{c, versine}, parameters));
+}
+
+glm::dvec3 Block::tint(Parameters parameters) const {
+    return triple(call<3>("Tint", {}, parameters));
+}
+
+Illumination Block::light(const glm::dvec3& x, Parameters parameters) const {
+    const auto lit = call<6>("", std::array{x.x, x.y, x.z}, parameters);
+    return {{lit[0], lit[1], lit[2]}, {lit[3], lit[4], lit[5]}};
+}
+
+double Block::fog(const FogRay& ray, Parameters parameters) const {
+    const std::array numbers{ray.eye.x,       ray.eye.y,       ray.eye.z, ray.direction.x,
+                             ray.direction.y, ray.direction.z, ray.range};
+    return call<1>("", numbers, parameters)[0];
+}
+
+glm::dvec3 Block::fogColor(Parameters parameters) const {
+    return triple(call<3>("Color", {}, parameters));
+}
+
+glm::dvec3 Block::environment(const glm::dvec3& d, const glm::dvec3& picture,
+                              Parameters parameters) const {
+    const std::array numbers{d.x, d.y, d.z, picture.x, picture.y, picture.z};
+    return triple(call<3>("", numbers, parameters));
+}
+
+double Block::transparency(double depth, double opacity, Parameters parameters) const {
+    return call<1>("", std::array{depth, opacity}, parameters)[0];
+}
+
+glm::dvec3 Block::refract(const Crossing& crossing, Parameters parameters) const {
+    return triple(call<3>("", numbersOf(crossing), parameters));
+}
+
+double Block::mirrored(const Crossing& crossing, Parameters parameters) const {
+    return call<1>("Mirrored", numbersOf(crossing), parameters)[0];
+}
+
+glm::dvec3 Block::left(double way, Parameters parameters) const {
+    return triple(call<3>("Left", std::array{way}, parameters));
+}
+
+glm::dvec2 Block::outline(const Edge& edge, Parameters parameters) const {
+    const std::array numbers{double(edge.turns), double(edge.ends), edge.bend};
+    const auto widths = call<2>("", numbers, parameters);
+    return {widths[0], widths[1]};
+}
+
+glm::dvec3 Block::lineColor(Parameters parameters) const {
+    return triple(call<3>("Color", {}, parameters));
+}
+
 const Block* findBlock(std::string_view kind, std::string_view id) {
     const auto all = blocks();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Block& block) {

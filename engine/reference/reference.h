@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -79,7 +80,16 @@ struct Filler {
 /// What fills a model's slots, in any order: at most one of each kind. A slot without one is black.
 using Fillers = std::span<const Filler>;
 
-/// A compiled block. Of the functions, those of its kind are set.
+/// A function of a block, called with plain numbers: a vec3 is three of them, a struct its fields
+/// in order.
+struct BlockCall {
+    std::string_view suffix; ///< of its name, after the block's
+    std::size_t arguments = 0;
+    std::size_t results = 0;
+    void (*call)(const double* arguments, double* results, Parameters) = nullptr;
+};
+
+/// A compiled block.
 struct Block {
     std::string_view kind;
     std::string_view id;
@@ -88,25 +98,38 @@ struct Block {
     bool lightGate = true;
     bool viewGate = true;
 
-    /// Models, and what their slots of kind "specular" call.
+    /// The function of Directions, where the kind has one.
     glm::dvec3 (*model)(const Geometry&, Parameters, Fillers) = nullptr;
-    glm::dvec3 (*fresnel)(double c, double versine, Parameters) = nullptr;
-    glm::dvec3 (*tint)(Parameters) = nullptr;
-    Illumination (*light)(const glm::dvec3& x, Parameters) = nullptr;
-    double (*fog)(const FogRay& ray, Parameters) = nullptr;
-    glm::dvec3 (*fogColor)(Parameters) = nullptr;
+    /// The other functions of the kind, in its order.
+    std::span<const BlockCall> calls;
+
+    // The functions of each kind with their types. Only those of the block's own may be called.
+    glm::dvec3 fresnel(double c, double versine, Parameters) const;
+    glm::dvec3 tint(Parameters) const;
+    Illumination light(const glm::dvec3& x, Parameters) const;
+    double fog(const FogRay& ray, Parameters) const;
+    glm::dvec3 fogColor(Parameters) const;
     /// What comes from the unit direction d, E / pi, and the picture's colour there.
-    glm::dvec3 (*environment)(const glm::dvec3& d, const glm::dvec3& picture,
-                              Parameters) = nullptr;
+    glm::dvec3 environment(const glm::dvec3& d, const glm::dvec3& picture, Parameters) const;
     /// How much a surface at the depth 0 .. 1 counts.
-    double (*transparency)(double depth, double opacity, Parameters) = nullptr;
+    double transparency(double depth, double opacity, Parameters) const;
     /// Refraction: the way on, the share mirrored, and what is left after so many metres.
-    glm::dvec3 (*refract)(const Crossing&, Parameters) = nullptr;
-    double (*mirrored)(const Crossing&, Parameters) = nullptr;
-    glm::dvec3 (*left)(double way, Parameters) = nullptr;
+    glm::dvec3 refract(const Crossing&, Parameters) const;
+    double mirrored(const Crossing&, Parameters) const;
+    glm::dvec3 left(double way, Parameters) const;
     /// How wide an edge's lines are, in pixels: outside of the shape, and on it.
-    glm::dvec2 (*outline)(const Edge& edge, Parameters) = nullptr;
-    glm::dvec3 (*lineColor)(Parameters) = nullptr;
+    glm::dvec2 outline(const Edge& edge, Parameters) const;
+    glm::dvec3 lineColor(Parameters) const;
+
+    /// The function with a suffix, called with these numbers; `Count` of them come back.
+    template <std::size_t Count>
+    std::array<double, Count> call(std::string_view suffix, std::span<const double> arguments,
+                                   Parameters parameters) const {
+        std::array<double, Count> results{};
+        findCall(suffix).call(arguments.data(), results.data(), parameters);
+        return results;
+    }
+    const BlockCall& findCall(std::string_view suffix) const;
 };
 
 /// Every block, sorted by kind and id.

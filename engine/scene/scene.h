@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -18,10 +20,10 @@ namespace patina {
 struct Object {
     std::string name;
     std::string mesh = "builtin:sphere"; ///< "builtin:<name>", or a path with forward slashes
-    bool fitUnitBox = false;   ///< scale and centre the mesh into a unit box before the transform
+    bool fitUnitBox = false; ///< scale and centre the mesh into a unit box before the transform
     bool flipNormals = false;
     bool visible = true;
-    bool castsShadow = true;   ///< in the light of lights with shadows
+    bool castsShadow = true;     ///< in the light of lights with shadows
     glm::dvec3 translation{0.0}; ///< metres
     glm::dvec3 rotation{0.0};    ///< degrees about x, then y, then z
     glm::dvec3 scale{1.0};
@@ -35,8 +37,8 @@ struct Object {
 struct Light {
     std::string name;
     bool enabled = true;
-    BlockValues block; ///< of kind "lights"
-    std::optional<BlockValues> shadow{}; ///< of kind "shadows"; absent: objects cast none in it
+    BlockValues block;
+    std::optional<BlockValues> shadow{}; ///< absent: objects cast none in it
 
     friend bool operator==(const Light&, const Light&) = default;
 };
@@ -54,8 +56,8 @@ struct Camera {
 
 /// Ambient light that differs above and below: what a point on the ground under an even sky gets.
 struct Hemisphere {
-    glm::dvec3 sky{0.0};    ///< linear colour of the light on a surface that faces up
-    glm::dvec3 ground{0.0}; ///< on one that faces down
+    glm::dvec3 sky{0.0};          ///< linear colour of the light on a surface that faces up
+    glm::dvec3 ground{0.0};       ///< on one that faces down
     glm::dvec3 up{0.0, 1.0, 0.0}; ///< of any length; without one it counts as +y
 
     friend bool operator==(const Hemisphere&, const Hemisphere&) = default;
@@ -68,22 +70,23 @@ struct Scene {
     std::string name;
     std::vector<Object> objects;
     std::vector<Light> lights;
-    std::optional<BlockValues> fog;  ///< of kind "fog"; absent: off
-    /// A block of kind "environment"; absent: off. Its picture is a path that scene files resolve.
-    std::optional<BlockValues> environment;
-    /// A block of kind "transparency", which puts transparent objects together; absent:
-    /// each is blended over what is behind it, far ones first.
-    std::optional<BlockValues> transparency;
-    glm::dvec3 ambient{0.0};         ///< linear colour of the light from everywhere
-    Hemisphere hemisphere;           ///< beside it
-    glm::dvec3 background{0.18f};    ///< linear; a float, as files hold it
+    BlockParts parts;             ///< the picture of one is a path that scene files resolve
+    glm::dvec3 ambient{0.0};      ///< linear colour of the light from everywhere
+    Hemisphere hemisphere;        ///< beside it
+    glm::dvec3 background{0.18f}; ///< linear; a float, as files hold it
     Ground ground;
     Camera camera;
-    double exposure = 0.0;           ///< EV, powers of two
+    double exposure = 0.0; ///< EV, powers of two
     ToneMapping toneMapping = ToneMapping::KhronosNeutral;
-    PictureAccuracy accuracy;        ///< of the picture, whatever the materials
+    PictureAccuracy accuracy; ///< of the picture, whatever the materials
     nlohmann::json extras = nlohmann::json::object();
     nlohmann::json unknown = nlohmann::json::object();
+
+    const BlockValues* part(std::string_view kind) const { return partOf(parts, kind); }
+    BlockValues* part(std::string_view kind) { return partOf(parts, kind); }
+    void setPart(std::string_view kind, std::optional<BlockValues> values) {
+        patina::setPart(parts, kind, std::move(values));
+    }
 
     friend bool operator==(const Scene&, const Scene&) = default;
 };

@@ -35,12 +35,10 @@ class SceneReader {
         reader_.read("name", scene().name);
         readObjects();
         readLights();
-        readBlock("fog", scene().fog);
-        readBlock("transparency", scene().transparency);
+        readParts();
         readPicture();
         readGround();
         readCamera();
-        readEnvironment();
         reader_.readObject("extras", scene().extras);
         keepUnknown();
         readPictureAccuracy(reader_, scene(), reading_.notes);
@@ -199,7 +197,7 @@ class SceneReader {
     }
 
     Material fallback() const {
-        const std::vector<const Block*> models = blocks_.catalog.ofKind("models");
+        const std::vector<const Block*> models = blocks_.catalog.ofKind(kinds::models);
         return models.empty() ? Material{} : defaultMaterial(*models.front());
     }
 
@@ -211,7 +209,7 @@ class SceneReader {
             reader.read("name", light.name);
             reader.read("enabled", light.enabled);
             readShadow(reader, light);
-            light.block = blocks_.read(reader, "lights");
+            light.block = blocks_.read(reader, kinds::lights);
             light.block.unknown.update(reader.unknown());
             scene().lights.push_back(std::move(light));
         }
@@ -221,53 +219,50 @@ class SceneReader {
         const Json* shadow = light.find("shadow");
         if (shadow != nullptr && !shadow->is_null()) {
             JsonReader reader = light.child("shadow");
-            into.shadow = blocks_.read(reader, "shadows");
+            into.shadow = blocks_.read(reader, kinds::shadows);
             into.shadow->unknown.update(reader.unknown());
         }
     }
 
-    /// A block that the scene may have: its key in the file is its kind.
-    void readBlock(std::string_view kind, std::optional<BlockValues>& into) {
-        const Json* json = reader_.find(kind);
-        if (json != nullptr && !json->is_null()) {
-            JsonReader reader = reader_.child(kind);
-            into = blocks_.read(reader, kind);
-            into->unknown.update(reader.unknown());
+    void readParts() {
+        for (const std::string_view kind : partKinds(BlockOwner::Scene)) {
+            const Json* json = reader_.find(kind);
+            if (json != nullptr && !json->is_null() && !isFormer(kind, *json)) {
+                readPart(kind);
+            }
         }
     }
 
     /// Scenes of before there were environments have an object without an id, which is kept.
-    void readEnvironment() {
-        const Json* environment = reader_.find("environment");
-        if (environment == nullptr || environment->is_null()) {
-            return;
-        }
-        if (environment->is_object() && !environment->contains("id")) {
-            formerEnvironment_ = *environment;
-            return;
-        }
-        JsonReader reader = reader_.child("environment");
-        scene().environment = blocks_.read(reader, "environment");
-        scene().environment->unknown.update(reader.unknown());
-        readPictureFile();
+    bool isFormer(std::string_view kind, const Json& json) {
+        const bool is = kind == kinds::environment && json.is_object() && !json.contains("id");
+        formerEnvironment_ = is ? json : formerEnvironment_;
+        return is;
+    }
+
+    void readPart(std::string_view kind) {
+        JsonReader reader = reader_.child(kind);
+        BlockValues values = blocks_.read(reader, kind);
+        values.unknown.update(reader.unknown());
+        readPictureFile(kind, values);
+        scene().setPart(kind, std::move(values));
     }
 
     /// A picture is named from the scene's folder.
-    void readPictureFile() {
-        BlockValues& environment = *scene().environment;
-        const Block* block = blocks_.catalog.find("environment", environment.id);
+    void readPictureFile(std::string_view kind, BlockValues& values) {
+        const Block* block = blocks_.catalog.find(kind, values.id);
         const Parameter* parameter = block == nullptr ? nullptr : pictureParameter(*block);
-        const std::string file(parameter == nullptr ? "" : pictureFile(environment, *block));
+        const std::string file(parameter == nullptr ? "" : pictureFile(values, *block));
         if (file.empty()) {
             return;
         }
         if (!references_.mayRead(file, OutsideFile::Kind::Picture)) {
-            note("/environment/parameters/" + escapedToken(parameter->id),
+            note(fmt::format("/{}/parameters/{}", kind, escapedToken(parameter->id)),
                  fmt::format("the picture \"{}\" is not in the scene's folder and is not read",
                              file),
                  relativePath);
         }
-        environment.parameters[parameter->id] = meshFromFile(file, references_.base());
+        values.parameters[parameter->id] = meshFromFile(file, references_.base());
     }
 
     void readPicture() {
@@ -352,7 +347,7 @@ class SceneReader {
             scene().unknown["hemisphere"] = std::move(hemisphereUnknown_);
         }
         if (!formerEnvironment_.empty()) {
-            scene().unknown["environment"] = std::move(formerEnvironment_);
+            scene().unknown[std::string(kinds::environment)] = std::move(formerEnvironment_);
         }
     }
 

@@ -45,8 +45,8 @@ Json toJson(const Light& light) {
 }
 
 /// The picture's path is the only text in it that can be one.
-Json toJson(const BlockValues& environment, const std::filesystem::path& folder) {
-    BlockValues moved = environment;
+Json toJson(const BlockValues& part, const std::filesystem::path& folder) {
+    BlockValues moved = part;
     for (auto& [id, value] : moved.parameters) {
         if (auto* text = std::get_if<std::string>(&value)) {
             *text = meshForFile(*text, folder);
@@ -102,8 +102,6 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     for (const Light& light : scene.lights) {
         json["lights"].push_back(toJson(light));
     }
-    json["fog"] = scene.fog ? toJson(*scene.fog) : Json();
-    json["transparency"] = scene.transparency ? toJson(*scene.transparency) : Json();
     json["ambient"] = triple(scene.ambient);
     json["hemisphere"].update(toJson(scene.hemisphere)); // as the camera below
     json["background"] = triple(scene.background);
@@ -112,8 +110,12 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     json["exposure"] = narrow(scene.exposure);
     json["toneMapping"] = wordFor(toneMappingWords, scene.toneMapping);
     writePictureAccuracy(json, scene.accuracy);
-    if (scene.environment || !json.contains("environment")) {
-        json["environment"] = scene.environment ? toJson(*scene.environment, folder) : Json();
+    for (const std::string_view kind : partKinds(BlockOwner::Scene)) {
+        const BlockValues* part = scene.part(kind);
+        const std::string key(kind);
+        if (part != nullptr || !json.contains(key)) { // what was not known stays
+            json[key] = part != nullptr ? toJson(*part, folder) : Json();
+        }
     }
     json["extras"] = scene.extras;
     return json;

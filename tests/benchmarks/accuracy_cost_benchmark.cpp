@@ -93,8 +93,8 @@ Scene sceneOf(const Catalog& catalog, const Setting& setting) {
 Scene pictureScene(const Catalog& catalog) {
     Scene scene = ballScene(catalog, "blinn-phong");
     scene.lights.front().shadow = defaultsOf(catalog, "shadows", "filtered");
-    scene.fog = defaultsOf(catalog, "fog", "exponential");
-    scene.transparency = defaultsOf(catalog, "transparency", "peeled");
+    scene.setPart(kinds::fog, defaultsOf(catalog, "fog", "exponential"));
+    scene.setPart(kinds::transparency, defaultsOf(catalog, "transparency", "peeled"));
     Object pane = scene.objects.front();
     pane.mesh = "builtin:torus";
     pane.scale = glm::dvec3(1.6); // around the ball
@@ -106,7 +106,7 @@ Scene pictureScene(const Catalog& catalog) {
 Scene environmentScene(const Catalog& catalog) {
     Scene scene = ballScene(catalog, "cook-torrance");
     scene.lights.clear();
-    scene.environment = defaultsOf(catalog, "environment", "studio");
+    scene.setPart(kinds::environment, defaultsOf(catalog, "environment", "studio"));
     return scene;
 }
 
@@ -120,9 +120,8 @@ struct Job {
 };
 
 std::string nameOf(const Catalog& catalog, const Setting& setting) {
-    std::string name = setting.filler.empty()
-                           ? catalog.find("models", setting.model)->label
-                           : catalog.find("fresnel", setting.filler)->label;
+    std::string name = setting.filler.empty() ? catalog.find("models", setting.model)->label
+                                              : catalog.find("fresnel", setting.filler)->label;
     for (const auto& [id, value] : setting.values) {
         name += ", " + value;
     }
@@ -243,12 +242,14 @@ bool accuracyCost() {
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     const double before = load();
     const std::string materials = tableOf(materialJobs(*catalog), catalog);
-    const std::string pictures = tableOf(
-        {{"A ball and a clear ring, fog and shadows", pictureScene(*catalog),
-          Choice::Scope::Picture},
-         {"A ball in the studio, 32 x 32 pixels", environmentScene(*catalog),
-          Choice::Scope::Picture, {"picture.environment"}, smallSize}},
-        catalog);
+    const std::string pictures = tableOf({{"A ball and a clear ring, fog and shadows",
+                                           pictureScene(*catalog), Choice::Scope::Picture},
+                                          {"A ball in the studio, 32 x 32 pixels",
+                                           environmentScene(*catalog),
+                                           Choice::Scope::Picture,
+                                           {"picture.environment"},
+                                           smallSize}},
+                                         catalog);
     const std::string text = fmt::format(
         "# What accuracy choices cost\n\n"
         "Written by `./packaging/benchmark accuracy-cost` on {}: {}, {} cores,\n{}. The load was "

@@ -36,8 +36,7 @@ void addImage(Material& material, const char* key) {
 }
 
 void addLights(Scene& scene, const Catalog& catalog, const std::string& surrounding) {
-    scene.lights.push_back(
-        lightOf(catalog, "directional", {1.0, 0.95, 0.88}, {0.55, -0.8, -0.75}));
+    scene.lights.push_back(lightOf(catalog, "directional", {1.0, 0.95, 0.88}, {0.55, -0.8, -0.75}));
     if (surrounding == "studio") {
         scene.lights.push_back(
             lightOf(catalog, "directional", {0.4, 0.45, 0.5}, {-1.0, -0.2, -0.35}));
@@ -54,7 +53,7 @@ void addLights(Scene& scene, const Catalog& catalog, const std::string& surround
 void addEffect(Scene& scene, const Catalog& catalog, const std::string& surrounding) {
     Material& material = scene.objects.front().material;
     if (surrounding == "haze") {
-        scene.fog = defaultBlockValues(*catalog.find("fog", "exponential"));
+        scene.setPart(kinds::fog, defaultBlockValues(*catalog.find("fog", "exponential")));
     } else if (surrounding == "glow") {
         material.model.parameters["emissive.color"] = glm::dvec3(0.05, 0.1, 0.2);
     } else if (surrounding == "rim") {

@@ -19,7 +19,6 @@ namespace {
 
 using namespace patina;
 using benchmarks::EditorCourse;
-using Part = BlockPath::Part;
 
 constexpr int settleMs = 2000;
 
@@ -29,28 +28,25 @@ struct Kind {
     std::function<void(Document&, const std::string& id)> use;
 };
 
-std::function<void(Document&, const std::string&)> part(Part which) {
-    return [which](Document& document, const std::string& id) {
-        document.setPart(Side::A, which, id);
-    };
+std::function<void(Document&, const std::string&)> part(std::string_view kind) {
+    return
+        [kind](Document& document, const std::string& id) { document.setBlock(pathOf(kind), id); };
 }
 
-std::vector<Kind> kinds() {
+std::vector<Kind> allKinds() {
     return {{"models",
              [](Document& document, const std::string& id) { document.setModel(Side::A, id); }},
-            {"fresnel", part(Part::Fresnel)},
+            {"fresnel", part(kinds::fresnel)},
             {"lights", [](Document& document, const std::string& id) { document.addLight(id); }},
-            {"shadows",
-             [](Document& document, const std::string& id) { document.setShadow(0, id); }},
-            {"fog", [](Document& document, const std::string& id) { document.setFog(id); }},
-            {"environment",
-             [](Document& document, const std::string& id) { document.setEnvironment(id); }},
-            {"outline", part(Part::Outline)},
-            {"refraction", part(Part::Refraction)},
+            {"shadows", part(kinds::shadows)},
+            {"fog", part(kinds::fog)},
+            {"environment", part(kinds::environment)},
+            {"outline", part(kinds::outline)},
+            {"refraction", part(kinds::refraction)},
             {"transparency", [](Document& document, const std::string& id) {
-                 document.setPart(Side::A, Part::Refraction, "");
-                 document.setValue(document.currentPath(Part::Material), "opacity", 0.5);
-                 document.setTransparency(id);
+                 document.setBlock(pathOf(kinds::refraction), "");
+                 document.setValue(document.currentPath(settings::material), "opacity", 0.5);
+                 document.setBlock(pathOf(kinds::transparency), id);
              }}};
 }
 
@@ -87,6 +83,6 @@ int main(int argc, char** argv) {
     EditorCourse course(window);
     course.rest(settleMs);
     const bool done = std::ranges::all_of(
-        kinds(), [&](const Kind& kind) { return useAll(course, document, kind); });
+        allKinds(), [&](const Kind& kind) { return useAll(course, document, kind); });
     return done ? 0 : 1;
 }

@@ -72,8 +72,8 @@ void add(Uniforms& uniforms, const TextureUse& use) {
     const double angle = glm::radians(use.rotation);
     const glm::dvec2 across = use.scale.x * glm::dvec2(std::cos(angle), std::sin(angle));
     const glm::dvec2 up = use.scale.y * glm::dvec2(-std::sin(angle), std::cos(angle));
-    const glm::dvec2 start = 0.5 * use.scale + use.offset -
-                             0.5 * glm::dvec2(across.x + across.y, up.x + up.y);
+    const glm::dvec2 start =
+        0.5 * use.scale + use.offset - 0.5 * glm::dvec2(across.x + across.y, up.x + up.y);
     uniforms["imageAcross"] = numbersOf(glm::dvec3(across, start.x));
     uniforms["imageUp"] = numbersOf(glm::dvec3(up, start.y));
     uniforms["imageStrength"] = {float(use.strength)};
@@ -119,8 +119,9 @@ Uniforms uniformsOf(const Catalog& catalog, const Scene& scene) {
         add(uniforms, fmt::format("light{}", i), *catalog.find("lights", light.id),
             light.parameters);
     }
-    if (scene.fog) {
-        add(uniforms, "fog", *catalog.find("fog", scene.fog->id), scene.fog->parameters);
+    if (scene.part(kinds::fog)) {
+        add(uniforms, "fog", *catalog.find("fog", scene.part(kinds::fog)->id),
+            scene.part(kinds::fog)->parameters);
     }
     return uniforms;
 }
@@ -159,8 +160,7 @@ MinimalProgram::MinimalProgram(const Catalog& catalog, const std::string& model,
     const std::string vertexFile = surrounding == "relief"   ? "relief.vert"
                                    : readsImage(surrounding) ? "image.vert"
                                                              : "ball.vert";
-    const auto vertex =
-        gl::Shader::compile(GL_VERTEX_SHADER, tests::readFile(folder / vertexFile));
+    const auto vertex = gl::Shader::compile(GL_VERTEX_SHADER, tests::readFile(folder / vertexFile));
     const auto fragment = gl::Shader::compile(GL_FRAGMENT_SHADER, source->text);
     if (!vertex || !fragment) {
         fail(name_, vertex ? fragment.error() : vertex.error());

@@ -40,14 +40,9 @@ Ids namedBlocks(const Scene& scene) {
             named.insert({"shadows", light.shadow->id});
         }
     }
-    const auto add = [&named](const char* kind, const std::optional<BlockValues>& block) {
-        if (block) {
-            named.insert({kind, block->id});
-        }
-    };
-    add("fog", scene.fog);
-    add("environment", scene.environment);
-    add("transparency", scene.transparency);
+    for (const auto& [kind, block] : scene.parts) {
+        named.insert({kind, block.id});
+    }
     return named;
 }
 
@@ -115,8 +110,8 @@ bool offEffects() {
     const Spread ratio = frameRatio(stage, all, used);
     const bool kept = ratio.median <= maxRatio;
     report(blocks + ": frame", text(ratio, 1.0, ""), kept, "<= 1.01");
-    report("the same blocks on both sides: frame", text(frameRatio(stage, all, all), 1.0, ""),
-           true, "what is noise");
+    report("the same blocks on both sides: frame", text(frameRatio(stage, all, all), 1.0, ""), true,
+           "what is noise");
     return isSame && kept;
 }
 

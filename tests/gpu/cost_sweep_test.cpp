@@ -266,7 +266,7 @@ std::string groundTruthOf(const CostSweep::Subject& subject, Choice::Scope scope
 
 TEST_F(CostSweepTest, UnderAnEnvironment_TheGroundTruthFrameSaysItsDirections) {
     Scene scene = simpleScene("lambert");
-    scene.environment = defaultBlockValues(*catalog->find("environment", "studio"));
+    scene.setPart(kinds::environment, defaultBlockValues(*catalog->find("environment", "studio")));
     const CostSweep::Subject subject{scene, 0, scene.camera, meshSource(), catalog};
     EXPECT_EQ(groundTruthOf(subject, Choice::Scope::Material),
               "the same frame in double precision and with the same 48 directions of the "
@@ -279,7 +279,7 @@ TEST_F(CostSweepTest, UnderAnEnvironment_TheGroundTruthFrameSaysItsDirections) {
 /// The device's directions are those of the frame in double precision, whatever the model's lobe.
 TEST_F(CostSweepTest, UnderAnEnvironment_TheExactFrameErrsByRoundingOnly) {
     scene_ = simpleScene("cook-torrance");
-    scene_.environment = defaultBlockValues(*catalog->find("environment", "studio"));
+    scene_.setPart(kinds::environment, defaultBlockValues(*catalog->find("environment", "studio")));
     CostSweep::Options options;
     options.size = {16, 16};
     options.only = {"nothing"};

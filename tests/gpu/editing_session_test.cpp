@@ -25,7 +25,7 @@ class EditingSession : public GpuTest {
             const BlockValues model = block("models", each->id);
             all.emplace_back([model](Scene& s) { s.objects[0].material.model = model; });
         }
-        for (const std::string_view kind : partKinds) {
+        for (const std::string_view kind : partKinds(BlockOwner::Material)) {
             const std::string name(kind);
             for (const Block* each : catalog->ofKind(kind)) {
                 const BlockValues part = block(name, each->id);
@@ -46,26 +46,26 @@ class EditingSession : public GpuTest {
         }
         for (const Block* each : catalog->ofKind("fog")) {
             const BlockValues made = block("fog", each->id);
-            all.emplace_back([made](Scene& s) { s.fog = made; });
+            all.emplace_back([made](Scene& s) { s.setPart(kinds::fog, made); });
         }
         for (const Block* each : catalog->ofKind("transparency")) {
             const BlockValues made = block("transparency", each->id);
             all.emplace_back([made](Scene& s) {
                 s.objects[0].material.opacity = 0.5;
-                s.transparency = made;
+                s.setPart(kinds::transparency, made);
             });
         }
         all.insert(all.end(), {
-            [](Scene& s) { s.transparency.reset(); },
-            [](Scene& s) { s.objects[0].material.opacity = 1.0; },
-            [](Scene& s) { s.ambient = glm::dvec3(0.1); },
-            [](Scene& s) { s.hemisphere.sky = glm::dvec3(0.2); },
-            [](Scene& s) { s.ground.mode = GroundMode::Plane; },
-            [](Scene& s) { s.ground.mode = GroundMode::Shadows; },
-            [](Scene& s) { s.exposure = 1.0; },
-            [](Scene& s) { s.toneMapping = ToneMapping::KhronosNeutral; },
-            [](Scene& s) { s.fog.reset(); },
-        });
+                                  [](Scene& s) { s.setPart(kinds::transparency, std::nullopt); },
+                                  [](Scene& s) { s.objects[0].material.opacity = 1.0; },
+                                  [](Scene& s) { s.ambient = glm::dvec3(0.1); },
+                                  [](Scene& s) { s.hemisphere.sky = glm::dvec3(0.2); },
+                                  [](Scene& s) { s.ground.mode = GroundMode::Plane; },
+                                  [](Scene& s) { s.ground.mode = GroundMode::Shadows; },
+                                  [](Scene& s) { s.exposure = 1.0; },
+                                  [](Scene& s) { s.toneMapping = ToneMapping::KhronosNeutral; },
+                                  [](Scene& s) { s.setPart(kinds::fog, std::nullopt); },
+                              });
         return all;
     }
 
@@ -77,9 +77,8 @@ class EditingSession : public GpuTest {
 
     /// How much of the device's work that is no surface's is seen: each kind of pass has a program.
     static std::vector<std::string> passesOf(const EffectSet& set, const Scene& scene) {
-        std::vector<std::string> passes{
-            "display " + std::to_string(int(scene.toneMapping)) +
-            (scene.exposure == 0.0 ? " plain" : " exposed")};
+        std::vector<std::string> passes{"display " + std::to_string(int(scene.toneMapping)) +
+                                        (scene.exposure == 0.0 ? " plain" : " exposed")};
         for (const LightGroup& group : set.scene.lights) {
             if (group.shadow) {
                 passes.emplace_back("shadow map");
@@ -145,8 +144,7 @@ class EditingSession : public GpuTest {
                 }
             };
             for (auto* use : {&set->model, &set->blend, &set->refraction, &set->outline,
-                              &set->scene.fog, &set->scene.environment,
-                              &set->scene.transparency}) {
+                              &set->scene.fog, &set->scene.environment, &set->scene.transparency}) {
                 forget(*use);
             }
             for (BlockUse& slot : set->slots) {

@@ -104,7 +104,7 @@ vec3 heavyFogColor(HeavyFog p) {
 };
 
 TEST_F(EffectCostTest, HeavyEffect_CostsMoreThanNothing) {
-    scene_.fog = block("fog", "heavy");
+    scene_.setPart(kinds::fog, block("fog", "heavy"));
     const EffectCosts costs = measured(7);
     const EffectCost* fog = costs.of("fog/heavy");
     ASSERT_NE(fog, nullptr);
@@ -113,7 +113,7 @@ TEST_F(EffectCostTest, HeavyEffect_CostsMoreThanNothing) {
 }
 
 TEST_F(EffectCostTest, HeavyEffect_IsMostOfTheFrame) {
-    scene_.fog = block("fog", "heavy");
+    scene_.setPart(kinds::fog, block("fog", "heavy"));
     const EffectCosts costs = measured(7);
     EXPECT_GT(costs.of("fog/heavy")->milliseconds.median, 0.5 * costs.frame.median);
 }
@@ -143,7 +143,7 @@ TEST(EffectCosts, Sum_HasNothingThatIsBelowNoise) {
 
 TEST_F(EffectCostTest, EveryRemovableEffect_IsMeasured) {
     scene_.ambient = glm::dvec3(0.1);
-    scene_.fog = block("fog", "linear");
+    scene_.setPart(kinds::fog, block("fog", "linear"));
     scene_.lights[0].shadow = block("shadows", "hard");
     scene_.ground.mode = GroundMode::Plane;
     const EffectCosts costs = measured(1);
@@ -173,7 +173,7 @@ TEST_F(EffectCostTest, WithoutTime_DrawsOnePair) {
 }
 
 TEST_F(EffectCostTest, WithTime_IsSure) {
-    scene_.fog = block("fog", "linear");
+    scene_.setPart(kinds::fog, block("fog", "linear"));
     const EffectCosts costs = measured(7);
     EXPECT_EQ(costs.pairs, 7);
     EXPECT_EQ(costs.secondsNeeded, 0.0);
@@ -183,7 +183,7 @@ TEST_F(EffectCostTest, WithTime_IsSure) {
 /// So slow a fog that the fewest rounds, which once were drawn whatever the time, take far longer
 /// than there is; what programs take to be made comes on top.
 TEST_F(EffectCostTest, SlowFrames_EndInTime) {
-    scene_.fog = block("fog", "heavy");
+    scene_.setPart(kinds::fog, block("fog", "heavy"));
     scene_.ambient = glm::dvec3(0.1);
     rows_ = effectRows(scene_, 0, *catalog);
     const auto secondsOf = [this](double seconds, bool mayShrink) {

@@ -45,22 +45,22 @@ class EffectRowsTest : public ShadingTest {
         rich.parts["specular"] = block("specular", "gaussian");
         rich.model.parameters["emissive.color"] = glm::dvec3(0.5);
         rich.opacity = 0.5;
-        scene_.transparency = block("transparency", "peeled");
+        scene_.setPart(kinds::transparency, block("transparency", "peeled"));
         rich.textures["diffuse.color"] = textureUse("diffuse.color", "/wood.png");
         scene_.lights = {light("point"), light("head")};
         scene_.lights[0].shadow = block("shadows", "soft");
         scene_.ground.mode = GroundMode::Plane;
         scene_.hemisphere.sky = glm::dvec3(0.2);
-        scene_.environment = block("environment", "studio");
+        scene_.setPart(kinds::environment, block("environment", "studio"));
         scene_.ambient = glm::dvec3(0.1);
-        scene_.fog = block("fog", "linear");
+        scene_.setPart(kinds::fog, block("fog", "linear"));
         scene_.exposure = 1.0;
         scene_.toneMapping = ToneMapping::KhronosNeutral;
     }
 
     void useFog(const std::string& id, const std::string& parameter, double value) {
-        scene_.fog = block("fog", id);
-        scene_.fog->parameters[parameter] = value;
+        scene_.setPart(kinds::fog, block("fog", id));
+        scene_.part(kinds::fog)->parameters[parameter] = value;
     }
 
     Scene scene_;
@@ -105,9 +105,8 @@ TEST_F(EffectRowsTest, EmptyScene_SaysWhatItLacks) {
 
 TEST_F(EffectRowsTest, WhatWorksThroughTheModel_IsWithinIt) {
     useEverything();
-    for (const char* effect :
-         {"lights/point", "lights/head", "ambient", "hemisphere", "environment/studio", "emission",
-          "specular/gaussian"}) {
+    for (const char* effect : {"lights/point", "lights/head", "ambient", "hemisphere",
+                               "environment/studio", "emission", "specular/gaussian"}) {
         EXPECT_EQ(row(effect).within, "models/lambert") << effect;
     }
     for (const char* effect :
@@ -212,7 +211,7 @@ TEST_F(EffectRowsTest, ThinFogAtUnknownDepth_IsIn) {
 
 TEST_F(EffectRowsTest, FogThatBeginsBehindEverything_IsLeftOut) {
     useFog("linear", "start", 20.0);
-    scene_.fog->parameters["end"] = 30.0;
+    scene_.part(kinds::fog)->parameters["end"] = 30.0;
     EXPECT_FALSE(isIn("fog/linear", 15.0));
     EXPECT_TRUE(isIn("fog/linear", 21.0));
 }
@@ -228,10 +227,10 @@ TEST_F(EffectRowsTest, FogInABoxWithoutAnyWidth_IsLeftOut) {
     EXPECT_TRUE(isIn("fog/boxed", 8.4));
     EXPECT_EQ(row("fog/boxed", 8.4).line.reason.find("1e+02"), std::string::npos);
     Scene clear = scene_;
-    clear.fog.reset();
+    clear.setPart(kinds::fog, std::nullopt);
     EffectKey keys;
     for (const glm::dvec3& size : {glm::dvec3(0.0), glm::dvec3(4.0, 0.0, 4.0)}) {
-        scene_.fog->parameters["size"] = size;
+        scene_.part(kinds::fog)->parameters["size"] = size;
         EXPECT_FALSE(isIn("fog/boxed", 8.4));
         EXPECT_EQ(keys.ofScene(scene_, catalog(), {8.4}), keys.ofScene(clear, catalog(), {8.4}));
     }
@@ -240,9 +239,9 @@ TEST_F(EffectRowsTest, FogInABoxWithoutAnyWidth_IsLeftOut) {
 /// No ray is longer in it than its diagonal.
 TEST_F(EffectRowsTest, ThinFogInASmallBox_IsLeftOutAtAnyDepth) {
     useFog("boxed", "density", 0.01);
-    scene_.fog->parameters["size"] = glm::dvec3(1e-3);
+    scene_.part(kinds::fog)->parameters["size"] = glm::dvec3(1e-3);
     EXPECT_FALSE(isIn("fog/boxed", 1000.0));
-    scene_.fog->parameters["size"] = glm::dvec3(10.0);
+    scene_.part(kinds::fog)->parameters["size"] = glm::dvec3(10.0);
     EXPECT_TRUE(isIn("fog/boxed", 1000.0));
 }
 
@@ -251,8 +250,8 @@ TEST_F(EffectRowsTest, FogThatIsLeftOut_CannotBeSeen) {
     useFog("exponential", "density", 0.0);
     const Block& fog = *catalog().find("fog", "exponential");
     for (double density = 1e-9; density < 1.0; density *= 1.3) {
-        scene_.fog->parameters["density"] = density;
-        const double light = *hiddenShare(fog, scene_.fog->parameters, 10.0) * 0.6;
+        scene_.part(kinds::fog)->parameters["density"] = density;
+        const double light = *hiddenShare(fog, scene_.part(kinds::fog)->parameters, 10.0) * 0.6;
         const double shown =
             light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
         EXPECT_TRUE(isIn("fog/exponential") || shown < 0.5 / 255.0) << density;
@@ -265,7 +264,7 @@ TEST_F(EffectRowsTest, Key_TellsFogThatIsSeenFromFogThatIsNot) {
     const std::uint64_t near = keys.ofScene(scene_, catalog(), {10.0});
     EXPECT_EQ(keys.ofScene(scene_, catalog(), {11.0}), near);
     EXPECT_NE(keys.ofScene(scene_, catalog(), {1e4}), near);
-    scene_.fog.reset();
+    scene_.setPart(kinds::fog, std::nullopt);
     EXPECT_EQ(keys.ofScene(scene_, catalog(), {10.0}), near);
 }
 

@@ -60,18 +60,18 @@ TEST_F(EffectSetTest, UnknownLight_IsLeftOutWithItsName) {
 
 TEST_F(EffectSetTest, FogWithoutDensity_IsLeftOut) {
     Scene scene;
-    scene.fog = block("fog", "exponential");
-    scene.fog->parameters["density"] = 0.0;
+    scene.setPart(kinds::fog, block("fog", "exponential"));
+    scene.part(kinds::fog)->parameters["density"] = 0.0;
     EXPECT_FALSE(sceneEffects(scene, catalog()).fog);
 }
 
 TEST_F(EffectSetTest, DarkEnvironment_IsLeftOutWithAReason) {
     Scene scene;
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     EffectKey keys;
     const std::uint64_t lit = keys.ofScene(scene, catalog());
     EXPECT_TRUE(sceneEffects(scene, catalog()).environment);
-    scene.environment->parameters["intensity"] = 0.0;
+    scene.part(kinds::environment)->parameters["intensity"] = 0.0;
     const SceneEffects effects = sceneEffects(scene, catalog());
     EXPECT_FALSE(effects.environment);
     ASSERT_EQ(effects.leftOut.size(), 1u);
@@ -81,7 +81,7 @@ TEST_F(EffectSetTest, DarkEnvironment_IsLeftOutWithAReason) {
 
 TEST_F(EffectSetTest, EnvironmentWithoutItsPicture_IsLeftOutWithAReason) {
     Scene scene;
-    scene.environment = block("environment", "image");
+    scene.setPart(kinds::environment, block("environment", "image"));
     const SceneEffects effects = sceneEffects(scene, catalog());
     EXPECT_FALSE(effects.environment);
     ASSERT_EQ(effects.leftOut.size(), 1u);
@@ -90,7 +90,7 @@ TEST_F(EffectSetTest, EnvironmentWithoutItsPicture_IsLeftOutWithAReason) {
 
 TEST_F(EffectSetTest, UnknownEnvironment_IsLeftOut) {
     Scene scene;
-    scene.environment.emplace().id = "moonscape";
+    scene.parts["environment"].id = "moonscape";
     EXPECT_FALSE(sceneEffects(scene, catalog()).environment);
     EXPECT_EQ(sceneEffects(scene, catalog()).leftOut.size(), 1u);
 }
@@ -160,7 +160,7 @@ TEST_F(EffectSetTest, EveryEffect_HasAReason) {
     glass.opacity = 0.5;
     Scene scene;
     scene.lights = {light("point")};
-    scene.fog = block("fog", "linear");
+    scene.setPart(kinds::fog, block("fog", "linear"));
     scene.ambient = glm::dvec3(0.1);
     const std::vector<EffectLine> lines = effectLines(effectSet(glass, scene, catalog()));
     ASSERT_EQ(lines.size(), 6u);
@@ -207,8 +207,7 @@ TEST_F(ShadowEffects, WithoutCaster_AreLeftOutWithAReason) {
     const SceneEffects effects = sceneEffects(scene, catalog());
     EXPECT_FALSE(effects.lights[0].shadow);
     ASSERT_EQ(effects.leftOut.size(), 1u);
-    EXPECT_EQ(effects.leftOut[0].reason,
-              "No object casts a shadow: 1 is set to cast none.");
+    EXPECT_EQ(effects.leftOut[0].reason, "No object casts a shadow: 1 is set to cast none.");
     EXPECT_EQ(textOf(scene).find("hadow"), std::string::npos);
 }
 

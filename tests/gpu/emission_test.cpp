@@ -49,9 +49,9 @@ TEST_F(EmissionTest, LightAtVertices_LeavesTheGlowToThePixel) {
 
 TEST_F(EmissionTest, DenseFog_HidesTheGlow) {
     Scene scene = underRim(glm::dvec3(0.0));
-    scene.fog = block("fog", "exponential");
-    scene.fog->parameters["density"] = 1000.0;
-    scene.fog->parameters["color"] = glm::dvec3(0.0, 0.0, 0.5);
+    scene.setPart(kinds::fog, block("fog", "exponential"));
+    scene.part(kinds::fog)->parameters["density"] = 1000.0;
+    scene.part(kinds::fog)->parameters["color"] = glm::dvec3(0.0, 0.0, 0.5);
     EXPECT_LE(glm::distance(middle(capture(scene)), glm::vec3(0.0f, 0.0f, 0.5f)), halfFloat);
 }
 

@@ -55,15 +55,15 @@ class EnvironmentTest : public GpuTest {
     Scene surrounded(const std::string& model, const Image& panorama) {
         image_ = EnvironmentImage::from(panorama);
         Scene scene = square(model);
-        scene.environment = block("environment", "image");
-        scene.environment->parameters["image"] = std::string("panorama.hdr");
-        scene.environment->parameters["background"] = std::string("hidden");
+        scene.setPart(kinds::environment, block("environment", "image"));
+        scene.part(kinds::environment)->parameters["image"] = std::string("panorama.hdr");
+        scene.part(kinds::environment)->parameters["background"] = std::string("hidden");
         return scene;
     }
 
     Scene inTheStudio(const std::string& model) {
         Scene scene = square(model);
-        scene.environment = block("environment", "studio");
+        scene.setPart(kinds::environment, block("environment", "studio"));
         return scene;
     }
 

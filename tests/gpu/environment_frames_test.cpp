@@ -114,7 +114,7 @@ TEST_F(EnvironmentFrames, AfterANewOneThatWasGivenUp_BeginAgain) {
     View view = viewWith(scene, 4);
     const Image expected = settled(scene, 4);
     Scene other = scene;
-    other.environment->parameters["rotate"] = 90.0;
+    other.part(kinds::environment)->parameters["rotate"] = 90.0;
     makeSlow(other, view);
     ASSERT_FALSE(begin(scene, view));
     renderer->proceed(noPatience);
@@ -127,7 +127,7 @@ TEST_F(EnvironmentFrames, Prewarming_LeavesTheMeanAsItIs) {
     const Scene scene = inTheStudio("cook-torrance");
     const Image before = settled(scene, 8);
     Scene without = scene;
-    without.environment->parameters["intensity"] = 0.0;
+    without.part(kinds::environment)->parameters["intensity"] = 0.0;
     View ahead = viewWith(scene, 4);
     ahead.effects = &without;
     ASSERT_TRUE(renderer->prewarm(scene, ahead, squares()));

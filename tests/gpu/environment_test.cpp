@@ -42,7 +42,7 @@ TEST_F(EnvironmentTest, Rotation_TurnsCounterClockwiseSeenFromAbove) {
     Scene scene = surrounded("lambert", panorama);
     makeWhite(scene);
     scene.objects[0].mesh = "builtin:sphere";
-    scene.environment->parameters["rotate"] = 90.0; // to +x, the right of the picture
+    scene.part(kinds::environment)->parameters["rotate"] = 90.0; // to +x, the right of the picture
     const Image image = settled(scene, 64);
     EXPECT_GT(pixel(image, 24, 16).r, 0.1f);
     EXPECT_LT(pixel(image, 8, 16).r, 1e-3f);
@@ -76,7 +76,7 @@ TEST_F(EnvironmentTest, SharpBackground_IsWhatLiesThere) {
         std::fill_n(panorama.pixels.begin() + std::ptrdiff_t(y) * 64, 64, 2.0f);
     }
     Scene scene = surrounded("lambert", panorama);
-    scene.environment->parameters["background"] = std::string("sharp");
+    scene.part(kinds::environment)->parameters["background"] = std::string("sharp");
     const Image image = settled(scene, 64);
     EXPECT_NEAR(pixel(image, 0, 0).r, 2.0f, 0.01f);
     EXPECT_NEAR(pixel(image, 0, 32).r, 0.0f, 0.01f);
@@ -88,8 +88,8 @@ TEST_F(EnvironmentTest, BlurredBackground_IsSmoothAcrossAnEdge) {
         std::fill_n(panorama.pixels.begin() + std::ptrdiff_t(y) * 64, 64, 2.0f);
     }
     Scene scene = surrounded("lambert", panorama);
-    scene.environment->parameters["background"] = std::string("blurred");
-    scene.environment->parameters["background.blur"] = 60.0;
+    scene.part(kinds::environment)->parameters["background"] = std::string("blurred");
+    scene.part(kinds::environment)->parameters["background.blur"] = 60.0;
     const Image image = settled(scene, 1024);
     EXPECT_GT(pixel(image, 0, 0).r, pixel(image, 0, 16).r + 0.1f);
     EXPECT_NEAR(pixel(image, 0, 16).r, 1.0f, 0.1f);
@@ -206,19 +206,16 @@ TEST_P(SettlingTest, With4096Samples_IsWithinOnePerCentOfAMillion) {
 
 INSTANTIATE_TEST_SUITE_P(
     Models, SettlingTest,
-    testing::Values(Look{"Matte", "lambert", {}},
-                    Look{"Glossy", "cook-torrance", {{"roughness", 0.2}}},
-                    Look{"Sharp",
-                         "phong",
-                         {{"shininess", 20000.0},
-                          {"normalisation", std::string("normalised")},
-                          {"diffuse.color", glm::dvec3(0.0)}}},
-                    Look{"Brushed", "ward", {{"roughness.x", 0.05}, {"roughness.y", 0.4}}},
-                    Look{"BrushedFinely",
-                         "ward",
-                         {{"roughness.x", 0.01}, {"roughness.y", 0.3}},
-                         50.0},
-                    Look{"SeenFlat", "ashikhmin-shirley", {{"shininess.x", 1000.0}}, 60.0}),
+    testing::Values(
+        Look{"Matte", "lambert", {}}, Look{"Glossy", "cook-torrance", {{"roughness", 0.2}}},
+        Look{"Sharp",
+             "phong",
+             {{"shininess", 20000.0},
+              {"normalisation", std::string("normalised")},
+              {"diffuse.color", glm::dvec3(0.0)}}},
+        Look{"Brushed", "ward", {{"roughness.x", 0.05}, {"roughness.y", 0.4}}},
+        Look{"BrushedFinely", "ward", {{"roughness.x", 0.01}, {"roughness.y", 0.3}}, 50.0},
+        Look{"SeenFlat", "ashikhmin-shirley", {{"shininess.x", 1000.0}}, 60.0}),
     [](const auto& instance) { return instance.param.name; });
 
 TEST(EnvironmentTableTest, Densities_AreOneOnAverage) {

@@ -21,10 +21,10 @@ class FogReachTest : public GpuTest {
     Scene fogAt(const glm::dvec3& center, const glm::dvec3& size) const {
         Scene scene = simpleScene();
         scene.camera.distance = 4.0;
-        scene.fog = block("fog", "boxed");
-        scene.fog->parameters["density"] = 5.0;
-        scene.fog->parameters["center"] = center;
-        scene.fog->parameters["size"] = size;
+        scene.setPart(kinds::fog, block("fog", "boxed"));
+        scene.part(kinds::fog)->parameters["density"] = 5.0;
+        scene.part(kinds::fog)->parameters["center"] = center;
+        scene.part(kinds::fog)->parameters["size"] = size;
         return scene;
     }
 
@@ -87,15 +87,15 @@ TEST_F(FogReachTest, OneOfTwoObjectsBehindIt_IsEnough) {
 
 TEST_F(FogReachTest, FogWithoutABox_IsNeverMissed) {
     Scene scene = simpleScene();
-    scene.fog = block("fog", "exponential");
+    scene.setPart(kinds::fog, block("fog", "exponential"));
     EXPECT_FALSE(misses(scene, {0, 0, 10}, here));
 }
 
 TEST_F(FogReachTest, EyeThatIsNowhere_MeetsIt) {
     const double nothing = std::nan("");
     EXPECT_FALSE(misses(fogAt({90, 0, 0}, small), {nothing, 0, 10}, here));
-    EXPECT_FALSE(misses(fogAt({90, 0, 0}, small), {0, 0, 10},
-                        glm::translate(here, {nothing, 0, 0})));
+    EXPECT_FALSE(
+        misses(fogAt({90, 0, 0}, small), {0, 0, 10}, glm::translate(here, {nothing, 0, 0})));
 }
 
 /// Whether the way from the eye to a point meets a box, as the fog's shader has it.
@@ -152,11 +152,11 @@ TEST_F(FogReachTest, BoxFarFromTheObjects_IsInNoProgram) {
     Scene scene = fogAt({0.0, 0.0, 2.0}, small);
     const Image with = capture(scene);
     EXPECT_TRUE(isInTheFrame());
-    scene.fog->parameters["center"] = glm::dvec3(500.0, 0.0, 0.0);
+    scene.part(kinds::fog)->parameters["center"] = glm::dvec3(500.0, 0.0, 0.0);
     const Image away = capture(scene);
     EXPECT_FALSE(isInTheFrame());
     EXPECT_TRUE(objectView(scene, 0, *catalog, meshSource()).missesFog);
-    scene.fog.reset();
+    scene.setPart(kinds::fog, std::nullopt);
     EXPECT_EQ(capture(scene).pixels, away.pixels);
     EXPECT_NE(with.pixels, away.pixels);
 }
@@ -177,8 +177,8 @@ TEST_F(FogReachTest, BoxOverTheGround_IsInThePrograms) {
 TEST_F(FogReachTest, RowOfABoxThatIsMissed_SaysSo) {
     const Scene scene = fogAt({500.0, 0.0, 0.0}, small);
     const auto rows = objectRows(scene, 0, *catalog, meshSource());
-    const auto fog = std::ranges::find_if(
-        rows, [](const EffectRow& row) { return row.line.effect == "fog"; });
+    const auto fog =
+        std::ranges::find_if(rows, [](const EffectRow& row) { return row.line.effect == "fog"; });
     ASSERT_NE(fog, rows.end());
     EXPECT_FALSE(fog->in);
     EXPECT_TRUE(fog->line.reason.ends_with("nothing that is drawn lies in its box or is seen "
@@ -192,9 +192,9 @@ class FogLayerTest : public FogReachTest {
     Scene fogUpTo(double base, double thickness) const {
         Scene scene = simpleScene();
         scene.camera.distance = 4.0;
-        scene.fog = block("fog", "low-lying");
-        scene.fog->parameters["base"] = base;
-        scene.fog->parameters["thickness"] = thickness;
+        scene.setPart(kinds::fog, block("fog", "low-lying"));
+        scene.part(kinds::fog)->parameters["base"] = base;
+        scene.part(kinds::fog)->parameters["thickness"] = thickness;
         return scene;
     }
 
@@ -218,7 +218,7 @@ TEST_F(FogLayerTest, BelowTheObject_IsInNoProgramAndInNoPixel) {
     Scene scene = fogUpTo(-1.5, 0.02);
     EXPECT_FALSE(isDrawn(scene));
     const Image with = capture(scene, true);
-    scene.fog.reset();
+    scene.setPart(kinds::fog, std::nullopt);
     EXPECT_EQ(capture(scene, true).pixels, with.pixels);
 }
 
@@ -314,14 +314,13 @@ TEST_F(FogLayerTest, RandomWays_HaveNoMoreOfItThanIsSaid) {
     for (int i = 0; i < 300; ++i) {
         Scene scene = fogUpTo(within(3.0), 1.0 + within(1.0));
         const FogLayer layer =
-            *fogLayer(*catalog->find("fog", "low-lying"), scene.fog->parameters);
+            *fogLayer(*catalog->find("fog", "low-lying"), scene.part(kinds::fog)->parameters);
         const glm::dvec3 eye(within(6.0), within(6.0), within(6.0));
         const glm::dmat4 world = glm::translate(here, {within(4.0), within(4.0), within(4.0)});
         FogReach reach(scene, *catalog, eye);
         reach.add(cube(), world);
         for (int ray = 0; ray < 20; ++ray) {
-            const glm::dvec3 point(world *
-                                   glm::dvec4(within(1.0), within(1.0), within(1.0), 1.0));
+            const glm::dvec3 point(world * glm::dvec4(within(1.0), within(1.0), within(1.0), 1.0));
             ASSERT_LE(layer.between(eye.y, point.y), reach.thickness()) << i;
         }
     }

@@ -80,9 +80,9 @@ TEST_F(GroundTest, Plane_IsLitByALampThatDoesNotReachTheObjects) {
 
 /// Fog that begins behind the sphere, and before the ground ends.
 TEST_F(GroundTest, ReachingIntoFog_BringsTheFogIntoTheProgram) {
-    scene_.fog = block("fog", "linear");
-    scene_.fog->parameters["start"] = 40.0;
-    scene_.fog->parameters["end"] = 60.0;
+    scene_.setPart(kinds::fog, block("fog", "linear"));
+    scene_.part(kinds::fog)->parameters["start"] = 40.0;
+    scene_.part(kinds::fog)->parameters["end"] = 60.0;
     const auto hasFog = [this] {
         const EffectView view = effectView(scene_, scene_.camera, *catalog, meshSource());
         const bool isInRows = sceneEffects(scene_, *catalog, view).fog.has_value();

@@ -26,7 +26,7 @@ class HeldEffects : public GpuTest, public testing::WithParamInterface<Dragged> 
         makeRenderer();
         scene_ = simpleScene("phong");
         scene_.lights.push_back(light("point"));
-        scene_.fog = block("fog", "exponential");
+        scene_.setPart(kinds::fog, block("fog", "exponential"));
         scene_.ambient = glm::dvec3(0.0);
         for (Dragged other : {intensity(), opacity(), ambient(), density()}) {
             other.set(scene_, other.name == GetParam().name ? 0.0 : 0.5);
@@ -55,12 +55,11 @@ class HeldEffects : public GpuTest, public testing::WithParamInterface<Dragged> 
                 }};
     }
     static Dragged ambient() {
-        return {"Ambient",
-                [](Scene& scene, double share) { scene.ambient = glm::dvec3(share); }};
+        return {"Ambient", [](Scene& scene, double share) { scene.ambient = glm::dvec3(share); }};
     }
     static Dragged density() {
         return {"Density", [](Scene& scene, double share) {
-                    scene.fog->parameters["density"] = share;
+                    scene.part(kinds::fog)->parameters["density"] = share;
                 }};
     }
 

@@ -60,8 +60,7 @@ TEST_F(ImageRows, MissingFile_IsSaidWithThePlaceholder) {
 
 TEST_F(ImageRows, MeshWithoutTextureCoordinates_IsSaidByWhatTheImageDoes) {
     loseTextureCoordinates();
-    const std::string base =
-        "An image is bound to it. The mesh has no texture coordinates: ";
+    const std::string base = "An image is bound to it. The mesh has no texture coordinates: ";
     for (const auto& [key, text] : std::map<std::string, std::string>{
              {"diffuse.color", "it is one colour."},
              {"shininess", "it is one value."},
@@ -74,8 +73,8 @@ TEST_F(ImageRows, MeshWithoutTextureCoordinates_IsSaidByWhatTheImageDoes) {
 }
 
 TEST_F(ImageRows, EnvironmentWithoutItsFile_SendsAPlaceholdersLight) {
-    scene_.environment = block("environment", "image");
-    scene_.environment->parameters["image"] = std::string("/gone.hdr");
+    scene_.setPart(kinds::environment, block("environment", "image"));
+    scene_.part(kinds::environment)->parameters["image"] = std::string("/gone.hdr");
     EXPECT_EQ(reason("environment/image"), "The scene has an environment that sends light.");
     known_.isEnvironmentMissing = true;
     EXPECT_EQ(reason("environment/image"),

@@ -73,8 +73,7 @@ class IncrementalCaptureTest : public GpuTest {
         LinearFrame made;
         made.size = {image->width, image->height};
         for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
-            made.colors.emplace_back(image->pixels[i], image->pixels[i + 1],
-                                     image->pixels[i + 2]);
+            made.colors.emplace_back(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]);
         }
         return made;
     }
@@ -93,7 +92,7 @@ TEST_F(IncrementalCaptureTest, Frame_IsTheOneThatIsDrawnAtOnce) {
 
 TEST_F(IncrementalCaptureTest, EnvironmentsLight_IsSummedUpToTheEnd) {
     Scene scene = simpleScene("lambert");
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     ChosenFrame frame = frameOf(scene, 24);
     frame.view.environmentSamples = 300; // more than one frame may have
     const LinearFrame made = sliced(frame);
@@ -140,7 +139,7 @@ TEST_F(IncrementalCaptureTest, ErrorsInPieces_AreThoseOfTheWholeFrame) {
 
 TEST_F(IncrementalCaptureTest, StepOf512Pixels_IsShorterThanAWindowMayWait) {
     Scene scene = simpleScene("cook-torrance");
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     ChosenFrame frame = frameOf(scene, 512);
     frame.view.environmentSamples = 8;
     sliced(frame); // makes the programs

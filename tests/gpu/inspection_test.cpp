@@ -151,7 +151,7 @@ TEST_F(InspectionTest, ProbedColour_IsThatOfThePicture) {
     makeRenderer();
     Scene scene = simpleScene("cook-torrance");
     scene.ambient = glm::dvec3(0.1);
-    scene.fog = block("fog", "exponential");
+    scene.setPart(kinds::fog, block("fog", "exponential"));
     const auto found = probe(scene, center);
     ASSERT_TRUE(found);
     const glm::vec3 drawn = middle(capture(scene, false, size));
@@ -199,7 +199,7 @@ TEST_F(InspectionTest, PictureAfterwards_IsTheSame) {
 TEST_F(InspectionTest, ProgramOfAPicture_HasNothingOfIt) {
     Scene scene = simpleScene("lambert");
     scene.ambient = glm::dvec3(0.1);
-    scene.fog = block("fog", "exponential");
+    scene.setPart(kinds::fog, block("fog", "exponential"));
     const auto program =
         surfaceProgram(effectSet(scene.objects[0].material, scene, *catalog), *catalog);
     ASSERT_TRUE(program);
@@ -238,7 +238,7 @@ TEST_F(InspectionTest, EveryModel_HasAProgramOfIt) {
     for (const Block* model : catalog->ofKind("models")) {
         Scene scene = simpleScene(model->id);
         scene.ambient = glm::dvec3(0.1);
-        scene.fog = block("fog", "exponential");
+        scene.setPart(kinds::fog, block("fog", "exponential"));
         renderer->captureInspection(scene, viewOf(scene, 9), meshSource(), false);
         EXPECT_EQ(text(renderer->report().messages), "") << model->id;
     }

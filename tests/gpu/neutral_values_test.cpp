@@ -45,7 +45,10 @@ const std::vector<Neutral> neutrals{
      "conductor",
      {{"eta", glm::dvec3(1.0)}, {"k", black}},
      "Its “Index outside” and “Refractive index” are both 1, and its “Absorption” is 0."},
-    {"specular", "phong", {{"specular.color", black}}, "Its “Highlight colour” is black.",
+    {"specular",
+     "phong",
+     {{"specular.color", black}},
+     "Its “Highlight colour” is black.",
      "lambert"},
     {"specular", "gaussian", {{"gloss", 0.0}}, "Its “Gloss” is 0.", "oren-nayar"},
 };
@@ -74,9 +77,7 @@ class NeutralValues : public GpuTest, public testing::WithParamInterface<Neutral
         return made;
     }
 
-    bool isInTheFrame() const {
-        return std::ranges::count(renderer->report().effects, name()) > 0;
-    }
+    bool isInTheFrame() const { return std::ranges::count(renderer->report().effects, name()) > 0; }
 };
 
 TEST_P(NeutralValues, AreInNoProgramAndInNoPixel) {
@@ -122,15 +123,15 @@ TEST_F(NeutralSceneTest, CheaperFormThatIsNotZero_StaysIn) {
 TEST_F(NeutralSceneTest, DarkStudio_IsInNoProgramAndInNoPixel) {
     makeRenderer();
     Scene scene = simpleScene("phong");
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     for (const char* lamp : {"key", "fill", "rim", "top"}) {
-        scene.environment->parameters[std::string(lamp) + ".intensity"] = 0.0;
+        scene.part(kinds::environment)->parameters[std::string(lamp) + ".intensity"] = 0.0;
     }
-    scene.environment->parameters["directions"] = 16;
+    scene.part(kinds::environment)->parameters["directions"] = 16;
     capture(scene);
     EXPECT_EQ(std::ranges::count(renderer->report().effects, "environment/studio"), 1);
     for (const char* part : {"wall", "ceiling", "floor"}) {
-        scene.environment->parameters[std::string(part) + ".color"] = black;
+        scene.part(kinds::environment)->parameters[std::string(part) + ".color"] = black;
     }
     const Image dark = capture(scene);
     EXPECT_EQ(std::ranges::count(renderer->report().effects, "environment/studio"), 0);
@@ -139,7 +140,7 @@ TEST_F(NeutralSceneTest, DarkStudio_IsInNoProgramAndInNoPixel) {
         return row.line.reason == "It is dark. Its “Key”, “Fill”, “Rim” and “Top” are 0, and its "
                                   "“Walls”, “Ceiling” and “Floor” are black.";
     }));
-    scene.environment.reset();
+    scene.setPart(kinds::environment, std::nullopt);
     EXPECT_EQ(capture(scene).pixels, dark.pixels);
 }
 
@@ -161,15 +162,15 @@ TEST_F(NeutralSceneTest, DarkStudioBehindTheObjects_StaysIn) {
 /// What is bent shows the black walls, not the background's colour.
 TEST_F(NeutralSceneTest, DarkStudioBehindWhatBendsLight_StaysIn) {
     Scene scene = simpleScene("lambert");
-    scene.environment = block("environment", "studio");
-    for (auto& [id, value] : scene.environment->parameters) {
+    scene.setPart(kinds::environment, block("environment", "studio"));
+    for (auto& [id, value] : scene.part(kinds::environment)->parameters) {
         if (id.ends_with(".intensity")) {
             value = 0.0;
         } else if (id.ends_with(".color")) {
             value = black;
         }
     }
-    scene.environment->parameters["background"] = std::string("hidden");
+    scene.part(kinds::environment)->parameters["background"] = std::string("hidden");
     const auto isIn = [&](std::size_t index) {
         const auto rows = objectRows(scene, index, *catalog, meshSource());
         return std::ranges::any_of(rows, [](const EffectRow& row) {
@@ -185,9 +186,8 @@ TEST_F(NeutralSceneTest, DarkStudioBehindWhatBendsLight_StaysIn) {
     EXPECT_TRUE(isIn(0));
     EXPECT_TRUE(isIn(1));
     const auto rows = objectRows(scene, 0, *catalog, meshSource());
-    EXPECT_TRUE(std::ranges::none_of(rows, [](const EffectRow& row) {
-        return row.within == "environment/studio";
-    }));
+    EXPECT_TRUE(std::ranges::none_of(
+        rows, [](const EffectRow& row) { return row.within == "environment/studio"; }));
     scene.objects.front() = glass;
     scene.objects.pop_back();
     makeRenderer();

@@ -100,7 +100,7 @@ TEST_F(OutlineRows, SurfacesProgram_KnowsNothingOfLines) {
 TEST_F(OutlineRows, Program_HasFogOnlyInAFoggyScene) {
     EXPECT_EQ(program().fragment.text.find("fog"), std::string::npos);
     EXPECT_EQ(program().fragment.text.find("sceneData"), std::string::npos);
-    scene_.fog = block("fog", "exponential");
+    scene_.setPart(kinds::fog, block("fog", "exponential"));
     EXPECT_NE(program().fragment.text.find("foggedLine"), std::string::npos);
 }
 

@@ -56,8 +56,8 @@ class Outlines : public GpuTest {
 
     /// How red a pixel is, from the right of the middle of the picture: 1 is a line.
     static double redness(const Image& image, double right, double up = 0.0) {
-        const glm::vec3 shown = pixel(image, int(std::floor(middlePixel + right)),
-                                      int(std::floor(middlePixel - up)));
+        const glm::vec3 shown =
+            pixel(image, int(std::floor(middlePixel + right)), int(std::floor(middlePixel - up)));
         return shown.r - shown.g;
     }
 };
@@ -72,8 +72,8 @@ TEST_F(Outlines, SilhouetteOfASphere_IsARingOfItsWidthAroundIt) {
     const Image image = picture(scene);
     // The tangent from the eye.
     const double distance = scene.camera.distance;
-    const double radius = pixelsPerMetre(scene, distance) * distance /
-                          std::sqrt(distance * distance - 1.0);
+    const double radius =
+        pixelsPerMetre(scene, distance) * distance / std::sqrt(distance * distance - 1.0);
     int lines = 0;
     for (int y = 0; y < outlineSize; ++y) {
         for (int x = 0; x < outlineSize; ++x) {
@@ -212,9 +212,9 @@ TEST_F(Outlines, ManyObjectsOfOneMaterial_TakeTwoCalls) {
 
 TEST_F(Outlines, Fog_IsInFrontOfLinesToo) {
     Scene scene = lined("cube", 8.0, 0.0);
-    scene.fog = block("fog", "exponential");
-    scene.fog->parameters["density"] = 0.2;
-    scene.fog->parameters["color"] = glm::dvec3(0.0, 0.0, 1.0);
+    scene.setPart(kinds::fog, block("fog", "exponential"));
+    scene.part(kinds::fog)->parameters["density"] = 0.2;
+    scene.part(kinds::fog)->parameters["color"] = glm::dvec3(0.0, 0.0, 1.0);
     const double front = scene.camera.distance - 0.75;
     const double side = frontFace(scene, pixelsPerMetre(scene, front));
     const double range =
@@ -232,9 +232,9 @@ TEST_F(Outlines, LinesOfAVeil_AreSolid) {
     const double radius = pixelsPerMetre(scene, scene.camera.distance) * scene.camera.distance /
                           std::sqrt(scene.camera.distance * scene.camera.distance - 1.0);
     for (const char* way : {"", "weighted", "peeled"}) {
-        scene.transparency.reset();
+        scene.setPart(kinds::transparency, std::nullopt);
         if (*way != '\0') {
-            scene.transparency = block("transparency", way);
+            scene.setPart(kinds::transparency, block("transparency", way));
         }
         EXPECT_NEAR(redness(picture(scene), radius + 3.0), 1.0, 0.01) << way;
     }
@@ -251,12 +251,12 @@ TEST_F(Outlines, Veil_LiesOverTheLinesBehindIt) {
     veil.material.opacity = 0.5;
     scene.objects.push_back(veil);
     const double distance = scene.camera.distance;
-    const double radius = 0.5 * pixelsPerMetre(scene, distance) * distance /
-                          std::sqrt(distance * distance - 0.25);
+    const double radius =
+        0.5 * pixelsPerMetre(scene, distance) * distance / std::sqrt(distance * distance - 0.25);
     for (const char* way : {"", "weighted", "peeled"}) {
-        scene.transparency.reset();
+        scene.setPart(kinds::transparency, std::nullopt);
         if (*way != '\0') {
-            scene.transparency = block("transparency", way);
+            scene.setPart(kinds::transparency, block("transparency", way));
         }
         EXPECT_NEAR(redness(picture(scene), radius + 4.0), 0.5, 0.05) << way;
     }
@@ -273,10 +273,10 @@ TEST_F(Outlines, LinesBeforeAVeil_HideIt) {
     veil.material.opacity = 0.5;
     scene.objects.push_back(veil);
     const double distance = scene.camera.distance;
-    const double radius = 0.5 * pixelsPerMetre(scene, distance) * distance /
-                          std::sqrt(distance * distance - 0.25);
+    const double radius =
+        0.5 * pixelsPerMetre(scene, distance) * distance / std::sqrt(distance * distance - 0.25);
     for (const char* way : {"weighted", "peeled"}) {
-        scene.transparency = block("transparency", way);
+        scene.setPart(kinds::transparency, block("transparency", way));
         EXPECT_NEAR(redness(picture(scene), radius + 4.0), 1.0, 0.01) << way;
     }
 }

@@ -61,8 +61,8 @@ class PictureAccuracyTest : public GpuTest {
 
     Scene foggy() const {
         Scene scene = simpleScene();
-        scene.fog = block("fog", "exponential");
-        scene.fog->parameters["density"] = 0.2;
+        scene.setPart(kinds::fog, block("fog", "exponential"));
+        scene.part(kinds::fog)->parameters["density"] = 0.2;
         return scene;
     }
 
@@ -199,7 +199,7 @@ TEST_F(PictureAccuracyTest, ChartOfThePicture_HasAPointForEveryLevel) {
 TEST_F(PictureAccuracyTest, LayersOfTheScene_HaveTheWeightedMeanAsTheirLastLevel) {
     Scene scene = simpleScene();
     scene.objects[0].material.opacity = 0.5;
-    scene.transparency = block("transparency", "peeled");
+    scene.setPart(kinds::transparency, block("transparency", "peeled"));
     const std::vector<Choice> choices = choicesOfPicture(scene, *catalog);
     const auto layers = std::ranges::find(choices, "picture.layers", &Choice::id);
     ASSERT_NE(layers, choices.end());
@@ -207,15 +207,15 @@ TEST_F(PictureAccuracyTest, LayersOfTheScene_HaveTheWeightedMeanAsTheirLastLevel
     EXPECT_EQ(layers->levels.back().id, "weighted");
     ChosenFrame frame{scene, View()};
     choose(frame, 0, choices, {{"picture.layers", "weighted"}}, *catalog);
-    EXPECT_EQ(frame.scene.transparency->id, "weighted");
+    EXPECT_EQ(frame.scene.part(kinds::transparency)->id, "weighted");
     ChosenFrame exact{scene, View()};
     choose(exact, 0, choices, {}, *catalog);
-    EXPECT_EQ(exact.scene.transparency->id, "peeled");
+    EXPECT_EQ(exact.scene.part(kinds::transparency)->id, "peeled");
 }
 
 TEST_F(PictureAccuracyTest, DirectionsOfAnEnvironment_GoFrom4096To1) {
     Scene scene = simpleScene();
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     const std::vector<Choice> choices = choicesOfPicture(scene, *catalog);
     const auto directions = std::ranges::find(choices, "picture.environment", &Choice::id);
     ASSERT_NE(directions, choices.end());
@@ -228,7 +228,7 @@ TEST_F(PictureAccuracyTest, DirectionsOfAnEnvironment_GoFrom4096To1) {
 
 TEST_F(PictureAccuracyTest, MoreDirectionsThanOneFrameHas_TakeTheirTime) {
     Scene scene = simpleScene();
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     auto drawn = TimedFrames::create({catalog, meshSource()}, {24, 24}, {});
     ASSERT_TRUE(drawn);
     const auto milliseconds = [&](int directions) {
@@ -240,7 +240,7 @@ TEST_F(PictureAccuracyTest, MoreDirectionsThanOneFrameHas_TakeTheirTime) {
         }
         return std::ranges::min(times);
     };
-    milliseconds(4); // only warms up
+    milliseconds(4);                                        // only warms up
     EXPECT_GT(milliseconds(1024), 2.0 * milliseconds(256)); // of which a draw has 256 at most
 }
 

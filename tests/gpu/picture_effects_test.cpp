@@ -19,8 +19,8 @@ class PictureEffects : public ShadingTest {
         scene_.objects.emplace_back();
         scene_.objects[0].material = material("phong");
         scene_.lights = {light("point")};
-        scene_.fog = block("fog", "exponential");
-        scene_.fog->parameters["density"] = 0.1;
+        scene_.setPart(kinds::fog, block("fog", "exponential"));
+        scene_.part(kinds::fog)->parameters["density"] = 0.1;
     }
 
     static Scene with(Scene scene, std::string_view choice, std::string_view level) {
@@ -98,10 +98,10 @@ TEST_F(PictureEffects, WideHighlights_AreThoseOfTheModelAndItsSlots) {
 /// Whatever the parameter is called: its descriptor says what it is.
 TEST(HighlightWidth, OfAUsersBlock_IsWidenedByItsWord) {
     Block block;
-    for (const auto& [id, width] : {std::pair{"gloss.sharpness", HighlightWidth::Exponent},
-                                    std::pair{"facets", HighlightWidth::Slope},
-                                    std::pair{"spreading", HighlightWidth::Angle},
-                                    std::pair{"shininess", HighlightWidth::None}}) {
+    for (const auto& [id, width] :
+         {std::pair{"gloss.sharpness", HighlightWidth::Exponent},
+          std::pair{"facets", HighlightWidth::Slope}, std::pair{"spreading", HighlightWidth::Angle},
+          std::pair{"shininess", HighlightWidth::None}}) {
         Parameter& parameter = block.parameters.emplace_back();
         parameter.id = id;
         parameter.highlight = width;
@@ -121,8 +121,8 @@ TEST_F(PictureEffects, WideHighlights_AreNoneOnAMattSurface) {
 }
 
 TEST_F(PictureEffects, SamplesScaleAndNumbers_ChangeNoText) {
-    const Scene other = with(with(with(scene_, "scale", "half"), "numbers", "full"), "samples",
-                             "1");
+    const Scene other =
+        with(with(with(scene_, "scale", "half"), "numbers", "full"), "samples", "1");
     EXPECT_EQ(program(other).hash(), program(scene_).hash());
     EffectKey keys;
     const std::uint64_t before = keys.ofScene(scene_, catalog());
@@ -130,7 +130,7 @@ TEST_F(PictureEffects, SamplesScaleAndNumbers_ChangeNoText) {
 }
 
 TEST_F(PictureEffects, FogAtVertices_IsNothingWithoutFog) {
-    scene_.fog.reset();
+    scene_.setPart(kinds::fog, std::nullopt);
     EXPECT_EQ(setOf(with(scene_, "fog", "vertex")), setOf(scene_));
 }
 
@@ -145,7 +145,7 @@ TEST_F(PictureEffects, Shadows_KeepTheLightPerPixel) {
 }
 
 TEST_F(PictureEffects, Environment_KeepsTheLightPerPixel) {
-    scene_.environment = block("environment", "studio");
+    scene_.setPart(kinds::environment, block("environment", "studio"));
     expectPerPixel(scene_, "environment");
 }
 
@@ -178,8 +178,8 @@ TEST_F(PictureEffects, Ground_IsExact) {
 }
 
 TEST_F(PictureEffects, Rows_SayWhatIsDonePerVertex) {
-    const auto lines = effectLines(
-        setOf(with(with(scene_, "lighting", "vertex"), "fog", "vertex")));
+    const auto lines =
+        effectLines(setOf(with(with(scene_, "lighting", "vertex"), "fog", "vertex")));
     const auto details = [&lines](std::string_view effect) {
         const auto found = std::ranges::find(lines, effect, &EffectLine::effect);
         return found == lines.end() ? std::string() : found->detail;
@@ -190,7 +190,7 @@ TEST_F(PictureEffects, Rows_SayWhatIsDonePerVertex) {
 
 TEST_F(PictureEffects, Key_DiffersExactlyWhereTheSetDoes) {
     std::vector<Scene> scenes{scene_, scene_};
-    scenes.back().fog.reset();
+    scenes.back().setPart(kinds::fog, std::nullopt);
     for (const Scene& scene : {scene_, scenes[1]}) {
         for (const PictureChoiceText& text : pictureChoiceTexts()) {
             scenes.push_back(with(scene, text.id, text.levels.front().id));

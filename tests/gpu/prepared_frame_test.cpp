@@ -65,8 +65,8 @@ class PiecesHeard {
     static void noteSamples(GLenum, GLsizei, GLenum, GLsizei width, GLsizei height, GLboolean) {
         heard_.layers += isLarge(width, height) ? 1 : 0;
     }
-    static void noteImage(GLenum, GLint, GLint internalFormat, GLsizei width, GLsizei height,
-                          GLint, GLenum, GLenum type, const void*) {
+    static void noteImage(GLenum, GLint, GLint internalFormat, GLsizei width, GLsizei height, GLint,
+                          GLenum, GLenum type, const void*) {
         if (isLarge(width, height)) {
             heard_.means += internalFormat == GL_RGBA32F ? 1 : 0;
             heard_.rooms += type == GL_HALF_FLOAT && width > pixels ? 1 : 0;
@@ -135,7 +135,7 @@ class PreparedFrame : public EnvironmentTest {
         Scene scene = simpleScene("phong");
         scene.objects[0].mesh = "square";
         scene.objects[0].material.opacity = 0.5;
-        scene.transparency = block("transparency", transparency);
+        scene.setPart(kinds::transparency, block("transparency", transparency));
         return scene;
     }
 
@@ -207,7 +207,7 @@ TEST_F(PreparedFrame, ASecondTime_LacksNothing) {
 
 TEST_F(PreparedFrame, InSteps_IsThePictureDrawnAtOnce) {
     Scene scene = layered("peeled");
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     drawInSteps(scene);
     const auto stepped = picture();
     makeRenderer();
@@ -216,7 +216,7 @@ TEST_F(PreparedFrame, InSteps_IsThePictureDrawnAtOnce) {
 
 TEST_F(PreparedFrame, GivenUpAtAnyStep_SpoilsNoLaterOne) {
     Scene scene = layered("weighted");
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     const Scene other = square("lambert");
     const auto expected = drawnAtOnce(scene);
     const auto expectedOther = drawnAtOnce(other);

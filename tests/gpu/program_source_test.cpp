@@ -47,7 +47,9 @@ void addLight(Material&, Scene& scene) {
 const std::vector<Effect>& effects() {
     static const std::vector<Effect> all{
         {"Fog", std::regex("fog"),
-         [](Material&, Scene& scene) { scene.fog = EffectWordTest::of("fog", "exponential"); }},
+         [](Material&, Scene& scene) {
+             scene.setPart(kinds::fog, EffectWordTest::of("fog", "exponential"));
+         }},
         {"Fresnel", std::regex("fresnel"),
          [](Material& material, Scene&) {
              material.parts["fresnel"] = EffectWordTest::of("fresnel", "schlick");
@@ -58,7 +60,7 @@ const std::vector<Effect>& effects() {
          [](Material&, Scene& scene) { scene.ambient = glm::dvec3(0.1); }},
         {"Environment", std::regex("environment"),
          [](Material&, Scene& scene) {
-             scene.environment = EffectWordTest::of("environment", "studio");
+             scene.setPart(kinds::environment, EffectWordTest::of("environment", "studio"));
          }},
         {"Directional", std::regex("directional"), addLight<0>},
         {"Point", std::regex("point(light|_light)|\\bpoint\\b"), addLight<1>},
@@ -121,10 +123,10 @@ TEST_F(ProgramSourceTest, AmbientOfAModelThatTurningDoesNotChange_AsksNoSurface)
 
 TEST_F(ProgramSourceTest, EnvironmentWithoutAPicture_HasNoSamplerOfOne) {
     Scene scene;
-    scene.environment = block("environment", "studio");
+    scene.setPart(kinds::environment, block("environment", "studio"));
     EXPECT_EQ(fragment(material("lambert"), scene).find("environmentImage"), std::string::npos);
-    scene.environment = block("environment", "image");
-    scene.environment->parameters["image"] = std::string("sky.hdr");
+    scene.setPart(kinds::environment, block("environment", "image"));
+    scene.part(kinds::environment)->parameters["image"] = std::string("sky.hdr");
     EXPECT_NE(fragment(material("lambert"), scene).find("environmentImage"), std::string::npos);
 }
 

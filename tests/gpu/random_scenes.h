@@ -34,7 +34,7 @@ class RandomScenes {
         scene.exposure = chance(0.5) ? 0.0 : between(-6.0, 6.0);
         scene.toneMapping = chance(0.5) ? ToneMapping::None : ToneMapping::KhronosNeutral;
         if (chance(0.5)) {
-            scene.transparency = block("transparency");
+            scene.setPart(kinds::transparency, block("transparency"));
         }
         for (const PictureChoiceText& text : pictureChoiceTexts()) {
             if (chance(0.25)) {
@@ -67,9 +67,7 @@ class RandomScenes {
         return {x, y, between(-reach, reach)};
     }
 
-    glm::dvec3 color() {
-        return chance(0.1) ? glm::dvec3(0.0) : 0.5 * point(1.0) + 0.5;
-    }
+    glm::dvec3 color() { return chance(0.1) ? glm::dvec3(0.0) : 0.5 * point(1.0) + 0.5; }
 
     /// Mostly what a slider gives, sometimes an end of what a file may hold.
     double number(const Parameter& parameter) {
@@ -215,13 +213,13 @@ class RandomScenes {
 
     void addSurroundings(Scene& scene) {
         if (chance(0.4)) {
-            scene.fog = block("fog");
+            scene.setPart(kinds::fog, block("fog"));
         }
         if (chance(0.3)) {
-            scene.environment = block("environment");
+            scene.setPart(kinds::environment, block("environment"));
         }
         if (chance(0.5)) {
-            scene.transparency = block("transparency");
+            scene.setPart(kinds::transparency, block("transparency"));
         }
         scene.ambient = chance(0.5) ? glm::dvec3(0.0) : color();
         if (chance(0.3)) {

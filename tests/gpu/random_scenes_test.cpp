@@ -196,8 +196,8 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
         auto image = renderer->capture(scene, viewFor(scene, number), meshSource(), display);
         EXPECT_TRUE(image) << (image ? "" : image.error().text());
         const FrameReport& report = renderer->report();
-        const auto mistakes = std::span(report.messages)
-                                  .first(report.messages.size() - report.warnings);
+        const auto mistakes =
+            std::span(report.messages).first(report.messages.size() - report.warnings);
         EXPECT_TRUE(mistakes.empty()) << text(Errors(mistakes.begin(), mistakes.end()));
         return image ? *image : Image();
     }
@@ -215,9 +215,10 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
     void examine(Scene scene, std::uint64_t number) {
         scene.background = glm::dvec3(0.0);
         scene.accuracy.choose(PictureChoice::Normals, 0); // models say nothing of shorter ones
-        scene.transparency.reset(); // each surface stores what was wrong with it by itself
-        if (scene.environment) {
-            scene.environment->parameters["background"] = std::string("hidden");
+        scene.setPart(kinds::transparency,
+                      std::nullopt); // each surface stores what was wrong with it by itself
+        if (scene.part(kinds::environment)) {
+            scene.part(kinds::environment)->parameters["background"] = std::string("hidden");
         }
         for (Object& each : scene.objects) {
             makeSolid(each.material);
@@ -234,9 +235,7 @@ class RandomScene : public GpuTest, public testing::WithParamInterface<std::uint
             << "red: a colour that is not finite, green: negative, blue: a point or a light";
     }
 
-    void expectSilence() {
-        EXPECT_EQ(debug->messages(), std::vector<std::string>());
-    }
+    void expectSilence() { EXPECT_EQ(debug->messages(), std::vector<std::string>()); }
 
     void draw(std::uint64_t number) {
         SCOPED_TRACE("scene " + std::to_string(number));

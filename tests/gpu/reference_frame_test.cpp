@@ -103,10 +103,10 @@ TEST_F(ReferenceFrameTest, EveryFog_IsInIt) {
     for (const Block* fog : catalog->ofKind("fog")) {
         SCOPED_TRACE(fog->id);
         Scene scene = simpleScene();
-        scene.fog = block("fog", fog->id);
+        scene.setPart(kinds::fog, block("fog", fog->id));
         if (const auto values = visible.find(fog->id); values != visible.end()) {
             for (const auto& [id, value] : values->second) {
-                scene.fog->parameters[id] = value;
+                scene.part(kinds::fog)->parameters[id] = value;
             }
         }
         EXPECT_GT(glm::distance(middle(capture(scene)), middle(clear)), 0.01f);
@@ -120,11 +120,11 @@ TEST_F(ReferenceFrameTest, FogThatEndsSomewhere_IsInIt) {
         SCOPED_TRACE(pitch);
         Scene scene = simpleScene();
         scene.camera.pitch = pitch;
-        scene.fog = block("fog", "low-lying");
+        scene.setPart(kinds::fog, block("fog", "low-lying"));
         EXPECT_LE(error(scene).p99, rounding);
-        scene.fog = block("fog", "boxed");
-        scene.fog->parameters["size"] = glm::dvec3(1.2, 0.7, 4.0);
-        scene.fog->parameters["center"] = glm::dvec3(0.3, 0.2, 1.0);
+        scene.setPart(kinds::fog, block("fog", "boxed"));
+        scene.part(kinds::fog)->parameters["size"] = glm::dvec3(1.2, 0.7, 4.0);
+        scene.part(kinds::fog)->parameters["center"] = glm::dvec3(0.3, 0.2, 1.0);
         EXPECT_LE(error(scene).p99, rounding);
     }
 }
@@ -179,8 +179,8 @@ TEST_F(ReferenceFrameTest, EnvironmentsLight_ComesFromTheSameDirections) {
         SCOPED_TRACE(model);
         Scene scene = simpleScene(model);
         scene.lights.resize(1);
-        scene.environment = block("environment", "studio");
-        scene.environment->parameters["rotate"] = 40.0;
+        scene.setPart(kinds::environment, block("environment", "studio"));
+        scene.part(kinds::environment)->parameters["rotate"] = 40.0;
         EXPECT_LE(error(scene).p99, rounding);
     }
 }
@@ -188,7 +188,7 @@ TEST_F(ReferenceFrameTest, EnvironmentsLight_ComesFromTheSameDirections) {
 TEST_F(ReferenceFrameTest, EnvironmentsPictureAndShadows_AreInIt) {
     directions_ = Renderer::plainSamples;
     Scene scene = simpleScene("cook-torrance");
-    scene.environment = block("environment", "image");
+    scene.setPart(kinds::environment, block("environment", "image"));
     scene.lights.front().shadow = block("shadows", "hard");
     scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
     EXPECT_LE(error(scene).p99, rounding);

@@ -69,8 +69,8 @@ class RefractionTest : public GpuTest {
             }
         }
         environment_ = EnvironmentImage::from(panorama);
-        scene_.environment = block("environment", "image");
-        scene_.environment->parameters["image"] = std::string("panorama.hdr");
+        scene_.setPart(kinds::environment, block("environment", "image"));
+        scene_.part(kinds::environment)->parameters["image"] = std::string("panorama.hdr");
     }
 
     /// A sphere of the radius 1, of so many triangles that its corners count for little.
@@ -104,7 +104,7 @@ class RefractionTest : public GpuTest {
         View view = viewOf(scene_, size);
         view.samples = 1;
         view.environmentImage = environment_;
-        view.environmentSamples = scene_.environment ? 64 : 0;
+        view.environmentSamples = scene_.part(kinds::environment) ? 64 : 0;
         const MeshSource source = [this](const Object& wanted) {
             return wanted.mesh == "builtin:ball" ? ball().view() : mesh(wanted);
         };

@@ -32,9 +32,7 @@ class RefractionRows : public ShadingTest {
     std::string text() const { return fragment(scene_.objects[0].material, scene_); }
     bool textHas(const std::string& word) const { return text().find(word) != std::string::npos; }
 
-    double index() {
-        return bodyIndex(glass(), refractionChoice(glass(), catalog()), catalog());
-    }
+    double index() { return bodyIndex(glass(), refractionChoice(glass(), catalog()), catalog()); }
 
     /// An object that can be seen through the first one.
     void addAnother() {
@@ -48,16 +46,17 @@ class RefractionRows : public ShadingTest {
 TEST_F(RefractionRows, BentLight_SaysHowMuchAndWhatIsSeen) {
     EXPECT_EQ(row("refraction").line.reason,
               "What passes is bent by an index of 1.5 and shows the background's colour.");
-    scene_.environment = block("environment", "studio");
+    scene_.setPart(kinds::environment, block("environment", "studio"));
     addAnother();
     EXPECT_EQ(row("refraction").line.reason,
               "What passes is bent by an index of 1.5 and shows the scene and the environment.");
 }
 
 TEST_F(RefractionRows, WithAWayOfLayers_SaysThatItIsSorted) {
-    scene_.transparency = block("transparency", "peeled");
-    EXPECT_TRUE(row("refraction").line.reason.ends_with(
-        "Such objects are sorted, and hide what else lets light through."));
+    scene_.setPart(kinds::transparency, block("transparency", "peeled"));
+    EXPECT_TRUE(row("refraction")
+                    .line.reason.ends_with(
+                        "Such objects are sorted, and hide what else lets light through."));
     EXPECT_FALSE(row("transparency").in);
     EXPECT_FALSE(textHas("layerWeight"));
 }

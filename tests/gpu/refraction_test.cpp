@@ -21,10 +21,10 @@ Split split(const glm::dvec3& d, const glm::dvec3& n, double eta) {
     const double sine = std::sin(in) / eta;
     if (sine < 1.0) {
         const double beyond = std::asin(sine);
-        const double across = (std::cos(in) - eta * std::cos(beyond)) /
-                              (std::cos(in) + eta * std::cos(beyond));
-        const double along = (eta * std::cos(in) - std::cos(beyond)) /
-                             (eta * std::cos(in) + std::cos(beyond));
+        const double across =
+            (std::cos(in) - eta * std::cos(beyond)) / (std::cos(in) + eta * std::cos(beyond));
+        const double along =
+            (eta * std::cos(in) - std::cos(beyond)) / (eta * std::cos(in) + std::cos(beyond));
         out.share = 0.5 * (across * across + along * along);
         out.onwards = (d + (std::cos(in) - eta * std::cos(beyond)) * n) / eta;
     }
@@ -47,8 +47,8 @@ glm::dvec3 throughBall(const glm::dvec3& origin, const glm::dvec3& d, double ind
     const double way = -2.0 * glm::dot(n, in.onwards);
     const Split out = split(in.onwards, -(n + way * in.onwards), 1.0 / index);
     const auto light = [](const glm::dvec3& towards) { return 0.5 + 0.4 * towards; };
-    const glm::dvec3 inside = out.share * light(out.mirrored) +
-                              (1.0 - out.share) * light(out.onwards);
+    const glm::dvec3 inside =
+        out.share * light(out.mirrored) + (1.0 - out.share) * light(out.onwards);
     return in.share * light(in.mirrored) +
            (1.0 - in.share) * inside * glm::pow(left, glm::dvec3(way));
 }
@@ -70,8 +70,8 @@ class RefractionOfABall : public RefractionTest {
         Errors found;
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
-                const glm::dvec3 exact = throughBall(eye(scene_.camera), rayThrough(x, y, size),
-                                                     index, left);
+                const glm::dvec3 exact =
+                    throughBall(eye(scene_.camera), rayThrough(x, y, size), index, left);
                 if (exact.x != miss) {
                     add(found, glm::dvec3(pixel(image, x, y)) - exact);
                 }
@@ -84,8 +84,8 @@ class RefractionOfABall : public RefractionTest {
   private:
     static void add(Errors& errors, const glm::dvec3& error) {
         ++errors.pixels;
-        errors.largest = std::max({errors.largest, std::abs(error.x), std::abs(error.y),
-                                   std::abs(error.z)});
+        errors.largest =
+            std::max({errors.largest, std::abs(error.x), std::abs(error.y), std::abs(error.z)});
         errors.meanSquare += glm::dot(error, error) / 3.0;
     }
 };
@@ -112,8 +112,7 @@ TEST_F(RefractionOfABall, ThatAbsorbs_DoesSoByTheWayInside) {
 }
 
 TEST_F(RefractionOfABall, Lens_TurnsTheSceneRound) {
-    scene_.objects = {clear("ball", "solid-body", 1.5),
-                      glowing({1.0, 0.0, 0.0}, {-1.0, 0.0, -4.0}),
+    scene_.objects = {clear("ball", "solid-body", 1.5), glowing({1.0, 0.0, 0.0}, {-1.0, 0.0, -4.0}),
                       glowing({0.0, 1.0, 0.0}, {1.0, 0.0, -4.0})};
     const Image image = drawn(65);
     EXPECT_GT(pixel(image, 28, 32).g, 0.8f);
@@ -145,8 +144,7 @@ class RefractionOfAPane : public RefractionTest {};
 TEST_F(RefractionOfAPane, Tilted_ShiftsWhatIsBehind) {
     constexpr int size = 257;
     constexpr double thickness = 0.8;
-    scene_.objects = {glowing(glm::dvec3(1.0), {1.0, 0.0, -2.0}),
-                      clear("plane", "thin-pane", 1.5)};
+    scene_.objects = {glowing(glm::dvec3(1.0), {1.0, 0.0, -2.0}), clear("plane", "thin-pane", 1.5)};
     scene_.objects[1].rotation = {90.0, 40.0, 0.0};
     const auto edge = [&] {
         const Image image = drawn(size);
@@ -230,7 +228,7 @@ TEST_F(Refraction, AWayOfLayers_ChangesNothing) {
     scene_.objects = {clear("sphere", "solid-body", 1.5), glowing({1.0, 0.0, 0.0}, {0, 0, -2})};
     const Image sorted = drawn(33);
     for (const char* way : {"peeled", "weighted"}) {
-        scene_.transparency = block("transparency", way);
+        scene_.setPart(kinds::transparency, block("transparency", way));
         EXPECT_EQ(drawn(33).pixels, sorted.pixels) << way;
     }
 }

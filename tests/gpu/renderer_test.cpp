@@ -74,10 +74,10 @@ TEST_F(RendererTest, Ambient_IsTheDiffuseShare) {
 
 TEST_F(RendererTest, LinearFogHalfWay_MixesHalf) {
     Scene scene = plate();
-    scene.fog = block("fog", "linear");
-    scene.fog->parameters["color"] = glm::dvec3(0.0);
-    scene.fog->parameters["start"] = scene.camera.distance - 1.0;
-    scene.fog->parameters["end"] = scene.camera.distance + 1.0;
+    scene.setPart(kinds::fog, block("fog", "linear"));
+    scene.part(kinds::fog)->parameters["color"] = glm::dvec3(0.0);
+    scene.part(kinds::fog)->parameters["start"] = scene.camera.distance - 1.0;
+    scene.part(kinds::fog)->parameters["end"] = scene.camera.distance + 1.0;
     EXPECT_NEAR(middle(capture(scene)).g, 0.5f, 2e-3f);
 }
 

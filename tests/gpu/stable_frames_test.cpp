@@ -32,8 +32,8 @@ void setLight(Scene& scene, const char* parameter, const Value& value) {
 }
 
 void setFog(Scene& scene, const char* parameter, const Value& value) {
-    if (scene.fog->parameters.contains(parameter)) {
-        scene.fog->parameters[parameter] = value;
+    if (scene.part(kinds::fog)->parameters.contains(parameter)) {
+        scene.part(kinds::fog)->parameters[parameter] = value;
     }
 }
 
@@ -120,9 +120,8 @@ const HardScene hardScenes[] = {
      }},
     {"TinyNormals",
      [](Scene&, Mesh& mesh) {
-         eachVertex(mesh, [](Vertex& v, std::size_t i) {
-             v.normal *= i % 2 == 0 ? 1e-12f : 1e-20f;
-         });
+         eachVertex(mesh,
+                    [](Vertex& v, std::size_t i) { v.normal *= i % 2 == 0 ? 1e-12f : 1e-20f; });
      }},
     {"NormalsAwayFromTheViewer",
      [](Scene&, Mesh& mesh) {
@@ -207,7 +206,7 @@ class HardFrame : public ExaminedFrame, public testing::WithParamInterface<HardS
                 block("shadows", shadows[scene.lights.size() % shadows.size()]->id);
         }
         scene.ground.mode = GroundMode::Plane;
-        scene.fog = block("fog", fog.id);
+        scene.setPart(kinds::fog, block("fog", fog.id));
         return scene;
     }
 

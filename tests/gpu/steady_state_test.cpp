@@ -55,7 +55,7 @@ class SteadyStateTest : public GpuTest {
         scene_.objects[1].material.opacity = 0.5;
         scene_.lights.push_back(light("point"));
         scene_.lights.push_back(light("head"));
-        scene_.fog = block("fog", "exponential");
+        scene_.setPart(kinds::fog, block("fog", "exponential"));
         scene_.lights[0].shadow = block("shadows", "soft");
         scene_.lights[1].shadow = block("shadows", "filtered");
         scene_.ground.mode = GroundMode::Plane;
@@ -143,11 +143,11 @@ TEST_F(SteadyStateTest, ChangedLight_AllocatesNothing) {
 }
 
 TEST_F(SteadyStateTest, DraggedEnvironment_AllocatesNothing) {
-    scene_.environment = block("environment", "studio");
+    scene_.setPart(kinds::environment, block("environment", "studio"));
     draw();
     draw();
     for (const char* id : {"key.intensity", "intensity", "rotate"}) {
-        std::get<double>(scene_.environment->parameters[id]) += 0.5;
+        std::get<double>(scene_.part(kinds::environment)->parameters[id]) += 0.5;
         EXPECT_EQ(ofTheNextFrame(), 0) << id;
         EXPECT_EQ(renderer->report().compiled, 0) << id;
     }

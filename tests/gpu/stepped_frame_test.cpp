@@ -233,7 +233,7 @@ TEST_F(SteppedFrame, ThatTookLongAndIsPeeled_IsThePictureDrawnAtOnce) {
     Scene scene = costlyScene(simpleScene("phong"), object("lambert"));
     scene.objects[0].material.opacity = 0.5;
     scene.objects[1].material.opacity = 0.7;
-    scene.transparency = block("transparency", "peeled");
+    scene.setPart(kinds::transparency, block("transparency", "peeled"));
     drawFrame(scene, 5000.0);
     ASSERT_FALSE(beginFrame(scene));
     EXPECT_GT(finishFrame(), 12);
@@ -245,7 +245,7 @@ TEST_F(SteppedFrame, ThatTookLongAndIsPeeled_IsThePictureDrawnAtOnce) {
 TEST_F(SteppedFrame, ThatTookLongAndIsMixed_IsThePictureDrawnAtOnce) {
     Scene scene = costlyScene(simpleScene("phong"), object("lambert"));
     scene.objects[0].material.opacity = 0.5;
-    scene.transparency = block("transparency", "weighted");
+    scene.setPart(kinds::transparency, block("transparency", "weighted"));
     drawFrame(scene, 5000.0);
     ASSERT_FALSE(beginFrame(scene));
     EXPECT_GT(finishFrame(), 4);
@@ -256,7 +256,7 @@ TEST_F(SteppedFrame, ThatTookLongAndIsMixed_IsThePictureDrawnAtOnce) {
 TEST_F(SteppedFrame, GivenUpInMidLayer_IsCompleteTheNextTime) {
     Scene scene = costlyScene(simpleScene("phong"), object("lambert"));
     scene.objects[0].material.opacity = 0.5;
-    scene.transparency = block("transparency", "peeled");
+    scene.setPart(kinds::transparency, block("transparency", "peeled"));
     const auto expected = drawnAtOnce(scene);
     for (int given = 1; given < 12; ++given) {
         drawFrame(scene, 5000.0);

@@ -45,7 +45,9 @@ class TransparencyTest : public GpuTest {
         return made;
     }
 
-    void choose(const std::string& id) { scene_.transparency = block("transparency", id); }
+    void choose(const std::string& id) {
+        scene_.setPart(kinds::transparency, block("transparency", id));
+    }
 
     /// Sheets at random places, turned so that many of them cross.
     void addRandomSheets(int count, unsigned seed, double maxTurn = 50.0) {
@@ -78,8 +80,8 @@ class TransparencyTest : public GpuTest {
             const double beyond = std::max(std::abs(hit.x), std::abs(hit.z)) - 1.0;
             isClear = isClear && std::abs(beyond) > 1e-3 && std::abs(along.y) > 1e-3;
             if (beyond < 0.0 && depth > 0.0) {
-                const auto& color = std::get<glm::dvec3>(
-                    object.material.model.parameters.at("emissive.color"));
+                const auto& color =
+                    std::get<glm::dvec3>(object.material.model.parameters.at("emissive.color"));
                 out.push_back({depth, color, object.material.opacity});
             }
         }

@@ -28,7 +28,9 @@ class TransparencyRows : public ShadingTest {
         return {};
     }
 
-    void choose(const std::string& id) { scene_.transparency = block("transparency", id); }
+    void choose(const std::string& id) {
+        scene_.setPart(kinds::transparency, block("transparency", id));
+    }
 
     std::string text(std::size_t object) const {
         return fragment(scene_.objects[object].material, scene_);
@@ -73,7 +75,7 @@ TEST_F(TransparencyRows, WhereAllIsSolid_SayThatTheChoiceIsLeftOut) {
 }
 
 TEST_F(TransparencyRows, OfAnUnknownKind_AreSorted) {
-    scene_.transparency.emplace().id = "magic";
+    scene_.parts["transparency"].id = "magic";
     EXPECT_EQ(row("transparency").line.detail, "sorted");
 }
 
@@ -117,7 +119,7 @@ TEST_F(TransparencyRows, Key_DiffersExactlyWhereTheEffectDoes) {
         }
     }
     choose("peeled");
-    scene_.transparency->parameters["layers"] = 3;
+    scene_.part(kinds::transparency)->parameters["layers"] = 3;
     scenes.push_back(scene_);
     EffectKey keys;
     for (const Scene& a : scenes) {

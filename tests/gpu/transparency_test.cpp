@@ -63,14 +63,14 @@ TEST_F(Peeling, SheetsThatCross_AreWrongWhenSortedByObject) {
 
 TEST_F(Peeling, MoreSheetsThanLayers_LoseTheFarthest) {
     choose("peeled");
-    scene_.transparency->parameters["layers"] = 3;
+    scene_.part(kinds::transparency)->parameters["layers"] = 3;
     addRandomSheets(8, 2);
     EXPECT_LT(distance(drawn(size), 3).most, halfFloat);
 }
 
 TEST_F(Peeling, OfOneLayer_IsTheNearestAlone) {
     choose("peeled");
-    scene_.transparency->parameters["layers"] = 1;
+    scene_.part(kinds::transparency)->parameters["layers"] = 1;
     addRandomSheets(5, 4);
     EXPECT_LT(distance(drawn(size), 1).most, halfFloat);
 }
@@ -251,7 +251,7 @@ TEST_F(NoTransparency, DraggingTheLayers_CompilesNothing) {
     choose("peeled");
     addRandomSheets(3, 9);
     drawn(size);
-    scene_.transparency->parameters["layers"] = 2;
+    scene_.part(kinds::transparency)->parameters["layers"] = 2;
     drawn(size);
     EXPECT_EQ(renderer->report().compiled, 0);
 }

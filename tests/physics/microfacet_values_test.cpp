@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "direction_pairs.h"
@@ -91,17 +93,23 @@ Subject mirror(const std::string& distribution, const std::string& masking,
                     {"scale", scale}});
 }
 
-using Reflectance = glm::dvec3 (*)(double c, double versine, reference::Parameters);
+constexpr reference::BlockCall reflectsAll{
+    "", 2, 3, [](const double*, double* out, reference::Parameters) { std::fill_n(out, 3, 1.0); }};
+constexpr reference::BlockCall tellsIncidence{
+    "", 2, 3, [](const double* in, double* out, reference::Parameters) {
+        out[0] = in[0];
+        out[1] = in[1];
+        out[2] = 1.0;
+    }};
 
-reference::Block fresnelOf(Reflectance reflectance) {
+reference::Block fresnelWith(const reference::BlockCall& call) {
     reference::Block block;
     block.kind = "fresnel";
-    block.fresnel = reflectance;
+    block.calls = {&call, 1};
     return block;
 }
 
-const reference::Block whiteMirror =
-    fresnelOf([](double, double, reference::Parameters) { return white; });
+const reference::Block whiteMirror = fresnelWith(reflectsAll);
 const reference::Filler reflectingAll{&whiteMirror, {}};
 
 TEST(CookTorrance, EveryDistributionWithEveryMasking_MatchesItsTable) {
@@ -125,9 +133,7 @@ TEST(CookTorrance, EveryDistributionAtThePrintedScale_MatchesItsTable) {
 
 /// The cosine at which the model asks for the reflectance: the channels tell what it was.
 double askedCosine(const std::string& choice, const reference::Geometry& g) {
-    const reference::Block telling = fresnelOf([](double c, double versine, reference::Parameters) {
-        return glm::dvec3(c, versine, 1.0);
-    });
+    const reference::Block telling = fresnelWith(tellsIncidence);
     const Subject model("models", "cook-torrance",
                         {{"diffuse.color", black}, {"fresnel.cosine", choice}});
     const glm::dvec3 value = model.shade(g, {&telling, {}});

@@ -77,7 +77,7 @@ TEST_F(AccuracyPanel, EditedWhileComparing_StaysEditedAfterwards) {
     const int far = pointOf("far");
     dock().apply(pointOf("near"));
     dock().compare(far);
-    document().setValue(document().currentPath(BlockPath::Part::Material), "opacity", 0.5);
+    document().setValue(document().currentPath(settings::material), "opacity", 0.5);
     document().setComparing(false);
     EXPECT_EQ(document().material(Side::A)->opacity, 0.5);
     EXPECT_EQ(level(Side::A), "near");

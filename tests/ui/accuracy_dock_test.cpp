@@ -75,7 +75,7 @@ TEST_F(AccuracyPanel, AppliedPoint_LeavesTheChartFresh) {
 
 TEST_F(AccuracyPanel, ChangedScene_PutsTheChartOutOfDate) {
     ASSERT_TRUE(measure()) << state().toStdString();
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     EXPECT_TRUE(dock().isStale());
     EXPECT_TRUE(state().startsWith("Out of date")) << state().toStdString();
@@ -95,7 +95,7 @@ TEST_F(AccuracyPanel, StaleTable_HasFaintDiscsAndSelectedRowsHaveTheirs) {
     };
     EXPECT_EQ(disc(QIcon::Normal), colors.color(QPalette::Highlight));
     EXPECT_EQ(disc(QIcon::Selected), colors.color(QPalette::HighlightedText));
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     EXPECT_NE(disc(QIcon::Normal), colors.color(QPalette::Highlight));
     EXPECT_EQ(disc(QIcon::Selected), colors.color(QPalette::HighlightedText));
@@ -103,7 +103,7 @@ TEST_F(AccuracyPanel, StaleTable_HasFaintDiscsAndSelectedRowsHaveTheirs) {
 
 TEST_F(AccuracyPanel, ClickOnAStalePoint_ChoosesAndSaysThatNumbersAreOld) {
     ASSERT_TRUE(measure()) << state().toStdString();
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     const int before = steps();
     const QPoint place = plot().placeOf(pointOf("far"));
@@ -149,7 +149,7 @@ TEST_F(AccuracyPanel, MovedCamera_LeavesTheChartFreshAndSaysSo) {
 TEST_F(AccuracyPanel, StateInASmallWindow_IsReadInFull) {
     ASSERT_TRUE(measure()) << state().toStdString();
     dock().apply(pointOf("near"));
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     window().resize(1280, 720);
     settle();
     const auto& line = *dock().findChild<LongLine*>("state");
@@ -167,7 +167,7 @@ TEST_F(AccuracyPanel, Table_HasTheInstructionsOfEveryWay) {
 
 TEST_F(AccuracyPanel, SceneThatIsBack_HasItsChartAgain) {
     ASSERT_TRUE(measure()) << state().toStdString();
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     document().undoStack().undo();
     settle();
@@ -188,11 +188,11 @@ TEST_F(AccuracyPanel, WhatIsNotMeasured_LeavesTheChartFresh) {
     renamed.name = "Another name";
     renamed.tags = {"a", "b"};
     document().replaceMaterial(Side::A, renamed, "Rename");
-    document().setValue(document().currentPath(BlockPath::Part::Scene), "ground.mode",
+    document().setValue(document().currentPath(settings::scene), "ground.mode",
                         std::string("plane"));
     settle();
     EXPECT_FALSE(dock().isStale());
-    document().setValue(document().currentPath(BlockPath::Part::Material), "opacity", 0.5);
+    document().setValue(document().currentPath(settings::material), "opacity", 0.5);
     settle();
     EXPECT_TRUE(dock().isStale());
 }

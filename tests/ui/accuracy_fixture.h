@@ -66,13 +66,12 @@ class AccuracyPanel : public WindowFixture {
         writeFile(folder / "burning.glsl", burningShader);
         document().setCatalog(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())));
         document().setModel(Side::A, "burning");
-        document().setPart(Side::A, BlockPath::Part::Fresnel, "");
-        document().setEnvironment("");
+        document().setBlock(pathOf(kinds::fresnel), "");
+        document().setBlock(pathOf(kinds::environment), "");
         while (document().scene().lights.size() > 1) { // each of them costs as much again
             document().removeLight(0);
         }
-        document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient",
-                            glm::dvec3(0.0));
+        document().setValue(document().currentPath(settings::scene), "ambient", glm::dvec3(0.0));
         window().dock("accuracy")->show();
         settle();
     }

@@ -46,7 +46,7 @@ TEST_F(ModelsPanel, OtherScene_PutsItOutOfDate) {
     document().setModel(Side::A, page().costs().front().model);
     settle();
     EXPECT_FALSE(page().isStale()); // every model was measured with its defaults
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     EXPECT_TRUE(page().isStale());
 }
@@ -68,7 +68,7 @@ TEST_F(ModelsPanel, LightLost_IsWrittenAsTheFieldsWriteNumbers) {
 TEST_F(ModelsPanel, SceneThatIsBack_HasItsNumbersAgain) {
     measureSome();
     const std::string first = page().costs().front().model;
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     measureSome();
     EXPECT_FALSE(page().isStale());
@@ -193,7 +193,7 @@ TEST_F(ScalingPanel, OtherLook_PaintsThePlotsInIt) {
 TEST_F(ScalingPanel, SceneThatIsBack_HasItsNumbersAgain) {
     ASSERT_TRUE(measureSmall());
     const std::vector<ScalingCurve> first = page().curves();
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     ASSERT_TRUE(measureSmall());
     EXPECT_FALSE(page().isStale());
@@ -216,7 +216,7 @@ TEST_F(ScalingPanel, OtherDocument_HasNoneOfItsNumbers) {
     ASSERT_TRUE(document().saveScene(home("one.patina-scene.json")));
     ASSERT_TRUE(measureSmall());
     document().startFrom(Scene(document().scene()));
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     EXPECT_TRUE(page().curves().empty());
     ASSERT_TRUE(document().openScene(home("one.patina-scene.json")));
@@ -227,7 +227,7 @@ TEST_F(ScalingPanel, OtherDocument_HasNoneOfItsNumbers) {
 TEST_F(ScalingPanel, ChangedScene_PutsItOutOfDate) {
     ASSERT_TRUE(measureSmall());
     EXPECT_FALSE(page().isStale());
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     EXPECT_TRUE(page().isStale());
 }

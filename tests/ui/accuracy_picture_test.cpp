@@ -145,7 +145,7 @@ TEST_F(PicturePanel, AppliedPoint_LeavesTheChartFreshAndIsTheCurrentOne) {
 }
 
 TEST_F(PicturePanel, ChangedScene_PutsTheChartOutOfDate) {
-    document().setFog("exponential");
+    document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     EXPECT_TRUE(dock().isStale());
 }
@@ -162,10 +162,10 @@ TEST_F(PicturePanel, ErrorBudget_PicksAWayWithinItAndTheSceneTakesIt) {
 }
 
 TEST_F(PicturePanel, ShadowsLayersAndDirections_AreGivenToWhatHasThem) {
-    document().setEnvironment("studio");
-    document().setTransparency("peeled");
-    document().setValue(document().currentPath(BlockPath::Part::Material), "opacity", 0.5);
-    document().setShadow(0, "filtered");
+    document().setBlock(pathOf(kinds::environment), "studio");
+    document().setBlock(pathOf(kinds::transparency), "peeled");
+    document().setValue(document().currentPath(settings::material), "opacity", 0.5);
+    document().setBlock(pathOf(kinds::shadows, 0), "filtered");
     const std::vector<Choice> choices = choicesOfPicture(document().scene(), document().catalog());
     const ChosenLevels wanted{{"picture.environment", "16"}, {"picture.layers", "2"},
                               {"picture.shadows", "coarse"}};
@@ -192,7 +192,7 @@ TEST_F(PicturePanel, PicturesAccuracy_LeavesTheMaterialsChartFresh) {
     options.combinations = false;
     material.measure(options);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !material.isMeasuring(); }, waitMs));
-    document().setValue(document().currentPath(BlockPath::Part::Scene), "picture.scale",
+    document().setValue(document().currentPath(settings::scene), "picture.scale",
                         std::string("half"));
     settle();
     EXPECT_FALSE(material.isStale());
@@ -288,7 +288,7 @@ TEST_F(ComparedPicturePanel, SavedScene_HasItsOwnPictureAndNoOtherSide) {
 
 TEST_F(ComparedPicturePanel, EditedMaterial_IsShownOnBothSides) {
     compareHalf();
-    const BlockPath path = document().currentPath(BlockPath::Part::Material);
+    const BlockPath path = document().currentPath(settings::material);
     document().setValue(path, "opacity", 0.5);
     for (const Side side : {Side::A, Side::B}) {
         EXPECT_EQ(document().scene(side).objects.front().material.opacity, 0.5);
@@ -304,7 +304,7 @@ TEST_F(ComparedPicturePanel, ChosenPicture_IsShownInA) {
     const int count = steps();
     document().undoStack().undo();
     EXPECT_EQ(scaleOf(document().scene(Side::A)), 1.0);
-    document().setValue(document().currentPath(BlockPath::Part::Scene), "picture.scale",
+    document().setValue(document().currentPath(settings::scene), "picture.scale",
                         std::string("half"));
     EXPECT_EQ(scaleOf(document().scene(Side::A)), 0.5);
     EXPECT_EQ(steps(), count);

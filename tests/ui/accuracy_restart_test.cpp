@@ -73,7 +73,7 @@ TEST_F(RestartedAccuracy, ChangedScene_HasItOutOfDate) {
     ASSERT_NE(dock().shown(), nullptr);
     EXPECT_TRUE(dock().isStale());
     EXPECT_TRUE(state().startsWith("Out of date")) << state().toStdString();
-    document().setValue(document().currentPath(BlockPath::Part::Material), "opacity", 1.0);
+    document().setValue(document().currentPath(settings::material), "opacity", 1.0);
     settle();
     EXPECT_FALSE(dock().isStale()) << state().toStdString();
 }

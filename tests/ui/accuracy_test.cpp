@@ -38,19 +38,19 @@ struct AccuracyForm : testing::Test {
         fixture.document.setModel(Side::A, "shine");
     }
 
-    BlockPath path() const { return fixture.document.currentPath(BlockPath::Part::Accuracy); }
+    BlockPath path() const { return fixture.document.currentPath(settings::accuracy); }
     const Block& choices() const { return *fixture.document.block(path()); }
 };
 
 TEST_F(AccuracyForm, OfAModelWithAPart_HasTheChoicesOfBoth) {
-    fixture.document.setPart(Side::A, BlockPath::Part::Fresnel, "film");
+    fixture.document.setBlock(pathOf(kinds::fresnel), "film");
     EXPECT_NE(choices().parameter("lobe"), nullptr);
     EXPECT_NE(choices().parameter("rise"), nullptr);
 }
 
 TEST_F(AccuracyForm, PartThatIsTakenOut_TakesItsChoicesAlong) {
-    fixture.document.setPart(Side::A, BlockPath::Part::Fresnel, "film");
-    fixture.document.setPart(Side::A, BlockPath::Part::Fresnel, "");
+    fixture.document.setBlock(pathOf(kinds::fresnel), "film");
+    fixture.document.setBlock(pathOf(kinds::fresnel), "");
     EXPECT_EQ(choices().parameter("rise"), nullptr);
 }
 

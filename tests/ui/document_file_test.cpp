@@ -43,7 +43,7 @@ struct DocumentFile_ : testing::Test {
 TEST_F(DocumentFile_, SavedScene_OpensAsItWas) {
     document.setValue(fixture.model(), "roughness", 0.75);
     document.setComparing(true);
-    document.setValue({BlockPath::Part::Model, 0, Side::B}, "roughness", 0.25);
+    document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.25);
     ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
     const std::string saved = written(document.state());
     document.startFrom(Scene());
@@ -55,7 +55,7 @@ TEST_F(DocumentFile_, SavedScene_OpensAsItWas) {
 TEST_F(DocumentFile_, SideB_StaysOnItsObject) {
     document.addObject(document.scene().objects.front());
     document.setComparing(true);
-    document.setValue({BlockPath::Part::Model, 1, Side::B}, "roughness", 0.25);
+    document.setValue(pathOf(kinds::models, 1, Side::B), "roughness", 0.25);
     ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
     Scene shown = document.scene(Side::B);
     shown.name = "a"; // as the file
@@ -81,7 +81,7 @@ TEST_F(DocumentFile_, PresetOfTheSecondObject_IsSavedFromIt) {
     document.addObject(document.scene().objects.front());
     ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
     ASSERT_TRUE(document.openPreset(folder / "a.patina.json"));
-    document.setValue({BlockPath::Part::Model, 1, Side::A}, "roughness", 0.75);
+    document.setValue(pathOf(kinds::models, 1), "roughness", 0.75);
     document.setCurrentObject(0);
     ASSERT_TRUE(document.save());
     EXPECT_NE(readFile(folder / "a.patina.json").find("0.75"), std::string::npos);
@@ -107,7 +107,7 @@ TEST_F(DocumentFile_, SavedPreset_OpensAsItWas) {
 }
 
 TEST_F(DocumentFile_, SavedPresetOfAChangedScene_StaysModified) {
-    document.setValue(document.currentPath(BlockPath::Part::Light), "intensity", 5.0);
+    document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
     ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
     EXPECT_TRUE(document.isModified());
 }
@@ -185,7 +185,7 @@ TEST_F(DocumentFile_, RecoveredWork_IsSavedToTheFileItBelongsTo) {
 }
 
 TEST_F(DocumentFile_, RecoveredPreset_StaysModifiedWhenMoreThanThePresetChanged) {
-    document.setValue(document.currentPath(BlockPath::Part::Light), "intensity", 5.0);
+    document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
     ASSERT_TRUE(document.saveScene(folder / "copy.patina-scene.json"));
     document.undoStack().undo();
     const DocumentFile origin{DocumentFile::Kind::Preset, folder / "a.patina.json", false};
@@ -198,7 +198,7 @@ TEST_F(DocumentFile_, PresetWithAChangedLight_IsOutgrown) {
     ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
     document.setValue(fixture.model(), "roughness", 0.75);
     EXPECT_FALSE(document.outgrewPreset());
-    document.setValue(document.currentPath(BlockPath::Part::Light), "intensity", 5.0);
+    document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
     EXPECT_TRUE(document.outgrewPreset());
 }
 

@@ -8,8 +8,6 @@ namespace patina::tests::document_test {
 
 namespace {
 
-using Part = BlockPath::Part;
-
 /// Undoes everything, does it again, and says whether both ends are what they were.
 bool survivesUndoAndRedo(Document& document, const DocumentState& before) {
     const DocumentState after = document.state();
@@ -36,7 +34,7 @@ TEST(FixtureBlocks, Loaded_HaveNoMistakes) {
 }
 
 TEST_F(DocumentEdit, AccuracyOfThePicture_UndoesAndRedoes) {
-    document.setValue({Part::Scene}, "picture.lighting", std::string("vertex"));
+    document.setValue(pathOf(settings::scene), "picture.lighting", std::string("vertex"));
     EXPECT_TRUE(document.scene().accuracy.lightsAtVertices());
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
@@ -68,9 +66,9 @@ struct ShorthandEdit : testing::Test {
                    "vec3 alloyFresnelTint(AlloyFresnel p) {\n    return vec3(p.b);\n}\n");
         document = std::make_unique<Document>(blocks.catalog());
         document->startFrom(fixtureScene(*blocks.catalog()));
-        document->setPart(Side::A, Part::Fresnel, "alloy");
+        document->setBlock(pathOf(kinds::fresnel), "alloy");
     }
-    BlockPath path() const { return document->currentPath(Part::Fresnel); }
+    BlockPath path() const { return document->currentPath(kinds::fresnel); }
     Value value(const char* id) const {
         return document->value(path(), *document->block(path())->parameter(id));
     }
@@ -108,21 +106,21 @@ TEST_F(ShorthandEdit, DraggingAValue_StaysOnesOwnAfterRedo) {
 }
 
 TEST_F(DocumentEdit, EveryPart_UndoesAndRedoes) {
-    document.setPart(Side::A, Part::Fresnel, "rim");
-    document.setFog("mist");
-    document.setValue(document.currentPath(Part::Fresnel), "f0", 0.5);
-    document.setValue(document.currentPath(Part::Fog), "density", 0.5);
-    document.setValue(document.currentPath(Part::Light), "intensity", 3.0);
-    document.setValue(document.currentPath(Part::Material), "opacity", 0.5);
-    document.setValue(document.currentPath(Part::Object), "translation", glm::dvec3(1, 2, 3));
-    document.setValue(document.currentPath(Part::Scene), "exposure", 1.0);
+    document.setBlock(pathOf(kinds::fresnel), "rim");
+    document.setBlock(pathOf(kinds::fog), "mist");
+    document.setValue(document.currentPath(kinds::fresnel), "f0", 0.5);
+    document.setValue(document.currentPath(kinds::fog), "density", 0.5);
+    document.setValue(document.currentPath(kinds::lights), "intensity", 3.0);
+    document.setValue(document.currentPath(settings::material), "opacity", 0.5);
+    document.setValue(document.currentPath(settings::object), "translation", glm::dvec3(1, 2, 3));
+    document.setValue(document.currentPath(settings::scene), "exposure", 1.0);
     EXPECT_EQ(fixture.steps(), 8);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
 
 TEST_F(DocumentEdit, Highlight_UndoesAndRedoes) {
-    document.setPart(Side::A, Part::Specular, "spark");
-    document.setValue(document.currentPath(Part::Specular), "size", 0.25);
+    document.setBlock(pathOf(kinds::specular), "spark");
+    document.setValue(document.currentPath(kinds::specular), "size", 0.25);
     EXPECT_EQ(fixture.steps(), 2);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
@@ -137,7 +135,7 @@ TEST_F(DocumentEdit, Lights_UndoAndRedo) {
     Light renamed = document.scene().lights[1];
     renamed.name = "Rim";
     document.setLight(1, renamed);
-    document.setLightKind(0, "sun");
+    document.setBlock(pathOf(kinds::lights), "sun");
     document.removeLight(0);
     EXPECT_EQ(fixture.steps(), 4);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
@@ -185,8 +183,8 @@ TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
     const auto shadow = [this, light] {
         return document.scene().lights.at(static_cast<std::size_t>(light)).shadow;
     };
-    document.setShadow(light, "veil");
-    document.setValue(document.currentPath(Part::Shadow), "width", 0.5);
+    document.setBlock(pathOf(kinds::shadows, light), "veil");
+    document.setValue(document.currentPath(kinds::shadows), "width", 0.5);
     ASSERT_TRUE(shadow());
     EXPECT_EQ(shadow()->parameters.at("width"), Value(0.5));
     document.undoStack().undo();
@@ -197,9 +195,9 @@ TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
 
 TEST_F(DocumentEdit, Ground_IsSetAndUndone) {
     const Ground untouched = document.scene().ground;
-    document.setValue(document.currentPath(Part::Scene), "ground.mode", std::string("plane"));
+    document.setValue(document.currentPath(settings::scene), "ground.mode", std::string("plane"));
     EXPECT_EQ(document.scene().ground.mode, GroundMode::Plane);
-    document.setValue(document.currentPath(Part::Scene), "ground.height", -0.5);
+    document.setValue(document.currentPath(settings::scene), "ground.height", -0.5);
     EXPECT_EQ(document.scene().ground.height, -0.5);
     document.undoStack().undo();
     document.undoStack().undo();
@@ -207,7 +205,7 @@ TEST_F(DocumentEdit, Ground_IsSetAndUndone) {
 }
 
 TEST_F(DocumentEdit, Fog_UndoesAndRedoes) {
-    document.setFog("mist");
+    document.setBlock(pathOf(kinds::fog), "mist");
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
 
@@ -216,7 +214,7 @@ TEST_F(DocumentEdit, SideB_IsOnItsObjectAfterUndoAndRedo) {
     document.setCurrentObject(0);
     document.setComparing(true);
     document.setCurrentObject(1);
-    document.setValue({Part::Model, 1, Side::B}, "roughness", 0.9);
+    document.setValue(pathOf(kinds::models, 1, Side::B), "roughness", 0.9);
     const Scene shown = document.scene(Side::B);
     ASSERT_TRUE(survivesUndoAndRedo(document, before));
     EXPECT_EQ(document.scene(Side::B), shown);
@@ -224,7 +222,7 @@ TEST_F(DocumentEdit, SideB_IsOnItsObjectAfterUndoAndRedo) {
 
 TEST_F(DocumentEdit, Comparing_UndoesAndRedoes) {
     document.setComparing(true);
-    document.setValue({Part::Model, 0, Side::B}, "roughness", 0.9);
+    document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.9);
     document.swapSides();
     EXPECT_EQ(fixture.steps(), 3);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
@@ -305,23 +303,23 @@ TEST_F(DocumentEdit, ModelSwap_CarriesSharedValues) {
 }
 
 TEST_F(DocumentEdit, LightKindAndBack_RestoresValues) {
-    const BlockPath light = document.currentPath(Part::Light);
+    const BlockPath light = document.currentPath(kinds::lights);
     document.setValue(light, "height", 5.0);
-    document.setLightKind(0, "sun");
-    document.setLightKind(0, "lamp");
+    document.setBlock(pathOf(kinds::lights), "sun");
+    document.setBlock(pathOf(kinds::lights), "lamp");
     EXPECT_EQ(storedValue(document.state(), light, "height"), Value(5.0));
 }
 
 TEST_F(DocumentEdit, FogOffAndOn_RestoresValues) {
-    document.setFog("mist");
-    document.setValue(document.currentPath(Part::Fog), "density", 0.5);
-    document.setFog("");
-    document.setFog("mist");
-    EXPECT_EQ(document.scene().fog->parameters.at("density"), Value(0.5));
+    document.setBlock(pathOf(kinds::fog), "mist");
+    document.setValue(document.currentPath(kinds::fog), "density", 0.5);
+    document.setBlock(pathOf(kinds::fog), "");
+    document.setBlock(pathOf(kinds::fog), "mist");
+    EXPECT_EQ(document.scene().part(kinds::fog)->parameters.at("density"), Value(0.5));
 }
 
 TEST_F(DocumentEdit, ScaleOfNothing_IsWhatASceneFileMayHold) {
-    document.setValue(document.currentPath(Part::Object), "scale", glm::dvec3(0.0, 1.0, -2.0));
+    document.setValue(document.currentPath(settings::object), "scale", glm::dvec3(0.0, 1.0, -2.0));
     const glm::dvec3 scale = document.scene().objects[0].scale;
     EXPECT_GT(scale.x, 0.0);
     EXPECT_EQ(scale.y, 1.0);
@@ -330,7 +328,7 @@ TEST_F(DocumentEdit, ScaleOfNothing_IsWhatASceneFileMayHold) {
 
 TEST_F(DocumentEdit, ComparingAgain_BringsBackWhatWasOnSideB) {
     document.setComparing(true);
-    document.setValue({Part::Model, 0, Side::B}, "roughness", 0.75);
+    document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.75);
     const Material made = *document.state().second;
     document.setComparing(false);
     document.setComparing(true);
@@ -341,7 +339,7 @@ TEST_F(DocumentEdit, ComparingOnAnotherObject_StartsWithACopy) {
     document.addObject(document.scene().objects.front());
     document.setCurrentObject(0);
     document.setComparing(true);
-    document.setValue({Part::Model, 0, Side::B}, "roughness", 0.75);
+    document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.75);
     document.setComparing(false);
     document.setCurrentObject(1);
     document.setComparing(true);
@@ -351,8 +349,8 @@ TEST_F(DocumentEdit, ComparingOnAnotherObject_StartsWithACopy) {
 TEST_F(DocumentEdit, SecondMaterial_ShowsOnSideBOnly) {
     document.setComparing(true);
     document.scene(Side::B);
-    document.setValue({Part::Model, 0, Side::B}, "roughness", 0.75);
-    document.setValue(document.currentPath(Part::Scene), "exposure", 1.0);
+    document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.75);
+    document.setValue(document.currentPath(settings::scene), "exposure", 1.0);
     EXPECT_EQ(document.scene(Side::A).objects[0].material, before.scene.objects[0].material);
     EXPECT_EQ(document.scene(Side::B).objects[0].material, *document.state().second);
     EXPECT_EQ(document.scene(Side::B).exposure, 1.0);

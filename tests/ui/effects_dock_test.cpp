@@ -24,7 +24,7 @@ class EffectsPanel : public WindowFixture {
   protected:
     EffectsPanel() {
         window().dock("effects")->show();
-        document().setFog("exponential");
+        document().setBlock(pathOf(kinds::fog), "exponential");
         settle();
     }
 
@@ -80,7 +80,7 @@ TEST_F(EffectsPanel, List_HasTheEffectsAndWhy) {
 }
 
 TEST_F(EffectsPanel, List_HasWhatIsNotIn) {
-    document().setFog("");
+    document().setBlock(pathOf(kinds::fog), "");
     settle();
     ASSERT_NE(row("fog"), nullptr);
     EXPECT_EQ(row("fog")->text(3), "The scene has no fog.");
@@ -106,7 +106,7 @@ TEST_F(EffectsPanel, MaterialWithoutImages_HasALabelForThem) {
 /// In the panel and in the status line.
 TEST_F(EffectsPanel, Image_IsCalledByWhatItChanges) {
     document().setModel(Side::A, "phong");
-    document().setTexture(document().currentPath(BlockPath::Part::Model), "diffuse.color",
+    document().setTexture(document().currentPath(kinds::models), "diffuse.color",
                           textureUse("diffuse.color", "/gone.png"));
     settle();
     newFrames();
@@ -123,7 +123,7 @@ TEST_F(EffectsPanel, Image_IsCalledByWhatItChanges) {
 }
 
 TEST_F(EffectsPanel, Shadows_AreNamedUnderTheirLight) {
-    document().setShadow(0, "hard");
+    document().setBlock(pathOf(kinds::shadows, 0), "hard");
     settle();
     ASSERT_NE(row("shadows/hard"), nullptr);
     EXPECT_EQ(row("shadows/hard")->text(0), "Hard shadows");
@@ -131,7 +131,7 @@ TEST_F(EffectsPanel, Shadows_AreNamedUnderTheirLight) {
 }
 
 TEST_F(EffectsPanel, SwitchedOffShadows_AreNotInTheViewsShader) {
-    document().setShadow(0, "hard");
+    document().setBlock(pathOf(kinds::shadows, 0), "hard");
     newFrames();
     ASSERT_TRUE(isInTheShader("shadows/"));
     settle();
@@ -150,7 +150,7 @@ double workedMs() {
 /// Other threads draw the frames: the window's own has next to nothing to do between two turns, by
 /// its own clock, which does not depend on what else the machine does.
 TEST_F(EffectsPanel, WhileMeasuring_TheWindowAnswers) {
-    document().setShadow(0, "soft");
+    document().setBlock(pathOf(kinds::shadows, 0), "soft");
     settle();
     newFrames();
     dock().measure();
@@ -225,7 +225,7 @@ TEST_F(EffectsPanel, AnotherDocument_HasEverythingOnAndNoCosts) {
 
 TEST_F(EffectsPanel, ValueDraggedWhileAnotherEffectIsOff_IsShown) {
     switchOff("fog/");
-    document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient", glm::dvec3(0.7));
+    document().setValue(document().currentPath(settings::scene), "ambient", glm::dvec3(0.7));
     EXPECT_EQ(newFrames(), 1);
     EXPECT_FALSE(isInTheShader("fog/"));
 }
@@ -259,7 +259,7 @@ TEST_F(EffectsPanel, ChangedScene_PutsTheCostsOutOfDate) {
     dock().measure();
     press("Cancel");
     ASSERT_TRUE(QTest::qWaitFor([this] { return !dock().isMeasuring(); }, waitMs));
-    document().setValue(document().currentPath(BlockPath::Part::Scene), "ambient", glm::dvec3(0.7));
+    document().setValue(document().currentPath(settings::scene), "ambient", glm::dvec3(0.7));
     settle();
     EXPECT_TRUE(total().startsWith("Out of date")) << total().toStdString();
 }

@@ -36,9 +36,8 @@ class EnvironmentInTheWindow : public WindowFixture {
 TEST_F(EnvironmentInTheWindow, LeftAlone_SettlesAndThenDrawsNothing) {
     constexpr int wanted = 64;
     view().setFixedSize(160, 120);
-    document().setEnvironment("studio");
-    document().setValue(document().currentPath(BlockPath::Part::Environment), "directions",
-                        wanted);
+    document().setBlock(pathOf(kinds::environment), "studio");
+    document().setValue(document().currentPath(kinds::environment), "directions", wanted);
     ASSERT_TRUE(waitForSamples(wanted));
     newFrames();
     QTest::qWait(1000);
@@ -48,10 +47,10 @@ TEST_F(EnvironmentInTheWindow, LeftAlone_SettlesAndThenDrawsNothing) {
 
 TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {
     view().setFixedSize(160, 120);
-    document().setEnvironment("studio");
+    document().setBlock(pathOf(kinds::environment), "studio");
     ASSERT_TRUE(waitForSamples(24));
     QSignalSpy frames(&view(), &Viewport::frameDrawn);
-    document().setValue(document().currentPath(BlockPath::Part::Environment), "key.intensity", 2.0);
+    document().setValue(document().currentPath(kinds::environment), "key.intensity", 2.0);
     ASSERT_TRUE(frames.wait());
     EXPECT_LT(view().samples(), 24);
     EXPECT_EQ(view().report().compiled, 0);
@@ -59,12 +58,12 @@ TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {
 
 TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing) {
     view().setFixedSize(160, 120);
-    document().setEnvironment("studio");
+    document().setBlock(pathOf(kinds::environment), "studio");
     ASSERT_TRUE(waitForSamples(8));
     int compiled = 0;
     QObject::connect(&view(), &Viewport::frameDrawn, &view(),
                      [&] { compiled += view().report().compiled; });
-    const BlockPath path = document().currentPath(BlockPath::Part::Environment);
+    const BlockPath path = document().currentPath(kinds::environment);
     const int token = document().beginInteraction(path, "intensity");
     for (const double intensity : {0.6, 0.0, 0.3}) {
         const int frames = view().frameCount();
@@ -76,7 +75,7 @@ TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing)
 }
 
 TEST_F(EnvironmentInTheWindow, StatusLine_TellsHowFarItIs) {
-    document().setEnvironment("studio");
+    document().setBlock(pathOf(kinds::environment), "studio");
     auto* label = window().statusBar()->findChild<QLabel*>("statusSamples");
     ASSERT_NE(label, nullptr);
     EXPECT_TRUE(QTest::qWaitFor([&] { return label->text().contains("of 1024"); }, limitMs));
@@ -84,7 +83,7 @@ TEST_F(EnvironmentInTheWindow, StatusLine_TellsHowFarItIs) {
 
 TEST_F(EnvironmentInTheWindow, DroppedPanorama_LightsTheScene) {
     window().files().drop({QString::fromStdString(panorama())}, Side::A);
-    ASSERT_TRUE(document().scene().environment);
+    ASSERT_TRUE(document().scene().part(kinds::environment));
     EXPECT_EQ(document().environmentPicture(), home("sky.hdr").string());
     EXPECT_TRUE(waitForSamples(8));
     EXPECT_EQ(window().messages().count(), 0);
@@ -121,7 +120,7 @@ TEST_F(EnvironmentInTheWindow, PanoramaThatCannotBeRead_ShowsAPlaceholder) {
 /// What only adds to a picture is no reason to wait.
 TEST_F(EnvironmentInTheWindow, PictureTakenWhileItSettles_HasTheSamplesThatAreShown) {
     view().setFixedSize(160, 120);
-    document().setEnvironment("studio");
+    document().setBlock(pathOf(kinds::environment), "studio");
     ASSERT_TRUE(waitForSamples(24));
     const int frames = view().frameCount();
     const int samples = view().samples();
@@ -133,22 +132,22 @@ TEST_F(EnvironmentInTheWindow, PictureTakenWhileItSettles_HasTheSamplesThatAreSh
 
 TEST_F(EnvironmentInTheWindow, ChosenAndTurnedOff_AreStepsThatUndo) {
     const int before = document().undoStack().count();
-    document().setEnvironment("studio");
-    document().setValue(document().currentPath(BlockPath::Part::Environment), "rotate", 30.0);
-    document().setEnvironment("");
+    document().setBlock(pathOf(kinds::environment), "studio");
+    document().setValue(document().currentPath(kinds::environment), "rotate", 30.0);
+    document().setBlock(pathOf(kinds::environment), "");
     EXPECT_EQ(document().undoStack().count(), before + 3);
     document().undoStack().undo();
-    EXPECT_EQ(document().scene().environment->parameters.at("rotate"), Value(30.0));
+    EXPECT_EQ(document().scene().part(kinds::environment)->parameters.at("rotate"), Value(30.0));
     document().undoStack().setIndex(before);
-    EXPECT_FALSE(document().scene().environment);
+    EXPECT_FALSE(document().scene().part(kinds::environment));
 }
 
 TEST_F(EnvironmentInTheWindow, TurnedOnAgain_HasItsValues) {
-    document().setEnvironment("studio");
-    document().setValue(document().currentPath(BlockPath::Part::Environment), "rotate", 30.0);
-    document().setEnvironment("");
-    document().setEnvironment("studio");
-    EXPECT_EQ(document().scene().environment->parameters.at("rotate"), Value(30.0));
+    document().setBlock(pathOf(kinds::environment), "studio");
+    document().setValue(document().currentPath(kinds::environment), "rotate", 30.0);
+    document().setBlock(pathOf(kinds::environment), "");
+    document().setBlock(pathOf(kinds::environment), "studio");
+    EXPECT_EQ(document().scene().part(kinds::environment)->parameters.at("rotate"), Value(30.0));
 }
 
 TEST_F(EnvironmentInTheWindow, Dock_OffersEveryKindAndOff) {

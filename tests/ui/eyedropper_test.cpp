@@ -33,7 +33,7 @@ class EyedropperTest : public WindowFixture {
     QPoint corner() { return view().mapToGlobal(QPoint(5, 5)); }
 
     glm::dvec3 color() {
-        const BlockPath path = document().currentPath(BlockPath::Part::Model);
+        const BlockPath path = document().currentPath(kinds::models);
         for (const Parameter& parameter : document().block(path)->parameters) {
             if (parameter.type == ParameterType::Color) {
                 return std::get<glm::dvec3>(document().value(path, parameter));
@@ -47,8 +47,8 @@ constexpr double halfFloat = 1e-3; // the picture is stored in half floats: 11 b
 
 TEST_F(EyedropperTest, ClickOnTheView_TakesItsLinearLight) {
     const glm::dvec3 background(0.25, 0.5, 0.125);
-    document().setValue(document().currentPath(BlockPath::Part::Scene), "background", background);
-    document().setValue(document().currentPath(BlockPath::Part::Scene), "exposure", 1.0);
+    document().setValue(document().currentPath(settings::scene), "background", background);
+    document().setValue(document().currentPath(settings::scene), "exposure", 1.0);
     startPicking();
     send(QEvent::MouseMove, corner());
     send(QEvent::MouseButtonRelease, corner(), Qt::LeftButton);

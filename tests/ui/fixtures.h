@@ -41,7 +41,7 @@ struct FixtureDocument {
 
     FixtureDocument() { document.startFrom(fixtureScene(*blocks.catalog())); }
 
-    BlockPath model() const { return document.currentPath(BlockPath::Part::Model); }
+    BlockPath model() const { return document.currentPath(kinds::models); }
     Value value(const std::string& id) const;
     double number(const std::string& id) const { return std::get<double>(value(id)); }
     int steps() { return document.undoStack().count(); }

@@ -21,7 +21,7 @@ struct Form : testing::Test {
     FixtureDocument fixture;
     Document& document = fixture.document;
     QWidget window;
-    DocumentForm* form = new DocumentForm(document, BlockPath::Part::Model, &window);
+    DocumentForm* form = new DocumentForm(document, kinds::models, &window);
 
     Form() {
         form->setGeometry(0, 0, 420, 600);

@@ -18,7 +18,7 @@ namespace {
 
 struct Dragged {
     std::string name;
-    BlockPath::Part part;
+    std::string_view kind;
     std::string parameterId;
     Value without; ///< leaves the effect out
     Value with;
@@ -32,7 +32,7 @@ struct Dragged {
 class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<Dragged> {
   protected:
     FrozenEffectss() {
-        document().setFog("exponential");
+        document().setBlock(pathOf(kinds::fog), "exponential");
         while (document().scene().lights.size() > 1) {
             document().removeLight(1);
         }
@@ -40,7 +40,7 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
         newFrames();
     }
 
-    BlockPath path() { return document().currentPath(GetParam().part); }
+    BlockPath path() { return document().currentPath(GetParam().kind); }
     void set(const Value& value) { document().setValue(path(), GetParam().parameterId, value); }
     int press() {
         const int token = document().beginInteraction(path(), GetParam().parameterId);
@@ -111,17 +111,17 @@ TEST_P(FrozenEffectss, DragThatEndsAtZero_LeavesTheEffectOut) {
 
 INSTANTIATE_TEST_SUITE_P(
     Values, FrozenEffectss,
-    testing::Values(Dragged{"Intensity", BlockPath::Part::Light, "intensity", 0.0, 2.0, "lights/"},
-                    Dragged{"Opacity", BlockPath::Part::Material, "opacity", 1.0, 0.5, "opacity"},
-                    Dragged{"Ambient", BlockPath::Part::Scene, "ambient", glm::dvec3(0.0),
-                            glm::dvec3(0.5), "ambient"},
-                    Dragged{"Density", BlockPath::Part::Fog, "density", 0.0, 0.5, "fog/"}),
+    testing::Values(Dragged{"Intensity", kinds::lights, "intensity", 0.0, 2.0, "lights/"},
+                    Dragged{"Opacity", settings::material, "opacity", 1.0, 0.5, "opacity"},
+                    Dragged{"Ambient", settings::scene, "ambient", glm::dvec3(0.0), glm::dvec3(0.5),
+                            "ambient"},
+                    Dragged{"Density", kinds::fog, "density", 0.0, 0.5, "fog/"}),
     [](const auto& tested) { return tested.param.name; });
 
 class HeldValue : public WindowFixture {};
 
 TEST_F(HeldValue, OrdinaryValue_IsNotHeld) {
-    document().beginInteraction(document().currentPath(BlockPath::Part::Scene), "background");
+    document().beginInteraction(document().currentPath(settings::scene), "background");
     EXPECT_EQ(document().effects(Side::A), nullptr);
     EXPECT_EQ(newFrames(), 0);
 }
@@ -202,9 +202,9 @@ TEST_F(Prewarming, PointerThatRestsOnAModel_HasItsProgramsMade) {
 }
 
 TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {
-    const BlockPath scene = document().currentPath(BlockPath::Part::Scene);
+    const BlockPath scene = document().currentPath(settings::scene);
     document().setValue(scene, "ambient", glm::dvec3(0.0));
-    document().beginInteraction(document().currentPath(BlockPath::Part::Material), "opacity");
+    document().beginInteraction(document().currentPath(settings::material), "opacity");
     document().setValue(scene, "ambient", glm::dvec3(0.5));
     newFrames();
     const std::vector<std::string>& effects = view().report().effects;

@@ -13,10 +13,10 @@ constexpr int limitMs = 120000;
 
 class OutlineInTheWindow : public WindowFixture {
   protected:
-    BlockPath path() { return document().currentPath(BlockPath::Part::Outline); }
+    BlockPath path() { return document().currentPath(kinds::outline); }
 
     void choose(const std::string& id) {
-        document().setPart(document().activeSide(), BlockPath::Part::Outline, id);
+        document().setBlock(document().currentPath(kinds::outline), id);
     }
 
     const BlockValues* lines() {

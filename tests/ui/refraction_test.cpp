@@ -24,9 +24,7 @@ class RefractionInTheWindow : public WindowFixture {
         return dock->findChild<RefractionPanel*>();
     }
 
-    void choose(const std::string& id) {
-        document().setPart(Side::A, BlockPath::Part::Refraction, id);
-    }
+    void choose(const std::string& id) { document().setBlock(pathOf(kinds::refraction), id); }
 };
 
 TEST_F(RefractionInTheWindow, Chosen_IsShownAndUndoneInOneStep) {
@@ -45,15 +43,15 @@ TEST_F(RefractionInTheWindow, ThatHasNoEffect_SaysWhy) {
     ASSERT_NE(hint, nullptr);
     choose("solid-body");
     EXPECT_EQ(hint->text(), "The material's opacity is 1: nothing passes.");
-    document().setValue(document().currentPath(BlockPath::Part::Material), "opacity", 0.2);
+    document().setValue(document().currentPath(settings::material), "opacity", 0.2);
     EXPECT_EQ(hint->text(), "");
 }
 
 TEST_F(RefractionInTheWindow, DraggedToIndexOneAndBack_CompilesNothing) {
     view().setFixedSize(160, 120);
     choose("solid-body");
-    document().setValue(document().currentPath(BlockPath::Part::Material), "opacity", 0.2);
-    const BlockPath path = document().currentPath(BlockPath::Part::Refraction);
+    document().setValue(document().currentPath(settings::material), "opacity", 0.2);
+    const BlockPath path = document().currentPath(kinds::refraction);
     document().setValue(path, "index.from", std::string("own"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return view().isUpToDate(); }, limitMs));
     int compiled = 0;

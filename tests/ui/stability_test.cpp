@@ -126,7 +126,7 @@ TEST_F(Stability, ChangedMaterial_PutsTheResultOutOfDate) {
     useBrokenModel();
     ASSERT_TRUE(check());
     EXPECT_FALSE(verdict().contains("Out of date"));
-    document().setValue(document().currentPath(BlockPath::Part::Model), "limit", 0.2);
+    document().setValue(document().currentPath(kinds::models), "limit", 0.2);
     EXPECT_TRUE(verdict().contains("Out of date"));
 }
 

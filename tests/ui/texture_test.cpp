@@ -159,7 +159,7 @@ TEST_F(TextureForm, CopiesOfAMaterial_ReadAFileOnce) {
 }
 
 TEST_F(TextureForm, SurfaceForm_TakesNormalAndHeightMaps) {
-    DocumentForm surface(document, BlockPath::Part::Material);
+    DocumentForm surface(document, settings::material);
     surface.textures().lay(surface.row("normal")->parameter(), image());
     const Material* material = document.material(Side::A);
     ASSERT_TRUE(material->textures.contains("normal"));

@@ -33,26 +33,26 @@ TEST_F(TransparencyInTheWindow, Chooser_OffersSortedAndEveryKind) {
 TEST_F(TransparencyInTheWindow, Chosen_IsShownAndUndoneInOneStep) {
     BlockChooser* shown = chooser();
     const int before = document().undoStack().count();
-    document().setTransparency("peeled");
+    document().setBlock(pathOf(kinds::transparency), "peeled");
     EXPECT_EQ(document().undoStack().count(), before + 1);
     EXPECT_EQ(shown->currentData().toString(), "peeled");
     document().undoStack().undo();
-    EXPECT_FALSE(document().scene().transparency);
+    EXPECT_FALSE(document().scene().part(kinds::transparency));
     EXPECT_EQ(shown->currentText(), "Sorted by object");
 }
 
 TEST_F(TransparencyInTheWindow, ChosenAgain_HasItsValues) {
-    document().setTransparency("peeled");
-    document().setValue(document().currentPath(BlockPath::Part::Transparency), "layers", 3);
-    document().setTransparency("");
-    document().setTransparency("peeled");
-    EXPECT_EQ(document().scene().transparency->parameters.at("layers"), Value(3));
+    document().setBlock(pathOf(kinds::transparency), "peeled");
+    document().setValue(document().currentPath(kinds::transparency), "layers", 3);
+    document().setBlock(pathOf(kinds::transparency), "");
+    document().setBlock(pathOf(kinds::transparency), "peeled");
+    EXPECT_EQ(document().scene().part(kinds::transparency)->parameters.at("layers"), Value(3));
 }
 
 TEST_F(TransparencyInTheWindow, OpacityDraggedToOneAndBack_CompilesNothing) {
     view().setFixedSize(160, 120);
-    document().setTransparency("peeled");
-    const BlockPath path = document().currentPath(BlockPath::Part::Material);
+    document().setBlock(pathOf(kinds::transparency), "peeled");
+    const BlockPath path = document().currentPath(settings::material);
     document().setValue(path, "opacity", 0.5);
     ASSERT_TRUE(QTest::qWaitFor([&] { return view().isUpToDate(); }, limitMs));
     int compiled = 0;

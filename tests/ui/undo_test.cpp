@@ -14,8 +14,6 @@
 namespace patina::tests::undo_test {
 namespace {
 
-using Part = BlockPath::Part;
-
 struct Edit {
     std::string name;
     std::function<void(Document&)> apply;
@@ -25,44 +23,45 @@ struct Edit {
     }
 };
 
-void set(Document& document, Part part, const std::string& id, const Value& value) {
-    document.setValue(document.currentPath(part), id, value);
+void set(Document& document, std::string_view kind, const std::string& id, const Value& value) {
+    document.setValue(document.currentPath(kind), id, value);
 }
 
 const std::vector<Edit> edits{
-    {"Parameter", [](Document& d) { set(d, Part::Model, "diffuse.color", glm::dvec3(0.1)); }},
+    {"Parameter", [](Document& d) { set(d, kinds::models, "diffuse.color", glm::dvec3(0.1)); }},
     {"Model", [](Document& d) { d.setModel(Side::A, "oren-nayar"); }},
     {"FresnelBlend",
      [](Document& d) {
          d.setModel(Side::A, "lambert");
-         d.setPart(Side::A, Part::Fresnel, "schlick");
+         d.setBlock(pathOf(kinds::fresnel), "schlick");
      }},
     {"Highlight",
      [](Document& d) {
          d.setModel(Side::A, "lambert");
-         d.setPart(Side::A, Part::Specular, "phong");
+         d.setBlock(pathOf(kinds::specular), "phong");
      }},
-    {"Opacity", [](Document& d) { set(d, Part::Material, "opacity", 0.5); }},
+    {"Opacity", [](Document& d) { set(d, settings::material, "opacity", 0.5); }},
     {"LightAdded", [](Document& d) { d.addLight("point"); }},
     {"LightRemoved", [](Document& d) { d.removeLight(0); }},
-    {"LightKind", [](Document& d) { d.setLightKind(0, "head"); }},
+    {"LightKind", [](Document& d) { d.setBlock(pathOf(kinds::lights), "head"); }},
     {"LightSwitched",
      [](Document& d) {
          Light light = d.scene().lights[0];
          light.enabled = false;
          d.setLight(0, light);
      }},
-    {"LightValue", [](Document& d) { set(d, Part::Light, "intensity", 0.0); }},
-    {"Fog", [](Document& d) { d.setFog("exponential"); }},
+    {"LightValue", [](Document& d) { set(d, kinds::lights, "intensity", 0.0); }},
+    {"Fog", [](Document& d) { d.setBlock(pathOf(kinds::fog), "exponential"); }},
     {"FogValue",
      [](Document& d) {
-         d.setFog("exponential");
-         set(d, Part::Fog, "density", 0.5);
+         d.setBlock(pathOf(kinds::fog), "exponential");
+         set(d, kinds::fog, "density", 0.5);
      }},
-    {"Ambient", [](Document& d) { set(d, Part::Scene, "ambient", glm::dvec3(0.3)); }},
-    {"Background", [](Document& d) { set(d, Part::Scene, "background", glm::dvec3(0.9)); }},
-    {"Exposure", [](Document& d) { set(d, Part::Scene, "exposure", 1.0); }},
-    {"ToneMapping", [](Document& d) { set(d, Part::Scene, "toneMapping", std::string("none")); }},
+    {"Ambient", [](Document& d) { set(d, settings::scene, "ambient", glm::dvec3(0.3)); }},
+    {"Background", [](Document& d) { set(d, settings::scene, "background", glm::dvec3(0.9)); }},
+    {"Exposure", [](Document& d) { set(d, settings::scene, "exposure", 1.0); }},
+    {"ToneMapping",
+     [](Document& d) { set(d, settings::scene, "toneMapping", std::string("none")); }},
     {"ObjectAdded",
      [](Document& d) {
          Object object = d.scene().objects[0];
@@ -77,10 +76,9 @@ const std::vector<Edit> edits{
          object.mesh = "builtin:torus";
          d.setObject(0, object);
      }},
-    {"ObjectHidden", [](Document& d) { set(d, Part::Object, "visible", false); }},
-    {"ObjectTurned", [](Document& d) { set(d, Part::Object, "rotation", glm::dvec3(40.0)); }},
-    {"Preset",
-     [](Document& d) { ASSERT_TRUE(d.applyPreset(otherPreset(d), Side::A)); }},
+    {"ObjectHidden", [](Document& d) { set(d, settings::object, "visible", false); }},
+    {"ObjectTurned", [](Document& d) { set(d, settings::object, "rotation", glm::dvec3(40.0)); }},
+    {"Preset", [](Document& d) { ASSERT_TRUE(d.applyPreset(otherPreset(d), Side::A)); }},
 };
 
 class UndoneEdit : public WindowFixture, public testing::WithParamInterface<Edit> {

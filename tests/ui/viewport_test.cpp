@@ -28,7 +28,7 @@ TEST_F(Viewports, LeftAloneForTenSeconds_DrawNothing) {
 }
 
 TEST_F(Viewports, ManyChangesInOneTurn_DrawOneFrame) {
-    const BlockPath path = document().currentPath(BlockPath::Part::Scene);
+    const BlockPath path = document().currentPath(settings::scene);
     for (int i = 1; i <= 50; ++i) {
         document().setValue(path, "exposure", 0.01 * i);
     }

@@ -41,7 +41,7 @@ class Layout : public Window {
 constexpr int waitMs = 20000;
 
 void edit(Document& document) {
-    document.setValue(document.currentPath(BlockPath::Part::Scene), "exposure", 0.5);
+    document.setValue(document.currentPath(settings::scene), "exposure", 0.5);
 }
 
 bool waitUntil(const std::function<bool()>& holds) {
@@ -340,7 +340,7 @@ TEST_F(Window, EveryEdit_IsRecoveredWithoutAnotherOne) {
     const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
     edit(document());
     ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1 && !journalIn(folder).empty(); }));
-    document().setValue(document().currentPath(BlockPath::Part::Scene), "exposure", -0.5);
+    document().setValue(document().currentPath(settings::scene), "exposure", -0.5);
     ASSERT_TRUE(waitUntil([&] { return journalIn(folder).find("-0.5") != std::string::npos; }));
     close();
     open();

@@ -152,7 +152,7 @@ TEST_F(SceneFile, DamagedPreset_LeavesTheRestOfTheScene) {
 TEST_F(SceneFile, LightsAndFog_HaveTheirValues) {
     const Scene scene = read(plainScene())->scene;
     EXPECT_EQ(scene.lights[0].block.parameters, (Values{{"gloss", 0.25}}));
-    EXPECT_EQ(scene.fog->parameters, (Values{{"gloss", 0.125}}));
+    EXPECT_EQ(scene.part(kinds::fog)->parameters, (Values{{"gloss", 0.125}}));
 }
 
 TEST_F(SceneFile, Shadow_IsReadAndWrittenWithItsLight) {
@@ -171,7 +171,7 @@ TEST_F(SceneFile, LightWithoutShadow_IsWrittenWithNone) {
 }
 
 TEST_F(SceneFile, Ground_IsReadAndWritten) {
-    const json ground{{"mode", "plane"},          {"automatic", false}, {"height", -0.5},
+    const json ground{{"mode", "plane"},           {"automatic", false}, {"height", -0.5},
                       {"color", {0.25, 0.5, 1.0}}, {"opacity", 0.75},    {"later", 1}};
     const auto reading = readChanged({{"ground", ground}});
     EXPECT_EQ(text(reading->notes), "");
@@ -279,8 +279,8 @@ TEST_F(SceneFile, WrongTypes_AreAllReported) {
 
 TEST_F(SceneFile, PictureOfTheEnvironment_IsNamedFromTheScenesFolder) {
     const auto reading = read(plainScene());
-    ASSERT_TRUE(reading && reading->scene.environment);
-    EXPECT_EQ(reading->scene.environment->parameters.at("picture"),
+    ASSERT_TRUE(reading && reading->scene.part(kinds::environment));
+    EXPECT_EQ(reading->scene.part(kinds::environment)->parameters.at("picture"),
               Value((folder_ / "sky.hdr").generic_string()));
     EXPECT_EQ(toJson(reading->scene, folder_.path())["environment"]["parameters"]["picture"],
               "sky.hdr");
@@ -301,20 +301,20 @@ TEST_F(SceneFile, EnvironmentOfFormerFiles_IsNoneAndIsKept) {
     scene["environment"] = {{"whatever", 1}};
     const auto reading = read(scene);
     ASSERT_TRUE(reading);
-    EXPECT_FALSE(reading->scene.environment);
+    EXPECT_FALSE(reading->scene.part(kinds::environment));
     EXPECT_EQ(toJson(reading->scene, folder_.path())["environment"]["whatever"], 1);
 }
 
 TEST_F(SceneFile, Transparency_ComesBack) {
     const auto reading = readChanged(
         {{"transparency", {{"id", "glass"}, {"parameters", {{"gloss", 0.5}}}, {"later", 1}}}});
-    ASSERT_TRUE(reading && reading->scene.transparency);
-    EXPECT_EQ(reading->scene.transparency->parameters.at("gloss"), Value(0.5));
+    ASSERT_TRUE(reading && reading->scene.part(kinds::transparency));
+    EXPECT_EQ(reading->scene.part(kinds::transparency)->parameters.at("gloss"), Value(0.5));
     const json written = toJson(reading->scene, folder_.path());
     EXPECT_EQ(written["transparency"]["later"], 1);
     const auto again = read(written);
     ASSERT_TRUE(again);
-    EXPECT_EQ(again->scene.transparency, reading->scene.transparency);
+    EXPECT_EQ(again->scene.parts, reading->scene.parts);
 }
 
 TEST_F(SceneFile, Hemisphere_ComesBack) {

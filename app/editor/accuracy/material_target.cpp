@@ -30,11 +30,10 @@ Material withLevels(Material material, const std::vector<Choice>& choices,
 /// Materials are measured with the picture's usual accuracy and as many directions as errors need.
 void forgetPicture(Scene& scene, const Catalog& catalog) {
     scene.accuracy = PictureAccuracy();
-    const Block* block =
-        scene.environment ? catalog.find("environment", scene.environment->id) : nullptr;
+    const Block* block = blockOf(scene.parts, kinds::environment, catalog);
     const Parameter* directions = block == nullptr ? nullptr : directionsParameter(*block);
     if (directions != nullptr) {
-        scene.environment->parameters.erase(directions->id);
+        scene.part(kinds::environment)->parameters.erase(directions->id);
     }
 }
 
@@ -107,8 +106,8 @@ QString MaterialTarget::measureText() const {
 }
 
 QString MaterialTarget::noChoicesText() const {
-    return QCoreApplication::translate(
-        "MaterialTarget", "Nothing of this material can be computed more cheaply.");
+    return QCoreApplication::translate("MaterialTarget",
+                                       "Nothing of this material can be computed more cheaply.");
 }
 
 } // namespace patina

@@ -25,24 +25,22 @@ void setValues(Document& document, const BlockPath& path, const BlockValues& wan
 
 /// Brings what choices of the picture change, and nothing else, from `wanted` into the document.
 void takePicture(Document& document, const Scene& wanted) {
-    const BlockPath scenePath = document.currentPath(BlockPath::Part::Scene);
+    const BlockPath scenePath = document.currentPath(settings::scene);
     for (const Parameter& parameter : pictureAccuracyParameters()) {
         if (const auto level = pictureLevel(wanted, parameter.id)) {
             document.setValue(scenePath, parameter.id, *level);
         }
     }
-    if (wanted.transparency) {
-        document.setTransparency(wanted.transparency->id);
-        setValues(document, document.currentPath(BlockPath::Part::Transparency),
-                  *wanted.transparency);
+    if (const BlockValues* transparency = wanted.part(kinds::transparency)) {
+        document.setBlock(pathOf(kinds::transparency), transparency->id);
+        setValues(document, pathOf(kinds::transparency), *transparency);
     }
-    if (wanted.environment) {
-        setValues(document, document.currentPath(BlockPath::Part::Environment),
-                  *wanted.environment);
+    if (const BlockValues* environment = wanted.part(kinds::environment)) {
+        setValues(document, pathOf(kinds::environment), *environment);
     }
     for (std::size_t i = 0; i < wanted.lights.size(); ++i) {
         if (wanted.lights[i].shadow) {
-            setValues(document, {BlockPath::Part::Shadow, static_cast<int>(i), Side::A},
+            setValues(document, pathOf(kinds::shadows, static_cast<int>(i)),
                       *wanted.lights[i].shadow);
         }
     }

@@ -5,10 +5,10 @@
 
 namespace patina {
 
-BlockChooser::BlockChooser(Document& document, const QString& kind, Off off, QWidget* parent)
+BlockChooser::BlockChooser(Document& document, std::string_view kind, Off off, QWidget* parent)
     : BlockChooser(document, kind, off == Off::Offered ? tr("Off") : QString(), parent) {}
 
-BlockChooser::BlockChooser(Document& document, const QString& kind, const QString& off,
+BlockChooser::BlockChooser(Document& document, std::string_view kind, const QString& off,
                            QWidget* parent)
     : ChoiceBox(parent), document_(document), kind_(kind), off_(off) {
     connect(this, &QComboBox::activated, this,
@@ -34,7 +34,7 @@ void BlockChooser::fill() {
     if (!off_.isEmpty()) {
         addItem(off_, QString());
     }
-    for (const Block* block : document_.catalog().ofKind(kind_.toStdString())) {
+    for (const Block* block : document_.catalog().ofKind(kind_)) {
         addItem(QString::fromStdString(block->label), QString::fromStdString(block->id));
         setItemData(count() - 1, blockToolTip(*block), Qt::ToolTipRole);
     }

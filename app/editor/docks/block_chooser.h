@@ -14,10 +14,10 @@ class BlockChooser : public ChoiceBox {
   public:
     enum class Off { Offered, Absent };
 
-    BlockChooser(Document& document, const QString& kind, Off off, QWidget* parent = nullptr);
+    BlockChooser(Document& document, std::string_view kind, Off off, QWidget* parent = nullptr);
 
     /// With words of its own for what there is without a block.
-    BlockChooser(Document& document, const QString& kind, const QString& off,
+    BlockChooser(Document& document, std::string_view kind, const QString& off,
                  QWidget* parent = nullptr);
 
     /// The id of the block in use; empty for none.
@@ -30,7 +30,7 @@ class BlockChooser : public ChoiceBox {
     void fill();
 
     Document& document_;
-    QString kind_;
+    std::string kind_;
     QString off_; ///< empty: there is no such choice
     QString shown_;
 };

@@ -11,22 +11,23 @@ namespace patina {
 
 EnvironmentDock::EnvironmentDock(const DockContext& context)
     : document_(context.document),
-      chooser_(new BlockChooser(document_, "environment", BlockChooser::Off::Offered, this)) {
+      chooser_(new BlockChooser(document_, kinds::environment, BlockChooser::Off::Offered, this)) {
     chooser_->setAccessibleName(tr("Kind of environment"));
     QLabel* hint = hintLabel(this);
     hint->setText(tr("Drop an .hdr or .exr panorama on the view to light the scene with it. Its "
                      "light adds to that of the lights."));
     fillPanel(this, {labelled(tr("&Kind"), chooser_), hint},
-              new DocumentForm(document_, BlockPath::Part::Environment));
-    connect(chooser_, &BlockChooser::chosen, this,
-            [this](const QString& id) { document_.setEnvironment(id.toStdString()); });
-    connect(&document_, &Document::environmentReplaced, this, &EnvironmentDock::update);
+              new DocumentForm(document_, kinds::environment));
+    connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setBlock(pathOf(kinds::environment), id.toStdString());
+    });
+    connect(&document_, &Document::blockReplaced, this, &EnvironmentDock::update);
     connect(&document_, &Document::sceneReplaced, this, &EnvironmentDock::update);
     update();
 }
 
 void EnvironmentDock::update() {
-    const std::optional<BlockValues>& environment = document_.scene().environment;
+    const BlockValues* environment = document_.scene().part(kinds::environment);
     chooser_->show(environment ? QString::fromStdString(environment->id) : QString());
 }
 

@@ -2,26 +2,26 @@
 #include "docks/fog_dock.h"
 
 #include "docks/block_chooser.h"
-#include "parameters/document_form.h"
 #include "docks/panel.h"
+#include "parameters/document_form.h"
 
 namespace patina {
 
 FogDock::FogDock(const DockContext& context)
     : document_(context.document),
-      chooser_(new BlockChooser(document_, "fog", BlockChooser::Off::Offered, this)) {
+      chooser_(new BlockChooser(document_, kinds::fog, BlockChooser::Off::Offered, this)) {
     chooser_->setAccessibleName(tr("Kind of fog"));
-    fillPanel(this, {labelled(tr("&Kind"), chooser_)},
-              new DocumentForm(document_, BlockPath::Part::Fog));
-    connect(chooser_, &BlockChooser::chosen, this,
-            [this](const QString& id) { document_.setFog(id.toStdString()); });
-    connect(&document_, &Document::fogReplaced, this, &FogDock::update);
+    fillPanel(this, {labelled(tr("&Kind"), chooser_)}, new DocumentForm(document_, kinds::fog));
+    connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setBlock(pathOf(kinds::fog), id.toStdString());
+    });
+    connect(&document_, &Document::blockReplaced, this, &FogDock::update);
     connect(&document_, &Document::sceneReplaced, this, &FogDock::update);
     update();
 }
 
 void FogDock::update() {
-    const std::optional<BlockValues>& fog = document_.scene().fog;
+    const BlockValues* fog = document_.scene().part(kinds::fog);
     chooser_->show(fog ? QString::fromStdString(fog->id) : QString());
 }
 

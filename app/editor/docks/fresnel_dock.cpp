@@ -4,20 +4,20 @@
 #include <QLabel>
 
 #include "docks/block_chooser.h"
-#include "parameters/document_form.h"
 #include "docks/panel.h"
+#include "parameters/document_form.h"
 
 namespace patina {
 
 FresnelDock::FresnelDock(const DockContext& context)
     : document_(context.document),
-      chooser_(new BlockChooser(document_, "fresnel", BlockChooser::Off::Offered, this)),
+      chooser_(new BlockChooser(document_, kinds::fresnel, BlockChooser::Off::Offered, this)),
       hint_(hintLabel(this)) {
     chooser_->setAccessibleName(tr("Kind of Fresnel term"));
     fillPanel(this, {labelled(tr("&Kind"), chooser_), hint_},
-              new DocumentForm(document_, BlockPath::Part::Fresnel));
+              new DocumentForm(document_, kinds::fresnel));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setPart(document_.activeSide(), BlockPath::Part::Fresnel, id.toStdString());
+        document_.setBlock(document_.currentPath(kinds::fresnel), id.toStdString());
     });
     connect(&document_, &Document::materialChanged, this, &FresnelDock::update);
     connect(&document_, &Document::currentChanged, this, &FresnelDock::update);
@@ -27,12 +27,12 @@ FresnelDock::FresnelDock(const DockContext& context)
 
 void FresnelDock::update() {
     const Material* material = document_.material(document_.activeSide());
-    const BlockValues* part = material ? material->part("fresnel") : nullptr;
+    const BlockValues* part = material ? material->part(kinds::fresnel) : nullptr;
     chooser_->setEnabled(material != nullptr);
     chooser_->show(part ? QString::fromStdString(part->id) : QString());
     const Block* model =
-        material ? document_.catalog().find("models", material->model.id) : nullptr;
-    const bool hasSlot = model && model->slot("fresnel");
+        material ? document_.catalog().find(kinds::models, material->model.id) : nullptr;
+    const bool hasSlot = model && model->slot(kinds::fresnel);
     hint_->setText(hasSlot ? tr("The model uses it for its highlight.")
                            : tr("Blends the shaded colour towards its tint at grazing angles."));
 }

@@ -19,8 +19,8 @@ LightsDock::LightsDock(const DockContext& context)
       add_(textButton(tr("Add"), tr("Add a light"), this)),
       remove_(textButton(tr("Remove"), tr("Remove the chosen light (Del)"), this)),
       kinds_(new QMenu(this)),
-      kind_(new BlockChooser(document_, "lights", BlockChooser::Off::Absent, this)),
-      shadow_(new BlockChooser(document_, "shadows", BlockChooser::Off::Offered, this)) {
+      kind_(new BlockChooser(document_, kinds::lights, BlockChooser::Off::Absent, this)),
+      shadow_(new BlockChooser(document_, kinds::shadows, BlockChooser::Off::Offered, this)) {
     add_->setMenu(kinds_);
     add_->setPopupMode(QToolButton::InstantPopup);
     kind_->setToolTip(tr("Kind of the chosen light"));
@@ -30,17 +30,17 @@ LightsDock::LightsDock(const DockContext& context)
     auto* forms = new QWidget;
     auto* layout = new QVBoxLayout(forms);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Light));
+    layout->addWidget(new DocumentForm(document_, kinds::lights));
     layout->addWidget(labelled(tr("&Shadows"), shadow_));
-    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Shadow));
+    layout->addWidget(new DocumentForm(document_, kinds::shadows));
     fillPanel(this, {list_, rowOf({kind_, add_, remove_})}, forms);
     connectList();
     connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);
     connect(kind_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setLightKind(document_.currentLight(), id.toStdString());
+        document_.setBlock(document_.currentPath(kinds::lights), id.toStdString());
     });
     connect(shadow_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setShadow(document_.currentLight(), id.toStdString());
+        document_.setBlock(document_.currentPath(kinds::shadows), id.toStdString());
     });
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.removeLight(document_.currentLight()); });
@@ -60,7 +60,7 @@ void LightsDock::connectList() {
 void LightsDock::fillMenu() {
     kinds_->clear();
     kinds_->setToolTipsVisible(true);
-    for (const Block* light : document_.catalog().ofKind("lights")) {
+    for (const Block* light : document_.catalog().ofKind(kinds::lights)) {
         const std::string id = light->id;
         QAction* action = kinds_->addAction(shortened(QString::fromStdString(light->label)));
         action->setToolTip(blockToolTip(*light));
@@ -74,10 +74,10 @@ void LightsDock::fillMenu() {
 void LightsDock::update() {
     std::vector<CheckList::Row> rows;
     for (const Light& light : document_.scene().lights) {
-        const Block* block = document_.catalog().find("lights", light.block.id);
+        const Block* block = document_.catalog().find(kinds::lights, light.block.id);
         const QString kind = QString::fromStdString(block ? block->label : light.block.id);
-        rows.push_back({light.name.empty() ? kind : QString::fromStdString(light.name), kind,
-                        light.enabled});
+        rows.push_back(
+            {light.name.empty() ? kind : QString::fromStdString(light.name), kind, light.enabled});
     }
     const int current = document_.currentLight();
     list_->setRows(rows, current);
@@ -95,10 +95,9 @@ void LightsDock::updateShadow() {
     const auto index = static_cast<std::size_t>(document_.currentLight());
     const auto& lights = document_.scene().lights;
     const Light* light = index < lights.size() ? &lights[index] : nullptr;
-    const Block* block = light ? document_.catalog().find("lights", light->block.id) : nullptr;
+    const Block* block = light ? document_.catalog().find(kinds::lights, light->block.id) : nullptr;
     const bool isSet = light && light->shadow;
-    shadow_->setEnabled(isSet ||
-                        (block && block->shadowProjection != ShadowProjection::None));
+    shadow_->setEnabled(isSet || (block && block->shadowProjection != ShadowProjection::None));
     shadow_->show(isSet ? QString::fromStdString(light->shadow->id) : QString());
 }
 

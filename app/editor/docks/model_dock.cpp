@@ -53,7 +53,7 @@ ModelDock::ModelDock(const DockContext& context)
 
 void ModelDock::fill() {
     std::vector<PictureGrid::Entry> entries;
-    for (const Block* model : document_.catalog().ofKind("models")) {
+    for (const Block* model : document_.catalog().ofKind(kinds::models)) {
         const QString id = QString::fromStdString(model->id);
         entries.push_back({id, QString::fromStdString(model->label), blockToolTip(*model), {}});
     }
@@ -62,7 +62,7 @@ void ModelDock::fill() {
 }
 
 void ModelDock::askForPicture(const QString& id) {
-    if (const Block* model = document_.catalog().find("models", id.toStdString())) {
+    if (const Block* model = document_.catalog().find(kinds::models, id.toStdString())) {
         thumbnails_.ask(pictureGroup + id, defaultMaterial(*model));
     }
 }

@@ -14,9 +14,8 @@
 namespace patina {
 
 OpacityDock::OpacityDock(const DockContext& context)
-    : document_(context.document),
-      transparency_(
-          new BlockChooser(document_, "transparency", tr("Sorted by object"), this)) {
+    : document_(context.document), transparency_(new BlockChooser(document_, kinds::transparency,
+                                                                  tr("Sorted by object"), this)) {
     QLabel* hint = hintLabel(this);
     hint->setText(tr("What lies over the whole surface, whatever its model."));
     transparency_->setObjectName(QStringLiteral("order"));
@@ -29,25 +28,26 @@ OpacityDock::OpacityDock(const DockContext& context)
     auto* scene = new QGroupBox(tr("Transparent objects of the scene"), this);
     auto* inScene = new QVBoxLayout(scene);
     inScene->addWidget(labelled(tr("&Order"), transparency_));
-    inScene->addWidget(new DocumentForm(document_, BlockPath::Part::Transparency));
+    inScene->addWidget(new DocumentForm(document_, kinds::transparency));
     auto* forms = new QWidget;
     auto* layout = new QVBoxLayout(forms);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Material));
+    layout->addWidget(new DocumentForm(document_, settings::material));
     layout->addWidget(new RefractionPanel(document_, forms));
-    layout->addWidget(new SlotPanel(document_, BlockPath::Part::Outline, tr("Outline")));
+    layout->addWidget(new SlotPanel(document_, kinds::outline, tr("Outline")));
     layout->addWidget(scene);
     layout->addStretch(1);
     fillPanel(this, {hint}, forms);
-    connect(transparency_, &BlockChooser::chosen, this,
-            [this](const QString& id) { document_.setTransparency(id.toStdString()); });
-    connect(&document_, &Document::transparencyReplaced, this, &OpacityDock::update);
+    connect(transparency_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setBlock(pathOf(kinds::transparency), id.toStdString());
+    });
+    connect(&document_, &Document::blockReplaced, this, &OpacityDock::update);
     connect(&document_, &Document::sceneReplaced, this, &OpacityDock::update);
     update();
 }
 
 void OpacityDock::update() {
-    const std::optional<BlockValues>& chosen = document_.scene().transparency;
+    const BlockValues* chosen = document_.scene().part(kinds::transparency);
     transparency_->show(chosen ? QString::fromStdString(chosen->id) : QString());
 }
 

@@ -14,12 +14,12 @@ ParametersDock::ParametersDock(const DockContext& context)
     : document_(context.document), accuracy_(new QGroupBox(tr("Accuracy"))) {
     accuracy_->setToolTip(tr("The same look, computed exactly or more cheaply"));
     auto* inside = new QVBoxLayout(accuracy_);
-    inside->addWidget(new DocumentForm(document_, BlockPath::Part::Accuracy));
+    inside->addWidget(new DocumentForm(document_, settings::accuracy));
     auto* both = new QWidget;
     auto* layout = new QVBoxLayout(both);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Model));
-    layout->addWidget(new SlotPanel(document_, BlockPath::Part::Specular, tr("Highlight")));
+    layout->addWidget(new DocumentForm(document_, kinds::models));
+    layout->addWidget(new SlotPanel(document_, kinds::specular, tr("Highlight")));
     layout->addWidget(accuracy_);
     fillPanel(this, {}, both);
     connect(&document_, &Document::materialChanged, this, &ParametersDock::update);
@@ -30,7 +30,7 @@ ParametersDock::ParametersDock(const DockContext& context)
 }
 
 void ParametersDock::update() {
-    const Block* choices = document_.block(document_.currentPath(BlockPath::Part::Accuracy));
+    const Block* choices = document_.block(document_.currentPath(settings::accuracy));
     accuracy_->setVisible(choices && !choices->parameters.empty());
 }
 

@@ -35,7 +35,7 @@ QString joined(const std::vector<std::string>& tags) {
 }
 
 QString modelLabel(const Catalog& catalog, const Material& material) {
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     return QString::fromStdString(model ? model->label : material.model.id);
 }
 
@@ -77,8 +77,8 @@ PresetsDock::PresetsDock(const DockContext& context)
     : document_(context.document), files_(context.files), presets_(context.presets),
       thumbnails_(context.thumbnails), search_(new SearchBox(this)), hint_(hintLabel(this)),
       grid_(new PictureGrid(presetPictureSize, this)) {
-    auto* save = textButton(tr("Save…"), tr("Save the active material as a preset of your own"),
-                            this);
+    auto* save =
+        textButton(tr("Save…"), tr("Save the active material as a preset of your own"), this);
     search_->setPlaceholderText(tr("Search name, tag or model"));
     search_->setClearButtonEnabled(true);
     search_->setAccessibleName(tr("Search presets"));
@@ -136,9 +136,9 @@ void PresetsDock::applyFilter() {
         grid_->item(row)->setHidden(!match);
         shown += match ? 1 : 0;
     }
-    hint_->setText(!presets_.isRead()  ? tr("The presets are being read…")
-                   : entries.empty() ? tr("There are no presets yet.")
-                                     : tr("No preset matches."));
+    hint_->setText(!presets_.isRead() ? tr("The presets are being read…")
+                   : entries.empty()  ? tr("There are no presets yet.")
+                                      : tr("No preset matches."));
     hint_->setVisible(shown == 0);
 }
 
@@ -153,10 +153,8 @@ void PresetsDock::showMenu(const QPoint& place) {
         return QString::fromStdString(e.file.string()) == file;
     });
     QMenu menu;
-    menu.addAction(tr("Put on side A"), this,
-                   [this, file] { files_.applyPreset(file, Side::A); });
-    menu.addAction(tr("Put on side B"), this,
-                   [this, file] { files_.applyPreset(file, Side::B); });
+    menu.addAction(tr("Put on side A"), this, [this, file] { files_.applyPreset(file, Side::A); });
+    menu.addAction(tr("Put on side B"), this, [this, file] { files_.applyPreset(file, Side::B); });
     menu.addAction(tr("Open to edit this file"), this,
                    [this, file] { files_.open({file}, document_.activeSide()); });
     menu.addSeparator();

@@ -14,16 +14,16 @@ namespace patina {
 
 RefractionPanel::RefractionPanel(Document& document, QWidget* parent)
     : QGroupBox(tr("Refraction"), parent), document_(document),
-      chooser_(new BlockChooser(document, "refraction", tr("None: straight through"), this)),
+      chooser_(new BlockChooser(document, kinds::refraction, tr("None: straight through"), this)),
       hint_(hintLabel(this)) {
     chooser_->setAccessibleName(tr("Kind of refraction"));
     hint_->setObjectName(QStringLiteral("hint"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(labelled(tr("&Bends light as"), chooser_));
     layout->addWidget(hint_);
-    layout->addWidget(new DocumentForm(document_, BlockPath::Part::Refraction));
+    layout->addWidget(new DocumentForm(document_, kinds::refraction));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setPart(document_.activeSide(), BlockPath::Part::Refraction, id.toStdString());
+        document_.setBlock(document_.currentPath(kinds::refraction), id.toStdString());
     });
     connect(&document_, &Document::materialChanged, this, &RefractionPanel::update);
     connect(&document_, &Document::valueChanged, this, &RefractionPanel::update);
@@ -36,7 +36,7 @@ RefractionPanel::RefractionPanel(Document& document, QWidget* parent)
 /// What is chosen and has no effect says why.
 void RefractionPanel::update() {
     const Material* material = document_.material(document_.activeSide());
-    const BlockValues* part = material ? material->part("refraction") : nullptr;
+    const BlockValues* part = material ? material->part(kinds::refraction) : nullptr;
     chooser_->setEnabled(material != nullptr);
     chooser_->show(part ? QString::fromStdString(part->id) : QString());
     const char* whyNot = part ? refractionChoice(*material, document_.catalog()).whyNot : "";

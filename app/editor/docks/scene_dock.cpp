@@ -48,8 +48,8 @@ SceneDock::SceneDock(const DockContext& context)
     auto* forms = new QWidget;
     auto* layout = new QVBoxLayout(forms);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(titled(tr("Object"), new DocumentForm(document_, BlockPath::Part::Object)));
-    layout->addWidget(titled(tr("Scene"), new DocumentForm(document_, BlockPath::Part::Scene)));
+    layout->addWidget(titled(tr("Object"), new DocumentForm(document_, settings::object)));
+    layout->addWidget(titled(tr("Scene"), new DocumentForm(document_, settings::scene)));
     auto* heading = new QLabel(tr("Objects"), this);
     fillPanel(this, {rowOf({heading, add_, remove_}), list_}, forms);
     connectList();
@@ -58,7 +58,7 @@ SceneDock::SceneDock(const DockContext& context)
             [this] { document_.removeObject(document_.currentObject()); });
     connect(&document_, &Document::objectsChanged, this, &SceneDock::update);
     connect(&document_, &Document::valueChanged, this, [this](const BlockPath& path) {
-        if (path.part == BlockPath::Part::Object) {
+        if (path.isAt(settings::object)) {
             update();
         }
     });

@@ -11,17 +11,16 @@
 
 namespace patina {
 
-SlotPanel::SlotPanel(Document& document, BlockPath::Part part, const QString& title,
+SlotPanel::SlotPanel(Document& document, std::string_view kind, const QString& title,
                      QWidget* parent)
-    : QGroupBox(title, parent), document_(document), part_(part),
-      chooser_(new BlockChooser(document, QString::fromUtf8(partKind(part).data()),
-                                BlockChooser::Off::Offered, this)) {
+    : QGroupBox(title, parent), document_(document), kind_(kind),
+      chooser_(new BlockChooser(document, kind, BlockChooser::Off::Offered, this)) {
     chooser_->setAccessibleName(title);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(labelled(tr("&Kind"), chooser_));
-    layout->addWidget(new DocumentForm(document_, part));
+    layout->addWidget(new DocumentForm(document_, kind));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
-        document_.setPart(document_.activeSide(), part_, id.toStdString());
+        document_.setBlock(document_.currentPath(kind_), id.toStdString());
     });
     connect(&document_, &Document::materialChanged, this, &SlotPanel::update);
     connect(&document_, &Document::currentChanged, this, &SlotPanel::update);
@@ -33,10 +32,10 @@ SlotPanel::SlotPanel(Document& document, BlockPath::Part part, const QString& ti
 void SlotPanel::update() {
     const Material* material = document_.material(document_.activeSide());
     const Block* model =
-        material ? document_.catalog().find("models", material->model.id) : nullptr;
-    const BlockValues* part = material ? material->part(partKind(part_)) : nullptr;
+        material ? document_.catalog().find(kinds::models, material->model.id) : nullptr;
+    const BlockValues* part = material ? material->part(kind_) : nullptr;
     chooser_->show(part ? QString::fromStdString(part->id) : QString());
-    setVisible(model && hasPlaceFor(*model, partKind(part_)));
+    setVisible(model && hasPlaceFor(*model, kind_));
 }
 
 } // namespace patina

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QGroupBox>
+#include <string_view>
 
-#include "document/document_state.h"
+#include <QGroupBox>
 
 namespace patina {
 
@@ -16,14 +16,15 @@ class SlotPanel : public QGroupBox {
     Q_OBJECT
 
   public:
-    SlotPanel(Document& document, BlockPath::Part part, const QString& title,
+    /// `kind` outlives the panel, as those of the table do.
+    SlotPanel(Document& document, std::string_view kind, const QString& title,
               QWidget* parent = nullptr);
 
   private:
     void update();
 
     Document& document_;
-    BlockPath::Part part_;
+    std::string_view kind_;
     BlockChooser* chooser_;
 };
 

@@ -26,12 +26,15 @@ void give(Values& own, const Values& others) {
 
 SidePicture pictureOf(const Scene& shown, const Scene& own) {
     SidePicture picture{shown.accuracy, std::nullopt, {}, {}};
-    if (shown.transparency != own.transparency) {
-        picture.transparency = shown.transparency;
+    const BlockValues* transparency = shown.part(kinds::transparency);
+    const BlockValues* ownTransparency = own.part(kinds::transparency);
+    if (transparency && !(ownTransparency && *transparency == *ownTransparency)) {
+        picture.transparency = *transparency;
     }
-    if (shown.environment && own.environment) {
-        picture.environment =
-            otherValues(shown.environment->parameters, own.environment->parameters);
+    const BlockValues* environment = shown.part(kinds::environment);
+    const BlockValues* ownEnvironment = own.part(kinds::environment);
+    if (environment && ownEnvironment) {
+        picture.environment = otherValues(environment->parameters, ownEnvironment->parameters);
     }
     for (std::size_t i = 0; i < shown.lights.size() && i < own.lights.size(); ++i) {
         const std::optional<BlockValues>& shadow = shown.lights[i].shadow;
@@ -48,11 +51,11 @@ SidePicture pictureOf(const Scene& shown, const Scene& own) {
 
 void layOver(Scene& scene, const SidePicture& picture) {
     scene.accuracy = picture.accuracy;
-    if (scene.transparency && picture.transparency) {
-        scene.transparency = picture.transparency;
+    if (scene.part(kinds::transparency) && picture.transparency) {
+        scene.setPart(kinds::transparency, picture.transparency);
     }
-    if (scene.environment) {
-        give(scene.environment->parameters, picture.environment);
+    if (BlockValues* environment = scene.part(kinds::environment)) {
+        give(environment->parameters, picture.environment);
     }
     for (const auto& [light, values] : picture.shadows) {
         if (light < scene.lights.size() && scene.lights[light].shadow) {

@@ -11,9 +11,9 @@ namespace patina {
 
 Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
     : QObject(parent), catalog_(std::move(catalog)) {
-    fixedBlocks_ = {{BlockPath::Part::Scene, sceneBlock()},
-                    {BlockPath::Part::Object, objectBlock()},
-                    {BlockPath::Part::Material, materialBlock()}};
+    settings_ = {{std::string(settings::scene), sceneBlock()},
+                 {std::string(settings::object), objectBlock()},
+                 {std::string(settings::material), materialBlock()}};
     connectSignals();
 }
 
@@ -27,9 +27,7 @@ void Document::connectSignals() {
     const auto forget = [this] { forgetShownScenes(); };
     connect(this, &Document::materialChanged, this, forget);
     connect(this, &Document::textureChanged, this, forget);
-    connect(this, &Document::fogReplaced, this, forget);
-    connect(this, &Document::environmentReplaced, this, forget);
-    connect(this, &Document::transparencyReplaced, this, forget);
+    connect(this, &Document::blockReplaced, this, forget);
     connect(this, &Document::lightsChanged, this, forget);
     connect(this, &Document::objectsChanged, this, forget);
     connect(this, &Document::sceneReplaced, this, forget);
@@ -49,9 +47,7 @@ void Document::connectSignals() {
             endFrozenEffects();
         }
     });
-    connect(this, &Document::fogReplaced, this, &Document::endFrozenEffects);
-    connect(this, &Document::environmentReplaced, this, &Document::endFrozenEffects);
-    connect(this, &Document::transparencyReplaced, this, &Document::endFrozenEffects);
+    connect(this, &Document::blockReplaced, this, &Document::endFrozenEffects);
     connect(this, &Document::lightsChanged, this, &Document::endFrozenEffects);
     connect(this, &Document::objectsChanged, this, &Document::endFrozenEffects);
     connect(this, &Document::comparingChanged, this, &Document::endFrozenEffects);
@@ -62,9 +58,7 @@ void Document::connectSignals() {
     connect(this, &Document::valueChanged, this, &Document::changed);
     connect(this, &Document::materialChanged, this, &Document::changed);
     connect(this, &Document::textureChanged, this, &Document::changed);
-    connect(this, &Document::fogReplaced, this, &Document::changed);
-    connect(this, &Document::environmentReplaced, this, &Document::changed);
-    connect(this, &Document::transparencyReplaced, this, &Document::changed);
+    connect(this, &Document::blockReplaced, this, &Document::changed);
     connect(this, &Document::lightsChanged, this, &Document::changed);
     connect(this, &Document::objectsChanged, this, &Document::changed);
     connect(this, &Document::comparingChanged, this, &Document::changed);
@@ -103,10 +97,7 @@ void Document::updateShownScene(Side side, const BlockPath& path, const std::str
     if (!shown || !stored) {
         return;
     }
-    const bool isOfMaterial =
-        materialAt(state_, path.index, path.side) &&
-        (path.part == BlockPath::Part::Model || !partKind(path.part).empty() ||
-         path.part == BlockPath::Part::Accuracy || path.part == BlockPath::Part::Material);
+    const bool isOfMaterial = path.owner == BlockOwner::Material;
     const bool isOfB = isOfMaterial && path.side == Side::B;
     if (isOfB && state_.picture) {
         shown.reset(); // side B may have its own material from now on
@@ -170,56 +161,26 @@ void Document::keepCurrentInside() {
     setActiveSide(activeSide_);
 }
 
-BlockPath Document::currentPath(BlockPath::Part part) const {
-    switch (part) {
-    case BlockPath::Part::Light:
-    case BlockPath::Part::Shadow:
-        return {part, currentLight_, Side::A};
-    case BlockPath::Part::Fog:
-    case BlockPath::Part::Environment:
-    case BlockPath::Part::Transparency:
-    case BlockPath::Part::Scene:
-        return {part, 0, Side::A};
-    case BlockPath::Part::Object:
-        return {part, currentObject_, Side::A};
-    default:
-        return {part, currentObject_, activeSide_};
+BlockPath Document::currentPath(std::string_view kind) const {
+    BlockPath path = pathOf(kind);
+    if (path.owner == BlockOwner::Scene) {
+        return path;
     }
+    path.index = path.owner == BlockOwner::Light ? currentLight_ : currentObject_;
+    path.side = path.owner == BlockOwner::Material ? activeSide_ : Side::A;
+    return path;
 }
-
-namespace {
-
-std::string_view kindOf(BlockPath::Part part) {
-    switch (part) {
-    case BlockPath::Part::Model:
-        return "models";
-    case BlockPath::Part::Light:
-        return "lights";
-    case BlockPath::Part::Shadow:
-        return "shadows";
-    case BlockPath::Part::Fog:
-        return "fog";
-    case BlockPath::Part::Environment:
-        return "environment";
-    case BlockPath::Part::Transparency:
-        return "transparency";
-    default:
-        return partKind(part);
-    }
-}
-
-} // namespace
 
 const Block* Document::block(const BlockPath& path) const {
-    if (const auto fixed = fixedBlocks_.find(path.part); fixed != fixedBlocks_.end()) {
-        return &fixed->second;
+    if (const auto found = settings_.find(path.kind); found != settings_.end()) {
+        return &found->second;
     }
-    if (path.part != BlockPath::Part::Accuracy) {
+    if (!path.isAt(settings::accuracy)) {
         const BlockValues* values = blockValuesAt(state_, path);
-        return values ? catalog_->find(kindOf(path.part), values->id) : nullptr;
+        return values ? catalog_->find(path.kind, values->id) : nullptr;
     }
     const Material* material = materialAt(state_, path.index, path.side);
-    if (!material || !block({BlockPath::Part::Model, path.index, path.side})) {
+    if (!material || !block(pathOf(kinds::models, path.index, path.side))) {
         return nullptr;
     }
     const std::vector<const Block*> blocks = blocksInUse(*material, *catalog_);
@@ -281,8 +242,7 @@ int Document::beginInteraction(const BlockPath& path, std::string_view parameter
     if (parameter) {
         frozenEffects_.begin(state_, currentObject_, path, *parameter, *catalog_);
         if (texture(path, parameterId)) {
-            frozenEffects_.keepTexture(state_, currentObject_, path,
-                                       textureKey(path.part, parameterId));
+            frozenEffects_.keepTexture(state_, currentObject_, path, textureKey(path, parameterId));
         }
         if (frozenEffects_.differs(state_, *catalog_)) {
             Q_EMIT effectsChanged();

@@ -70,8 +70,9 @@ class Document : public QObject {
     void setCurrentObject(int index);
     void setCurrentLight(int index);
     void setActiveSide(Side side);
-    /// The path of a part of what is current: the active material, the current light or object.
-    BlockPath currentPath(BlockPath::Part part) const;
+    /// The path of a kind of block, or of settings, in what is current: the active material, the
+    /// current light or object.
+    BlockPath currentPath(std::string_view kind) const;
 
     // Parameter values, whatever they belong to.
     /// Describes the values at a path; null when nothing is there or its block is not known.
@@ -105,9 +106,11 @@ class Document : public QObject {
     const Scene* effects(Side side) const { return frozenEffects_.scene(side); }
     bool isInteracting() const { return interaction_ != 0; }
 
-    // Materials. Empty ids turn a part of the material, the fog or the environment off.
+    // Blocks and materials.
+    /// Another block of the path's kind; values with the same id carry over. Empty: none, where the
+    /// kind is a part.
+    void setBlock(const BlockPath& path, std::string_view blockId);
     void setModel(Side side, std::string_view modelId);
-    void setPart(Side side, BlockPath::Part part, std::string_view blockId);
     void replaceMaterial(Side side, const Material& material, const QString& label);
     /// Starts comparing with a material, changes it, or stops (nullopt).
     void setSecondMaterial(std::optional<Material> material);
@@ -126,18 +129,10 @@ class Document : public QObject {
     void setLevels(Side side, const AccuracyLevels& levels, const QString& label);
     void swapSides();
 
-    // Lights, fog, objects.
+    // Lights, objects, the environment's picture.
     void addLight(std::string_view blockId);
     void setLight(int index, const Light& light);
-    /// Another kind of light; values with the same id carry over.
-    void setLightKind(int index, std::string_view blockId);
     void removeLight(int index);
-    /// Another kind of shadows in a light; values with the same id carry over. Empty: none.
-    void setShadow(int index, std::string_view blockId);
-    void setFog(std::string_view blockId);
-    void setEnvironment(std::string_view blockId);
-    /// How what shines through is put together. Empty: sorted by object.
-    void setTransparency(std::string_view blockId);
     /// Lights the scene with a picture: of the environment if it shows one, else of the first kind
     /// that does.
     void setEnvironmentPicture(const std::filesystem::path& file);
@@ -200,9 +195,8 @@ class Document : public QObject {
     void textureChanged(const patina::BlockPath& path, const QString& parameterId);
     /// Another model, part or whole material: the form's rows may differ.
     void materialChanged(int object, patina::Side side);
-    void fogReplaced();
-    void environmentReplaced();
-    void transparencyReplaced();
+    /// Another block of the scene, or none.
+    void blockReplaced(const patina::BlockPath& path);
     /// The list of lights: added, removed, renamed, switched, another kind.
     void lightsChanged();
     /// The list of objects: added, removed, renamed, another mesh.
@@ -229,6 +223,8 @@ class Document : public QObject {
   private:
     friend class DocumentCommand;
 
+    void setLightBlock(const BlockPath& path, const Block* wanted);
+    void setSceneBlock(const BlockPath& path, const Block* wanted);
     void connectSignals();
     void endComparing();
     void putBack();
@@ -268,12 +264,10 @@ class Document : public QObject {
     int presetObject_ = -1; ///< whose material is in file_, when that is a preset
     bool isRecovered_ = false;
     DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
-    std::optional<BlockValues> lastFog_; ///< comes back when fog is turned on again
-    std::optional<BlockValues> lastEnvironment_; ///< the same
-    std::optional<BlockValues> lastTransparency_;
+    BlockParts lastParts_;     ///< of the scene: they come back when the kind is turned on again
     std::optional<Material> lastSecond_;
     int lastSecondObject_ = -1; ///< what `lastSecond_` was compared on
-    std::map<BlockPath::Part, Block> fixedBlocks_;
+    std::map<std::string, Block, std::less<>> settings_;
     mutable std::map<std::vector<const Block*>, Block> accuracyBlocks_; ///< by the blocks in use
     QUndoStack undoStack_;
 };

@@ -20,21 +20,13 @@ void Document::setCatalog(std::shared_ptr<const Catalog> catalog) {
         state_.picture->material = reconciled(state_.picture->material, *before, *catalog_);
     }
     for (Light& light : state_.scene.lights) {
-        light.block = reconciled(light.block, "lights", *before, *catalog_);
+        light.block = reconciled(light.block, kinds::lights, *before, *catalog_);
         if (light.shadow) {
-            light.shadow = reconciled(*light.shadow, "shadows", *before, *catalog_);
+            light.shadow = reconciled(*light.shadow, kinds::shadows, *before, *catalog_);
         }
     }
-    if (state_.scene.fog) {
-        state_.scene.fog = reconciled(*state_.scene.fog, "fog", *before, *catalog_);
-    }
-    if (state_.scene.environment) {
-        state_.scene.environment =
-            reconciled(*state_.scene.environment, "environment", *before, *catalog_);
-    }
-    if (state_.scene.transparency) {
-        state_.scene.transparency =
-            reconciled(*state_.scene.transparency, "transparency", *before, *catalog_);
+    for (auto& [kind, values] : state_.scene.parts) {
+        values = reconciled(values, kind, *before, *catalog_);
     }
     Q_EMIT catalogChanged();
 }

@@ -110,20 +110,18 @@ bool Document::isLaidOver(const BlockPath& path, std::string_view parameterId) c
     if (picture == nullptr) {
         return false;
     }
-    switch (path.part) {
-    case BlockPath::Part::Scene:
+    if (path.isAt(settings::scene)) {
         return pictureLevel(state_.scene, parameterId).has_value();
-    case BlockPath::Part::Transparency:
+    }
+    if (path.isAt(kinds::transparency)) {
         return picture->transparency.has_value();
-    case BlockPath::Part::Environment:
+    }
+    if (path.isAt(kinds::environment)) {
         return picture->environment.contains(parameterId);
-    case BlockPath::Part::Shadow: {
-        const auto values = picture->shadows.find(static_cast<std::size_t>(path.index));
-        return values != picture->shadows.end() && values->second.contains(parameterId);
     }
-    default:
-        return false;
-    }
+    const auto values = picture->shadows.find(static_cast<std::size_t>(path.index));
+    return path.isAt(kinds::shadows) && values != picture->shadows.end() &&
+           values->second.contains(parameterId);
 }
 
 void Document::showOwnPicture() {

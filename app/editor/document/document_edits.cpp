@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of a document that are more than one value.
+#include "document/block_label.h"
 #include "document/commands/camera_command.h"
-#include "document/commands/environment_command.h"
-#include "document/commands/fog_command.h"
 #include "document/commands/light_command.h"
 #include "document/commands/model_command.h"
 #include "document/commands/object_command.h"
 #include "document/commands/part_command.h"
-#include "document/commands/transparency_command.h"
+#include "document/commands/scene_block_command.h"
 #include "document/document.h"
 #include "material/model_swap.h"
 #include "scene/environment.h"
@@ -54,15 +53,11 @@ bool hasIndex(const std::vector<Element>& list, int index) {
 } // namespace
 
 void Document::setModel(Side side, std::string_view modelId) {
-    const Material* held = material(side);
-    const Block* model = catalog_->find("models", modelId);
-    if (held && model && held->model.id != modelId) {
-        undoStack_.push(new ModelCommand(*this, {currentObject_, side}, *model));
-    }
+    setBlock(pathOf(kinds::models, currentObject_, side), modelId);
 }
 
 void Document::prewarmModel(Side side, std::string_view modelId) {
-    const Block* model = catalog_->find("models", modelId);
+    const Block* model = catalog_->find(kinds::models, modelId);
     DocumentState ahead = state_;
     Material* held = materialAt(ahead, currentObject_, side);
     if (held && model && held->model.id != modelId && !isInteracting()) {
@@ -71,16 +66,24 @@ void Document::prewarmModel(Side side, std::string_view modelId) {
     }
 }
 
-void Document::setPart(Side side, BlockPath::Part part, std::string_view blockId) {
-    const Material* held = material(side);
-    const std::string_view kind = partKind(part);
-    const Block* wanted = blockId.empty() ? nullptr : catalog_->find(kind, blockId);
-    if (!held || kind.empty() || (!wanted && !blockId.empty())) {
+void Document::setBlock(const BlockPath& path, std::string_view blockId) {
+    const BlockKind* kind = findKind(path.kind);
+    const Block* wanted = blockId.empty() ? nullptr : catalog_->find(path.kind, blockId);
+    const bool isPossible = wanted || (blockId.empty() && kind && kind->isPart);
+    const BlockValues* held = blockValuesAt(state_, path);
+    if (!isPossible || (held ? held->id : std::string()) == blockId) {
         return;
     }
-    const BlockValues* current = held->part(kind);
-    if ((current ? current->id : std::string()) != blockId) {
-        undoStack_.push(new PartCommand(*this, {currentObject_, side}, part, wanted));
+    if (path.owner == BlockOwner::Scene) {
+        setSceneBlock(path, wanted);
+    } else if (path.owner == BlockOwner::Light) {
+        setLightBlock(path, wanted);
+    } else if (materialAt(state_, path.index, path.side)) {
+        if (path.isAt(kinds::models)) {
+            undoStack_.push(new ModelCommand(*this, {path.index, path.side}, *wanted));
+        } else {
+            undoStack_.push(new PartCommand(*this, path, wanted));
+        }
     }
 }
 
@@ -92,7 +95,7 @@ void Document::replaceMaterial(Side side, const Material& wanted, const QString&
 }
 
 void Document::addLight(std::string_view blockId) {
-    const Block* block = catalog_->find("lights", blockId);
+    const Block* block = catalog_->find(kinds::lights, blockId);
     if (!block) {
         return;
     }
@@ -112,23 +115,30 @@ void Document::setLight(int index, const Light& light) {
     }
 }
 
-void Document::setLightKind(int index, std::string_view blockId) {
-    const Block* wanted = catalog_->find("lights", blockId);
-    if (!wanted || !hasIndex(state_.scene.lights, index)) {
+void Document::setLightBlock(const BlockPath& path, const Block* wanted) {
+    if (!hasIndex(state_.scene.lights, path.index)) {
         return;
     }
-    const Light& held = state_.scene.lights[static_cast<std::size_t>(index)];
-    if (held.block.id == blockId) {
-        return;
-    }
-    const Block* before = catalog_->find("lights", held.block.id);
+    const Light& held = state_.scene.lights[static_cast<std::size_t>(path.index)];
+    const BlockValues* values = blockValuesAt(state_, path);
+    const Block* before = block(path);
     Light light = held;
-    light.block = swapped(held.block, before, *wanted);
-    if (before && light.name == before->label) {
+    if (path.isAt(kinds::shadows)) {
+        light.shadow.reset();
+    }
+    if (wanted) {
+        const BlockValues after = values ? swapped(*values, before, *wanted) : defaultsOf(*wanted);
+        if (path.isAt(kinds::shadows)) {
+            light.shadow = after;
+        } else {
+            light.block = after;
+        }
+    }
+    if (path.isAt(kinds::lights) && before && light.name == before->label) {
         light.name = wanted->label; // a name nobody chose follows the kind
     }
     undoStack_.push(
-        new LightCommand(*this, index, held, light, tr("Light %1").arg(labelOf(*wanted))));
+        new LightCommand(*this, path.index, held, light, blockLabel(path.kind, wanted)));
 }
 
 void Document::removeLight(int index) {
@@ -138,95 +148,32 @@ void Document::removeLight(int index) {
     }
 }
 
-void Document::setShadow(int index, std::string_view blockId) {
-    if (!hasIndex(state_.scene.lights, index)) {
-        return;
+void Document::setSceneBlock(const BlockPath& path, const Block* wanted) {
+    if (const BlockValues* held = state_.scene.part(path.kind)) {
+        patina::setPart(lastParts_, path.kind, *held);
     }
-    const Light& held = state_.scene.lights[static_cast<std::size_t>(index)];
-    const Block* wanted = blockId.empty() ? nullptr : catalog_->find("shadows", blockId);
-    if ((!wanted && !blockId.empty()) || (held.shadow ? held.shadow->id : "") == blockId) {
-        return;
-    }
-    Light light = held;
-    light.shadow.reset();
+    std::optional<BlockValues> after;
     if (wanted) {
-        const Block* before = held.shadow ? catalog_->find("shadows", held.shadow->id) : nullptr;
-        light.shadow = held.shadow ? swapped(*held.shadow, before, *wanted) : defaultsOf(*wanted);
+        const BlockValues* last = partOf(lastParts_, path.kind);
+        after = last ? swapped(*last, blockOf(lastParts_, path.kind, *catalog_), *wanted)
+                     : defaultsOf(*wanted);
     }
-    undoStack_.push(new LightCommand(*this, index, held, light,
-                                     wanted ? labelOf(*wanted) : tr("Shadows off")));
-}
-
-void Document::setFog(std::string_view blockId) {
-    const std::optional<BlockValues>& held = state_.scene.fog;
-    if ((held ? held->id : std::string()) == blockId) {
-        return;
-    }
-    if (held) {
-        lastFog_ = held;
-    }
-    if (blockId.empty()) {
-        undoStack_.push(new FogCommand(*this, std::nullopt, tr("Fog off")));
-        return;
-    }
-    const Block* wanted = catalog_->find("fog", blockId);
-    if (!wanted) {
-        return;
-    }
-    const Block* before = lastFog_ ? catalog_->find("fog", lastFog_->id) : nullptr;
-    const BlockValues fog = lastFog_ ? swapped(*lastFog_, before, *wanted) : defaultsOf(*wanted);
-    undoStack_.push(new FogCommand(*this, fog, tr("Fog %1").arg(labelOf(*wanted))));
-}
-
-void Document::setEnvironment(std::string_view blockId) {
-    const std::optional<BlockValues>& held = state_.scene.environment;
-    const Block* wanted = catalog_->find("environment", blockId);
-    if ((held ? held->id : std::string()) == blockId || (!wanted && !blockId.empty())) {
-        return;
-    }
-    if (held) {
-        lastEnvironment_ = held;
-    }
-    if (!wanted) {
-        undoStack_.push(new EnvironmentCommand(*this, std::nullopt, tr("Environment off")));
-        return;
-    }
-    const std::optional<BlockValues>& last = lastEnvironment_;
-    const Block* before = last ? catalog_->find("environment", last->id) : nullptr;
-    undoStack_.push(new EnvironmentCommand(
-        *this, last ? swapped(*last, before, *wanted) : defaultsOf(*wanted),
-        tr("Environment %1").arg(labelOf(*wanted))));
-}
-
-void Document::setTransparency(std::string_view blockId) {
-    const std::optional<BlockValues>& held = state_.scene.transparency;
-    const Block* wanted = catalog_->find("transparency", blockId);
-    if ((held ? held->id : std::string()) == blockId || (!wanted && !blockId.empty())) {
-        return;
-    }
-    if (held) {
-        lastTransparency_ = held;
-    }
-    if (!wanted) {
-        undoStack_.push(new TransparencyCommand(*this, std::nullopt, tr("Sorted by object")));
-        return;
-    }
-    const bool isBack = lastTransparency_ && lastTransparency_->id == blockId;
-    undoStack_.push(new TransparencyCommand(
-        *this, isBack ? *lastTransparency_ : defaultsOf(*wanted), labelOf(*wanted)));
+    undoStack_.push(
+        new SceneBlockCommand(*this, path, std::move(after), blockLabel(path.kind, wanted)));
 }
 
 std::string_view Document::environmentPicture() const {
-    const std::optional<BlockValues>& held = state_.scene.environment;
-    const Block* block = held ? catalog_->find("environment", held->id) : nullptr;
+    const BlockValues* held = state_.scene.part(kinds::environment);
+    const Block* block = blockOf(state_.scene.parts, kinds::environment, *catalog_);
     return block ? pictureFile(*held, *block) : std::string_view();
 }
 
 void Document::setEnvironmentPicture(const std::filesystem::path& file) {
     allow(file);
-    const std::optional<BlockValues>& held = state_.scene.environment;
-    const Block* current = held ? catalog_->find("environment", held->id) : nullptr;
-    const std::vector<const Block*> all = catalog_->ofKind("environment");
+    const BlockPath path = pathOf(kinds::environment);
+    const BlockValues* held = blockValuesAt(state_, path);
+    const Block* current = block(path);
+    const std::vector<const Block*> all = catalog_->ofKind(path.kind);
     const auto found = std::find_if(all.begin(), all.end(), [](const Block* block) {
         return pictureParameter(*block) != nullptr;
     });
@@ -238,8 +185,8 @@ void Document::setEnvironmentPicture(const std::filesystem::path& file) {
     BlockValues after = fits ? *held : defaultsOf(*wanted);
     after.parameters[pictureParameter(*wanted)->id] = file.generic_string();
     if (!held || !(*held == after)) {
-        undoStack_.push(new EnvironmentCommand(
-            *this, after,
+        undoStack_.push(new SceneBlockCommand(
+            *this, path, after,
             tr("Environment %1").arg(QString::fromStdString(file.filename().string()))));
     }
 }

@@ -129,9 +129,7 @@ void Document::setFile(DocumentFile file) {
 void Document::replaceState(DocumentState state, DocumentFile file, int object) {
     undoStack_.clear();
     interaction_ = 0;
-    lastFog_.reset();
-    lastTransparency_.reset();
-    lastEnvironment_.reset();
+    lastParts_.clear();
     lastSecond_.reset();
     isRecovered_ = false;
     state_ = std::move(state);
@@ -330,7 +328,7 @@ bool Document::savePreset(const std::filesystem::path& path, Side side, const st
     }
     Material saved = *held;
     saved.name = name;
-    return savePreset(path, {BlockPath::Part::Material, currentObject_, side}, std::move(saved));
+    return savePreset(path, pathOf(settings::material, currentObject_, side), std::move(saved));
 }
 
 /// Nothing is called otherwise before its file is written.
@@ -395,8 +393,7 @@ bool Document::save() {
     switch (file_.kind) {
     case DocumentFile::Kind::Preset:
         if (const Material* held = materialAt(state_, presetObject_, Side::A)) {
-            return savePreset(file_.path, {BlockPath::Part::Material, presetObject_, Side::A},
-                              *held);
+            return savePreset(file_.path, pathOf(settings::material, presetObject_), *held);
         }
         return false;
     case DocumentFile::Kind::Scene:

@@ -28,31 +28,35 @@ auto pointer(Optional& optional) -> decltype(&*optional) {
     return optional ? &*optional : nullptr;
 }
 
+template <class Light>
+auto findInLight(Light& light, std::string_view kind) -> decltype(&light.block) {
+    return kind == kinds::lights ? &light.block : pointer(light.shadow);
+}
+
+template <class Material>
+auto findInMaterial(Material& material, std::string_view kind) -> decltype(&material.model) {
+    return kind == kinds::models ? &material.model : material.part(kind);
+}
+
 template <class State>
-auto findBlockValues(State& state, const BlockPath& path) -> decltype(pointer(state.scene.fog)) {
-    if (path.part == BlockPath::Part::Fog) {
-        return pointer(state.scene.fog);
+auto findBlockValues(State& state, const BlockPath& path) -> decltype(state.scene.part(path.kind)) {
+    if (path.owner == BlockOwner::Scene) {
+        return state.scene.part(path.kind);
     }
-    if (path.part == BlockPath::Part::Environment) {
-        return pointer(state.scene.environment);
-    }
-    if (path.part == BlockPath::Part::Transparency) {
-        return pointer(state.scene.transparency);
-    }
-    if (path.part == BlockPath::Part::Light) {
+    if (path.owner == BlockOwner::Light) {
         auto* light = elementAt(state.scene.lights, path.index);
-        return light ? &light->block : nullptr;
+        return light ? findInLight(*light, path.kind) : nullptr;
     }
-    if (path.part == BlockPath::Part::Shadow) {
-        auto* light = elementAt(state.scene.lights, path.index);
-        return light ? pointer(light->shadow) : nullptr;
-    }
-    auto* material = findMaterial(state, path.index, path.side);
-    if (material && path.part == BlockPath::Part::Model) {
-        return &material->model;
-    }
-    const std::string_view kind = partKind(path.part);
-    return material && !kind.empty() ? material->part(kind) : nullptr;
+    auto* material =
+        path.owner == BlockOwner::Material ? findMaterial(state, path.index, path.side) : nullptr;
+    return material ? findInMaterial(*material, path.kind) : nullptr;
+}
+
+/// What owns the settings that go by a word.
+BlockOwner ownerOfSettings(std::string_view word) {
+    return word == settings::scene || word == settings::camera ? BlockOwner::Scene
+           : word == settings::object                          ? BlockOwner::Object
+                                                               : BlockOwner::Material;
 }
 
 std::optional<Value> storedLevel(const Material& material, std::string_view choice) {
@@ -97,19 +101,9 @@ Scene ownScene(const DocumentState& state, int object, Side side) {
     return scene;
 }
 
-std::string_view partKind(BlockPath::Part part) {
-    switch (part) {
-    case BlockPath::Part::Fresnel:
-        return "fresnel";
-    case BlockPath::Part::Specular:
-        return "specular";
-    case BlockPath::Part::Refraction:
-        return "refraction";
-    case BlockPath::Part::Outline:
-        return "outline";
-    default:
-        return {};
-    }
+BlockPath pathOf(std::string_view kind, int index, Side side) {
+    const BlockKind* row = findKind(kind);
+    return {row ? row->owner : ownerOfSettings(kind), std::string(kind), index, side};
 }
 
 const Material* materialAt(const DocumentState& state, int object, Side side) {
@@ -149,21 +143,22 @@ BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path) {
 
 std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,
                                  std::string_view parameterId) {
-    if (path.part == BlockPath::Part::Scene) {
+    if (path.isAt(settings::scene)) {
         return sceneValue(state.scene, parameterId);
     }
-    if (path.part == BlockPath::Part::Object) {
+    if (path.isAt(settings::object)) {
         const Object* object = elementAt(state.scene.objects, path.index);
         return object ? objectValue(*object, parameterId) : std::nullopt;
     }
     if (const BlockValues* block = blockValuesAt(state, path)) {
         return storedInBlock(*block, parameterId);
     }
-    const Material* material = materialAt(state, path.index, path.side);
-    if (material && path.part == BlockPath::Part::Accuracy) {
+    const bool isOfMaterial = path.owner == BlockOwner::Material;
+    const Material* material = isOfMaterial ? materialAt(state, path.index, path.side) : nullptr;
+    if (material && path.isAt(settings::accuracy)) {
         return storedLevel(*material, parameterId);
     }
-    if (material && path.part == BlockPath::Part::Material) {
+    if (material && path.isAt(settings::material)) {
         return materialValue(*material, parameterId);
     }
     return std::nullopt;
@@ -171,19 +166,19 @@ std::optional<Value> storedValue(const DocumentState& state, const BlockPath& pa
 
 void storeValue(DocumentState& state, const BlockPath& path, std::string_view parameterId,
                 const Value& value) {
-    if (path.part == BlockPath::Part::Scene) {
+    if (path.isAt(settings::scene)) {
         storeSceneValue(state.scene, parameterId, value);
-    } else if (path.part == BlockPath::Part::Object) {
+    } else if (path.isAt(settings::object)) {
         if (Object* object = elementAt(state.scene.objects, path.index)) {
             storeObjectValue(*object, parameterId, value);
         }
     } else if (BlockValues* block = blockValuesAt(state, path)) {
         block->parameters.insert_or_assign(std::string(parameterId), value);
     } else if (Material* material = materialAt(state, path.index, path.side)) {
-        if (path.part == BlockPath::Part::Accuracy && std::holds_alternative<std::string>(value)) {
+        if (path.isAt(settings::accuracy) && std::holds_alternative<std::string>(value)) {
             material->accuracy.insert_or_assign(std::string(parameterId),
                                                 std::get<std::string>(value));
-        } else if (path.part == BlockPath::Part::Material) {
+        } else if (path.isAt(settings::material)) {
             storeMaterialValue(*material, parameterId, value);
         }
     }

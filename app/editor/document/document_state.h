@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "catalog/settings.h"
 #include "document/compared_picture.h"
 #include "scene/scene.h"
 
@@ -34,28 +35,18 @@ struct DocumentState {
 
 /// Names one set of parameter values in a document: what a form shows and a command changes.
 struct BlockPath {
-    enum class Part {
-        Model,    ///< the material's lighting model
-        Fresnel,  ///< the material's Fresnel block
-        Specular, ///< the material's highlight, for models that leave it open
-        Refraction, ///< what bends the light that the material lets through
-        Outline,  ///< the lines along the edges of the material's objects
-        Accuracy, ///< the accuracy levels of the model
-        Material, ///< what every material has: its opacity
-        Light,    ///< the values of a light
-        Shadow,   ///< the values of a light's shadows
-        Fog,      ///< the values of the fog
-        Environment, ///< the values of the environment
-        Transparency, ///< how what shines through is put together
-        Object,   ///< an object's transform and switches
-        Scene     ///< ambient, background, exposure, tone mapping
-    };
-    Part part = Part::Model;
-    int index = 0;       ///< of the object (material parts, Object) or of the light (Light, Shadow)
-    Side side = Side::A; ///< material parts only
+    BlockOwner owner = BlockOwner::Material;
+    std::string kind{kinds::models}; ///< of the block, or one of `settings`
+    int index = 0;                   ///< of the object or the light that owns it; 0 of the scene
+    Side side = Side::A;             ///< of the material that owns it
+
+    bool isAt(std::string_view wanted) const { return kind == wanted; }
 
     friend bool operator==(const BlockPath&, const BlockPath&) = default;
 };
+
+/// The path of what is of a kind, or one of `settings`.
+BlockPath pathOf(std::string_view kind, int index = 0, Side side = Side::A);
 
 /// The scene as one side shows it: B has the second material on the current object.
 Scene shownScene(const DocumentState& state, int object, Side side);
@@ -69,14 +60,11 @@ const SidePicture* pictureLaidOver(const DocumentState& state, Side side);
 /// Whether side B has another material than what its object has.
 bool hasSecondMaterial(const DocumentState& state);
 
-/// The kind of block that a part of a material is beside the model; empty for the other parts.
-std::string_view partKind(BlockPath::Part part);
-
-/// Whether values of this part may have images.
-bool takesTextures(BlockPath::Part part);
+/// Whether values at this path may have images.
+bool takesTextures(const BlockPath& path);
 
 /// The key of a value's image in Material::textures.
-std::string textureKey(BlockPath::Part part, std::string_view parameterId);
+std::string textureKey(const BlockPath& path, std::string_view parameterId);
 
 /// The material a path lies in; null when the object or side B is not there.
 const Material* materialAt(const DocumentState& state, int object, Side side);
@@ -86,8 +74,7 @@ Material* materialAt(DocumentState& state, int object, Side side);
 /// what was edited of it since; nothing where it shows its own.
 std::optional<Material> materialAside(const DocumentState& state, int object);
 
-/// The block values a path names; null for the parts that no catalogue block describes and for
-/// what is not there.
+/// The block values a path names; null for settings and for what is not there.
 const BlockValues* blockValuesAt(const DocumentState& state, const BlockPath& path);
 BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path);
 

@@ -6,15 +6,14 @@
 
 namespace patina {
 
-std::string textureKey(BlockPath::Part part, std::string_view parameterId) {
-    const std::string_view kind = partKind(part);
-    return kind.empty() ? std::string(parameterId)
-                        : std::string(kind) + '.' + std::string(parameterId);
+std::string textureKey(const BlockPath& path, std::string_view parameterId) {
+    const BlockKind* kind = findKind(path.kind);
+    return kind && kind->isPart ? path.kind + '.' + std::string(parameterId)
+                                : std::string(parameterId);
 }
 
-bool takesTextures(BlockPath::Part part) {
-    return part == BlockPath::Part::Model || part == BlockPath::Part::Material ||
-           !partKind(part).empty();
+bool takesTextures(const BlockPath& path) {
+    return path.owner == BlockOwner::Material && !path.isAt(settings::accuracy);
 }
 
 void Document::setTextureLibrary(TextureLibrary* library) {
@@ -25,11 +24,11 @@ void Document::setTextureLibrary(TextureLibrary* library) {
 
 const TextureUse* Document::texture(const BlockPath& path, std::string_view parameterId) const {
     const Material* held =
-        takesTextures(path.part) ? materialAt(state_, path.index, path.side) : nullptr;
+        takesTextures(path) ? materialAt(state_, path.index, path.side) : nullptr;
     if (!held) {
         return nullptr;
     }
-    const auto found = held->textures.find(textureKey(path.part, parameterId));
+    const auto found = held->textures.find(textureKey(path, parameterId));
     return found == held->textures.end() ? nullptr : &found->second;
 }
 
@@ -39,7 +38,7 @@ void Document::setTexture(const BlockPath& path, std::string_view parameterId,
     const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
     const TextureUse* held = texture(path, parameterId);
     const bool isSame = held ? use && *use == *held : !use;
-    if (!parameter || !takesTextures(path.part) || isSame ||
+    if (!parameter || !takesTextures(path) || isSame ||
         !materialAt(state_, path.index, path.side)) {
         return;
     }

@@ -43,9 +43,9 @@ Value inside(const Parameter& parameter) {
 void addOtherIndices(std::vector<Value>& edges, const Material* material, const BlockPath& path,
                      const Parameter& parameter, const Catalog& catalog) {
     constexpr std::string_view indices = "index.";
-    const bool isFresnel = path.part == BlockPath::Part::Fresnel && material != nullptr;
-    const BlockValues* part = isFresnel ? material->part("fresnel") : nullptr;
-    const Block* block = part != nullptr ? catalog.find("fresnel", part->id) : nullptr;
+    const bool isFresnel = path.isAt(kinds::fresnel) && material != nullptr;
+    const BlockValues* part = isFresnel ? material->part(kinds::fresnel) : nullptr;
+    const Block* block = part != nullptr ? catalog.find(kinds::fresnel, part->id) : nullptr;
     if (block == nullptr || !parameter.id.starts_with(indices)) {
         return;
     }
@@ -63,8 +63,8 @@ std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
     std::vector<Value> edges{filled(parameter, 0.0), filled(parameter, parameter.softMin),
                              filled(parameter, parameter.softMax)};
     const Material* material = materialAt(state, path.index, path.side);
-    const bool isModel = path.part == BlockPath::Part::Model && material != nullptr;
-    const Block* model = isModel ? catalog.find("models", material->model.id) : nullptr;
+    const bool isModel = path.isAt(kinds::models) && material != nullptr;
+    const Block* model = isModel ? catalog.find(kinds::models, material->model.id) : nullptr;
     for (const Parameter& other : model != nullptr ? model->parameters : std::vector<Parameter>()) {
         if (other.equalTo == parameter.id || parameter.equalTo == other.id) {
             edges.push_back(givenValue(other, material->model.parameters));
@@ -88,26 +88,23 @@ Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& ca
     const Material* material = materialAt(state, path.index, path.side);
     return {EffectKey().ofScene(state.scene, catalog),
             material != nullptr ? EffectKey::ofMaterial(*material, catalog) : 0,
-            isSeen(state.scene.ground) ? 1u : 0u,
-            EffectKey::ofDisplay(state.scene)};
+            isSeen(state.scene.ground) ? 1u : 0u, EffectKey::ofDisplay(state.scene)};
 }
 
 /// How much of the fog is seen decides whether it is in the programs, which depends on every value
 /// of it, on the exposure and on how far away things are.
 bool mayHideFog(const DocumentState& state, const BlockPath& path) {
-    return state.scene.fog &&
-           (path.part == BlockPath::Part::Fog || path.part == BlockPath::Part::Scene ||
-            path.part == BlockPath::Part::Object);
+    return state.scene.part(kinds::fog) &&
+           (path.isAt(kinds::fog) || path.isAt(settings::scene) || path.isAt(settings::object));
 }
 
 /// Which objects a light with an end reaches decides whether it is in their programs.
 bool mayMoveLight(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
-    const bool moves =
-        path.part == BlockPath::Part::Light || path.part == BlockPath::Part::Object;
+    const bool moves = path.isAt(kinds::lights) || path.isAt(settings::object);
     return moves && std::ranges::any_of(state.scene.lights, [&catalog](const Light& light) {
-        const Block* block = catalog.find("lights", light.block.id);
-        return block != nullptr && !reachOf(light, *block).isEverywhere();
-    });
+               const Block* block = catalog.find(kinds::lights, light.block.id);
+               return block != nullptr && !reachOf(light, *block).isEverywhere();
+           });
 }
 
 /// Whether it also depends on where things are.
@@ -155,11 +152,10 @@ void FrozenEffects::begin(const DocumentState& state, int object, const BlockPat
     };
     const std::vector<Value> edges = edgesOf(state, path, parameter, catalog);
     const Keys effective = keysWith(apart(parameter, edges));
-    const bool decides =
-        decidesByPlace(state, path, catalog) ||
-        std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
-            return keysWith(value) != effective;
-        });
+    const bool decides = decidesByPlace(state, path, catalog) ||
+                         std::any_of(edges.begin(), edges.end(), [&](const Value& value) {
+                             return keysWith(value) != effective;
+                         });
     held_.reset();
     if (decides) {
         storeValue(held.state, path, parameter.id, apart(parameter, edges));

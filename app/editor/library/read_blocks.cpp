@@ -42,19 +42,22 @@ class BlocksOfScene {
   public:
     BlocksOfScene(const Scene& scene, const Catalog& catalog) : catalog_(catalog) {
         for (const Object& object : scene.objects) {
-            add("models", object.material.model.id);
+            add(kinds::models, object.material.model.id);
             for (const auto& [kind, values] : object.material.parts) {
                 add(kind, values.id);
             }
         }
         for (const Light& light : scene.lights) {
-            add("lights", light.block.id);
-            addSome("shadows", light.shadow);
+            add(kinds::lights, light.block.id);
+            if (light.shadow) {
+                add(kinds::shadows, light.shadow->id);
+            }
         }
-        addSome("fog", scene.fog);
-        addSome("environment", scene.environment);
-        if (scene.transparency) { // any of its kind may be chosen in its place
-            for (const Block* block : catalog.ofKind("transparency")) {
+        for (const auto& [kind, values] : scene.parts) {
+            add(kind, values.id);
+        }
+        if (scene.part(kinds::transparency)) { // any of its kind may be chosen in its place
+            for (const Block* block : catalog.ofKind(kinds::transparency)) {
                 add(block->kind, block->id);
             }
         }
@@ -63,12 +66,6 @@ class BlocksOfScene {
     std::vector<const Block*> found;
 
   private:
-    void addSome(std::string_view kind, const std::optional<BlockValues>& values) {
-        if (values) {
-            add(kind, values->id);
-        }
-    }
-
     void add(std::string_view kind, std::string_view id) {
         const Block* block = catalog_.find(kind, id);
         if (block == nullptr || std::ranges::find(found, block) != found.end()) {

@@ -44,7 +44,7 @@ QString fileOf(const ThumbnailMaker::Folders& folders, const Material& material,
                const Catalog& catalog) {
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(QByteArray::fromStdString(toJson(material).dump()));
-    addBlock(hash, catalog.find("models", material.model.id));
+    addBlock(hash, catalog.find(kinds::models, material.model.id));
     for (const auto& [kind, values] : material.parts) {
         addBlock(hash, catalog.find(kind, values.id));
     }

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-DocumentForm::DocumentForm(Document& document, BlockPath::Part part, QWidget* parent)
-    : ParameterForm(parent), document_(document), part_(part) {
+DocumentForm::DocumentForm(Document& document, std::string_view kind, QWidget* parent)
+    : ParameterForm(parent), document_(document), kind_(kind) {
     follow();
     connect(&document_, &Document::valueChanged, this,
             [this](const BlockPath& path, const QString& id) {
@@ -22,9 +22,7 @@ DocumentForm::DocumentForm(Document& document, BlockPath::Part part, QWidget* pa
             });
     connect(&document_, &Document::imagesArrived, this, [this] { refresh(); });
     connect(&document_, &Document::materialChanged, this, &DocumentForm::follow);
-    connect(&document_, &Document::fogReplaced, this, &DocumentForm::follow);
-    connect(&document_, &Document::environmentReplaced, this, &DocumentForm::follow);
-    connect(&document_, &Document::transparencyReplaced, this, &DocumentForm::follow);
+    connect(&document_, &Document::blockReplaced, this, &DocumentForm::follow);
     connect(&document_, &Document::lightsChanged, this, &DocumentForm::follow);
     connect(&document_, &Document::objectsChanged, this, &DocumentForm::follow);
     connect(&document_, &Document::currentChanged, this, &DocumentForm::follow);
@@ -33,7 +31,7 @@ DocumentForm::DocumentForm(Document& document, BlockPath::Part part, QWidget* pa
 }
 
 void DocumentForm::follow() {
-    path_ = document_.currentPath(part_);
+    path_ = document_.currentPath(kind_);
     setBlock(document_.block(path_), std::make_unique<DocumentSource>(document_, path_),
              emptyText());
     setEnabled(path_.index >= 0);

@@ -6,13 +6,13 @@
 
 namespace patina {
 
-/// The form of one part of what is current in a document. It follows the document: values, swapped
-/// models, the selected object, light and side.
+/// The form of one kind of block, or of settings, of what is current in a document. It follows the
+/// document: values, swapped models, the selected object, light and side.
 class DocumentForm : public ParameterForm {
     Q_OBJECT
 
   public:
-    DocumentForm(Document& document, BlockPath::Part part, QWidget* parent = nullptr);
+    DocumentForm(Document& document, std::string_view kind, QWidget* parent = nullptr);
 
     const BlockPath& path() const { return path_; }
 
@@ -21,7 +21,7 @@ class DocumentForm : public ParameterForm {
     QString emptyText() const;
 
     Document& document_;
-    BlockPath::Part part_;
+    std::string kind_;
     BlockPath path_;
 };
 

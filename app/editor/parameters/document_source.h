@@ -23,7 +23,7 @@ class DocumentSource : public ParameterSource {
     }
     void endInteraction(int token) override { document_.endInteraction(token); }
 
-    bool takesTextures() const override { return patina::takesTextures(path_.part); }
+    bool takesTextures() const override { return patina::takesTextures(path_); }
     std::optional<TextureUse> texture(std::string_view parameterId) const override;
     void setTexture(std::string_view parameterId, const std::optional<TextureUse>& use) override {
         document_.setTexture(path_, parameterId, use);

@@ -22,9 +22,8 @@ constexpr int sampledDirections = 64; ///< of an environment's light, the same o
 
 /// How many directions of an environment's light a side's own view has; 0: there is none.
 int ownDirections(const Scene& scene, const Catalog& catalog) {
-    const Block* block =
-        scene.environment ? catalog.find("environment", scene.environment->id) : nullptr;
-    return block != nullptr ? directionsOf(*scene.environment, *block) : 0;
+    const Block* block = blockOf(scene.parts, kinds::environment, catalog);
+    return block != nullptr ? directionsOf(*scene.part(kinds::environment), *block) : 0;
 }
 
 /// What a worker wants of the work.

@@ -41,8 +41,8 @@ TextureSource texturesOf(const Document& document) {
 
 } // namespace
 
-SideView::SideView(const ViewSources& sources, Side side,
-                   const std::filesystem::path& programCache, QWidget* parent)
+SideView::SideView(const ViewSources& sources, Side side, const std::filesystem::path& programCache,
+                   QWidget* parent)
     : QFrame(parent), document_(sources.document), meshes_(sources.meshes),
       switches_(sources.switches), side_(side), title_(new QLabel(this)),
       viewport_(new Viewport({[this]() -> const Scene& { return switches_.scene(side_); },
@@ -145,9 +145,8 @@ void SideView::connectNavigation() {
         Q_EMIT cameraWished(
             panned(viewport_->camera(), {pixels.x(), pixels.y()}, viewport_->height()));
     });
-    connect(&navigation, &CameraNavigation::dollyWished, this, [this](double factor) {
-        Q_EMIT cameraWished(dollied(viewport_->camera(), factor));
-    });
+    connect(&navigation, &CameraNavigation::dollyWished, this,
+            [this](double factor) { Q_EMIT cameraWished(dollied(viewport_->camera(), factor)); });
     connect(&navigation, &CameraNavigation::directionWished, this,
             [this](double yaw, double pitch) {
                 Camera camera = viewport_->camera();
@@ -175,15 +174,14 @@ void SideView::turnObject(double yaw, double pitch) {
 }
 
 void SideView::turnLight(double yaw, double pitch) {
-    const int index =
-        lightToTurn(document_.scene(), document_.catalog(), document_.currentLight());
+    const int index = lightToTurn(document_.scene(), document_.catalog(), document_.currentLight());
     if (index < 0) {
         return;
     }
     beginTurn();
     const Values before =
         document_.scene().lights[static_cast<std::size_t>(index)].block.parameters;
-    const BlockPath path{BlockPath::Part::Light, index, Side::A};
+    const BlockPath path = pathOf(kinds::lights, index);
     const Block* block = document_.block(path);
     storeTurned(document_, path, before,
                 turnedLight(before, *block, viewport_->camera(), yaw, pitch));
@@ -215,7 +213,7 @@ void SideView::pivotOn(QPointF place) {
 void SideView::updateTitle() {
     const Material* material = document_.material(side_);
     const Block* model =
-        material ? document_.catalog().find("models", material->model.id) : nullptr;
+        material ? document_.catalog().find(kinds::models, material->model.id) : nullptr;
     const QString modelName = model      ? QString::fromStdString(model->label)
                               : material ? QString::fromStdString(material->model.id)
                                          : tr("nothing selected");
@@ -237,11 +235,11 @@ void SideView::updateTitle() {
     if (text != title_->text()) {
         title_->setText(text);
         // A style sheet takes margins away, but not in each case.
-        title_->setStyleSheet(QStringLiteral("color: %1; background: %2; padding: 3px %3px;")
-                                  .arg(active ? "#101010" : "#f0f0f0",
-                                       active ? colourOf(side_).name()
-                                              : colourOf(side_).darker(260).name())
-                                  .arg(titlePadding));
+        title_->setStyleSheet(
+            QStringLiteral("color: %1; background: %2; padding: 3px %3px;")
+                .arg(active ? "#101010" : "#f0f0f0",
+                     active ? colourOf(side_).name() : colourOf(side_).darker(260).name())
+                .arg(titlePadding));
         viewport_->setAccessibleDescription(tr("Shows %1").arg(called));
     }
 }

@@ -75,7 +75,7 @@ bool canTurn(const Block& light) {
 
 int lightToTurn(const Scene& scene, const Catalog& catalog, int preferred) {
     const auto suits = [&](const Light& light) {
-        const Block* block = catalog.find("lights", light.block.id);
+        const Block* block = catalog.find(kinds::lights, light.block.id);
         return light.enabled && block && canTurn(*block);
     };
     const auto count = static_cast<int>(scene.lights.size());

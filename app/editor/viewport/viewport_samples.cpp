@@ -16,10 +16,10 @@ int Viewport::samples() const {
 }
 
 int Viewport::wantedSamples() const {
-    const std::optional<BlockValues>& environment = sources_.scene().environment;
-    const Block* block = environment && catalog_ != nullptr
-                             ? catalog_->find("environment", environment->id)
-                             : nullptr;
+    const BlockValues* environment = sources_.scene().part(kinds::environment);
+    const Block* block = catalog_ == nullptr
+                             ? nullptr
+                             : blockOf(sources_.scene().parts, kinds::environment, *catalog_);
     return block == nullptr ? usualDirections : directionsOf(*environment, *block);
 }
 

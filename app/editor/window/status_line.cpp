@@ -22,9 +22,9 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibra
                        MessageLog& messages, QWidget* parent)
     : QStatusBar(parent), document_(document), meshes_(meshes), environments_(environments),
       messages_(messages), model_(new QLabel(this)), effects_(new QLabel(this)),
-      samples_(new QLabel(this)), time_(new QLabel(this)),
-      progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
-      badge_(new QToolButton(this)), switched_(new QToolButton(this)) {
+      samples_(new QLabel(this)), time_(new QLabel(this)), progress_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)), badge_(new QToolButton(this)),
+      switched_(new QToolButton(this)) {
     setSizeGripEnabled(false);
     model_->setObjectName("statusModel");
     effects_->setObjectName("statusEffects");
@@ -108,7 +108,7 @@ void StatusLine::setViewport(Viewport* viewport) {
 void StatusLine::showFrame() {
     const Material* material = document_.material(document_.activeSide());
     const Block* model =
-        material ? document_.catalog().find("models", material->model.id) : nullptr;
+        material ? document_.catalog().find(kinds::models, material->model.id) : nullptr;
     const QString id = material ? QString::fromStdString(material->model.id) : QString();
     model_->setText(model      ? shortened(QString::fromStdString(model->label))
                     : material ? tr("%1 (not installed)").arg(shortened(id))
@@ -133,11 +133,10 @@ void StatusLine::showFrame() {
 void StatusLine::showSamples() {
     const int samples = viewport_->samples();
     samples_->setVisible(samples > 0);
-    samples_->setText(samples < viewport_->wantedSamples()
-                          ? tr("Environment: %1 of %2 samples")
-                                .arg(samples)
-                                .arg(viewport_->wantedSamples())
-                          : tr("Environment: %1 samples").arg(samples));
+    samples_->setText(
+        samples < viewport_->wantedSamples()
+            ? tr("Environment: %1 of %2 samples").arg(samples).arg(viewport_->wantedSamples())
+            : tr("Environment: %1 samples").arg(samples));
 }
 
 void StatusLine::showLoading(const QString& file, float share) {

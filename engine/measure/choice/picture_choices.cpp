@@ -52,7 +52,7 @@ void applyEnvironment(ChosenFrame& frame, const std::string& level, const Catalo
     const Block* block = environmentChoice(frame.scene, catalog).block;
     const Parameter* directions = block == nullptr ? nullptr : directionsParameter(*block);
     if (directions != nullptr) {
-        frame.scene.environment->parameters[directions->id] = numberOf(level);
+        frame.scene.part(kinds::environment)->parameters[directions->id] = numberOf(level);
         frame.view.environmentSamples = numberOf(level);
     }
 }
@@ -60,7 +60,7 @@ void applyEnvironment(ChosenFrame& frame, const std::string& level, const Catalo
 std::string currentEnvironment(const Scene& scene, const Catalog& catalog) {
     const Block* block = environmentChoice(scene, catalog).block;
     return block == nullptr ? std::string()
-                            : std::to_string(directionsOf(*scene.environment, *block));
+                            : std::to_string(directionsOf(*scene.part(kinds::environment), *block));
 }
 
 /// A kind of transparency that sorts: the scene's own, else the first; null: there is none.
@@ -69,7 +69,7 @@ const Block* sortingBlock(const Scene& scene, const Catalog& catalog) {
     if (own != nullptr && layersParameter(*own) != nullptr) {
         return own;
     }
-    const std::vector<const Block*> all = catalog.ofKind("transparency");
+    const std::vector<const Block*> all = catalog.ofKind(kinds::transparency);
     const auto found = std::ranges::find_if(
         all, [](const Block* block) { return layersParameter(*block) != nullptr; });
     return found == all.end() ? nullptr : *found;
@@ -86,7 +86,7 @@ std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog)
     for (int n = most; n >= 1; n /= 2) {
         levels.push_back(counted(n, n == 1 ? "layer" : "layers"));
     }
-    for (const Block* block : catalog.ofKind("transparency")) {
+    for (const Block* block : catalog.ofKind(kinds::transparency)) {
         if (layersParameter(*block) == nullptr) {
             levels.push_back({block->id, block->label, block->summary});
         }
@@ -96,17 +96,19 @@ std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog)
 
 /// The scene's kind of transparency becomes this one, with its defaults where it was another.
 BlockValues& useTransparency(Scene& scene, const Block& block) {
-    if (!scene.transparency || scene.transparency->id != block.id) {
-        scene.transparency = BlockValues();
-        scene.transparency->id = block.id;
-        scene.transparency->version = block.version;
-        scene.transparency->parameters = defaultValues(block);
+    const BlockValues* held = scene.part(kinds::transparency);
+    if (held == nullptr || held->id != block.id) {
+        BlockValues values;
+        values.id = block.id;
+        values.version = block.version;
+        values.parameters = defaultValues(block);
+        scene.setPart(kinds::transparency, std::move(values));
     }
-    return *scene.transparency;
+    return *scene.part(kinds::transparency);
 }
 
 void applyLayers(ChosenFrame& frame, const std::string& level, const Catalog& catalog) {
-    if (const Block* mixing = catalog.find("transparency", level)) {
+    if (const Block* mixing = catalog.find(kinds::transparency, level)) {
         useTransparency(frame.scene, *mixing);
     } else if (const Block* sorting = sortingBlock(frame.scene, catalog)) {
         useTransparency(frame.scene, *sorting).parameters[layersParameter(*sorting)->id] =
@@ -119,12 +121,12 @@ std::string currentLayers(const Scene& scene, const Catalog& catalog) {
     if (block == nullptr || layersParameter(*block) == nullptr) {
         return block == nullptr ? std::string() : block->id;
     }
-    return std::to_string(layersOf(*scene.transparency, *block));
+    return std::to_string(layersOf(*scene.part(kinds::transparency), *block));
 }
 
 /// What says how many places a kind of shadow looks at; null where nothing does.
 const Parameter* tapsOf(const Light& light, const Catalog& catalog) {
-    const Block* block = light.shadow ? catalog.find("shadows", light.shadow->id) : nullptr;
+    const Block* block = light.shadow ? catalog.find(kinds::shadows, light.shadow->id) : nullptr;
     const Parameter* taps = block == nullptr ? nullptr : block->parameter("samples");
     return taps != nullptr && taps->type == ParameterType::Enum ? taps : nullptr;
 }
@@ -183,8 +185,8 @@ constexpr std::array rows{
                "at once.",
                layerLevels, applyLayers, currentLayers},
     PictureRow{"picture.shadows", "Shadow edges",
-               "How many places of a depth map a shadow's edge is a mean of.", tapLevels,
-               applyTaps, currentTaps},
+               "How many places of a depth map a shadow's edge is a mean of.", tapLevels, applyTaps,
+               currentTaps},
 };
 
 constexpr std::string_view prefix = "picture.";

@@ -14,7 +14,7 @@ inline void leaveGround(Scene& scene) {
 inline void leaveSurfaces(Scene& scene) {
     leaveGround(scene);
     for (Object& object : scene.objects) {
-        object.material.parts.erase("outline");
+        setPart(object.material.parts, kinds::outline, std::nullopt);
     }
 }
 

@@ -54,7 +54,7 @@ class ModelRanking::Implementation {
     Implementation(CostSweep::Subject subject, const CostSweep::Options& options,
                    std::unique_ptr<TimedFrames> drawn)
         : subject_(std::move(subject)), options_(options), drawn_(std::move(drawn)),
-          models_(subject_.catalog->ofKind("models")) {
+          models_(subject_.catalog->ofKind(kinds::models)) {
         subject_.scene.ground.mode = GroundMode::Off;
         view_.size = drawn_->size();
         view_.camera = subject_.camera;
@@ -111,8 +111,7 @@ class ModelRanking::Implementation {
     void measureFrame() {
         hasFrame_ = true;
         first_ = sceneOf(*models_.front());
-        const auto buffer =
-            drawn_->renderer().captureSurfaces(first_, view_, drawn_->meshes());
+        const auto buffer = drawn_->renderer().captureSurfaces(first_, view_, drawn_->meshes());
         if (!buffer) {
             problems_.push_back(buffer.error());
             return;

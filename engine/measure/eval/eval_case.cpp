@@ -29,6 +29,11 @@ Json nested(const EvalBlock& block) {
     return json;
 }
 
+/// What names a block of its kind in a line.
+std::string keyOf(const EvalBlock& block) {
+    return std::string(findKind(block.block->kind)->singular);
+}
+
 Json modelJson(const EvalCase& request) {
     Json json{{"n", numbers(request.n)},
               {"t", numbers(request.t)},
@@ -37,8 +42,8 @@ Json modelJson(const EvalCase& request) {
     if (request.pixel != glm::dvec2(0.0)) {
         json["pixel"] = {request.pixel.x, request.pixel.y};
     }
-    if (request.block.block->kind != "models") {
-        json[request.block.block->kind] = nested(request.block);
+    if (request.block.block->kind != kinds::models) {
+        json[keyOf(request.block)] = nested(request.block);
         return json;
     }
     json["model"] = request.block.block->id;
@@ -47,7 +52,7 @@ Json modelJson(const EvalCase& request) {
         json["accuracy"] = request.block.accuracy;
     }
     if (request.slot.block != nullptr) {
-        json[request.slot.block->kind] = nested(request.slot);
+        json[keyOf(request.slot)] = nested(request.slot);
     }
     return json;
 }
@@ -57,11 +62,11 @@ Json subjectJson(const EvalCase& request) {
     case Subject::Model:
         return modelJson(request);
     case Subject::Fresnel:
-        return {{"fresnel", nested(request.block)}, {"cos", request.number}};
+        return {{keyOf(request.block), nested(request.block)}, {"cos", request.number}};
     case Subject::Light:
-        return {{"light", nested(request.block)}, {"x", numbers(request.l)}};
+        return {{keyOf(request.block), nested(request.block)}, {"x", numbers(request.l)}};
     case Subject::Fog:
-        return {{"fog", nested(request.block)},
+        return {{keyOf(request.block), nested(request.block)},
                 {"distance", request.number},
                 {"eye", numbers(request.l)},
                 {"direction", numbers(request.v)}};
@@ -84,13 +89,14 @@ std::size_t resultsOf(EvalCase::Subject subject) {
 }
 
 std::optional<Subject> subjectOfKind(std::string_view kind) {
-    constexpr std::pair<std::string_view, Subject> kinds[] = {{"models", Subject::Model},
-                                                              {"specular", Subject::Model},
-                                                              {"fresnel", Subject::Fresnel},
-                                                              {"lights", Subject::Light},
-                                                              {"fog", Subject::Fog}};
-    for (const auto& [name, subject] : kinds) {
-        if (name == kind) {
+    constexpr std::pair<std::string_view, Subject> arguments[] = {{"Directions", Subject::Model},
+                                                                  {"Incidence", Subject::Fresnel},
+                                                                  {"vec3", Subject::Light},
+                                                                  {"FogRay", Subject::Fog}};
+    const BlockKind* row = findKind(kind);
+    for (const auto& [argument, subject] : arguments) {
+        if (row != nullptr && !row->functions.empty() &&
+            row->functions.front().argument == argument) {
             return subject;
         }
     }

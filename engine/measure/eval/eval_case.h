@@ -32,7 +32,7 @@ struct EvalPlace {
     glm::dvec3 l{0.0};
     glm::dvec3 v{0.0};
     glm::dvec2 pixel{0.0}; ///< for models that draw marks on the picture
-    double number = 0.0; ///< the cosine of a Fresnel block, the distance of fog
+    double number = 0.0;   ///< the cosine of a Fresnel block, the distance of fog
 };
 
 /// One block at one place, to be evaluated on the CPU or on the graphics device; or one function of
@@ -54,7 +54,8 @@ struct EvalCase : EvalPlace {
 /// How many numbers an answer is: a light's direction and radiance, fog's share, else a colour.
 std::size_t resultsOf(EvalCase::Subject subject);
 
-/// What blocks of a kind ("models") are evaluated as; nothing for a kind that has no such meaning.
+/// What blocks of a kind are evaluated as, by what the kind's first function takes; nothing where
+/// that cannot be said in a line.
 std::optional<EvalCase::Subject> subjectOfKind(std::string_view kind);
 
 /// The case as a line that `patina eval` reads, all its values included.

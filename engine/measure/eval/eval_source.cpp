@@ -2,6 +2,7 @@
 #include "measure/eval/eval_source.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
@@ -81,6 +82,18 @@ void addSlots(SourceBuilder& builder, const EvalCase& request) {
     }
 }
 
+/// "directions" of "Directions d", "fog_ray" of "FogRay ray": the file that reads such an argument.
+std::string argumentWord(const Block& block) {
+    const std::string_view type = findKind(block.kind)->functions.front().argument;
+    std::string word;
+    for (const char c : type) {
+        const bool isCapital = std::isupper(static_cast<unsigned char>(c)) != 0;
+        word += isCapital && !word.empty() ? "_" : "";
+        word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return word;
+}
+
 void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
     const Block& block = *request.block.block;
     addSlots(builder, request);
@@ -95,7 +108,7 @@ void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
     builder.add(fmt::format("#define EVALUATED_BLOCK {}\n#define LIGHT_GATE {}\n"
                             "#define VIEW_GATE {}\n",
                             functionName(block), block.hasGate("light"), block.hasGate("view")));
-    builder.addFile("passes/evaluate_" + block.kind + ".glsl");
+    builder.addFile(fmt::format("passes/evaluate_{}.glsl", argumentWord(block)));
 }
 
 void addFunctionProgram(SourceBuilder& builder, const EvalCase& request,

@@ -240,7 +240,7 @@ std::vector<EvalCase> sweepVariants(const Catalog& catalog, const Block& block) 
 }
 
 Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) {
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     if (model == nullptr) {
         return failure(fmt::format("there is no model \"{}\"", material.model.id));
     }
@@ -263,9 +263,9 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) 
 }
 
 std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material) {
-    const Block* model = catalog.find("models", material.model.id);
-    const BlockValues* part = material.part("fresnel");
-    const Block* block = part != nullptr ? catalog.find("fresnel", part->id) : nullptr;
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    const BlockValues* part = material.part(kinds::fresnel);
+    const Block* block = part != nullptr ? catalog.find(kinds::fresnel, part->id) : nullptr;
     if (block == nullptr || (model != nullptr && model->slot(block->kind) != nullptr)) {
         return std::nullopt;
     }

@@ -2,19 +2,29 @@
 #include "block_unit.h"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "catalog/parameter_layout.h"
 #include "catalog/table_source.h"
 #include "core/text.h"
+#include "declarations.h"
+#include "number_mover.h"
 
 namespace patina {
 namespace {
 
-/// Blocks that are functions of Directions.
-bool isSurface(std::string_view kind) {
-    return kind == "models" || kind == "specular";
+constexpr std::string_view directions = "Directions";
+
+/// The functions of Directions have a signature of their own, since only they have slots.
+bool isOfDirections(const BlockFunction& function) {
+    return function.argument == directions;
+}
+
+std::span<const BlockFunction> functionsOf(const Block& block) {
+    const BlockKind* kind = findKind(block.kind);
+    return kind == nullptr ? std::span<const BlockFunction>() : kind->functions;
 }
 
 const std::vector<EnumValue>* choicesOf(const ParameterField& field) {
@@ -92,131 +102,110 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
                        constantLines, structName(block), fields, unpacked);
 }
 
-/// How the blocks of a kind are called from a slot.
-struct SlotCall {
-    std::string_view kind;
-    std::string_view argument; ///< as the model's GLSL passes it
-    std::string_view call;     ///< of the compiled block
-};
-constexpr SlotCall slotCalls[] = {
-    {"fresnel", "Incidence i", "fresnel(i.c, i.versine, slot.filler->parameters)"},
-    {"specular", "Directions", "model(*slot.geometry, slot.filler->parameters, {})"},
-};
+/// How what fills a slot is called; where it is a function of Directions, with the slot's geometry.
+std::string slotCall(const BlockFunction& function, const Declarations& declarations) {
+    if (isOfDirections(function)) {
+        return "    return slot.filler->block->model(*slot.geometry, slot.filler->parameters, "
+               "{});\n";
+    }
+    const std::string type(function.argument);
+    const std::string result(function.result);
+    NumberMover out(declarations, Language::Cpp);
+    NumberMover in(declarations, Language::Cpp);
+    return fmt::format("    double out[{}] = {{}};\n    {}\n    double in[{}] = {{}};\n"
+                       "    slot.filler->block->calls[0].call(out, in, slot.filler->parameters);\n"
+                       "    {} value{{}};\n    {}\n    return value;\n",
+                       declarations.numbers(type), out.write(type, std::string(function.name)),
+                       declarations.numbers(result), cppType(result), in.read(result, "value"));
+}
 
 /// What a model calls to use its slots; stands after the library because it needs its structs.
-std::string slotCode(const Block& block) {
+std::string slotCode(const Block& block, const Declarations& declarations) {
     std::string code;
-    for (const SlotCall& slot : slotCalls) {
-        if (block.slot(slot.kind) != nullptr) {
-            const std::string word = capitalised(slot.kind);
-            code +=
-                fmt::format("vec3 slot{0}({1}, {0}Slot slot) {{\n"
-                            "    return slot.filler == nullptr ? vec3(0.0)\n"
-                            "                                  : slot.filler->block->{2};\n}}\n",
-                            word, slot.argument, slot.call);
+    for (const Slot& slot : block.slots) {
+        const BlockKind* kind = findKind(slot.kind);
+        if (kind == nullptr || kind->functions.empty()) {
+            continue;
         }
+        const BlockFunction& function = kind->functions.front();
+        code += fmt::format("using {1}Slot = FilledSlot;\n"
+                            "{0} slot{1}([[maybe_unused]] {2} {3}, {1}Slot slot) {{\n"
+                            "    if (slot.filler == nullptr) {{\n        return {0}(0.0);\n    }}\n"
+                            "{4}}}\n",
+                            function.result, capitalised(slot.kind), function.argument,
+                            function.name, slotCall(function, declarations));
     }
     return code;
 }
 
-/// The functions that the table points at, by kind; {0} is the block's function.
-std::string entryFunctions(const Block& block) {
-    const std::string name = functionName(block);
-    if (isSurface(block.kind)) {
-        std::string slots;
-        for (const Slot& slot : block.slots) {
-            slots += fmt::format("    p.{0} = filledSlot(fillers, \"{0}\", g);\n", slot.kind);
+/// The name of the function that the table of a block points at.
+std::string callName(const BlockFunction& function) {
+    return "call" + std::string(function.suffix);
+}
+
+std::string directionsCall(const Block& block, const BlockFunction& function) {
+    std::string slots;
+    for (const Slot& slot : block.slots) {
+        slots += fmt::format("    p.{0} = filledSlot(fillers, \"{0}\", g);\n", slot.kind);
+    }
+    return fmt::format("vec3 {0}(const Geometry& g, Parameters data,\n"
+                       "         [[maybe_unused]] Fillers fillers) {{\n"
+                       "    {1} p = unpack(data);\n{2}"
+                       "    Directions d = directions(g.n, g.t, g.b, g.l, g.v);\n"
+                       "    d.pixel = g.pixel;\n    return {3}{4}(d, p);\n}}\n",
+                       callName(function), structName(block), slots, functionName(block),
+                       function.suffix);
+}
+
+/// Reads the argument from numbers, calls the function and writes its result as numbers.
+std::string numbersCall(const Block& block, const BlockFunction& function,
+                        const Declarations& declarations) {
+    NumberMover in(declarations, Language::Cpp);
+    NumberMover out(declarations, Language::Cpp);
+    const std::string argument(function.argument);
+    const std::string result(function.result);
+    const std::string before = argument.empty()
+                                   ? ""
+                                   : fmt::format("    {} argument{{}};\n    {}\n",
+                                                 cppType(argument), in.read(argument, "argument"));
+    return fmt::format("void {}([[maybe_unused]] const double* in, double* out,\n"
+                       "          [[maybe_unused]] Parameters data) {{\n{}"
+                       "    const {} result = {}{}({}unpack(data));\n    {}\n}}\n",
+                       callName(function), before, cppType(result), functionName(block),
+                       function.suffix, argument.empty() ? "" : "argument, ",
+                       out.write(result, "result"));
+}
+
+/// The functions that the table points at.
+std::string entryFunctions(const Block& block, const Declarations& declarations) {
+    std::string code;
+    for (const BlockFunction& function : functionsOf(block)) {
+        code += isOfDirections(function) ? directionsCall(block, function)
+                                         : numbersCall(block, function, declarations);
+    }
+    return code;
+}
+
+std::string entryAssignments(const Block& block, const Declarations& declarations) {
+    std::string rows;
+    std::string model;
+    for (const BlockFunction& function : functionsOf(block)) {
+        if (isOfDirections(function)) {
+            model = fmt::format("    block.model = &{};\n", callName(function));
+            continue;
         }
-        return fmt::format("vec3 callModel(const Geometry& g, Parameters data,\n"
-                           "               [[maybe_unused]] Fillers fillers) {{\n"
-                           "    {} p = unpack(data);\n{}"
-                           "    Directions d = directions(g.n, g.t, g.b, g.l, g.v);\n"
-                           "    d.pixel = g.pixel;\n    return {}(d, p);\n}}\n",
-                           structName(block), slots, name);
+        rows += fmt::format("        BlockCall{{\"{}\", {}, {}, &{}}},\n", function.suffix,
+                            declarations.numbers(std::string(function.argument)),
+                            declarations.numbers(std::string(function.result)), callName(function));
     }
-    if (block.kind == "fresnel") {
-        return fmt::format("vec3 callFresnel(double c, double versine, Parameters data) {{\n"
-                           "    Incidence i;\n    i.c = c;\n    i.versine = versine;\n"
-                           "    return {0}(i, unpack(data));\n}}\n"
-                           "vec3 callTint(Parameters data) {{ return {0}Tint(unpack(data)); }}\n",
-                           name);
-    }
-    if (block.kind == "lights") {
-        return fmt::format("reference::Illumination callLight(const vec3& x, Parameters data) {{\n"
-                           "    const Illumination i = {}(x, unpack(data));\n    return {{i.l, "
-                           "i.radiance}};\n}}\n",
-                           name);
-    }
-    if (block.kind == "environment") {
-        return fmt::format("vec3 callEnvironment(const vec3& d, const vec3& picture,\n"
-                           "                     Parameters data) {{\n"
-                           "    Outlook o;\n    o.d = d;\n    o.picture = picture;\n"
-                           "    return {0}(o, unpack(data));\n}}\n",
-                           name);
-    }
-    if (block.kind == "refraction") {
-        return fmt::format("Crossing crossingOf(const reference::Crossing& x) {{\n"
-                           "    Crossing c;\n    c.l = x.l;\n    c.n = x.n;\n"
-                           "    c.channel = x.channel;\n    c.leaves = x.leaves;\n"
-                           "    return c;\n}}\n"
-                           "vec3 callRefract(const reference::Crossing& x, Parameters data) {{\n"
-                           "    return {0}(crossingOf(x), unpack(data));\n}}\n"
-                           "double callMirrored(const reference::Crossing& x, Parameters data) {{\n"
-                           "    return {0}Mirrored(crossingOf(x), unpack(data));\n}}\n"
-                           "vec3 callLeft(double way, Parameters data) {{\n"
-                           "    return {0}Left(way, unpack(data));\n}}\n",
-                           name);
-    }
-    if (block.kind == "transparency") {
-        return fmt::format("double callTransparency(double depth, double opacity,\n"
-                           "                        Parameters data) {{\n"
-                           "    Layer l;\n    l.depth = depth;\n    l.opacity = opacity;\n"
-                           "    return {0}(l, unpack(data));\n}}\n",
-                           name);
-    }
-    if (block.kind == "outline") {
-        return fmt::format("glm::dvec2 callOutline(const reference::Edge& x, Parameters data) {{\n"
-                           "    Edge e;\n    e.turns = x.turns;\n    e.ends = x.ends;\n"
-                           "    e.bend = x.bend;\n    return {0}(e, unpack(data));\n}}\n"
-                           "vec3 callLineColor(Parameters data) {{\n"
-                           "    return {0}Color(unpack(data));\n}}\n",
-                           name);
-    }
-    return fmt::format(
-        "double callFog(const reference::FogRay& x, Parameters data) {{\n    FogRay ray;\n"
-        "    ray.eye = x.eye;\n    ray.direction = x.direction;\n    ray.range = x.range;\n"
-        "    return {0}(ray, unpack(data));\n}}\n"
-        "vec3 callFogColor(Parameters data) {{ return {0}Color(unpack(data)); }}\n",
-        name);
+    return rows.empty() ? model
+                        : fmt::format("{}    static constexpr BlockCall calls[] = {{\n{}"
+                                      "    }};\n    block.calls = calls;\n",
+                                      model, rows);
 }
 
-std::string entryAssignments(const std::string& kind) {
-    if (isSurface(kind)) {
-        return "    block.model = &callModel;\n";
-    }
-    if (kind == "fresnel") {
-        return "    block.fresnel = &callFresnel;\n    block.tint = &callTint;\n";
-    }
-    if (kind == "lights") {
-        return "    block.light = &callLight;\n";
-    }
-    if (kind == "environment") {
-        return "    block.environment = &callEnvironment;\n";
-    }
-    if (kind == "refraction") {
-        return "    block.refract = &callRefract;\n    block.mirrored = &callMirrored;\n"
-               "    block.left = &callLeft;\n";
-    }
-    if (kind == "transparency") {
-        return "    block.transparency = &callTransparency;\n";
-    }
-    if (kind == "outline") {
-        return "    block.outline = &callOutline;\n    block.lineColor = &callLineColor;\n";
-    }
-    return "    block.fog = &callFog;\n    block.fogColor = &callFogColor;\n";
-}
-
-std::string entry(const Block& block, const ParameterLayout& layout) {
+std::string entry(const Block& block, const ParameterLayout& layout,
+                  const Declarations& declarations) {
     std::string fields;
     for (const ParameterField& field : layout.fields) {
         fields += fmt::format("        Field{{\"{}\", {}, {}}},\n", field.name, field.offset,
@@ -232,7 +221,7 @@ std::string entry(const Block& block, const ParameterLayout& layout) {
                        "    block.lightGate = {};\n    block.viewGate = {};\n{}{}"
                        "    return block;\n}}\n",
                        block.kind, block.id, layout.floats, block.hasGate("light"),
-                       block.hasGate("view"), table, entryAssignments(block.kind));
+                       block.hasGate("view"), table, entryAssignments(block, declarations));
 }
 
 } // namespace
@@ -256,13 +245,21 @@ std::string blockSource(const Block& block, const GlslLines& lines) {
     for (auto line = firstOwn; line != lines.end(); ++line) {
         (line->file == own ? code : library).push_back(*line);
     }
+    const Declarations declarations = declarationsOf(plainText(library));
     return fmt::format("#include \"reference/elementary.h\"\n#include \"reference/glsl.h\"\n\n"
                        "namespace patina::reference::{0} {{\n\n{1}\n#line 1 \"generated\"\n"
                        "{2}{3}\n{7}{4}\n#line 1 \"generated\"\n{8}{5}\n{6}\n"
                        "}} // namespace patina::reference::{0}\n",
-                       unitScope(block), asCpp(library), slotCode(block), structCode(block, layout),
-                       asCpp(code), entryFunctions(block), entry(block, layout),
-                       tableDeclarations(block), asCpp(computedTables(block)));
+                       unitScope(block), asCpp(library), slotCode(block, declarations),
+                       structCode(block, layout), asCpp(code), entryFunctions(block, declarations),
+                       entry(block, layout, declarations), tableDeclarations(block),
+                       asCpp(computedTables(block)));
+}
+
+std::string emptyUnit(const Block& block) {
+    return fmt::format("// No code: {} are not compiled in double precision.\n"
+                       "namespace patina::reference::{} {{}}\n",
+                       block.kind, unitScope(block));
 }
 
 std::string registrySource(const std::vector<Block>& blocks) {

@@ -5,62 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "number_mover.h"
+
 namespace patina {
 namespace {
-
-std::string cppType(const std::string& type) {
-    return type == "float" ? "double" : type;
-}
-
-enum class Language { Cpp, Glsl };
-
-/// Statements that move values between variables and a row of numbers, one place after the other.
-class Mover {
-  public:
-    Mover(const Declarations& declarations, Language language)
-        : declarations_(declarations), language_(language) {}
-
-    std::string read(const std::string& type, const std::string& place) {
-        return move(type, place, true);
-    }
-    std::string write(const std::string& type, const std::string& place) {
-        return move(type, place, false);
-    }
-
-  private:
-    std::string move(const std::string& type, const std::string& place, bool reading) {
-        std::string text;
-        if (const StructDeclaration* declared = declarations_.findStruct(type)) {
-            for (const Variable& field : declared->fields) {
-                text += move(field.type, place + '.' + field.name, reading);
-            }
-            return text;
-        }
-        const std::size_t count = declarations_.numbers(type);
-        if (count == 1) {
-            return scalar(type, place, reading);
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            text += scalar("float", fmt::format("{}[{}]", place, i), reading);
-        }
-        return text;
-    }
-
-    std::string scalar(const std::string& type, const std::string& place, bool reading) {
-        const std::size_t at = cursor_++;
-        const bool cpp = language_ == Language::Cpp;
-        if (!reading) {
-            return cpp ? fmt::format("out[{}] = double({}); ", at, place)
-                       : fmt::format("RESULT({}, float({})); ", at, place);
-        }
-        return cpp ? fmt::format("{} = {}(in[{}]); ", place, cppType(type), at)
-                   : fmt::format("{} = {}(ARGUMENT({})); ", place, type, at);
-    }
-
-    const Declarations& declarations_;
-    Language language_;
-    std::size_t cursor_ = 0;
-};
 
 /// Statements that read the arguments, call the function and write its results.
 std::string callOf(const Declarations& declarations, const FunctionDeclaration& function,
@@ -68,8 +16,8 @@ std::string callOf(const Declarations& declarations, const FunctionDeclaration& 
     const auto type = [language](const std::string& name) {
         return language == Language::Cpp ? cppType(name) : name;
     };
-    Mover in(declarations, language);
-    Mover out(declarations, language);
+    NumberMover in(declarations, language);
+    NumberMover out(declarations, language);
     std::string before;
     std::string arguments;
     std::string after;

@@ -85,14 +85,21 @@ Result<void> writeLibrary(const std::filesystem::path& root, const std::filesyst
                 : done;
 }
 
-/// Shadows read maps that the graphics card has drawn.
-bool hasTwin(const Block& block) {
-    return block.kind != "shadows";
+bool hasReference(const Block& block) {
+    const BlockKind* kind = findKind(block.kind);
+    return kind != nullptr && kind->hasReference;
 }
 
 Result<void> writeBlocks(Catalog catalog, const std::filesystem::path& target) {
     const std::filesystem::path root = catalog.roots.front().folder;
-    std::erase_if(catalog.blocks, [](const Block& block) { return !hasTwin(block); });
+    const auto firstWithout =
+        std::stable_partition(catalog.blocks.begin(), catalog.blocks.end(), hasReference);
+    for (auto block = firstWithout; block != catalog.blocks.end(); ++block) {
+        if (const auto done = write(target / unitFile(*block), emptyUnit(*block)); !done) {
+            return done;
+        }
+    }
+    catalog.blocks.erase(firstWithout, catalog.blocks.end());
     for (const Block& block : catalog.blocks) {
         const Result<GlslLines> lines = GlslReader(root, {elementary}).read(block.shaderFile);
         if (!lines) {

@@ -15,8 +15,9 @@ namespace {
 
 /// The scene's values for the block that the programs have.
 const BlockValues& valuesOf(const Scene& scene, const Scene& effects) {
-    const bool same = scene.transparency && scene.transparency->id == effects.transparency->id;
-    return same ? *scene.transparency : *effects.transparency;
+    const BlockValues* own = scene.part(kinds::transparency);
+    const BlockValues* drawn = effects.part(kinds::transparency);
+    return own != nullptr && own->id == drawn->id ? *own : *drawn;
 }
 
 } // namespace
@@ -34,13 +35,12 @@ std::span<const DrawBatch> FrameDrawer::transparentBatches() const {
 }
 
 Result<bool> FrameDrawer::beginLayers(const Scene& scene) {
-    const bool isNeeded =
-        effects_->transparency &&
-        std::ranges::any_of(transparentBatches(), [this](const DrawBatch& batch) {
-            return !refracts(materials_[batch.material]);
-        });
+    const bool isNeeded = effects_->part(kinds::transparency) != nullptr &&
+                          std::ranges::any_of(transparentBatches(), [this](const DrawBatch& batch) {
+                              return !refracts(materials_[batch.material]);
+                          });
     const Block* block =
-        isNeeded ? catalog_->find("transparency", effects_->transparency->id) : nullptr;
+        isNeeded ? blockOf(effects_->parts, kinds::transparency, *catalog_) : nullptr;
     if (block == nullptr) {
         transparency_.leaveOut();
         return false;

@@ -80,14 +80,14 @@ bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
                                   const std::shared_ptr<const EnvironmentImage>& image,
                                   const Catalog& catalog, ProgramCache& cache) {
     const std::uint64_t key = EffectKey::ofEnvironment(effects, catalog);
-    const bool fits =
-        key != 0 && scene.environment && effects.environment->id == scene.environment->id;
+    const bool fits = key != 0 && scene.part(kinds::environment) &&
+                      effects.part(kinds::environment)->id == scene.part(kinds::environment)->id;
     current_ = fits ? &known(key, effects, catalog) : nullptr;
     background_ = nullptr;
     if (current_ == nullptr) {
         return false;
     }
-    const BlockValues& values = *scene.environment;
+    const BlockValues& values = *scene.part(kinds::environment);
     pack(values);
     if (takeImage(pictureParameter(*current_->block) ? image : nullptr)) {
         return true;
@@ -124,9 +124,8 @@ void EnvironmentLight::pack(const BlockValues& values) {
         glm::vec4(std::cos(turn), std::sin(turn), 0.0f, 1.0f);
     wantedLook_.assign(own.begin(), own.end());
     for (const ParameterField& field : current_->layout.fields) {
-        if (field.parameter != nullptr &&
-            std::find(otherValues.begin(), otherValues.end(), field.parameter->id) !=
-                otherValues.end()) {
+        if (field.parameter != nullptr && std::find(otherValues.begin(), otherValues.end(),
+                                                    field.parameter->id) != otherValues.end()) {
             wantedLook_[field.offset / 4][static_cast<int>(field.offset % 4)] = 0.0f;
         }
     }

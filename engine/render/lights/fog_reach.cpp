@@ -81,10 +81,10 @@ bool isFinite(const glm::dvec3& v) {
 } // namespace
 
 FogReach::FogReach(const Scene& scene, const Catalog& catalog, const glm::dvec3& eye) : eye_(eye) {
-    const Block* block = scene.fog ? catalog.find("fog", scene.fog->id) : nullptr;
+    const Block* block = blockOf(scene.parts, kinds::fog, catalog);
     if (block != nullptr && isFinite(eye)) {
-        box_ = fogBox(*block, scene.fog->parameters);
-        layer_ = fogLayer(*block, scene.fog->parameters);
+        box_ = fogBox(*block, scene.part(kinds::fog)->parameters);
+        layer_ = fogLayer(*block, scene.part(kinds::fog)->parameters);
     }
 }
 

@@ -37,7 +37,7 @@ void LightLists::begin(const Scene& scene, const Catalog& catalog) {
     places_.assign(scene.lights.size(), 0);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        const Block* block = catalog.find("lights", light.block.id);
+        const Block* block = catalog.find(kinds::lights, light.block.id);
         if (block != nullptr) {
             add(i, light, *block);
         }

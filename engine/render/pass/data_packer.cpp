@@ -148,8 +148,9 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
         packHemisphere(out.subspan(static_cast<std::size_t>(*pipeline.scene.hemisphere)),
                        scene.hemisphere);
     }
-    if (pipeline.scene.fog && scene.fog) {
-        packPlace(out, *pipeline.scene.fog, scene.fog->parameters, exact, cameraToWorld);
+    if (pipeline.scene.fog && scene.part(kinds::fog)) {
+        packPlace(out, *pipeline.scene.fog, scene.part(kinds::fog)->parameters, exact,
+                  cameraToWorld);
     }
     PackedScene packed{static_cast<std::size_t>(pipeline.scene.firstLight), 0};
     packLights(packed, out, pipeline, packing, cameraToWorld);

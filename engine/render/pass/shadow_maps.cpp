@@ -34,7 +34,7 @@ int maxLayers() {
 }
 
 const Block* shadowedLight(const Light& light, const Catalog& catalog) {
-    const Block* block = catalog.find("lights", light.block.id);
+    const Block* block = catalog.find(kinds::lights, light.block.id);
     const bool shines = block != nullptr && canShine(light, *block);
     return shines && shadowBlock(light, *block, catalog) != nullptr ? block : nullptr;
 }
@@ -148,8 +148,7 @@ void ShadowMaps::planLayers(bool allAnew) {
     for (const ShadowView& view : views_) {
         for (int face = 0; face < view.faces; ++face) {
             Layer& layer = layers_[static_cast<std::size_t>(view.layer + face)];
-            layer.isDrawn =
-                layer.isDrawn && !allAnew && layer.view == view && layer.face == face;
+            layer.isDrawn = layer.isDrawn && !allAnew && layer.view == view && layer.face == face;
             layer.view = view;
             layer.face = face;
         }
@@ -226,8 +225,7 @@ void ShadowMaps::drawSome(int triangles, GpuTextureStore& textures) {
         while (left > 0 && run_ < runs_.size()) {
             const Run& run = runs_[run_];
             beginRun(layer, textures);
-            const DrawRange range =
-                slices_.next(run.mesh->triangles(), run.first, run.count, left);
+            const DrawRange range = slices_.next(run.mesh->triangles(), run.first, run.count, left);
             run.mesh->draw(instances_, range);
             left -= range.total();
             if (slices_.isDone(run.count)) {

@@ -57,9 +57,10 @@ void addUnreached(std::vector<EffectRow>& rows, const Scene& scene, std::size_t 
     const glm::dmat4 world = worldMatrix(scene.objects[object]);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        const Block* block = catalog.find("lights", light.block.id);
+        const Block* block = catalog.find(kinds::lights, light.block.id);
         if (block != nullptr && canShine(light, *block) && !view.reaches(i)) {
-            rows.push_back({{lightName(scene, i), {},
+            rows.push_back({{lightName(scene, i),
+                             {},
                              whyUnreached(reachOf(light, *block), mesh.bounds, world)},
                             false,
                             false,
@@ -115,8 +116,7 @@ void describeImages(std::vector<EffectRow>& rows, const Material& material, cons
 
 void describeEnvironment(std::vector<EffectRow>& rows, const KnownImages& images) {
     for (EffectRow& row : rows) {
-        if (images.isEnvironmentMissing && row.in &&
-            row.line.effect.starts_with(environmentKind)) {
+        if (images.isEnvironmentMissing && row.in && row.line.effect.starts_with(environmentKind)) {
             row.line.reason = "The file of the environment's picture is missing or cannot be read: "
                               "a placeholder sends light.";
         }

@@ -87,7 +87,8 @@ bool canShine(const Light& light, const Block& block) {
 }
 
 bool canHide(const Scene& scene, const Block& block, const EffectView& view) {
-    return !isNeutral(block, scene.fog->parameters) && maxChange(scene, block, view) >= halfStep;
+    return !isNeutral(block, scene.part(kinds::fog)->parameters) &&
+           maxChange(scene, block, view) >= halfStep;
 }
 
 bool hasAmbient(const Scene& scene) {
@@ -95,7 +96,7 @@ bool hasAmbient(const Scene& scene) {
 }
 
 double saidShare(const Material& material, const Catalog& catalog) {
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     double kept = 1.0;
     for (const Parameter& parameter :
          model ? std::span(model->parameters) : std::span<const Parameter>()) {
@@ -135,7 +136,7 @@ bool hasReceiver(const Scene& scene, const Catalog& catalog) {
     return isSeen(scene.ground) ||
            std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
                return object.visible && canBeSeen(object.material) &&
-                      catalog.find("models", object.material.model.id) != nullptr;
+                      catalog.find(kinds::models, object.material.model.id) != nullptr;
            });
 }
 
@@ -159,7 +160,7 @@ bool hasShadows(const Scene& scene, const Catalog& catalog) {
 
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {
     const bool casts = light.shadow && block.shadowProjection != ShadowProjection::None;
-    return casts ? catalog.find("shadows", light.shadow->id) : nullptr;
+    return casts ? catalog.find(kinds::shadows, light.shadow->id) : nullptr;
 }
 
 bool isVisiblyTransparent(const Object& object, const Catalog& catalog) {
@@ -173,11 +174,12 @@ int countTransparent(const Scene& scene, const Catalog& catalog) {
 }
 
 const Block* transparencyBlock(const Scene& scene, const Catalog& catalog) {
-    const bool isNeeded =
-        scene.transparency && std::ranges::any_of(scene.objects, [&catalog](const Object& object) {
-            return isVisiblyTransparent(object, catalog);
-        });
-    return isNeeded ? catalog.find("transparency", scene.transparency->id) : nullptr;
+    const bool isNeeded = scene.part(kinds::transparency) &&
+                          std::ranges::any_of(scene.objects, [&catalog](const Object& object) {
+                              return isVisiblyTransparent(object, catalog);
+                          });
+    return isNeeded ? catalog.find(kinds::transparency, scene.part(kinds::transparency)->id)
+                    : nullptr;
 }
 
 bool hasHemisphere(const Scene& scene) {
@@ -185,24 +187,26 @@ bool hasHemisphere(const Scene& scene) {
 }
 
 EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog) {
-    if (!scene.environment) {
+    if (!scene.part(kinds::environment)) {
         return {};
     }
-    const Block* block = catalog.find("environment", scene.environment->id);
+    const Block* block = catalog.find(kinds::environment, scene.part(kinds::environment)->id);
     if (block == nullptr) {
         return {nullptr, "No environment of this kind is known."};
     }
-    if (isNeutral(*block, scene.environment->parameters) && !hasRefraction(scene, catalog)) {
+    if (isNeutral(*block, scene.part(kinds::environment)->parameters) &&
+        !hasRefraction(scene, catalog)) {
         return {nullptr, "It is dark."};
     }
-    if (pictureParameter(*block) != nullptr && pictureFile(*scene.environment, *block).empty()) {
+    if (pictureParameter(*block) != nullptr &&
+        pictureFile(*scene.part(kinds::environment), *block).empty()) {
         return {nullptr, "No picture is chosen for it."};
     }
     return {block, ""};
 }
 
 bool hasFresnelSlot(const Block& model) {
-    return model.slot("fresnel") != nullptr;
+    return model.slot(kinds::fresnel) != nullptr;
 }
 
 SlotChoice slotChoice(const Slot& slot, const Material& material, const Catalog& catalog) {
@@ -221,11 +225,11 @@ bool isNeutral(const SlotChoice& choice, const Material& material) {
 }
 
 OutlineChoice outlineChoice(const Material& material, const Catalog& catalog) {
-    const BlockValues* part = material.part("outline");
+    const BlockValues* part = material.part(kinds::outline);
     if (part == nullptr) {
         return {};
     }
-    const Block* block = catalog.find("outline", part->id);
+    const Block* block = catalog.find(kinds::outline, part->id);
     if (block == nullptr) {
         return {nullptr, "No outline of this kind is known."};
     }

@@ -83,7 +83,7 @@ void addTextures(Hash& hash, const Material& material, const Catalog& catalog) {
 } // namespace
 
 std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog, bool hasShadows) {
-    const Block* block = catalog.find("lights", light.block.id);
+    const Block* block = catalog.find(kinds::lights, light.block.id);
     if (block == nullptr || !canShine(light, *block)) {
         return 0;
     }
@@ -108,7 +108,7 @@ std::uint64_t EffectKey::ofEnvironment(const Scene& scene, const Catalog& catalo
     }
     static const AccuracyLevels exact;
     Hash hash;
-    addBlock(hash, *block, scene.environment->parameters, exact);
+    addBlock(hash, *block, scene.part(kinds::environment)->parameters, exact);
     return hash.value();
 }
 
@@ -118,7 +118,7 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
     const bool shadows = hasShadows(scene, catalog);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        const Block* block = catalog.find("lights", light.block.id);
+        const Block* block = catalog.find(kinds::lights, light.block.id);
         lines_.add(ofLight(light, catalog, shadows),
                    block != nullptr && reachOf(light, *block).isEverywhere(), view.reaches(i));
     }
@@ -130,15 +130,15 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
         hash.add(group.key);
         hash.add(static_cast<std::uint64_t>(lines_.of(group)));
     }
-    const Block* fog = scene.fog ? catalog.find("fog", scene.fog->id) : nullptr;
+    const Block* fog = blockOf(scene.parts, kinds::fog, catalog);
     const bool hasFog = fog != nullptr && canHide(scene, *fog, view);
     if (hasFog) {
         static const AccuracyLevels exact;
-        addBlock(hash, *fog, scene.fog->parameters, exact);
+        addBlock(hash, *fog, scene.part(kinds::fog)->parameters, exact);
     }
     if (const Block* transparency = transparencyBlock(scene, catalog)) {
         static const AccuracyLevels exact;
-        addBlock(hash, *transparency, scene.transparency->parameters, exact);
+        addBlock(hash, *transparency, scene.part(kinds::transparency)->parameters, exact);
     }
     hash.add(ofEnvironment(scene, catalog));
     hash.add(hasHemisphere(scene) ? 1 : 0);
@@ -150,12 +150,12 @@ std::uint64_t EffectKey::ofScene(const Scene& scene, const Catalog& catalog,
 
 std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& catalog) {
     Hash hash;
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     if (model != nullptr) {
         addModel(hash, *model, material, catalog);
     }
-    const BlockValues* part = material.part("fresnel");
-    const Block* fresnel = part == nullptr ? nullptr : catalog.find("fresnel", part->id);
+    const BlockValues* part = material.part(kinds::fresnel);
+    const Block* fresnel = part == nullptr ? nullptr : catalog.find(kinds::fresnel, part->id);
     const bool isUnknown = model == nullptr && !material.model.id.empty();
     if (fresnel != nullptr && !isUnknown && (model == nullptr || !hasFresnelSlot(*model)) &&
         !isNeutralPart(*fresnel, part->parameters, material)) {
@@ -170,7 +170,7 @@ std::uint64_t EffectKey::ofMaterial(const Material& material, const Catalog& cat
         addBlock(hash, *choice.block, *choice.values, material.accuracy);
     }
     if (const Block* outline = outlineChoice(material, catalog).block) {
-        addBlock(hash, *outline, material.part("outline")->parameters, material.accuracy);
+        addBlock(hash, *outline, material.part(kinds::outline)->parameters, material.accuracy);
     }
     return hash.value();
 }

@@ -20,7 +20,7 @@ using Remove = void (*)(Scene&, const Effect&, const Catalog&);
 
 /// What fills its slots goes along: without a model nobody calls it.
 void removeModel(Scene& scene, const Effect& effect, const Catalog& catalog) {
-    const Block* model = catalog.find("models", effect.id);
+    const Block* model = catalog.find(kinds::models, effect.id);
     for (Object& object : scene.objects) {
         if (object.material.model.id != effect.id) {
             continue;
@@ -60,7 +60,7 @@ void removeGround(Scene& scene, const Effect&, const Catalog&) {
 }
 
 void removeFog(Scene& scene, const Effect&, const Catalog&) {
-    scene.fog.reset();
+    scene.setPart(kinds::fog, std::nullopt);
 }
 
 void removeAmbient(Scene& scene, const Effect&, const Catalog&) {
@@ -72,14 +72,14 @@ void removeHemisphere(Scene& scene, const Effect&, const Catalog&) {
 }
 
 void removeEnvironment(Scene& scene, const Effect& effect, const Catalog&) {
-    if (scene.environment && scene.environment->id == effect.id) {
-        scene.environment.reset();
+    if (scene.part(kinds::environment) && scene.part(kinds::environment)->id == effect.id) {
+        scene.setPart(kinds::environment, std::nullopt);
     }
 }
 
 void removeEmission(Scene& scene, const Effect&, const Catalog& catalog) {
     for (Object& object : scene.objects) {
-        const Block* model = catalog.find("models", object.material.model.id);
+        const Block* model = catalog.find(kinds::models, object.material.model.id);
         for (const Parameter& parameter : model ? model->parameters : std::vector<Parameter>()) {
             if (isEmitted(parameter, object.material.model.parameters)) {
                 object.material.model.parameters[parameter.id] = glm::dvec3(0.0);
@@ -100,7 +100,7 @@ void removeTexture(Scene& scene, const Effect& effect, const Catalog&) {
 void removeOpacity(Scene& scene, const Effect&, const Catalog& catalog) {
     for (Object& object : scene.objects) {
         object.material.opacity = 1.0;
-        const Block* model = catalog.find("models", object.material.model.id);
+        const Block* model = catalog.find(kinds::models, object.material.model.id);
         for (const Parameter& parameter : model ? model->parameters : std::vector<Parameter>()) {
             if (parameter.transparency) {
                 object.material.model.parameters[parameter.id] = 0.0;
@@ -110,8 +110,8 @@ void removeOpacity(Scene& scene, const Effect&, const Catalog& catalog) {
 }
 
 void removeTransparency(Scene& scene, const Effect& effect, const Catalog&) {
-    if (scene.transparency && scene.transparency->id == effect.id) {
-        scene.transparency.reset();
+    if (scene.part(kinds::transparency) && scene.part(kinds::transparency)->id == effect.id) {
+        scene.setPart(kinds::transparency, std::nullopt);
     }
 }
 

@@ -71,11 +71,9 @@ void addRefracting(Scene& alone, const Scene& scene, const Catalog& catalog) {
 Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     Scene alone;
     alone.lights = scene.lights;
-    alone.fog = scene.fog;
+    alone.parts = scene.parts;
     alone.ambient = scene.ambient;
     alone.hemisphere = scene.hemisphere;
-    alone.environment = scene.environment;
-    alone.transparency = scene.transparency;
     alone.ground = scene.ground;
     alone.exposure = scene.exposure;
     alone.toneMapping = scene.toneMapping;

@@ -24,18 +24,20 @@ namespace {
 
 void addFog(SceneEffects& effects, const Scene& scene, const Catalog& catalog,
             const EffectView& view) {
-    if (!scene.fog) {
+    if (!scene.part(kinds::fog)) {
         return;
     }
-    const Block* block = catalog.find("fog", scene.fog->id);
+    const Block* block = catalog.find(kinds::fog, scene.part(kinds::fog)->id);
     if (block == nullptr) {
-        effects.leftOut.push_back({"fog", fmt::format("No fog \"{}\" is known.", scene.fog->id)});
-    } else if (auto why = whyNeutral(*block, scene.fog->parameters); !why.empty()) {
+        effects.leftOut.push_back(
+            {"fog", fmt::format("No fog \"{}\" is known.", scene.part(kinds::fog)->id)});
+    } else if (auto why = whyNeutral(*block, scene.part(kinds::fog)->parameters); !why.empty()) {
         effects.leftOut.push_back({"fog", std::move(why)});
     } else if (!canHide(scene, *block, view)) {
         effects.leftOut.push_back({"fog", fogText(scene, *block, view)});
     } else {
-        effects.fog = useOf(*block, scene.fog->parameters, {}, fogText(scene, *block, view));
+        effects.fog =
+            useOf(*block, scene.part(kinds::fog)->parameters, {}, fogText(scene, *block, view));
     }
 }
 
@@ -60,24 +62,24 @@ void addAmbient(SceneEffects& effects, const Scene& scene) {
 /// "It is dark. Its “Intensity” is 0."
 std::string whyNoEnvironment(const Scene& scene, const Catalog& catalog,
                              const EnvironmentChoice& choice) {
-    const Block* block = catalog.find("environment", scene.environment->id);
+    const Block* block = catalog.find(kinds::environment, scene.part(kinds::environment)->id);
     const std::string neutral =
-        block == nullptr ? std::string() : whyNeutral(*block, scene.environment->parameters);
+        block == nullptr ? std::string()
+                         : whyNeutral(*block, scene.part(kinds::environment)->parameters);
     return neutral.empty() ? choice.whyNot : choice.whyNot + (' ' + neutral);
 }
 
 void addEnvironment(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     const EnvironmentChoice choice = environmentChoice(scene, catalog);
     if (choice.block != nullptr) {
-        const Values& values = scene.environment->parameters;
-        effects.environment =
-            useOf(*choice.block, values, {},
-                  isNeutral(*choice.block, values)
-                      ? "It is dark, and what an object bends shows it."
-                      : "The scene has an environment that sends light.");
-    } else if (scene.environment) {
-        effects.leftOut.push_back(
-            {"environment/" + scene.environment->id, whyNoEnvironment(scene, catalog, choice)});
+        const Values& values = scene.part(kinds::environment)->parameters;
+        effects.environment = useOf(*choice.block, values, {},
+                                    isNeutral(*choice.block, values)
+                                        ? "It is dark, and what an object bends shows it."
+                                        : "The scene has an environment that sends light.");
+    } else if (scene.part(kinds::environment)) {
+        effects.leftOut.push_back({"environment/" + scene.part(kinds::environment)->id,
+                                   whyNoEnvironment(scene, catalog, choice)});
     }
 }
 
@@ -91,7 +93,7 @@ const char* wayOf(const Scene& scene, const Block* block) {
     if (block == nullptr) {
         return "each is blended over what is behind it, far ones first";
     }
-    return layersOf(*scene.transparency, *block) > 0
+    return layersOf(*scene.part(kinds::transparency), *block) > 0
                ? "the layers of each pixel are put in their order"
                : "all layers of a pixel are mixed at once";
 }
@@ -99,8 +101,8 @@ const char* wayOf(const Scene& scene, const Block* block) {
 void addTransparency(SceneEffects& effects, const Scene& scene, const Catalog& catalog) {
     const int count = countTransparent(scene, catalog);
     if (count == 0) {
-        if (scene.transparency) {
-            effects.leftOut.push_back({"transparency/" + scene.transparency->id,
+        if (scene.part(kinds::transparency)) {
+            effects.leftOut.push_back({"transparency/" + scene.part(kinds::transparency)->id,
                                        "No object lets anything through."});
         }
         return;
@@ -109,13 +111,14 @@ void addTransparency(SceneEffects& effects, const Scene& scene, const Catalog& c
     const std::string reason =
         fmt::format("{}: {}.", transparentObjects(count), wayOf(scene, block));
     if (block != nullptr) {
-        effects.transparency = useOf(*block, scene.transparency->parameters, {}, reason);
+        effects.transparency =
+            useOf(*block, scene.part(kinds::transparency)->parameters, {}, reason);
         return;
     }
     effects.reasons["transparency"] = reason;
-    if (scene.transparency) {
-        effects.leftOut.push_back(
-            {"transparency/" + scene.transparency->id, "No transparency of this kind is known."});
+    if (scene.part(kinds::transparency)) {
+        effects.leftOut.push_back({"transparency/" + scene.part(kinds::transparency)->id,
+                                   "No transparency of this kind is known."});
     }
 }
 
@@ -169,10 +172,10 @@ void addEmission(EffectSet& set, const Block& model, const Material& material) {
 }
 
 void nameBlackEmission(EffectSet& set, const Catalog& catalog) {
-    const Block* model = set.model ? catalog.find("models", set.model->id) : nullptr;
+    const Block* model = set.model ? catalog.find(kinds::models, set.model->id) : nullptr;
     for (const Parameter& parameter : model ? model->parameters : std::vector<Parameter>()) {
-        const bool glows = std::find(set.emission.begin(), set.emission.end(), parameter.id) !=
-                           set.emission.end();
+        const bool glows =
+            std::find(set.emission.begin(), set.emission.end(), parameter.id) != set.emission.end();
         if (parameter.emission && !glows) {
             set.leftOut.push_back({"emission", fmt::format("{} is black.", parameter.label)});
         }
@@ -187,7 +190,8 @@ void forgetEqualOfTextured(EffectSet& set, const Catalog& catalog) {
     };
     for (std::size_t i = 0; set.model && i < set.model->compiled.size(); ++i) {
         CompiledValue& value = set.model->compiled[i];
-        const Parameter* parameter = catalog.find("models", set.model->id)->parameter(value.id);
+        const Parameter* parameter =
+            catalog.find(kinds::models, set.model->id)->parameter(value.id);
         const bool isEqual = parameter != nullptr && value.value == "equal";
         if (isEqual && (hasImage(value.id) || hasImage(parameter->equalTo))) {
             value.value = "unequal";
@@ -197,9 +201,9 @@ void forgetEqualOfTextured(EffectSet& set, const Catalog& catalog) {
 
 /// "Roughness x and roughness y are both 0.3.": which difference is not in the program.
 void nameEqual(EffectSet& set, const Material& material, const Catalog& catalog) {
-    const Block* model = set.model ? catalog.find("models", set.model->id) : nullptr;
-    for (const CompiledValue& value : set.model ? set.model->compiled
-                                                : std::vector<CompiledValue>()) {
+    const Block* model = set.model ? catalog.find(kinds::models, set.model->id) : nullptr;
+    for (const CompiledValue& value :
+         set.model ? set.model->compiled : std::vector<CompiledValue>()) {
         const Parameter* parameter = model->parameter(value.id);
         if (parameter == nullptr || parameter->compiled != Compiled::WhenEqual ||
             value.value != "equal") {
@@ -231,7 +235,7 @@ void addOpacity(EffectSet& set, const Material& material, const Catalog& catalog
 
 void addOutline(EffectSet& set, const Material& material, const Catalog& catalog) {
     const OutlineChoice choice = outlineChoice(material, catalog);
-    const BlockValues* part = material.part("outline");
+    const BlockValues* part = material.part(kinds::outline);
     if (choice.block != nullptr) {
         set.outline = useOf(*choice.block, part->parameters, material.accuracy,
                             "The material has lines along the edges of its shape.");
@@ -241,7 +245,7 @@ void addOutline(EffectSet& set, const Material& material, const Catalog& catalog
 }
 
 void addModel(EffectSet& set, const Material& material, const Catalog& catalog) {
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     if (model == nullptr) {
         set.leftOut.push_back({"the model", fmt::format("No model \"{}\" is known; a plain "
                                                         "stand-in is drawn.",
@@ -266,13 +270,13 @@ void addModel(EffectSet& set, const Material& material, const Catalog& catalog) 
 /// A fallback for an unknown model keeps its stripes: blending it would hide them. Where the model
 /// was left out, as to see what it does, the blend stays.
 void addBlend(EffectSet& set, const Material& material, const Catalog& catalog) {
-    const BlockValues* part = material.part("fresnel");
+    const BlockValues* part = material.part(kinds::fresnel);
     const std::string& model = material.model.id;
-    const bool isUnknown = !model.empty() && catalog.find("models", model) == nullptr;
+    const bool isUnknown = !model.empty() && catalog.find(kinds::models, model) == nullptr;
     if (part == nullptr || isUnknown || set.fresnelMode == FresnelMode::Slot) {
         return;
     }
-    const Block* block = catalog.find("fresnel", part->id);
+    const Block* block = catalog.find(kinds::fresnel, part->id);
     if (block != nullptr && isNeutralPart(*block, part->parameters, material)) {
         set.leftOut.push_back(
             {"fresnel/" + part->id, whyNeutral(*block, part->parameters, material.accuracy)});

@@ -62,8 +62,7 @@ double longestWay(const Block& block, const Values& values) {
 /// What fog is decided by: the next power of two, so that a camera that moves seldom asks for other
 /// programs.
 double decisive(double number) {
-    return std::isfinite(number) && number > 0.0 ? std::exp2(std::ceil(std::log2(number)))
-                                                 : number;
+    return std::isfinite(number) && number > 0.0 ? std::exp2(std::ceil(std::log2(number))) : number;
 }
 
 std::string named(const Block& block, const Values& values, const std::string& id) {
@@ -148,15 +147,17 @@ double FogLayer::between(double one, double other) const {
 /// S times the curve's slope at S is never more than 0.44. Tone mapping subtracts a part of the
 /// least channel, which can double both.
 double maxChange(const Scene& scene, const Block& block, const EffectView& view) {
-    const auto hidden = hiddenShare(block, scene.fog->parameters, decisive(view.farthest),
-                                    std::min(decisive(view.fogThickness), 1.0));
+    const auto hidden =
+        hiddenShare(block, scene.part(kinds::fog)->parameters, decisive(view.farthest),
+                    std::min(decisive(view.fogThickness), 1.0));
     if (!hidden) {
         return std::numeric_limits<double>::infinity();
     }
     if (view.missesFog) {
         return 0.0;
     }
-    const double light = brightness(block, scene.fog->parameters) * std::exp2(scene.exposure);
+    const double light =
+        brightness(block, scene.part(kinds::fog)->parameters) * std::exp2(scene.exposure);
     return *hidden > 0.0 ? 2.0 * *hidden * (srgbSlope * light + 0.44) : 0.0;
 }
 
@@ -164,7 +165,7 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
     if (!block.hides) {
         return "The scene has fog.";
     }
-    const Values& values = scene.fog->parameters;
+    const Values& values = scene.part(kinds::fog)->parameters;
     const std::string text = valuesText(block, values);
     if (longestWay(block, values) == 0.0) {
         return text + ": there is nothing in a box without a width, a height or a depth.";
@@ -188,8 +189,7 @@ std::string fogText(const Scene& scene, const Block& block, const EffectView& vi
     }
     return fmt::format("{}: at up to {:.3g} m it hides {}{} %.", text, view.farthest,
                        block.hides->atMost ? "at most " : "",
-                       percentText(*hiddenShare(block, values, view.farthest,
-                                                view.fogThickness)));
+                       percentText(*hiddenShare(block, values, view.farthest, view.fogThickness)));
 }
 
 } // namespace patina

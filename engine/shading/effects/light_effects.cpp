@@ -102,14 +102,13 @@ std::string whyNoShadow(const Light& light, const Block& block, const Catalog& c
     if (block.shadowProjection == ShadowProjection::None) {
         return "Lights of this kind cast none.";
     }
-    if (catalog.find("shadows", light.shadow->id) == nullptr) {
+    if (catalog.find(kinds::shadows, light.shadow->id) == nullptr) {
         return fmt::format("No kind of shadow \"{}\" is known.", light.shadow->id);
     }
     return whyNone;
 }
 
-LightGroup groupOf(const Block& block, const Light& light, const Catalog& catalog,
-                   bool shadowed) {
+LightGroup groupOf(const Block& block, const Light& light, const Catalog& catalog, bool shadowed) {
     LightGroup group;
     group.block = useOf(block, light.block.parameters, {}, {});
     group.count = 1;
@@ -142,7 +141,7 @@ void addLights(SceneEffects& effects, const Scene& scene, const Catalog& catalog
     LightLines lines;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        const Block* block = catalog.find("lights", light.block.id);
+        const Block* block = catalog.find(kinds::lights, light.block.id);
         if (std::string reason = whyNoLight(light, block); !reason.empty()) {
             effects.leftOut.push_back({lightName(scene, i), std::move(reason)});
             continue;

@@ -2,7 +2,6 @@
 #include "shading/effects/neutral_values.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <span>
 #include <string_view>
@@ -17,30 +16,17 @@
 namespace patina {
 namespace {
 
-/// Parameters without which a block of a kind does nothing.
-std::span<const std::string_view> decisiveIds(std::string_view kind) {
-    static constexpr std::array<std::string_view, 2> ofLights{"color", "intensity"};
-    static constexpr std::array<std::string_view, 1> ofFog{"density"};
-    static constexpr std::array<std::string_view, 2> ofEnvironments{"intensity", "tint"};
-    if (kind == "lights") {
-        return ofLights;
-    }
-    if (kind == "fog") {
-        return ofFog;
-    }
-    return kind == "environment" ? std::span<const std::string_view>(ofEnvironments)
-                                 : std::span<const std::string_view>();
-}
-
 /// The parameter that alone makes the block neutral; null where none does.
 const Parameter* decisiveZero(const Block& block, const Values& values) {
     const auto isOff = [&values](const Parameter* parameter) {
         return parameter != nullptr && parameter->min >= 0.0 &&
                notPositive(givenValue(*parameter, values));
     };
-    for (const std::string_view id : decisiveIds(block.kind)) {
-        if (isOff(block.parameter(id))) {
-            return block.parameter(id);
+    if (const BlockKind* kind = findKind(block.kind)) {
+        for (const std::string_view id : kind->decisive) {
+            if (isOff(block.parameter(id))) {
+                return block.parameter(id);
+            }
         }
     }
     const Parameter* angle = block.reach ? block.parameter(block.reach->angle) : nullptr;
@@ -96,9 +82,9 @@ std::string listText(const std::vector<std::string>& labels, const char* what) {
         return {};
     }
     const std::span<const std::string> first(labels.data(), labels.size() - 1);
-    return first.empty() ? fmt::format("its {} is {}", labels.back(), what)
-                         : fmt::format("its {} and {} are {}", fmt::join(first, ", "),
-                                       labels.back(), what);
+    return first.empty()
+               ? fmt::format("its {} is {}", labels.back(), what)
+               : fmt::format("its {} and {} are {}", fmt::join(first, ", "), labels.back(), what);
 }
 
 /// "its “Index outside” and “Index inside” are both 1.5".
@@ -125,8 +111,8 @@ std::string caseText(const NeutralCase& neutral, const Block& block, const Value
                 .push_back(quotedLabel(parameter.label));
         }
     }
-    for (std::string text : {listText(zero, "0"), listText(less, "not above 0"),
-                             listText(black, "black")}) {
+    for (std::string text :
+         {listText(zero, "0"), listText(less, "not above 0"), listText(black, "black")}) {
         if (!text.empty()) {
             parts.push_back(std::move(text));
         }
@@ -140,8 +126,7 @@ std::string caseText(const NeutralCase& neutral, const Block& block, const Value
 } // namespace
 
 bool isNeutral(const Block& block, const Values& values, const AccuracyLevels& levels) {
-    return decisiveZero(block, values) != nullptr ||
-           neutralCase(block, values, levels) != nullptr;
+    return decisiveZero(block, values) != nullptr || neutralCase(block, values, levels) != nullptr;
 }
 
 std::string whyNeutral(const Block& block, const Values& values, const AccuracyLevels& levels) {

@@ -63,7 +63,7 @@ void addFog(SourceBuilder& out, const BlockUse& use, const BlockPlace& fog, int 
 } // namespace
 
 std::optional<OutlineLayout> outlineLayout(const EffectSet& set, const Catalog& catalog) {
-    const Block* block = set.outline ? catalog.find("outline", set.outline->id) : nullptr;
+    const Block* block = set.outline ? catalog.find(kinds::outline, set.outline->id) : nullptr;
     if (block == nullptr) {
         return std::nullopt;
     }

@@ -14,7 +14,7 @@ const char* whyPerPixel(const EffectSet& set, const Catalog& catalog) {
     if (!set.textures.empty()) {
         return "Lighting stays per pixel: images change the surface between its corners.";
     }
-    if (drawsMarks(*catalog.find("models", set.model->id))) {
+    if (drawsMarks(*catalog.find(kinds::models, set.model->id))) {
         return "Lighting stays per pixel: the model draws marks.";
     }
     if (std::ranges::any_of(lights, [](const LightGroup& group) { return bool(group.shadow); })) {
@@ -59,9 +59,9 @@ void addWideHighlights(EffectSet& set, const Catalog& catalog) {
     const bool hasWidth = isWidened(*set.model) || std::ranges::any_of(set.slots, isWidened);
     set.widensHighlights = hasWidth && !set.lightsAtVertices;
     if (!set.widensHighlights) {
-        set.leftOut.push_back({"wide highlights",
-                               hasWidth ? "Light that is worked out at vertices is not widened."
-                                        : "The model has no highlight with a width."});
+        set.leftOut.push_back(
+            {"wide highlights", hasWidth ? "Light that is worked out at vertices is not widened."
+                                         : "The model has no highlight with a width."});
     }
 }
 
@@ -94,9 +94,8 @@ void addPictureWork(EffectSet& set, const Catalog& catalog) {
 }
 
 bool drawsMarks(const Block& model) {
-    return std::ranges::any_of(model.parameters, [](const Parameter& parameter) {
-        return parameter.unit == "px";
-    });
+    return std::ranges::any_of(model.parameters,
+                               [](const Parameter& parameter) { return parameter.unit == "px"; });
 }
 
 } // namespace patina

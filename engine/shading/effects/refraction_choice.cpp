@@ -12,7 +12,7 @@
 namespace patina {
 namespace {
 
-constexpr std::string_view kind = "refraction";
+constexpr std::string_view kind = kinds::refraction;
 
 std::optional<double> numberIn(const Block& block, const Values& values, std::string_view id) {
     const Parameter* parameter = block.parameter(id);
@@ -34,23 +34,21 @@ std::optional<double> fresnelIndex(const Block& block, const Values& values) {
         return *inside / std::max(*outside, 1e-6);
     }
     const Parameter* f0 = block.parameter("f0");
-    const auto* color =
-        f0 == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*f0, values));
+    const auto* color = f0 == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*f0, values));
     return color == nullptr ? std::nullopt : std::optional(indexOf(*color));
 }
 
 /// The index that the material has by what else it is made of.
 std::optional<double> surfaceIndex(const Material& material, const Catalog& catalog) {
-    const BlockValues* part = material.part("fresnel");
-    const Block* fresnel = part == nullptr ? nullptr : catalog.find("fresnel", part->id);
+    const BlockValues* part = material.part(kinds::fresnel);
+    const Block* fresnel = part == nullptr ? nullptr : catalog.find(kinds::fresnel, part->id);
     if (fresnel != nullptr) {
         if (const auto index = fresnelIndex(*fresnel, part->parameters)) {
             return index;
         }
     }
-    const Block* model = catalog.find("models", material.model.id);
-    return model == nullptr ? std::nullopt
-                            : numberIn(*model, material.model.parameters, "index");
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    return model == nullptr ? std::nullopt : numberIn(*model, material.model.parameters, "index");
 }
 
 bool isOwn(const Block& block, const Values& values) {
@@ -62,8 +60,7 @@ bool isOwn(const Block& block, const Values& values) {
 
 bool isWhite(const Block& block, const Values& values, std::string_view id) {
     const Parameter* parameter = block.parameter(id);
-    return parameter == nullptr ||
-           givenValue(*parameter, values) == Value(glm::dvec3(1.0));
+    return parameter == nullptr || givenValue(*parameter, values) == Value(glm::dvec3(1.0));
 }
 
 bool isNeutral(const Material& material, const RefractionChoice& choice, const Catalog& catalog) {
@@ -92,8 +89,7 @@ RefractionChoice refractionChoice(const Material& material, const Catalog& catal
     return choice;
 }
 
-double bodyIndex(const Material& material, const RefractionChoice& choice,
-                 const Catalog& catalog) {
+double bodyIndex(const Material& material, const RefractionChoice& choice, const Catalog& catalog) {
     std::optional<double> index;
     if (!isOwn(*choice.block, *choice.values)) {
         index = surfaceIndex(material, catalog);

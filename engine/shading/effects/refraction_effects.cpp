@@ -22,12 +22,12 @@ void addRefraction(EffectSet& set, const Material& material, const Scene& scene,
                    const Catalog& catalog) {
     const RefractionChoice choice = refractionChoice(material, catalog);
     if (choice.block == nullptr) {
-        if (const BlockValues* part = material.part("refraction")) {
+        if (const BlockValues* part = material.part(kinds::refraction)) {
             set.leftOut.push_back({"refraction/" + part->id, choice.whyNot});
         }
         return;
     }
-    const char* order = scene.transparency
+    const char* order = scene.part(kinds::transparency)
                             ? " Such objects are sorted, and hide what else lets light through."
                             : "";
     set.refraction =

@@ -36,7 +36,7 @@ bool claimsIsotropic(const Block& block) {
 bool isIsotropic(const ObjectLayout& object) {
     return claimsIsotropic(*object.model->block) &&
            std::ranges::all_of(object.slots, [](const BlockPlace& slot) {
-               return slot.block->kind == "fresnel" || claimsIsotropic(*slot.block);
+               return slot.block->kind == kinds::fresnel || claimsIsotropic(*slot.block);
            });
 }
 
@@ -86,16 +86,15 @@ void SurfaceWriter::writeShadow(std::size_t index) {
     if (!isLitFromBehind()) {
         gates += arrivalGate("dot(s.n, light.l) <= 0.0");
     }
-    out_.add(fmt::format(
-        "float arriving{0}(Surface s, Illumination light, int base) {{\n"
-        "{1}"
-        "    ShadowView view = shadowViewAt(base + {2});\n"
-        "    ShadowPoint point = shadowPoint(s, light.l, view, {3});\n"
-        "    return clamp({4}(point, {5}(base + {6})), 0.0, 1.0);\n"
-        "}}\n",
-        index, gates, group.shadow->first + group.shadow->vec4s(),
-        effect.projection == ShadowProjection::Parallel, functionName(block), unpack,
-        group.shadow->first));
+    out_.add(fmt::format("float arriving{0}(Surface s, Illumination light, int base) {{\n"
+                         "{1}"
+                         "    ShadowView view = shadowViewAt(base + {2});\n"
+                         "    ShadowPoint point = shadowPoint(s, light.l, view, {3});\n"
+                         "    return clamp({4}(point, {5}(base + {6})), 0.0, 1.0);\n"
+                         "}}\n",
+                         index, gates, group.shadow->first + group.shadow->vec4s(),
+                         effect.projection == ShadowProjection::Parallel, functionName(block),
+                         unpack, group.shadow->first));
 }
 
 /// What the model makes of light from all around.

@@ -39,19 +39,19 @@ const Block* partBlock(std::string_view kind, const Block& model, const Material
         return slotChoice(*slot, material, catalog).block;
     }
     const BlockValues* part = material.part(kind);
-    return part != nullptr && kind == "fresnel" ? catalog.find(kind, part->id) : nullptr;
+    return part != nullptr && kind == kinds::fresnel ? catalog.find(kind, part->id) : nullptr;
 }
 
 /// Finds the parameter behind a key: the model's own first, then "<kind>.<id>" of a part.
 void findParameter(TextureTarget& target, std::string_view key, const Material& material,
                    const Catalog& catalog) {
-    const Block* model = catalog.find("models", material.model.id);
+    const Block* model = catalog.find(kinds::models, material.model.id);
     if (model == nullptr) {
         return;
     }
     target.kind = model->kind;
     target.parameter = model->parameter(key);
-    for (const std::string_view kind : partKinds) {
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         const bool isPart =
             key.size() > kind.size() + 1 && key.starts_with(kind) && key[kind.size()] == '.';
         const Block* part = target.parameter == nullptr && isPart
@@ -113,7 +113,7 @@ bool isTextured(std::string_view parameterId, const Material& material) {
 
 /// A clear body is seen by what it bends and mirrors.
 bool canBeSeen(const Material& material) {
-    return material.opacity > 0.0 || material.part("refraction") != nullptr ||
+    return material.opacity > 0.0 || material.part(kinds::refraction) != nullptr ||
            isTextured("opacity", material);
 }
 

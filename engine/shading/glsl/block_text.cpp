@@ -16,34 +16,6 @@
 namespace patina {
 namespace {
 
-/// A function that the program calls: its name is the block's and `suffix`. Its last argument is
-/// the block's struct.
-struct Call {
-    std::string_view kind;
-    std::string_view suffix;
-    std::string_view result;
-    std::string_view argument; ///< type of the first one; empty: there is none
-    std::string_view name;     ///< of the first one, for the message
-};
-
-constexpr auto calls = std::to_array<Call>({
-    {"models", "", "vec3", "Directions", "d"},
-    {"specular", "", "vec3", "Directions", "d"},
-    {"fresnel", "", "vec3", "Incidence", "i"},
-    {"fresnel", "Tint", "vec3", "", ""},
-    {"lights", "", "Illumination", "vec3", "x"},
-    {"fog", "", "float", "FogRay", "ray"},
-    {"fog", "Color", "vec3", "", ""},
-    {"shadows", "", "float", "ShadowPoint", "s"},
-    {"transparency", "", "float", "Layer", "l"},
-    {"environment", "", "vec3", "Outlook", "o"},
-    {"refraction", "", "vec3", "Crossing", "c"},
-    {"refraction", "Mirrored", "float", "Crossing", "c"},
-    {"refraction", "Left", "vec3", "float", "way"},
-    {"outline", "", "vec2", "Edge", "e"},
-    {"outline", "Color", "vec3", "", ""},
-});
-
 /// A function that the text defines.
 struct Function {
     GlslToken name;
@@ -190,7 +162,7 @@ std::vector<Function> functionsIn(const GlslTokens& tokens) {
 /// One call of a block of some kind, looked for in what its file defines.
 class Wanted {
   public:
-    Wanted(const Block& block, const Call& call)
+    Wanted(const Block& block, const BlockFunction& call)
         : call_(call), struct_(structName(block)),
           name_(functionName(block) + std::string(call.suffix)) {
         if (!call.argument.empty()) {
@@ -236,7 +208,7 @@ class Wanted {
                           arguments_.end());
     }
 
-    Call call_;
+    BlockFunction call_;
     std::string struct_;
     std::string name_;
     std::vector<std::string> arguments_; ///< their types
@@ -254,22 +226,21 @@ std::vector<std::string> entrySuffixes(const Block& block) {
 Errors functionMistakes(const Block& block, const GlslTokens& tokens) {
     std::vector<Function> others = functionsIn(tokens);
     std::vector<Wanted> missing;
-    for (const Call& call : calls) {
-        const Wanted wanted(block, call);
-        const auto isIt = [&wanted](const Function& function) { return wanted.is(function); };
-        if (call.kind == block.kind && std::erase_if(others, isIt) == 0) {
-            missing.push_back(wanted);
-        }
-    }
-    Errors errors;
-    const auto suffixes = entrySuffixes(block);
-    for (const std::string& suffix : suffixes) {
-        const Wanted wanted(block, {block.kind, suffix, "vec3", "vec2", "x"});
-        const auto isIt = [&wanted](const Function& function) { return wanted.is(function); };
+    const auto find = [&](const BlockFunction& function) {
+        const Wanted wanted(block, function);
+        const auto isIt = [&wanted](const Function& other) { return wanted.is(other); };
         if (std::erase_if(others, isIt) == 0) {
             missing.push_back(wanted);
         }
+    };
+    if (const BlockKind* kind = findKind(block.kind)) {
+        std::ranges::for_each(kind->functions, find);
     }
+    const auto suffixes = entrySuffixes(block);
+    for (const std::string& suffix : suffixes) {
+        find({suffix, "vec3", "vec2", "x"});
+    }
+    Errors errors;
     for (const Wanted& wanted : missing) {
         const Function* meant = wanted.meant(others);
         errors.push_back(errorAt(block, meant == nullptr ? GlslToken() : meant->name,

@@ -28,7 +28,7 @@ const Block* shippedBlock(const Catalog& catalog, std::string_view kind, const S
 /// A model with a slot for a highlight; one without a slot for a Fresnel block, which then blends
 /// the sum, where all of it is called.
 bool suitsPart(const Block& model, const std::string& kind) {
-    return (model.slot(kind) != nullptr) == (kind == "specular");
+    return (model.slot(kind) != nullptr) == (kind == kinds::specular);
 }
 
 /// Where levels read tables, one of them is tried instead of the exact one.
@@ -44,7 +44,7 @@ void chooseTables(Material& material, const Block& block) {
 
 LightGroup lightFor(const Block& light, const Block& block) {
     LightGroup group{usualUse(light), std::nullopt};
-    if (block.kind == "shadows") {
+    if (block.kind == kinds::shadows) {
         group.shadow = usualUse(block);
         group.projection = light.shadowProjection;
     }
@@ -55,11 +55,10 @@ LightGroup lightFor(const Block& light, const Block& block) {
 } // namespace
 
 Material trialMaterial(const Block& block, const Catalog& catalog) {
-    const bool isPart =
-        std::find(partKinds.begin(), partKinds.end(), block.kind) != partKinds.end();
-    const Block* model = block.kind == "models"
+    const bool isPart = std::ranges::count(partKinds(BlockOwner::Material), block.kind) > 0;
+    const Block* model = block.kind == kinds::models
                              ? &block
-                             : shippedBlock(catalog, "models", [&](const Block& candidate) {
+                             : shippedBlock(catalog, kinds::models, [&](const Block& candidate) {
                                    return !isPart || suitsPart(candidate, block.kind);
                                });
     Material material = model == nullptr ? Material() : defaultMaterial(*model);
@@ -71,10 +70,10 @@ Material trialMaterial(const Block& block, const Catalog& catalog) {
 }
 
 const Block* trialLight(const Block& block, const Catalog& catalog) {
-    if (block.kind == "lights") {
+    if (block.kind == kinds::lights) {
         return &block;
     }
-    return shippedBlock(catalog, "lights", [](const Block& light) {
+    return shippedBlock(catalog, kinds::lights, [](const Block& light) {
         return light.shadowProjection != ShadowProjection::None;
     });
 }
@@ -86,18 +85,18 @@ Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) 
     if (const Block* light = trialLight(block, catalog)) {
         set.scene.lights = {lightFor(*light, block)};
     }
-    if (block.kind == "fog") {
+    if (block.kind == kinds::fog) {
         set.scene.fog = usualUse(block);
-    } else if (block.kind == "environment") {
+    } else if (block.kind == kinds::environment) {
         set.scene.environment = usualUse(block);
-    } else if (block.kind == "transparency") {
+    } else if (block.kind == kinds::transparency) {
         set.scene.transparency = usualUse(block);
         set.opacity = true;
-    } else if (block.kind == "refraction") {
+    } else if (block.kind == kinds::refraction) {
         set.refraction = usualUse(block);
         set.opacity = true;
     }
-    if (block.kind == "outline") {
+    if (block.kind == kinds::outline) {
         set.outline = usualUse(block);
         return outlineProgram(set, catalog);
     }

@@ -17,9 +17,7 @@ class DocumentCommand : public QUndoCommand {
         Material,
         Compare,
         Light,
-        Fog,
-        Environment,
-        Transparency,
+        SceneBlock,
         Object,
         Texture,
         Camera

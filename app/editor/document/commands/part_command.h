@@ -5,12 +5,11 @@
 
 namespace patina {
 
-/// Gives a material another block of a kind beside its model (see partKind), or none (null). Values
-/// are parked as for a model.
+/// Gives a material another block of a kind beside its model, or none (null). Values are parked as
+/// for a model.
 class PartCommand : public MaterialCommand {
   public:
-    PartCommand(Document& document, const MaterialPlace& target, BlockPath::Part part,
-                const Block* block);
+    PartCommand(Document& document, const BlockPath& path, const Block* block);
 };
 
 } // namespace patina

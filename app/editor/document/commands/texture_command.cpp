@@ -21,7 +21,7 @@ void TextureCommand::apply(const std::optional<TextureUse>& use) {
     if (!material) {
         return;
     }
-    const std::string key = textureKey(path.part, target().parameterId);
+    const std::string key = textureKey(path, target().parameterId);
     if (use) {
         material->textures.insert_or_assign(key, *use);
     } else {

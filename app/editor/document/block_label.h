@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include <QString>
+
+#include "catalog/block.h"
+
+namespace patina {
+
+/// What an edit is called that chooses a block of a kind, or none (null): "Fog Linear", "Fog off".
+QString blockLabel(std::string_view kind, const Block* block);
+
+} // namespace patina

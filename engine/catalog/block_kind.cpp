@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/block_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
+namespace patina {
+namespace {
+
+template <class... Functions>
+constexpr auto functions(const Functions&... all) {
+    return std::array<BlockFunction, sizeof...(all)>{all...};
+}
+
+constexpr auto ofDirections = functions(BlockFunction{"", "vec3", "Directions", "d"});
+constexpr auto ofFresnel =
+    functions(BlockFunction{"", "vec3", "Incidence", "i"}, BlockFunction{"Tint", "vec3"});
+constexpr auto ofRefraction = functions(BlockFunction{"", "vec3", "Crossing", "c"},
+                                        BlockFunction{"Mirrored", "float", "Crossing", "c"},
+                                        BlockFunction{"Left", "vec3", "float", "way"});
+constexpr auto ofOutline =
+    functions(BlockFunction{"", "vec2", "Edge", "e"}, BlockFunction{"Color", "vec3"});
+constexpr auto ofLights = functions(BlockFunction{"", "Illumination", "vec3", "x"});
+constexpr auto ofShadows = functions(BlockFunction{"", "float", "ShadowPoint", "s"});
+constexpr auto ofFog =
+    functions(BlockFunction{"", "float", "FogRay", "ray"}, BlockFunction{"Color", "vec3"});
+constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l"});
+constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o"});
+
+constexpr std::array<std::string_view, 2> decisiveInLights{"color", "intensity"};
+constexpr std::array<std::string_view, 1> decisiveInFog{"density"};
+constexpr std::array<std::string_view, 2> decisiveInEnvironment{"intensity", "tint"};
+
+constexpr auto rows = std::to_array<BlockKind>({
+    {.folder = kinds::models,
+     .singular = "model",
+     .plural = "models",
+     .label = "Model",
+     .word = "",
+     .owner = BlockOwner::Material,
+     .functions = ofDirections,
+     .isPart = false,
+     .hasTables = true},
+    {.folder = kinds::fresnel,
+     .singular = "fresnel",
+     .plural = "Fresnel terms",
+     .label = "Fresnel",
+     .word = "Fresnel",
+     .owner = BlockOwner::Material,
+     .functions = ofFresnel,
+     .hasTables = true},
+    {.folder = kinds::specular,
+     .singular = "specular",
+     .plural = "highlights",
+     .label = "Highlight",
+     .word = "Specular",
+     .owner = BlockOwner::Material,
+     .functions = ofDirections,
+     .needsSlot = true,
+     .hasTables = true},
+    {.folder = kinds::refraction,
+     .singular = "refraction",
+     .plural = "refractions",
+     .label = "Refraction",
+     .word = "Refraction",
+     .owner = BlockOwner::Material,
+     .functions = ofRefraction},
+    {.folder = kinds::outline,
+     .singular = "outline",
+     .plural = "outlines",
+     .label = "Outline",
+     .word = "Outline",
+     .owner = BlockOwner::Material,
+     .functions = ofOutline},
+    {.folder = kinds::lights,
+     .singular = "light",
+     .plural = "lights",
+     .label = "Light",
+     .word = "Light",
+     .owner = BlockOwner::Light,
+     .functions = ofLights,
+     .isPart = false,
+     .decisive = decisiveInLights},
+    {.folder = kinds::shadows, // they read maps that the graphics device has drawn
+     .singular = "shadow",
+     .plural = "shadows",
+     .label = "Shadows",
+     .word = "Shadow",
+     .owner = BlockOwner::Light,
+     .functions = ofShadows,
+     .hasReference = false,
+     .isInBlockLabels = true},
+    {.folder = kinds::fog,
+     .singular = "fog",
+     .plural = "kinds of fog",
+     .label = "Fog",
+     .word = "Fog",
+     .owner = BlockOwner::Scene,
+     .functions = ofFog,
+     .decisive = decisiveInFog},
+    {.folder = kinds::transparency,
+     .singular = "transparency",
+     .plural = "kinds of transparency",
+     .label = "Transparency",
+     .word = "Transparency",
+     .owner = BlockOwner::Scene,
+     .functions = ofTransparency,
+     .isInBlockLabels = true,
+     .absent = "Sorted by object",
+     .noneWord = "sorted"},
+    {.folder = kinds::environment,
+     .singular = "environment",
+     .plural = "environments",
+     .label = "Environment",
+     .word = "Environment",
+     .owner = BlockOwner::Scene,
+     .functions = ofEnvironment,
+     .decisive = decisiveInEnvironment},
+});
+
+using Folders = std::map<BlockOwner, std::vector<std::string_view>>;
+
+Folders partsByOwner() {
+    Folders parts;
+    for (const BlockKind& kind : blockKinds()) {
+        if (kind.isPart) {
+            parts[kind.owner].push_back(kind.folder);
+        }
+    }
+    return parts;
+}
+
+} // namespace
+
+std::span<const BlockKind> shippedBlockKinds() {
+    return rows;
+}
+
+const BlockKind* findKind(std::string_view folder) {
+    const auto all = blockKinds();
+    const auto found = std::ranges::find(all, folder, &BlockKind::folder);
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::span<const std::string_view> partKinds(BlockOwner owner) {
+    static const Folders parts = partsByOwner();
+    const auto found = parts.find(owner);
+    return found == parts.end() ? std::span<const std::string_view>() : found->second;
+}
+
+} // namespace patina

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_settings.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "material/member_access.h"
+#include "scene/scene_limits.h"
+
+namespace patina {
+namespace {
+
+/// The words for the values of an enumeration in descriptors and files.
+template <class T, std::size_t N>
+using SettingWords = std::array<std::pair<std::string_view, T>, N>;
+
+constexpr SettingWords<ToneMapping, 2> toneMappingIds{
+    {{"none", ToneMapping::None}, {"khronosNeutral", ToneMapping::KhronosNeutral}}};
+
+constexpr SettingWords<GroundMode, 3> groundModeIds{
+    {{"off", GroundMode::Off}, {"shadows", GroundMode::Shadows}, {"plane", GroundMode::Plane}}};
+
+template <class T, std::size_t N>
+std::string settingWord(const SettingWords<T, N>& words, T wanted) {
+    for (const auto& [word, meaning] : words) {
+        if (meaning == wanted) {
+            return std::string(word);
+        }
+    }
+    return {};
+}
+
+/// Leaves `into` as it is where the value is no word of them.
+template <class T, std::size_t N>
+void storeWord(const SettingWords<T, N>& words, const Value& value, T& into) {
+    const auto* given = std::get_if<std::string>(&value);
+    for (const auto& [word, meaning] : words) {
+        into = given != nullptr && *given == word ? meaning : into;
+    }
+}
+
+MemberAccess<Scene> toneMapping() {
+    return {[](const Scene& scene) {
+                return Value(settingWord(toneMappingIds, scene.toneMapping));
+            },
+            [](Scene& scene, const Value& value) {
+                storeWord(toneMappingIds, value, scene.toneMapping);
+            }};
+}
+
+MemberAccess<Scene> groundMode() {
+    return {[](const Scene& scene) {
+                return Value(settingWord(groundModeIds, scene.ground.mode));
+            },
+            [](Scene& scene, const Value& value) {
+                storeWord(groundModeIds, value, scene.ground.mode);
+            }};
+}
+
+const MemberTable<Scene>& sceneMembers() {
+    static const MemberTable<Scene> members{
+        {"ambient", member(&Scene::ambient)},
+        {"hemisphere.sky", member(&Scene::hemisphere, &Hemisphere::sky)},
+        {"hemisphere.ground", member(&Scene::hemisphere, &Hemisphere::ground)},
+        {"hemisphere.up", member(&Scene::hemisphere, &Hemisphere::up)},
+        {"background", member(&Scene::background)},
+        {"exposure", member(&Scene::exposure)},
+        {"toneMapping", toneMapping()},
+        {"ground.mode", groundMode()},
+        {"ground.automatic", member(&Scene::ground, &Ground::automatic)},
+        {"ground.height", member(&Scene::ground, &Ground::height)},
+        {"ground.color", member(&Scene::ground, &Ground::color)},
+        {"ground.opacity", member(&Scene::ground, &Ground::opacity)}};
+    return members;
+}
+
+const MemberTable<Camera>& cameraMembers() {
+    static const MemberTable<Camera> members{{"pivot", member(&Camera::pivot)},
+                                             {"yaw", member(&Camera::yaw)},
+                                             {"pitch", member(&Camera::pitch)},
+                                             {"distance", member(&Camera::distance)},
+                                             {"fieldOfView", member(&Camera::fieldOfView)}};
+    return members;
+}
+
+/// No factor flattens an object.
+MemberAccess<Object> scale() {
+    const MemberAccess<Object> plain = member(&Object::scale);
+    return {plain.read, [plain](Object& object, const Value& value) {
+                plain.write(object, value);
+                object.scale = usableScale(object.scale);
+            }};
+}
+
+const MemberTable<Object>& objectMembers() {
+    static const MemberTable<Object> members{{"visible", member(&Object::visible)},
+                                             {"castsShadow", member(&Object::castsShadow)},
+                                             {"translation", member(&Object::translation)},
+                                             {"rotation", member(&Object::rotation)},
+                                             {"scale", scale()},
+                                             {"fitUnitBox", member(&Object::fitUnitBox)},
+                                             {"flipNormals", member(&Object::flipNormals)}};
+    return members;
+}
+
+} // namespace
+
+std::optional<Value> settingOf(const Scene& scene, std::string_view id) {
+    return readMember(sceneMembers(), scene, id);
+}
+
+std::optional<Value> settingOf(const Camera& camera, std::string_view id) {
+    return readMember(cameraMembers(), camera, id);
+}
+
+std::optional<Value> settingOf(const Object& object, std::string_view id) {
+    return readMember(objectMembers(), object, id);
+}
+
+void storeSetting(Scene& scene, std::string_view id, const Value& value) {
+    writeMember(sceneMembers(), scene, id, value);
+}
+
+void storeSetting(Camera& camera, std::string_view id, const Value& value) {
+    writeMember(cameraMembers(), camera, id, value);
+}
+
+void storeSetting(Object& object, std::string_view id, const Value& value) {
+    writeMember(objectMembers(), object, id, value);
+}
+
+} // namespace patina

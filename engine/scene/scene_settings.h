@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace patina {
+
+/// The value of a setting that every scene, camera or object has; nothing where there is none of
+/// this id.
+std::optional<Value> settingOf(const Scene& scene, std::string_view id);
+std::optional<Value> settingOf(const Camera& camera, std::string_view id);
+std::optional<Value> settingOf(const Object& object, std::string_view id);
+
+/// Does nothing where the id is not known or the value has the wrong type.
+void storeSetting(Scene& scene, std::string_view id, const Value& value);
+void storeSetting(Camera& camera, std::string_view id, const Value& value);
+void storeSetting(Object& object, std::string_view id, const Value& value);
+
+} // namespace patina
