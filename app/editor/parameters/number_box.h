@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "parameters/steps.h"
+#include "parameters/value_steps.h"
 #include "parameters/value_box.h"
 
 namespace patina {

@@ -8,7 +8,7 @@
 
 #include "parameters/number_box.h"
 #include "parameters/scrub_label.h"
-#include "parameters/steps.h"
+#include "parameters/value_steps.h"
 #include "parameters/value_slider.h"
 
 namespace patina {

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "parameters/slider_range.h"
-#include "parameters/steps.h"
+#include "parameters/value_steps.h"
 
 namespace patina {
 

@@ -101,13 +101,17 @@ void MainWindow::startRest() {
     views_->first().viewport().chooseTimer();
 }
 
+DockContext MainWindow::dockContext() {
+    return {document_, *files_,       messages_, presets_, thumbnails_,
+            meshes_,   environments_, switches_, *views_};
+}
+
 void MainWindow::makeDocks() {
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    const DockContext context{document_, *files_,       messages_, presets_, thumbnails_,
-                              meshes_,   environments_, switches_, *views_};
+    const DockContext context = dockContext();
     for (const DockEntry& entry : dockList()) {
         auto* dock = new LazyDock(entry, context, this);
         docks_[entry.name] = dock;
@@ -174,10 +178,10 @@ void MainWindow::connectParts() {
                 messages_.setGroup("catalog", catalog->errors);
                 trials_.run(catalog);
             });
-    connect(&trials_, &BlockTrials::begun, this, [this](const QStringList& names) {
+    connect(&trials_, &UserBlockTrials::begun, this, [this](const QStringList& names) {
         status_->showMessage(tr("Checking %1 …").arg(names.join(", ")));
     });
-    connect(&trials_, &BlockTrials::finished, this, [this](const Errors& mistakes) {
+    connect(&trials_, &UserBlockTrials::finished, this, [this](const Errors& mistakes) {
         messages_.setGroup("shaders", mistakes);
         status_->clearMessage();
         views_->first().viewport().refresh(); // of a block that it could not draw with before

@@ -13,9 +13,9 @@
 #include "files/catalog_watcher.h"
 #include "files/file_actions.h"
 #include "files/picture_export.h"
-#include "library/block_trials.h"
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
+#include "library/user_block_trials.h"
 #include "viewport/compare_area.h"
 #include "viewport/program_worker.h"
 #include "viewport/texture_library.h"
@@ -46,6 +46,7 @@ class MainWindow : public QMainWindow {
     MeshLibrary& meshes() { return meshes_; }
     Autosave& autosave() { return autosave_; }
     QDockWidget* dock(const QString& name) const;
+    DockContext dockContext();
 
     /// What can wait until the first frame is on the screen: presets, thumbnails, watching, the
     /// desktop's look.
@@ -97,7 +98,7 @@ class MainWindow : public QMainWindow {
     PresetLibrary presets_;
     ThumbnailMaker thumbnails_;
     ProgramWorker programs_;
-    BlockTrials trials_;
+    UserBlockTrials trials_;
     Autosave autosave_;
     FileActions* files_;
     PictureExport* pictures_;

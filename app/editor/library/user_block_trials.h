@@ -15,14 +15,14 @@ namespace patina {
 
 /// Has the user's blocks tried in the background (see BlockGate), so that a mistake is told when it
 /// is made and not first when the block is chosen.
-class BlockTrials : public QObject {
+class UserBlockTrials : public QObject {
     Q_OBJECT
 
   public:
-    explicit BlockTrials(QObject* parent = nullptr);
+    explicit UserBlockTrials(QObject* parent = nullptr);
 
     /// Ends the trial that it waits for.
-    ~BlockTrials() override;
+    ~UserBlockTrials() override;
 
     /// finished() follows, unless another run is wished meanwhile.
     void run(std::shared_ptr<const Catalog> catalog);

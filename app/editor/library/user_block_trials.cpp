@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "library/block_trials.h"
+#include "library/user_block_trials.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +25,7 @@ void addNew(std::vector<StrangerBlock>& blocks, const std::vector<StrangerBlock>
 } // namespace
 
 /// The user's blocks as they stand in programs, and what their texts alone show to be wrong.
-class BlockTrials::Wanted {
+class UserBlockTrials::Wanted {
   public:
     void add(const Checked<ProgramSource>& source) {
         if (!source) {
@@ -43,7 +43,7 @@ class BlockTrials::Wanted {
     Errors mistakes;
 };
 
-BlockTrials::BlockTrials(QObject* parent) : QObject(parent) {
+UserBlockTrials::UserBlockTrials(QObject* parent) : QObject(parent) {
     thread_.setMaxThreadCount(1);
     thread_.setExpiryTimeout(100);
     if (blockGate()) {
@@ -51,7 +51,7 @@ BlockTrials::BlockTrials(QObject* parent) : QObject(parent) {
     }
 }
 
-BlockTrials::~BlockTrials() {
+UserBlockTrials::~UserBlockTrials() {
     ++wished_;
     if (blockGate()) {
         blockGate()->stop();
@@ -59,7 +59,7 @@ BlockTrials::~BlockTrials() {
     thread_.waitForDone();
 }
 
-void BlockTrials::run(std::shared_ptr<const Catalog> catalog) {
+void UserBlockTrials::run(std::shared_ptr<const Catalog> catalog) {
     const quint64 number = ++wished_;
     const bool hasUsers = std::any_of(catalog->blocks.begin(), catalog->blocks.end(),
                                       [](const Block& block) { return !block.shipped; });
@@ -78,7 +78,7 @@ void BlockTrials::run(std::shared_ptr<const Catalog> catalog) {
     });
 }
 
-void BlockTrials::tellBegun(const QStringList& names, quint64 number) {
+void UserBlockTrials::tellBegun(const QStringList& names, quint64 number) {
     const auto tell = [this, number, names] {
         if (wished_ == number) {
             Q_EMIT begun(names);
@@ -88,7 +88,7 @@ void BlockTrials::tellBegun(const QStringList& names, quint64 number) {
 }
 
 /// Says nothing more once another run is wished.
-Errors BlockTrials::mistakesIn(const Catalog& catalog, quint64 number) {
+Errors UserBlockTrials::mistakesIn(const Catalog& catalog, quint64 number) {
     Wanted wanted;
     for (const Block& block : catalog.blocks) {
         if (!block.shipped && wished_ == number) {

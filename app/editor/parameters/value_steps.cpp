@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "parameters/steps.h"
+#include "parameters/value_steps.h"
 
 #include <cmath>
 
