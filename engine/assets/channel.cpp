@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assets/channel.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>

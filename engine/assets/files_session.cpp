@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assets/files_session.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 

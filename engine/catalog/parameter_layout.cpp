@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/parameter_layout.h"
 
-#include <algorithm>
-
 #include <glm/trigonometric.hpp>
 
 #include "catalog/fills.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/table_checks.h"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>

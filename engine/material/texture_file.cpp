@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/texture_file.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "catalog/value_json.h"

@@ -3,7 +3,6 @@
 // comes into the scene in turn. patina-compiling-editor prints a line per kind of block: its
 // longest stall, and the longest time until a block of it was on the screen.
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>

@@ -2,7 +2,6 @@
 // The editor's window at work on large meshes, with a heartbeat on its event loop.
 // patina-loading-editor MESH...: prints a line per step.
 #include <algorithm>
-#include <cstdio>
 
 #include <QApplication>
 #include <QMouseEvent>

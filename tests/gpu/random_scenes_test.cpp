@@ -3,7 +3,6 @@
 // few of each run; `ninja random-scenes` draws ten thousand.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <set>

@@ -2,7 +2,6 @@
 // Single values on the graphics device beside what theory or double precision says of them.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "measure/eval/eval_gpu.h"

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include <glm/geometric.hpp>
 
 #include "physics_cases.h"

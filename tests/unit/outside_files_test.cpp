@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene or a preset may read beside itself.
-#include <algorithm>
 
 #include <gtest/gtest.h>
 

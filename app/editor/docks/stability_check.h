@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
-
 #include "catalog/catalog.h"
 #include "docks/stability_outcome.h"
 #include "material/material.h"

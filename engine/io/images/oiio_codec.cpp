@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/eval/eval_program.h"
 
-#include <algorithm>
-
 #include <epoxy/gl.h>
 
 #include "gl/framebuffer.h"

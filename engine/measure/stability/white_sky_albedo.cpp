@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/stability/white_sky_albedo.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
