@@ -151,7 +151,8 @@ Checked<std::vector<ModelCost>> ranked(CostSweep::Subject subject, const CostReq
     while (!(*ranking)->finished() && !work.isStopped()) {
         (*ranking)->step();
         const ModelRanking::Turn turn = (*ranking)->turn();
-        work.tell(fmt::format("model {} of {}: {}", turn.number, turn.of, turn.label));
+        work.tell(fmt::format("{:3.0f} %  model {} of {}: {}", 100.0 * (*ranking)->progress(),
+                              turn.number, turn.of, turn.label));
     }
     if (!(*ranking)->problems().empty()) {
         return tl::unexpected((*ranking)->problems());

@@ -247,6 +247,15 @@ TEST(CountFromQuickest, QuickestThatIsABound_LeavesLeastRatios) {
     EXPECT_EQ(rankingJson(costs)[1]["belowNoise"], true);
 }
 
+TEST(CountFromQuickest, Intervals_HoldWhatIsNotKnownOfTheQuickestEither) {
+    std::vector<ModelCost> costs{modelCost("a", 0.5, false), modelCost("b", 1.0, false)};
+    costs[0].cost.ratio = {0.5, 0.4, 0.8};
+    costs[1].cost.ratio = {1.0, 0.9, 1.2};
+    countFromQuickest(costs);
+    EXPECT_EQ(costs[0].cost.ratio, (MedianInterval{1.0, 1.0, 1.0}));
+    EXPECT_EQ(costs[1].cost.ratio, (MedianInterval{2.0, 0.9 / 0.8, 1.2 / 0.4}));
+}
+
 TEST(CountFromQuickest, BoundBesideAQuickerModel_IsTheMostThatItTakes) {
     std::vector<ModelCost> costs{modelCost("a", 0.5, false), modelCost("b", 0.6, true)};
     countFromQuickest(costs);

@@ -70,18 +70,24 @@ BackgroundJob::End ModelsPage::rank(const CostSweep::Subject& subject,
     if (!ranking) {
         return endOf(false, {ranking.error()});
     }
-    std::size_t shown = 0;
-    while (!(*ranking)->finished() && !control.isCancelled()) {
-        (*ranking)->step();
-        control.tell((*ranking)->progress(), turnText((*ranking)->turn()));
+    const auto show = [&] {
         std::vector<ModelCost> costs = (*ranking)->costs();
-        if (costs.size() != shown) {
-            shown = costs.size();
+        if (!costs.empty()) {
             control.show([this, costs = std::move(costs), method = methodOf(**ranking)] {
                 take(costs, method);
             });
         }
+    };
+    std::size_t number = 0;
+    while (!(*ranking)->finished() && !control.isCancelled()) {
+        (*ranking)->step();
+        const ModelRanking::Turn turn = (*ranking)->turn();
+        control.tell((*ranking)->progress(), turnText(turn));
+        if (std::exchange(number, turn.number) != turn.number) {
+            show();
+        }
     }
+    show();
     return endOf((*ranking)->finished(), (*ranking)->problems());
 }
 

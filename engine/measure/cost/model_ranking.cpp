@@ -27,6 +27,17 @@ glm::ivec2 chosenSize(glm::ivec2 wanted) {
     return gl::isSoftware() ? sizeOnCpu : sizeOnDevice;
 }
 
+/// In each round every model has so many pairs, so that what the machine does in the meantime, for
+/// minutes perhaps, meets all of them and is in each model's interval.
+constexpr int pairsPerTurn = 2;
+constexpr int fewestTurns = 6;
+
+/// Of two numbers that are known by intervals; unchanged where the second may be none.
+MedianInterval quotient(const MedianInterval& a, const MedianInterval& b) {
+    return b.lower > 0.0 ? MedianInterval{a.median / b.median, a.lower / b.upper, a.upper / b.lower}
+                         : a;
+}
+
 std::optional<double> lossOf(const Catalog& catalog, const Block& model) {
     const std::optional<double> albedo = whiteSkyAlbedo(catalog, model);
     return albedo ? std::optional(1.0 - *albedo) : std::nullopt;
@@ -40,13 +51,10 @@ void countFromQuickest(std::vector<ModelCost>& costs) {
     }
     const ChoiceCost quickest = costs.front().cost;
     for (ModelCost& each : costs) {
-        MedianInterval& ratio = each.cost.ratio;
-        const double by = quickest.ratio.median;
-        if (by > 0.0) {
-            ratio = {ratio.median / by, ratio.lower / by, ratio.upper / by};
-        }
+        each.cost.ratio = quotient(each.cost.ratio, quickest.ratio);
         each.bound = boundOf(each.cost, quickest);
     }
+    costs.front().cost.ratio = {1.0, 1.0, 1.0};
 }
 
 class ModelRanking::Implementation {
@@ -66,28 +74,34 @@ class ModelRanking::Implementation {
         if (!hasFrame_) {
             measureFrame();
         } else if (!finished()) {
-            pairs_ ? timePair() : beginModel();
+            pairsOfTurn_ == 0 ? beginTurn() : timePair();
         }
     }
 
-    bool finished() const { return costs_.size() == models_.size() || !problems_.empty(); }
+    bool finished() const {
+        return !problems_.empty() ||
+               (hasFrame_ && std::ranges::all_of(ranked_, [this](const Ranked& each) {
+                    return isDone(each);
+                }));
+    }
 
     double progress() const {
-        const double begun =
-            pairs_ ? double(pairs_->cost().runs) / double(options_.pairs.most) : 0.0;
-        return finished() ? 1.0 : (double(costs_.size()) + begun) / double(models_.size());
+        double done = 0.0;
+        for (const Ranked& each : ranked_) {
+            done += isDone(each) ? 1.0 : double(each.pairs.runs()) / double(options_.pairs.most);
+        }
+        return finished() ? 1.0 : done / double(models_.size());
     }
 
-    Turn turn() const {
-        const std::size_t index = std::min(costs_.size(), models_.size() - 1);
-        return {models_[index]->label, index + 1, models_.size()};
-    }
+    Turn turn() const { return {models_[model_]->label, model_ + 1, models_.size()}; }
 
     std::vector<ModelCost> costs() const {
-        std::vector<ModelCost> costs = costs_;
+        std::vector<ModelCost> costs;
         const double milliseconds = medianInterval(firstTimes_).median;
-        for (ModelCost& each : costs) {
-            each.cost = withTimes(each.cost, {milliseconds, empty_, pixels_});
+        for (std::size_t i = 0; i < ranked_.size() && ranked_[i].turns > 0; ++i) {
+            costs.push_back({models_[i]->id, models_[i]->label,
+                             withTimes(ranked_[i].pairs.cost(), {milliseconds, empty_, pixels_}),
+                             ranked_[i].instructions, ranked_[i].albedoLoss});
         }
         std::ranges::stable_sort(costs, [](const ModelCost& a, const ModelCost& b) {
             return a.cost.ratio.median < b.cost.ratio.median;
@@ -101,6 +115,14 @@ class ModelRanking::Implementation {
     const Errors& problems() const { return problems_; }
 
   private:
+    /// What is known of a model.
+    struct Ranked {
+        CostPairs pairs;
+        int turns = 0; ///< that are done
+        std::optional<InstructionCount> instructions{};
+        std::optional<double> albedoLoss{};
+    };
+
     Scene sceneOf(const Block& model) const {
         Scene scene = subject_.scene;
         scene.objects[subject_.object].material = defaultMaterial(model);
@@ -127,41 +149,48 @@ class ModelRanking::Implementation {
             times.push_back(drawn_->timeOf(without, view_));
         }
         empty_ = medianInterval(times);
+        ranked_.assign(models_.size(), Ranked{CostPairs(options_.pairs, empty_)});
+        began_ = Clock::now();
     }
 
-    void beginModel() {
-        other_ = sceneOf(*models_[costs_.size()]);
+    /// The time is spent, and there are as many pairs as an interval needs.
+    bool isLate(const Ranked& model) const {
+        const std::chrono::duration<double> spent = Clock::now() - began_;
+        return spent.count() > options_.seconds && model.pairs.runs() >= options_.pairs.fewest;
+    }
+
+    bool isDone(const Ranked& model) const {
+        const bool isMeasured = model.turns >= fewestTurns && model.pairs.finished();
+        return isMeasured || model.pairs.runs() >= options_.pairs.most || isLate(model);
+    }
+
+    void beginTurn() {
+        for (std::size_t i = 0; i < models_.size() && isDone(ranked_[model_]); ++i) {
+            model_ = (model_ + 1) % models_.size();
+        }
+        other_ = sceneOf(*models_[model_]);
         drawn_->timeOf(first_, view_); // these only warm up
         drawn_->timeOf(other_, view_);
-        pairs_.emplace(options_.pairs, empty_);
-        pairsBegan_ = Clock::now();
-    }
-
-    /// The model has had its share of the time, and as many pairs as an interval needs.
-    bool isLate() const {
-        const std::chrono::duration<double> spent = Clock::now() - pairsBegan_;
-        return spent.count() > options_.seconds / double(models_.size()) &&
-               pairs_->cost().runs >= options_.pairs.fewest;
+        pairsOfTurn_ = pairsPerTurn;
     }
 
     void timePair() {
+        Ranked& model = ranked_[model_];
         const double first = drawn_->timeOf(first_, view_);
-        const double other = drawn_->timeOf(other_, view_);
-        pairs_->add(first, other);
+        model.pairs.add(first, drawn_->timeOf(other_, view_));
         firstTimes_.push_back(first);
         problems_ = drawn_->problems();
-        if ((pairs_->finished() || isLate()) && problems_.empty()) {
-            addModel();
+        --pairsOfTurn_;
+        if (model.pairs.runs() == 1 && problems_.empty()) {
+            model.instructions = surfaceInstructions(other_, subject_.object, view_.camera,
+                                                     {subject_.catalog, subject_.meshes});
+            model.albedoLoss = lossOf(*subject_.catalog, *models_[model_]);
         }
-    }
-
-    void addModel() {
-        const Block& model = *models_[costs_.size()];
-        costs_.push_back({model.id, model.label, pairs_->cost(),
-                          surfaceInstructions(other_, subject_.object, view_.camera,
-                                              {subject_.catalog, subject_.meshes}),
-                          lossOf(*subject_.catalog, model)});
-        pairs_.reset();
+        if (pairsOfTurn_ == 0 || isDone(model)) {
+            pairsOfTurn_ = 0;
+            ++model.turns;
+            model_ = (model_ + 1) % models_.size();
+        }
     }
 
     CostSweep::Subject subject_;
@@ -174,10 +203,11 @@ class ModelRanking::Implementation {
     Scene other_;
     MedianInterval empty_;
     std::size_t pixels_ = 0;
-    std::optional<CostPairs> pairs_;
-    Clock::time_point pairsBegan_;
+    std::vector<Ranked> ranked_;  ///< in the order of the models
+    std::size_t model_ = 0;       ///< whose turn it is
+    int pairsOfTurn_ = 0;         ///< that are left
+    Clock::time_point began_;
     std::vector<double> firstTimes_;
-    std::vector<ModelCost> costs_;
     Errors problems_;
 };
 

@@ -25,11 +25,12 @@ struct ModelCost {
     friend bool operator==(const ModelCost&, const ModelCost&) = default;
 };
 
-/// Makes ratios to whatever model ratios to the first of these, which is the quickest.
+/// Makes ratios to whatever model ratios to the first of these, which is the quickest, with
+/// intervals that hold what is not known of either.
 void countFromQuickest(std::vector<ModelCost>& costs);
 
 /// Ranks all models of the catalogue on one scene: the object that a sweep would measure gets each
-/// of them with its defaults. Works in steps. Made, used and destroyed with one context current.
+/// of them with its defaults, round after round. Works in steps. Made, used and destroyed with one context current.
 class ModelRanking {
   public:
     static Result<std::unique_ptr<ModelRanking>> create(CostSweep::Subject subject,
