@@ -41,6 +41,15 @@ struct View {
     bool isContinued = false;
 };
 
+/// What a frame is drawn for.
+enum class FramePurpose {
+    Window,  ///< to be seen, in a window that must not stand still
+    Sketch,  ///< a first look before that: half as wide and high, with one sample per pixel
+    Capture, ///< to be kept: all that it needs is prepared in one step
+    Prewarm, ///< for its programs, so that a frame need not wait for them; nothing is shown
+    Targets  ///< for what it is drawn into, while its programs are made elsewhere
+};
+
 /// Gives the triangles of a mesh name, or an empty view while it is not there yet.
 using MeshSource = std::function<MeshView(const Object&)>;
 

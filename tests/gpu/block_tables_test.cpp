@@ -6,6 +6,7 @@
 #include "gpu_fixture.h"
 #include "measure/error/frame_error.h"
 #include "measure/error/reference_frame.h"
+#include "render/surfaces/surface_buffer_drawer.h"
 #include "shading/effects/effect_key.h"
 #include "shading/program/program_source.h"
 #include "support/program.h"
@@ -48,7 +49,7 @@ class BlockTablesTest : public GpuTest {
 
     /// Of the device's frame against the one in double precision.
     FrameError error(const Scene& scene) {
-        auto buffer = renderer->captureSurfaces(scene, wholeView(scene), source_);
+        auto buffer = renderer->surfaces().capture(scene, wholeView(scene), source_);
         EXPECT_TRUE(buffer) << (buffer ? "" : buffer.error().text());
         auto right = ReferenceFrame::create(std::move(*buffer),
                                             std::vector<bool>(scene.objects.size(), true));

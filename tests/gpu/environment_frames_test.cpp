@@ -36,21 +36,21 @@ class EnvironmentFrames : public EnvironmentTest {
     }
 
     bool begin(const Scene& scene, const View& view) {
-        return renderer->drawSmall(scene, view, squares(), target_->name());
+        return drawInWindow(scene, view, squares(), target_->name());
     }
 
     void finish(bool isDone) {
-        while (!isDone && !renderer->proceed(noPatience)) {
+        while (!isDone && !proceed(noPatience)) {
         }
         if (!isDone) {
-            renderer->show(target_->name());
+            renderer->job().show(target_->name());
         }
     }
 
     /// The next frame of these programs is drawn in tiles.
     void makeSlow(const Scene& scene, const View& view) {
         finish(begin(scene, view));
-        renderer->noteTime(5000.0);
+        renderer->job().noteTime(5000.0);
     }
 
     /// What the mean of the frames so far is.
@@ -90,11 +90,11 @@ TEST_F(EnvironmentFrames, Tile_IsNoSample) {
     view.isContinued = true;
     ASSERT_FALSE(begin(scene, view));
     int before = 0; // tiles after which nothing was added yet
-    while (!renderer->proceed(noPatience)) {
-        before += renderer->environmentSamples() == 4;
+    while (!proceed(noPatience)) {
+        before += renderer->job().environmentSamples() == 4;
     }
     EXPECT_GT(before, 0);
-    EXPECT_EQ(renderer->environmentSamples(), 8);
+    EXPECT_EQ(renderer->job().environmentSamples(), 8);
 }
 
 TEST_F(EnvironmentFrames, GivenUp_AddNothing) {
@@ -104,9 +104,9 @@ TEST_F(EnvironmentFrames, GivenUp_AddNothing) {
     const Image before = mean(scene, view);
     view.isContinued = true;
     ASSERT_FALSE(begin(scene, view));
-    renderer->proceed(noPatience);
+    proceed(noPatience);
     EXPECT_EQ(mean(scene, view).pixels, before.pixels);
-    EXPECT_EQ(renderer->environmentSamples(), 4);
+    EXPECT_EQ(renderer->job().environmentSamples(), 4);
 }
 
 TEST_F(EnvironmentFrames, AfterANewOneThatWasGivenUp_BeginAgain) {
@@ -117,7 +117,7 @@ TEST_F(EnvironmentFrames, AfterANewOneThatWasGivenUp_BeginAgain) {
     other.part(kinds::environment)->parameters["rotate"] = 90.0;
     makeSlow(other, view);
     ASSERT_FALSE(begin(scene, view));
-    renderer->proceed(noPatience);
+    proceed(noPatience);
     view.isContinued = true;
     finish(begin(scene, view));
     EXPECT_EQ(mean(scene, view).pixels, expected.pixels);
@@ -130,8 +130,8 @@ TEST_F(EnvironmentFrames, Prewarming_LeavesTheMeanAsItIs) {
     without.part(kinds::environment)->parameters["intensity"] = 0.0;
     View ahead = viewWith(scene, 4);
     ahead.effects = &without;
-    ASSERT_TRUE(renderer->prewarm(scene, ahead, squares()));
-    EXPECT_EQ(renderer->environmentSamples(), 8);
+    ASSERT_TRUE(prewarm(scene, ahead, squares()));
+    EXPECT_EQ(renderer->job().environmentSamples(), 8);
     EXPECT_EQ(mean(scene, viewWith(scene, 4)).pixels, before.pixels);
 }
 

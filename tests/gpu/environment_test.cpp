@@ -99,16 +99,16 @@ TEST_F(EnvironmentTest, FurtherFrames_AddSamplesUntilTheSceneChanges) {
     const Scene scene = inTheStudio("cook-torrance");
     View view = viewWith(scene, 8);
     ASSERT_TRUE(renderer->capture(scene, view, squares(), false));
-    EXPECT_EQ(renderer->environmentSamples(), 8);
+    EXPECT_EQ(renderer->job().environmentSamples(), 8);
     const gl::Texture color = gl::Texture::create(view.size, 0x8058, 0x1908, 0x1401);
     gl::Framebuffer target = gl::Framebuffer::create();
     target.attachColor(color);
     view.isContinued = true;
-    renderer->drawSmall(scene, view, squares(), target.name());
-    EXPECT_EQ(renderer->environmentSamples(), 16);
+    drawInWindow(scene, view, squares(), target.name());
+    EXPECT_EQ(renderer->job().environmentSamples(), 16);
     view.isContinued = false;
-    renderer->drawSmall(scene, view, squares(), target.name());
-    EXPECT_EQ(renderer->environmentSamples(), 8);
+    drawInWindow(scene, view, squares(), target.name());
+    EXPECT_EQ(renderer->job().environmentSamples(), 8);
 }
 
 TEST_F(EnvironmentTest, SamplesInManyFrames_AreThoseOfOne) {
@@ -120,12 +120,12 @@ TEST_F(EnvironmentTest, SamplesInManyFrames_AreThoseOfOne) {
     target.attachColor(color);
     for (int i = 0; i < 4; ++i) {
         view.isContinued = i > 0;
-        renderer->drawSmall(scene, view, squares(), target.name());
+        drawInWindow(scene, view, squares(), target.name());
     }
     view.isContinued = true;
     const auto inSteps = renderer->capture(scene, view, squares(), false);
     ASSERT_TRUE(inSteps);
-    EXPECT_EQ(renderer->environmentSamples(), 64);
+    EXPECT_EQ(renderer->job().environmentSamples(), 64);
     EXPECT_NEAR(middle(*inSteps).g, middle(atOnce).g, 2e-3f * middle(atOnce).g);
 }
 
@@ -149,7 +149,7 @@ TEST_F(EnvironmentTest, LessThanARound_IsRightOnAverage) {
     const double right = meanInTheMiddle(settled(scene, 256));
     for (const int samples : {1, 2, 3}) {
         const double mean = meanInTheMiddle(settled(scene, samples));
-        EXPECT_EQ(renderer->environmentSamples(), samples);
+        EXPECT_EQ(renderer->job().environmentSamples(), samples);
         EXPECT_NEAR(mean, right, 0.1 * right) << samples;
     }
 }
@@ -157,7 +157,7 @@ TEST_F(EnvironmentTest, LessThanARound_IsRightOnAverage) {
 TEST_F(EnvironmentTest, WithoutOne_ThereAreNoSamples) {
     const Scene scene = simpleScene();
     ASSERT_TRUE(renderer->capture(scene, viewWith(scene, 8), squares(), false));
-    EXPECT_EQ(renderer->environmentSamples(), 0);
+    EXPECT_EQ(renderer->job().environmentSamples(), 0);
 }
 
 /// A model with values that make it matte, glossy or sharp, and how far it is turned away.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "catalog/catalog.h"
 #include "gl/debug_output.h"
 #include "gl/headless_context.h"
+#include "render/frame/frame_job.h"
 #include "render/renderer.h"
 #include "scene/primitives.h"
 
@@ -136,6 +138,31 @@ class GpuTest : public testing::Test {
         auto image = renderer->capture(scene, viewOf(scene, size), meshSource(), display);
         EXPECT_TRUE(image) << (image ? "" : image.error().text());
         return image ? *image : Image();
+    }
+
+    /// Draws as a window does: false where more steps are needed. What is done is shown.
+    bool drawInWindow(const Scene& scene, const View& view, const MeshSource& source,
+                      unsigned framebuffer) {
+        constexpr std::chrono::milliseconds patience{40};
+        FrameJob& job = renderer->begin(scene, view, source, FramePurpose::Window);
+        const bool isDone = proceed(patience);
+        if (isDone) {
+            job.show(framebuffer);
+        }
+        return isDone;
+    }
+
+    bool proceed(std::chrono::milliseconds patience) {
+        return renderer->job().step(patience) ==
+               FrameJob::Progress::Done;
+    }
+
+    /// Whether a program had to be made.
+    bool prewarm(const Scene& scene, const View& view, const MeshSource& source) {
+        FrameJob& job = renderer->begin(scene, view, source, FramePurpose::Prewarm);
+        const bool isMissing = job.missingPrograms() != 0;
+        job.step(FrameJob::never);
+        return isMissing;
     }
 
     static glm::vec3 pixel(const Image& image, int x, int y) {

@@ -106,13 +106,13 @@ TEST_F(ReleasedTargets, NextFrame_IsTheSame) {
     makeRenderer();
     const Scene scene = simpleScene("phong");
     const Image before = capture(scene);
-    renderer->releaseTargets();
+    renderer->job().releaseTargets();
     EXPECT_EQ(capture(scene).pixels, before.pixels);
 }
 
 TEST_F(ReleasedTargets, BeforeAnyFrame_DoNoHarm) {
     makeRenderer();
-    renderer->releaseTargets();
+    renderer->job().releaseTargets();
     EXPECT_FALSE(capture(simpleScene("phong")).pixels.empty());
 }
 
@@ -127,7 +127,7 @@ TEST_F(Prewarmed, PictureWithoutExposure_CompilesNothingWhenItComes) {
     without.exposure = 0.0;
     View ahead = viewOf(scene);
     ahead.effects = &without;
-    EXPECT_TRUE(renderer->prewarm(scene, ahead, meshSource()));
+    EXPECT_TRUE(prewarm(scene, ahead, meshSource()));
     capture(without, true);
     EXPECT_EQ(renderer->report().compiled, 0);
 }

@@ -96,7 +96,7 @@ TEST_F(IncrementalCaptureTest, EnvironmentsLight_IsSummedUpToTheEnd) {
     ChosenFrame frame = frameOf(scene, 24);
     frame.view.environmentSamples = 300; // more than one frame may have
     const LinearFrame made = sliced(frame);
-    EXPECT_EQ(renderer->environmentSamples(), 300);
+    EXPECT_EQ(renderer->job().environmentSamples(), 300);
     EXPECT_EQ(made, whole(frame));
 }
 

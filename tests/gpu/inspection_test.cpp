@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gpu_fixture.h"
+#include "render/surfaces/inspection_drawer.h"
 #include "shading/program/program_source.h"
 #include "support/program.h"
 
@@ -39,7 +40,8 @@ class InspectionTest : public GpuTest {
     }
 
     Image inspected(const Scene& scene, bool display = false) {
-        auto image = renderer->captureInspection(scene, viewOf(scene, size), meshSource(), display);
+        auto image =
+            renderer->inspection().capture(scene, viewOf(scene, size), meshSource(), display);
         EXPECT_TRUE(image) << (image ? "" : image.error().text());
         return image ? *image : Image();
     }
@@ -54,7 +56,7 @@ class InspectionTest : public GpuTest {
     }
 
     std::optional<PixelProbe> probe(const Scene& scene, glm::ivec2 place) {
-        auto found = renderer->probe(scene, viewOf(scene, size), meshSource(), place);
+        auto found = renderer->inspection().probe(scene, viewOf(scene, size), meshSource(), place);
         EXPECT_TRUE(found) << (found ? "" : found.error().text());
         return found ? *found : std::nullopt;
     }
@@ -239,7 +241,7 @@ TEST_F(InspectionTest, EveryModel_HasAProgramOfIt) {
         Scene scene = simpleScene(model->id);
         scene.ambient = glm::dvec3(0.1);
         scene.setPart(kinds::fog, block("fog", "exponential"));
-        renderer->captureInspection(scene, viewOf(scene, 9), meshSource(), false);
+        renderer->inspection().capture(scene, viewOf(scene, 9), meshSource(), false);
         EXPECT_EQ(text(renderer->report().messages), "") << model->id;
     }
 }

@@ -286,8 +286,8 @@ TEST_F(LightListsTest, HeldLamp_IsInAllPrograms) {
 TEST_F(LightListsTest, PrewarmedScene_HasTheProgramsOfADragToo) {
     makeRenderer();
     const Scene scene = twoSpheres();
-    EXPECT_TRUE(renderer->prewarm(scene, viewOf(scene), meshSource()));
-    EXPECT_FALSE(renderer->prewarm(scene, viewOf(scene), meshSource()));
+    EXPECT_TRUE(prewarm(scene, viewOf(scene), meshSource()));
+    EXPECT_FALSE(prewarm(scene, viewOf(scene), meshSource()));
     capture(scene);
     EXPECT_EQ(renderer->report().compiled, 0);
     const Scene held = scene;

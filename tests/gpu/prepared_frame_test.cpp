@@ -105,7 +105,7 @@ class PreparedFrame : public EnvironmentTest {
     }
 
     bool begin(const Scene& scene) {
-        return renderer->drawSmall(scene, viewWith(scene, 4), squares(), target_->name());
+        return drawInWindow(scene, viewWith(scene, 4), squares(), target_->name());
     }
 
     /// What each step of a frame has made.
@@ -115,10 +115,10 @@ class PreparedFrame : public EnvironmentTest {
         bool isDone = begin(scene);
         steps.push_back(PiecesHeard::taken());
         while (!isDone) {
-            isDone = renderer->proceed(noPatience);
+            isDone = proceed(noPatience);
             steps.push_back(PiecesHeard::taken());
         }
-        renderer->show(target_->name());
+        renderer->job().show(target_->name());
         return steps;
     }
 
@@ -224,7 +224,7 @@ TEST_F(PreparedFrame, GivenUpAtAnyStep_SpoilsNoLaterOne) {
         makeRenderer();
         ASSERT_FALSE(begin(scene));
         for (int step = 0; step < given; ++step) {
-            renderer->proceed(noPatience);
+            proceed(noPatience);
         }
         ASSERT_EQ(drawnAtOnce(other), expectedOther) << given;
         ASSERT_EQ(drawnAtOnce(scene), expected) << given;
@@ -236,12 +236,12 @@ TEST_F(PreparedFrame, ThatCannotBeMade_IsDoneAndLeavesTheFramebufferAsItWas) {
     makeRenderer();
     View view = viewWith(square("phong"), 4);
     view.size = glm::ivec2(1 << 24);
-    bool isDone = renderer->drawSmall(square("phong"), view, squares(), target());
+    bool isDone = drawInWindow(square("phong"), view, squares(), target());
     EXPECT_FALSE(isDone); // programs came first
     while (!isDone) {
-        isDone = renderer->proceed(noPatience);
+        isDone = proceed(noPatience);
     }
-    renderer->show(target());
+    renderer->job().show(target());
     EXPECT_EQ(renderer->report().messages.size(), 1u);
     EXPECT_EQ(picture(), before);
 }

@@ -9,6 +9,7 @@
 #include "gpu_fixture.h"
 #include "measure/error/frame_error.h"
 #include "render/lights/environment_light.h"
+#include "render/surfaces/surface_buffer_drawer.h"
 
 namespace patina::reference_frame_test {
 namespace {
@@ -30,7 +31,7 @@ class ReferenceFrameTest : public GpuTest {
     }
 
     Result<std::unique_ptr<ReferenceFrame>> reference(const Scene& scene) {
-        auto buffer = renderer->captureSurfaces(scene, wholeView(scene), meshSource());
+        auto buffer = renderer->surfaces().capture(scene, wholeView(scene), meshSource());
         EXPECT_TRUE(buffer) << (buffer ? "" : buffer.error().text());
         return ReferenceFrame::create(std::move(*buffer),
                                       std::vector<bool>(scene.objects.size(), true));
@@ -43,7 +44,7 @@ class ReferenceFrameTest : public GpuTest {
             }
             if (round < directions_ / EnvironmentLight::roundSamples) {
                 frame.goOn(
-                    *renderer->captureSurfaces(scene, wholeView(scene), meshSource(), round));
+                    *renderer->surfaces().capture(scene, wholeView(scene), meshSource(), round));
             }
         }
     }
@@ -174,7 +175,7 @@ TEST_F(ReferenceFrameTest, Images_AreTakenAsTheyWereSampled) {
 
 /// The device draws three rounds of directions; the CPU has them round by round.
 TEST_F(ReferenceFrameTest, EnvironmentsLight_ComesFromTheSameDirections) {
-    directions_ = Renderer::plainSamples;
+    directions_ = SurfaceBufferDrawer::plainSamples;
     for (const char* model : {"lambert", "phong", "ward", "strauss", "he-torrance"}) {
         SCOPED_TRACE(model);
         Scene scene = simpleScene(model);
@@ -186,7 +187,7 @@ TEST_F(ReferenceFrameTest, EnvironmentsLight_ComesFromTheSameDirections) {
 }
 
 TEST_F(ReferenceFrameTest, EnvironmentsPictureAndShadows_AreInIt) {
-    directions_ = Renderer::plainSamples;
+    directions_ = SurfaceBufferDrawer::plainSamples;
     Scene scene = simpleScene("cook-torrance");
     scene.setPart(kinds::environment, block("environment", "image"));
     scene.lights.front().shadow = block("shadows", "hard");
@@ -202,7 +203,7 @@ TEST_F(ReferenceFrameTest, WhatShinesThrough_IsRefused) {
 
 TEST_F(ReferenceFrameTest, UnwantedObjects_DoNotCount) {
     const Scene scene = simpleScene();
-    auto buffer = renderer->captureSurfaces(scene, wholeView(scene), meshSource());
+    auto buffer = renderer->surfaces().capture(scene, wholeView(scene), meshSource());
     auto right = ReferenceFrame::create(std::move(*buffer), {false});
     ASSERT_TRUE(right);
     while (!(*right)->step(std::chrono::milliseconds(10))) {

@@ -10,7 +10,7 @@
 
 #include "frame_target.h"
 #include "gpu_fixture.h"
-#include "render/frame/row_tiles.h"
+#include "render/gpu/row_tiles.h"
 
 namespace patina::stepped_frame_test {
 namespace {
@@ -67,7 +67,7 @@ class SteppedFrame : public GpuTest {
     }
 
     bool beginFrame(const Scene& scene) {
-        return renderer->drawSmall(scene, viewOf(scene, pixels), meshSource(), target_->name());
+        return drawInWindow(scene, viewOf(scene, pixels), meshSource(), target_->name());
     }
 
     /// A frame that takes as long as it likes, and what it is then said to have taken.
@@ -75,16 +75,16 @@ class SteppedFrame : public GpuTest {
         if (!beginFrame(scene)) {
             finishFrame();
         }
-        renderer->noteTime(taken);
+        renderer->job().noteTime(taken);
     }
 
     /// The number of further steps.
     int finishFrame() {
         int steps = 1;
-        while (!renderer->proceed(noPatience)) {
+        while (!proceed(noPatience)) {
             ++steps;
         }
-        renderer->show(target_->name());
+        renderer->job().show(target_->name());
         return steps;
     }
 
@@ -109,7 +109,7 @@ TEST_F(SteppedFrame, OfManyTriangles_TakesMoreThanOneStepForEachMegabyte) {
 TEST_F(SteppedFrame, NotDone_LeavesTheFramebufferAsItWas) {
     const auto before = drawnAtOnce(simpleScene());
     ASSERT_FALSE(beginFrame(gridScene()));
-    renderer->proceed(noPatience);
+    proceed(noPatience);
     EXPECT_EQ(picture(), before);
 }
 
@@ -159,7 +159,7 @@ TEST_F(SteppedFrame, GivenUpInMidShadows_DrawsThemTheNextTime) {
     scene.lights[0].shadow = block("shadows", "hard");
     ASSERT_FALSE(beginFrame(scene));
     for (int i = 0; i < 12; ++i) {
-        renderer->proceed(noPatience);
+        proceed(noPatience);
     }
     const auto resumed = drawnAtOnce(scene);
     scene.objects[0].translation.x = 1.0;
@@ -172,7 +172,7 @@ TEST_F(SteppedFrame, NotDone_GivesWayToAnother) {
     const Scene other = simpleScene();
     const auto expected = drawnAtOnce(other);
     ASSERT_FALSE(beginFrame(gridScene(0.5)));
-    renderer->proceed(noPatience);
+    proceed(noPatience);
     EXPECT_EQ(drawnAtOnce(other), expected);
 }
 
@@ -262,7 +262,7 @@ TEST_F(SteppedFrame, GivenUpInMidLayer_IsCompleteTheNextTime) {
         drawFrame(scene, 5000.0);
         ASSERT_FALSE(beginFrame(scene));
         for (int step = 0; step < given; ++step) {
-            renderer->proceed(noPatience);
+            proceed(noPatience);
         }
         ASSERT_EQ(drawnAtOnce(scene), expected) << given;
     }

@@ -6,6 +6,7 @@
 
 #include "core/srgb_table.h"
 #include "gl/framebuffer.h"
+#include "render/surfaces/inspection_drawer.h"
 #include "shading/program/program_source.h"
 #include "texture_fixture.h"
 
@@ -284,10 +285,10 @@ TEST_F(TextureTest, LargeImageInAWindow_ComesOverSeveralFrames) {
     target.attachColor(color);
     const auto mesh = [this](const Object&) { return quad(); };
     const auto draw = [&] {
-        if (!renderer->drawSmall(scene, viewOf(scene, 8), mesh, target.name())) {
-            while (!renderer->proceed(std::chrono::milliseconds(100))) {
+        if (!drawInWindow(scene, viewOf(scene, 8), mesh, target.name())) {
+            while (!proceed(std::chrono::milliseconds(100))) {
             }
-            renderer->show(target.name());
+            renderer->job().show(target.name());
         }
     };
     int frames = 0;
@@ -303,7 +304,7 @@ TEST_F(TextureTest, Inspection_FindsNothingWrong) {
     file("float", {1, 1}, 3, {0.25f, 0.5f, 0.75f});
     use("diffuse.color", "float");
     use("normal", "float");
-    const auto image = renderer->captureInspection(
+    const auto image = renderer->inspection().capture(
         scene, viewOf(scene, 8), [this](const Object&) { return quad(); }, false);
     ASSERT_TRUE(image) << image.error().text();
     EXPECT_EQ(middle(*image).y, 0.0f);

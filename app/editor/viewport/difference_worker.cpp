@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gl/headless_context.h"
+#include "render/frame/frame_job.h"
 #include "scene/environment.h"
 #include "window/free_memory.h"
 
@@ -83,26 +84,24 @@ class DifferenceWorker::Workshop {
             if (auto begun = drawFrame(side.scene, view, request.meshes, course); !begun) {
                 return tl::unexpected(begun.error());
             }
-            const int before = std::exchange(drawn, renderer_->environmentSamples());
+            const int before = std::exchange(drawn, renderer_->job().environmentSamples());
             const bool isEnough = drawn >= sampledDirections && course.isHurried();
             if (drawn <= before || isEnough) { // no environment, or no more of it
                 break;
             }
         }
-        return renderer_->captured(false);
+        return renderer_->job().read(false);
     }
 
     Result<void> drawFrame(const Scene& scene, const View& view, const MeshSource& meshes,
                            const Course& course) {
-        if (auto begun = renderer_->beginCapture(scene, view, meshes); !begun) {
-            return begun;
-        }
-        while (!renderer_->proceed(slice)) {
+        FrameJob& job = renderer_->begin(scene, view, meshes, FramePurpose::Capture);
+        while (job.step(slice) == FrameJob::Progress::More) {
             if (!course.goesOn()) {
                 return failure("the window has gone");
             }
         }
-        return {};
+        return job.failure() ? tl::unexpected(*job.failure()) : Result<void>();
     }
 
     std::unique_ptr<gl::HeadlessContext> context_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gl/headless_context.h"
+#include "render/frame/frame_job.h"
 #include "render/gpu/fallback_size.h"
 #include "window/free_memory.h"
 
@@ -79,9 +80,10 @@ class Workshop {
         }
         view.effects = frame.effects ? &*frame.effects : nullptr;
         const Object* const first = frame.scene.objects.data();
-        renderer_->prewarm(frame.scene, view, [&](const Object& object) {
+        const MeshSource source = [&](const Object& object) {
             return meshes[static_cast<std::size_t>(&object - first)].view();
-        });
+        };
+        renderer_->begin(frame.scene, view, source, FramePurpose::Prewarm).step(FrameJob::never);
     }
 
   private:

@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <QUrl>
 
+#include "render/frame/frame_job.h"
 #include "render/gpu/stretched_picture.h"
 #include "viewport/program_worker.h"
 
@@ -63,7 +64,7 @@ QSurfaceFormat Viewport::surfaceFormat() {
 
 void Viewport::refresh() {
     const Scene& drawn = capture_ ? sources_.whole() : sources_.scene();
-    if (isDrawing() && (isContinued_ || !renderer_->hasMeshesOf(drawn))) {
+    if (isDrawing() && (isContinued_ || !renderer_->job().hasMeshesOf(drawn))) {
         giveUpFrame(); // it only adds to a picture that is gone, or objects have come or gone
     }
     stale_ = true;

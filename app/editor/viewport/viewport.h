@@ -13,6 +13,7 @@
 #include "measure/time/frame_timer.h"
 #include "parameters/color_source.h"
 #include "render/renderer.h"
+#include "render/surfaces/pixel_probe.h"
 #include "viewport/camera_navigation.h"
 
 class QLabel;
@@ -178,7 +179,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void probeSoon();
     void probe();
     void makePrewarmed();
-    bool waitsForPrograms();
+    bool waitsForPrograms(FrameJob& job);
     void takePrograms(quint64 number);
     void makeTargets();
     quint64 askFor(const Scene& scene, const View& view);
@@ -188,6 +189,10 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     View view() const;
     View viewAhead() const;
     void beginFrame();
+    FrameJob& beginJob(FramePurpose purpose);
+    bool drawSketch(FrameJob& job);
+    void drawFrame(FrameJob& job);
+    void goOnWith(Progress progress);
     void proceed();
     void beginCapture();
     void proceedCapture();

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "render/frame/frame_job.h"
 #include "viewport/viewport.h"
 
 namespace patina {
@@ -47,20 +48,17 @@ void Viewport::beginCapture() {
     wanted.effects = isWhole ? wanted.effects : nullptr;
     wanted.isContinued = isContinued_ = false;
     makeCurrent();
-    const auto begun = renderer_->beginCapture(whole, wanted, sources_.meshes);
+    renderer_->begin(whole, wanted, sources_.meshes, FramePurpose::Capture)
+        .step(FrameJob::Clock::now());
     doneCurrent();
-    if (!begun) {
-        finishCapture({});
-        return;
-    }
-    progress_ = Progress::Capturing;
-    turn_.start(0);
+    goOnWith(Progress::Capturing);
 }
 
 void Viewport::proceedCapture() {
     makeCurrent();
-    const bool isDone = renderer_->proceed(capturePatience);
-    Result<Image> picture = isDone ? renderer_->captured(capture_->display) : Image();
+    FrameJob& job = renderer_->job();
+    const bool isDone = job.step(capturePatience) == FrameJob::Progress::Done;
+    Result<Image> picture = isDone ? job.read(capture_->display) : Image();
     doneCurrent();
     if (isDone) {
         finishCapture(picture ? std::move(*picture) : Image());

@@ -9,13 +9,19 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
+#include "render/frame/frame_job.h"
 #include "render/gpu/stretched_picture.h"
+#include "render/surfaces/inspection_drawer.h"
 
 namespace patina {
 namespace {
 
 /// How long a step of a frame may keep the window waiting.
 constexpr std::chrono::milliseconds framePatience{20};
+
+/// So long a frame may take that might be a quick one, with the images it is drawn into. What
+/// shows it in the window takes some 40 ms more on a slow screen.
+constexpr std::chrono::milliseconds firstPatience{40};
 
 /// How long for a sketch. Before the first one there is no window yet that could stand still.
 constexpr std::chrono::milliseconds firstSketchPatience{200};
@@ -45,7 +51,7 @@ void Viewport::paintGL() {
     if (resizing_) {
         showLast();
     } else if (progress_ == Progress::Drawn) {
-        renderer_->show(defaultFramebufferObject());
+        renderer_->job().show(defaultFramebufferObject());
         std::exchange(sketching_, false) ? finishSketch() : finishFrame();
     } else if (progress_ == Progress::Idle && !capture_ && (stale_ || moreSamples_)) {
         isContinued_ = !std::exchange(stale_, false);
@@ -58,35 +64,62 @@ void Viewport::beginFrame() {
     if (std::exchange(catalogIsNew_, false)) {
         renderer_->setCatalog(catalog_);
     }
-    if (waitsForPrograms()) {
-        return;
-    }
-    timer_->begin();
     if (inspecting_) {
-        renderer_->drawInspection(sources_.scene(), view(), sources_.meshes,
-                                  defaultFramebufferObject());
+        timer_->begin();
+        renderer_->inspection().draw(sources_.scene(), view(), sources_.meshes,
+                                     defaultFramebufferObject());
         finishFrame();
         return;
     }
-    const bool isNew = std::exchange(isNew_, false);
-    const Renderer::Sketch sketch =
-        isNew ? renderer_->sketch(sources_.scene(), view(), sources_.meshes,
-                                  defaultFramebufferObject(),
-                                  frameCount_ == 0 ? firstSketchPatience : sketchPatience)
-              : Renderer::Sketch::Needless;
-    sketching_ = sketch == Renderer::Sketch::Begun;
-    if (sketch == Renderer::Sketch::Shown) {
-        finishSketch();
-    } else if (!sketching_ && renderer_->drawSmall(sources_.scene(), view(), sources_.meshes,
-                                                   defaultFramebufferObject())) {
-        finishFrame();
-    } else {
-        progress_ = Progress::Drawing;
-        turn_.start(0);
-        if (isNew) {
-            showNote();
-        }
+    const bool isNew = isNew_;
+    FrameJob& job = beginJob(isNew ? FramePurpose::Sketch : FramePurpose::Window);
+    if (waitsForPrograms(job)) {
+        return;
     }
+    isNew_ = false;
+    timer_->begin();
+    if (isNew && drawSketch(job)) {
+        return;
+    }
+    drawFrame(isNew ? beginJob(FramePurpose::Window) : job);
+    if (isNew && isDrawing()) {
+        showNote();
+    }
+}
+
+FrameJob& Viewport::beginJob(FramePurpose purpose) {
+    return renderer_->begin(sources_.scene(), view(), sources_.meshes, purpose);
+}
+
+/// Shows a sketch, now or in later turns. False where the frame is as quick.
+bool Viewport::drawSketch(FrameJob& job) {
+    const auto patience = frameCount_ == 0 ? firstSketchPatience : sketchPatience;
+    sketching_ = job.step(patience) == FrameJob::Progress::More;
+    if (job.isNeedless()) {
+        return false;
+    }
+    if (sketching_) {
+        goOnWith(Progress::Drawing);
+        showNote();
+    } else {
+        job.show(defaultFramebufferObject());
+        finishSketch();
+    }
+    return true;
+}
+
+void Viewport::drawFrame(FrameJob& job) {
+    if (job.step(firstPatience) == FrameJob::Progress::More) {
+        goOnWith(Progress::Drawing);
+    } else {
+        job.show(defaultFramebufferObject());
+        finishFrame();
+    }
+}
+
+void Viewport::goOnWith(Progress progress) {
+    progress_ = progress;
+    turn_.start(0);
 }
 
 /// Another turn of a long frame. Where the same objects are seen in another way it is finished
@@ -101,9 +134,9 @@ void Viewport::proceed() {
         return;
     }
     makeCurrent();
-    const bool done = renderer_->proceed(framePatience);
+    const FrameJob::Progress progress = renderer_->job().step(framePatience);
     doneCurrent();
-    if (done) {
+    if (progress == FrameJob::Progress::Done) {
         progress_ = Progress::Drawn;
         update();
     } else {
@@ -124,7 +157,7 @@ void Viewport::finishSketch() {
 void Viewport::finishFrame() {
     timer_->end();
     if (!inspecting_) {
-        renderer_->noteTime(timer_->milliseconds());
+        renderer_->job().noteTime(timer_->milliseconds());
     }
     progress_ = Progress::Idle;
     ++frameCount_;

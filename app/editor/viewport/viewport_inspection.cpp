@@ -2,6 +2,7 @@
 // The part of Viewport that shows the numerical check and reads the pixel under the pointer.
 #include <utility>
 
+#include "render/surfaces/inspection_drawer.h"
 #include "viewport/viewport.h"
 
 namespace patina {
@@ -35,8 +36,9 @@ void Viewport::probe() {
     if (pointer_ && rect().contains(*pointer_)) {
         const QPointF pixel = QPointF(*pointer_) * devicePixelRatioF();
         makeCurrent();
-        auto found = renderer_->probe(sources_.scene(), view(), sources_.meshes,
-                                      {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())});
+        auto found = renderer_->inspection().probe(
+            sources_.scene(), view(), sources_.meshes,
+            {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())});
         doneCurrent();
         numbers = found ? std::move(*found) : std::nullopt;
     }

@@ -3,6 +3,7 @@
 // wanted soon.
 #include <utility>
 
+#include "render/frame/frame_job.h"
 #include "viewport/program_worker.h"
 #include "viewport/viewport.h"
 
@@ -11,20 +12,18 @@ namespace patina {
 /// Whether the frame to be drawn lacks programs that are made elsewhere meanwhile. The first frame
 /// has no window yet that could stand still. What came and is still lacking was not kept by the
 /// driver or the disk: it is made here.
-bool Viewport::waitsForPrograms() {
-    if (!sources_.programs || inspecting_ || frameCount_ == 0) {
+bool Viewport::waitsForPrograms(FrameJob& job) {
+    if (!sources_.programs || frameCount_ == 0) {
         return false;
     }
-    const std::uint64_t missing =
-        renderer_->missingPrograms(sources_.scene(), view(), sources_.meshes);
+    const std::uint64_t missing = job.missingPrograms();
     if (missing == 0 || (ordered_.number == 0 && ordered_.missing == missing)) {
         ordered_ = {};
         return false;
     }
     ordered_ = {askFor(sources_.scene(), view()), missing};
     ++waitCount_;
-    progress_ = Progress::Waiting;
-    turn_.start(0);
+    goOnWith(Progress::Waiting);
     if (isNew_) {
         showNote();
     }
@@ -34,7 +33,7 @@ bool Viewport::waitsForPrograms() {
 /// Meanwhile; it takes as long as several steps of a frame.
 void Viewport::makeTargets() {
     makeCurrent();
-    renderer_->makeTargets(sources_.scene(), view(), sources_.meshes);
+    beginJob(FramePurpose::Targets).step(FrameJob::never);
     doneCurrent();
 }
 
@@ -108,7 +107,8 @@ void Viewport::preparePrewarmed() {
     const Scene ahead = std::move(prewarmed_.back());
     prewarmed_.pop_back();
     makeCurrent();
-    renderer_->prewarm(ahead, viewAhead(), sources_.meshes);
+    renderer_->begin(ahead, viewAhead(), sources_.meshes, FramePurpose::Prewarm)
+        .step(FrameJob::never);
     doneCurrent();
     watchForRest();
     prewarming_.start(0);

@@ -2,6 +2,7 @@
 // What a view gives back while nothing is drawn.
 #include <QApplication>
 
+#include "render/frame/frame_job.h"
 #include "viewport/viewport.h"
 #include "window/free_memory.h"
 
@@ -29,7 +30,7 @@ void Viewport::releaseWhenIdle() {
         idleTimer_.start(busy ? idleMs : static_cast<int>(left));
     } else if (renderer_) {
         makeCurrent();
-        renderer_->releaseTargets();
+        renderer_->job().releaseTargets();
         doneCurrent();
         returnFreeMemory();
     }

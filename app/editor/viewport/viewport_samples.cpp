@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a view goes on with an environment's light while nothing changes, and then stops.
+#include "render/frame/frame_job.h"
 #include "scene/environment.h"
 #include "viewport/viewport.h"
 
@@ -12,7 +13,7 @@ constexpr int pauseMs = 5;
 } // namespace
 
 int Viewport::samples() const {
-    return renderer_ ? renderer_->environmentSamples() : 0;
+    return renderer_ ? renderer_->job().environmentSamples() : 0;
 }
 
 int Viewport::wantedSamples() const {

@@ -10,7 +10,7 @@
 #include "measure/stability/white_sky_albedo.h"
 #include "measure/time/surface_instructions.h"
 #include "measure/time/timed_frames.h"
-#include "render/surfaces/surface_buffer.h"
+#include "render/surfaces/surface_buffer_drawer.h"
 
 namespace patina {
 namespace {
@@ -133,7 +133,8 @@ class ModelRanking::Implementation {
     void measureFrame() {
         hasFrame_ = true;
         first_ = sceneOf(*models_.front());
-        const auto buffer = drawn_->renderer().captureSurfaces(first_, view_, drawn_->meshes());
+        const auto buffer =
+            drawn_->renderer().surfaces().capture(first_, view_, drawn_->meshes());
         if (!buffer) {
             problems_.push_back(buffer.error());
             return;

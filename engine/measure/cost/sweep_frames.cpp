@@ -6,13 +6,14 @@
 
 #include "measure/choice/picture_choices.h"
 #include "measure/cost/measured_scene.h"
+#include "render/surfaces/surface_buffer_drawer.h"
 
 namespace patina {
 namespace {
 
 /// Directions of an environment's light with which errors of a material are measured: the same ones
 /// in every frame, too few for a search of the model's lobe, as that depends on the levels.
-constexpr int sampledDirections = 4 * Renderer::plainSamples;
+constexpr int sampledDirections = 4 * SurfaceBufferDrawer::plainSamples;
 
 } // namespace
 
@@ -47,7 +48,7 @@ ChosenFrame SweepFrames::captured(const ChosenLevels& levels) const {
     if (isOfMaterial()) {
         frame.view.numbers = HdrNumbers::Full;
         frame.view.environmentSamples = sampledDirections;
-        frame.samplesAtOnce = Renderer::plainSamples;
+        frame.samplesAtOnce = SurfaceBufferDrawer::plainSamples;
     }
     return frame;
 }

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "render/frame/frame_job.h"
 #include "render/lights/environment_light.h"
+#include "render/surfaces/surface_buffer_drawer.h"
 
 namespace patina {
 
@@ -71,8 +73,8 @@ Steps GroundTruthFrame::compute(std::optional<LinearFrame>& computed) {
 }
 
 std::optional<SurfaceBuffer> GroundTruthFrame::surfaces(int round) {
-    auto buffer =
-        wish_.renderer.captureSurfaces(wish_.exact.scene, wish_.exact.view, wish_.meshes, round);
+    auto buffer = wish_.renderer.surfaces().capture(wish_.exact.scene, wish_.exact.view,
+                                                    wish_.meshes, round);
     if (!buffer) {
         problem_ = buffer.error();
         return std::nullopt;
@@ -121,7 +123,8 @@ Steps GroundTruthFrame::draw(const std::optional<LinearFrame>& computed) {
         problem_ = drawn.error();
         co_return;
     }
-    if (const int directions = wish_.renderer.environmentSamples(); !computed && directions > 0) {
+    const int directions = wish_.renderer.job().environmentSamples();
+    if (!computed && directions > 0) {
         method_ = fmt::format("{}, with the same {} directions of the environment per pixel",
                               method_, directions);
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "measure/error/display_curve.h"
+#include "render/frame/frame_job.h"
 
 namespace patina {
 
@@ -12,33 +13,38 @@ IncrementalCapture::IncrementalCapture(Renderer& renderer, const MeshSource& mes
                                        ChosenFrame frame)
     : renderer_(renderer), meshes_(meshes), frame_(std::move(frame)) {}
 
-Result<void> IncrementalCapture::begin() {
+void IncrementalCapture::begin() {
     View part = frame_.view;
     part.isContinued = continued_;
     if (continued_) {
-        part.environmentSamples = frame_.view.environmentSamples - renderer_.environmentSamples();
+        part.environmentSamples = frame_.view.environmentSamples - samples();
     }
     if (frame_.samplesAtOnce > 0) {
         part.environmentSamples = std::min(part.environmentSamples, frame_.samplesAtOnce);
     }
-    return renderer_.beginCapture(frame_.scene, part, meshes_);
+    renderer_.begin(frame_.scene, part, meshes_, FramePurpose::Capture);
+}
+
+int IncrementalCapture::samples() const {
+    return renderer_.job().environmentSamples();
 }
 
 /// One frame has no more of an environment's samples than it may.
 bool IncrementalCapture::needsSamples() const {
-    const int samples = renderer_.environmentSamples();
-    return samples > 0 && samples < frame_.view.environmentSamples;
+    return samples() > 0 && samples() < frame_.view.environmentSamples;
 }
 
 Result<bool> IncrementalCapture::step(std::chrono::milliseconds patience) {
     if (!begun_) {
-        if (auto begun = begin(); !begun) {
-            return tl::unexpected(begun.error());
-        }
+        begin();
         begun_ = true;
     }
-    if (!renderer_.proceed(patience)) {
+    FrameJob& job = renderer_.job();
+    if (job.step(patience) == FrameJob::Progress::More) {
         return false;
+    }
+    if (job.failure()) {
+        return tl::unexpected(*job.failure());
     }
     if (needsSamples()) {
         begun_ = false;
@@ -51,12 +57,12 @@ Result<bool> IncrementalCapture::step(std::chrono::milliseconds patience) {
 
 double IncrementalCapture::progress() const {
     const int wanted = frame_.view.environmentSamples;
-    const int samples = continued_ ? renderer_.environmentSamples() : 0;
-    return isDone_ ? 1.0 : wanted > 0 ? std::min(double(samples) / wanted, 1.0) : 0.0;
+    const int drawn = continued_ ? samples() : 0;
+    return isDone_ ? 1.0 : wanted > 0 ? std::min(double(drawn) / wanted, 1.0) : 0.0;
 }
 
 Result<LinearFrame> IncrementalCapture::frame() const {
-    const auto image = renderer_.captured(false);
+    const auto image = renderer_.job().read(false);
     if (!image) {
         return tl::unexpected(image.error());
     }

@@ -27,7 +27,8 @@ class IncrementalCapture {
     Result<LinearFrame> frame() const;
 
   private:
-    Result<void> begin();
+    void begin();
+    int samples() const;
     bool needsSamples() const;
 
     Renderer& renderer_;

@@ -9,12 +9,12 @@ namespace patina {
 namespace {
 
 constexpr std::uint64_t meshesKept = 120;
-constexpr std::size_t samples = 64;
+constexpr std::size_t sampledItems = 64;
 
 /// FNV-1a over 64 items spread evenly.
 template <class Item>
 std::uint64_t sampleOf(std::span<const Item> items, std::uint64_t hash) {
-    const std::size_t count = std::min(items.size(), samples);
+    const std::size_t count = std::min(items.size(), sampledItems);
     for (std::size_t i = 0; i < count; ++i) {
         unsigned char bytes[sizeof(Item)];
         std::memcpy(bytes, &items[i * items.size() / count], sizeof(Item));
@@ -28,14 +28,14 @@ std::uint64_t sampleOf(std::span<const Item> items, std::uint64_t hash) {
 } // namespace
 
 const GpuMesh& GpuMeshStore::get(const MeshView& mesh) {
-    GpuMesh& held = prepare(mesh);
+    GpuMesh& held = *prepare(mesh);
     while (!held.isComplete()) {
         held.upload(mesh, mesh.vertices.size_bytes() + mesh.indices.size_bytes());
     }
     return held;
 }
 
-GpuMesh& GpuMeshStore::prepare(const MeshView& mesh) {
+const std::shared_ptr<GpuMesh>& GpuMeshStore::prepare(const MeshView& mesh) {
     const Key key{mesh.vertices.data(), mesh.indices.data(), mesh.vertices.size(),
                   mesh.indices.size()};
     if (lastEntry_ != nullptr && key == last_) {
@@ -47,7 +47,10 @@ GpuMesh& GpuMeshStore::prepare(const MeshView& mesh) {
         const std::uint64_t sample =
             sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u));
         if (found == meshes_.end() || found->second.sample != sample) {
-            found = meshes_.insert_or_assign(key, Entry{GpuMesh(mesh, ++made_), sample}).first;
+            found = meshes_
+                        .insert_or_assign(
+                            key, Entry{std::make_shared<GpuMesh>(mesh, ++made_), sample})
+                        .first;
         }
         found->second.looked = look_;
     }
@@ -69,7 +72,7 @@ void GpuMeshStore::endFrame() {
     });
     if (frame_ >= meshesKept) {
         for (auto& [key, entry] : meshes_) {
-            entry.mesh.forgetEdges(frame_ - meshesKept);
+            entry.mesh->forgetEdges(frame_ - meshesKept);
         }
     }
     ++frame_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <tuple>
 
 #include "core/mesh.h"
@@ -17,8 +18,9 @@ class GpuMeshStore {
     /// The mesh; uploads it when it is not there yet.
     const GpuMesh& get(const MeshView& mesh);
 
-    /// The mesh, with room for its content when it is new; it may be incomplete.
-    GpuMesh& prepare(const MeshView& mesh);
+    /// The mesh, with room for its content when it is new; it may be incomplete. It stays for as
+    /// long as somebody holds it.
+    const std::shared_ptr<GpuMesh>& prepare(const MeshView& mesh);
 
     /// The edges of a mesh that prepare() gave; they may be incomplete.
     GpuEdges& prepareEdges(GpuMesh& mesh, const MeshView& view) {
@@ -34,7 +36,7 @@ class GpuMeshStore {
   private:
     using Key = std::tuple<const void*, const void*, std::size_t, std::size_t>;
     struct Entry {
-        GpuMesh mesh;
+        std::shared_ptr<GpuMesh> mesh;
         std::uint64_t sample = 0;
         std::uint64_t looked = 0; ///< in which frame that was made
         std::uint64_t lastFrame = 0;

@@ -66,18 +66,14 @@ GLenum wrapOf(TextureWrap wrap) {
 
 } // namespace
 
-void GpuTextureStore::beginFrame(std::size_t bytes) {
-    bytesLeft_ = bytes;
-    isWaiting_ = false;
-}
-
 void GpuTextureStore::bind(std::span<glm::vec4> data, const Pipeline& pipeline,
-                           const Material& material) {
+                           const Material& material, TextureBudget& budget) {
     const std::vector<TextureEffect>& effects = pipeline.effects.textures;
     for (std::size_t i = 0; i < effects.size(); ++i) {
         const unsigned unit = binding::firstTexture + static_cast<unsigned>(i);
         glActiveTexture(GL_TEXTURE0 + unit);
-        bindOne(effects[i], material, data[std::size_t(pipeline.object.texture(i))]);
+        bindOne(effects[i], material, data[std::size_t(pipeline.object.texture(i))],
+                budget);
         const auto use = material.textures.find(effects[i].id);
         if (use != material.textures.end()) {
             sampler(use->second).bind(unit);
@@ -103,17 +99,17 @@ std::uint64_t GpuTextureStore::stateOf(const TextureEffect& effect,
 
 /// A relief keeps its own strength; of anything else the placeholder is all that is seen.
 void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& material,
-                              glm::vec4& data) {
+                              glm::vec4& data, TextureBudget& budget) {
     const auto use = material.textures.find(effect.id);
     TextureLookup found;
     if (source_ && use != material.textures.end()) {
         found = source_(use->second, decodingOf(use->second, effect));
     }
     if (found.picture) {
-        show(found.picture, showsOpaque(*found.picture, use->second));
+        show(found.picture, showsOpaque(*found.picture, use->second), budget);
         return;
     }
-    show(placeholder(effect.role), false);
+    show(placeholder(effect.role), false, budget);
     const bool isRelief =
         effect.role == TextureRole::Normal || effect.role == TextureRole::Height;
     if (!found.isMissing) {
@@ -123,7 +119,8 @@ void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& mater
     }
 }
 
-void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque) {
+void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque,
+                           TextureBudget& budget) {
     const EntryKey key{picture.get(), isOpaque};
     auto entry = entries_.find(key);
     if (entry == entries_.end()) {
@@ -135,8 +132,8 @@ void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture,
         texture.bind();
         return;
     }
-    bytesLeft_ -= std::min(bytesLeft_, texture.upload(*picture, bytesLeft_));
-    isWaiting_ = isWaiting_ || !texture.isComplete();
+    budget.bytesLeft -= std::min(budget.bytesLeft, texture.upload(*picture, budget.bytesLeft));
+    budget.isWaiting = budget.isWaiting || !texture.isComplete();
 }
 
 const gl::Sampler& GpuTextureStore::sampler(const TextureUse& use) {

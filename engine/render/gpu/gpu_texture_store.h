@@ -19,26 +19,28 @@
 
 namespace patina {
 
+/// How many bytes of images a frame still takes into the GPU's memory, and whether some are not
+/// whole yet, so that another frame shows more of them.
+struct TextureBudget {
+    static constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
+
+    std::size_t bytesLeft = everything;
+    bool isWaiting = false;
+};
+
 /// The images that are in the GPU's memory, each once however many materials show it.
 class GpuTextureStore {
   public:
-    static constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
-
     void setSource(TextureSource source) { source_ = std::move(source); }
-
-    /// The frame takes about so many bytes of images into the GPU's memory.
-    void beginFrame(std::size_t bytes = everything);
 
     /// Binds what the program shows of a material's images. One that is not there yet counts for
     /// nothing in `data`, the object's; one that is missing is a checker. Leaves texture unit 0
     /// active.
-    void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material);
+    void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material,
+              TextureBudget& budget);
 
     /// A number that changes when bind() would show another state of one image of the material.
     std::uint64_t stateOf(const TextureEffect& effect, const Material& material) const;
-
-    /// Whether images of this frame are not whole yet: another frame shows more of them.
-    bool isWaiting() const { return isWaiting_; }
 
     /// Forgets what was not drawn for a while.
     void endFrame();
@@ -53,16 +55,26 @@ class GpuTextureStore {
     /// A picture, and whether it is shown as an opaque one.
     using EntryKey = std::pair<const TexturePicture*, bool>;
 
-    void bindOne(const TextureEffect& effect, const Material& material, glm::vec4& data);
-    void show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque);
+    void bindOne(const TextureEffect& effect, const Material& material, glm::vec4& data,
+                 TextureBudget& budget);
+    void show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque,
+              TextureBudget& budget);
     const gl::Sampler& sampler(const TextureUse& use);
 
     TextureSource source_;
     std::map<EntryKey, Entry> entries_;
     std::array<std::optional<gl::Sampler>, 6> samplers_; ///< by wrap and filter
-    std::size_t bytesLeft_ = everything;
     std::uint64_t frame_ = 0;
-    bool isWaiting_ = false;
+};
+
+/// The images of one frame, whatever other frames take in between.
+struct FrameTextures {
+    void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material) {
+        store.bind(data, pipeline, material, budget);
+    }
+
+    GpuTextureStore& store;
+    TextureBudget budget{};
 };
 
 } // namespace patina

@@ -7,6 +7,8 @@
 
 #include <epoxy/gl.h>
 
+#include "render/pass/frame_gpu.h"
+
 namespace patina {
 namespace {
 
@@ -26,16 +28,17 @@ std::size_t DisplayPass::indexOf(const Scene& scene) {
     return 2 * static_cast<std::size_t>(scene.toneMapping) + (scene.exposure == 0.0 ? 0 : 1);
 }
 
-Result<void> DisplayPass::prepare(const Scene& scene, const Catalog& catalog,
-                                  ProgramCache& cache) {
-    const Result<void> made = prewarm(scene, catalog, cache);
-    if (made) {
-        current_ = &*stages_[indexOf(scene)];
+Result<bool> DisplayPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+    if (auto made = make(*plan.effects, *gpu.shared.catalog, gpu.shared.programs()); !made) {
+        return tl::unexpected(made.error());
     }
-    return made;
+    if (!plan.isUnseen) {
+        current_ = &*stages_[indexOf(*plan.effects)];
+    }
+    return false;
 }
 
-Result<void> DisplayPass::prewarm(const Scene& scene, const Catalog& catalog, ProgramCache& cache) {
+Result<void> DisplayPass::make(const Scene& scene, const Catalog& catalog, ProgramCache& cache) {
     std::optional<Stage>& stage = stages_[indexOf(scene)];
     if (!stage) {
         const auto source = passProgram(catalog, "passes/screen.vert", fragmentFiles(scene));
@@ -51,7 +54,7 @@ Result<void> DisplayPass::prewarm(const Scene& scene, const Catalog& catalog, Pr
     return {};
 }
 
-void DisplayPass::draw(const gl::Texture& linear, double exposure) {
+void DisplayPass::show(const gl::Texture& linear, double exposure) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glDisable(GL_DITHER);

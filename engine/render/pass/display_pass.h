@@ -11,30 +11,29 @@
 #include "core/error.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
+#include "render/pass/pass.h"
 #include "scene/scene.h"
 #include "shading/program/program_cache.h"
 
 namespace patina {
 
 /// Exposure, tone mapping and the sRGB curve: from the linear image to a framebuffer.
-class DisplayPass {
+class DisplayPass : public Pass {
   public:
     /// Compiles (or finds) the program for the scene's exposure and tone mapping the first time it
-    /// is asked for: one that multiplies by nothing where the exposure is 0.
-    Result<void> prepare(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
+    /// is asked for: one that multiplies by nothing where the exposure is 0. A frame that is not
+    /// to be seen leaves what is shown with as it is.
+    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
-    /// The same ahead of its use: what is drawn with stays.
-    Result<void> prewarm(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
     /// Whether prepare() would find it, made before.
     bool has(const Scene& scene) const { return stages_[indexOf(scene)].has_value(); }
 
     bool isPrepared() const { return current_ != nullptr; }
 
     /// Draws with the program that was prepared last into the bound framebuffer.
-    void draw(const gl::Texture& linear, double exposure);
+    void show(const gl::Texture& linear, double exposure);
 
-    /// The shader files may have changed.
-    void forget();
+    void forget() override;
 
   private:
     struct Stage {
@@ -43,6 +42,7 @@ class DisplayPass {
     };
 
     static std::size_t indexOf(const Scene& scene);
+    Result<void> make(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
 
     gl::VertexArray noVertices_ = gl::VertexArray::create();
     std::array<std::optional<Stage>, 4> stages_; ///< by tone mapping and whether it is exposed

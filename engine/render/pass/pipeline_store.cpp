@@ -8,7 +8,7 @@
 #include "gl/driver.h"
 #include "render/gpu/binding.h"
 #include "render/gpu/environment_units.h"
-#include "render/pass/refraction_pass.h"
+#include "render/pass/refraction_targets.h"
 #include "shading/effects/texture_writer.h"
 #include "shading/program/program_source.h"
 
@@ -110,7 +110,7 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
                                    binding::firstTexture + static_cast<unsigned>(i));
     }
     found.program->bindSampler("shadowMaps", binding::shadowMaps);
-    RefractionPass::assignUnits(*found.program);
+    RefractionTargets::assignUnits(*found.program);
     if (effects.scene.environment) {
         environment::assignUnits(*found.program);
     }

@@ -82,7 +82,7 @@ ShadowHoles::pipelineFor(const Material& material, const std::shared_ptr<const C
     return known;
 }
 
-void ShadowHoles::use(std::size_t number, const glm::mat4& worldToMap, GpuTextureStore& textures) {
+void ShadowHoles::use(std::size_t number, const glm::mat4& worldToMap, FrameTextures& textures) {
     const Holes& holes = holes_[number];
     const Pipeline& pipeline = *holes.pipeline;
     const auto vec4s = static_cast<std::size_t>(pipeline.object.vec4s);

@@ -37,7 +37,7 @@ class ShadowHoles {
     void noteDrawn() { hasChanged_ = false; }
 
     /// Uses the program of a material, with its data and its image.
-    void use(std::size_t number, const glm::mat4& worldToMap, GpuTextureStore& textures);
+    void use(std::size_t number, const glm::mat4& worldToMap, FrameTextures& textures);
 
   private:
     /// What of a material its shadows depend on.

@@ -69,6 +69,7 @@ void ShadowMaps::addCaster(const GpuMesh& mesh, const CasterBox& box, const Mate
 Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
                               const glm::dmat4& cameraToWorld, ProgramCache& programs,
                               const GpuTextureStore& textures) {
+    ++planNumber_;
     layer_ = 0;
     isBegun_ = false;
     lost_ = 0;
@@ -211,7 +212,7 @@ std::int64_t ShadowMaps::pendingTriangles() const {
     return triangles * pending();
 }
 
-void ShadowMaps::drawSome(int triangles, GpuTextureStore& textures) {
+void ShadowMaps::drawSome(int triangles, FrameTextures& textures) {
     std::int64_t left = triangles;
     while (left > 0 && layer_ < layers_.size()) {
         Layer& layer = layers_[layer_];
@@ -281,7 +282,7 @@ void ShadowMaps::beginLayer(const Layer& layer, int index) {
     }
 }
 
-void ShadowMaps::beginRun(const Layer& layer, GpuTextureStore& textures) {
+void ShadowMaps::beginRun(const Layer& layer, FrameTextures& textures) {
     const glm::mat4 worldToMap(shadowClip(layer.view, layer.face));
     if (runs_[run_].holes != solid) {
         holes_.use(runs_[run_].holes, worldToMap, textures);

@@ -34,6 +34,10 @@ class ShadowMaps {
     Result<void> plan(const Scene& scene, const Scene& effects, const glm::dmat4& cameraToWorld,
                       ProgramCache& programs, const GpuTextureStore& textures);
 
+    /// How often plan() was called: another number than one's own says that somebody else's plan
+    /// has taken its place.
+    std::uint64_t planNumber() const { return planNumber_; }
+
     /// Whether the last plan() has made the images of the maps.
     bool hasNewImages() const { return hasNewImages_; }
 
@@ -41,7 +45,7 @@ class ShadowMaps {
     int pending() const;
     std::int64_t pendingTriangles() const;
     /// Draws about so many triangles of them; their meshes are complete.
-    void drawSome(int triangles, GpuTextureStore& textures);
+    void drawSome(int triangles, FrameTextures& textures);
 
     /// By light.
     std::span<const ShadowView> views() const { return views_; }
@@ -67,7 +71,7 @@ class ShadowMaps {
     Result<void> makeTexture(int texels, int layers);
     void gather(const Layer& layer);
     void beginLayer(const Layer& layer, int index);
-    void beginRun(const Layer& layer, GpuTextureStore& textures);
+    void beginRun(const Layer& layer, FrameTextures& textures);
     bool isSeen(const glm::dmat4& worldToMap, std::size_t caster) const;
 
     std::shared_ptr<const Catalog> catalog_;
@@ -102,6 +106,7 @@ class ShadowMaps {
     std::size_t run_ = 0;
     DrawSlices slices_;
     int lost_ = 0;
+    std::uint64_t planNumber_ = 0;
     bool hasNewImages_ = false;
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/color.h"
 #include "render/gpu/binding.h"
+#include "render/gpu/capture_image.h"
 
 namespace patina {
 namespace {
@@ -28,13 +29,15 @@ float storableLuminance(const glm::dvec3& color) {
 
 } // namespace
 
-InspectionDrawer::InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
-                                   GpuTextureStore& textures, ShadowMaps& shadows)
-    : items_(programCache, SurfaceOutput::Inspection, meshes, textures, shadows),
-      tables_(std::move(programCache), SurfaceOutput::AlbedoTable) {}
+InspectionDrawer::InspectionDrawer(RenderResources& shared)
+    : shared_(shared), items_(shared, SurfaceOutput::Inspection),
+      tables_(shared.programCache, SurfaceOutput::AlbedoTable) {}
 
-void InspectionDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
-    catalog_ = std::move(catalog);
+void InspectionDrawer::followCatalog() {
+    if (catalog_ == shared_.catalog) {
+        return;
+    }
+    catalog_ = shared_.catalog;
     items_.setCatalog(catalog_);
     tables_.setCatalog(catalog_);
     display_.reset();
@@ -43,6 +46,26 @@ void InspectionDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     }
 }
 
+const FrameReport& InspectionDrawer::draw(const Scene& scene, const View& view,
+                                          const MeshSource& meshes, unsigned framebuffer) {
+    if (drawLinear(scene, view, meshes)) {
+        show(scene, view, framebuffer);
+    }
+    return report();
+}
+
+Result<Image> InspectionDrawer::capture(const Scene& scene, const View& view,
+                                        const MeshSource& meshes, bool display) {
+    if (auto drawn = drawLinear(scene, view, meshes); !drawn) {
+        return tl::unexpected(drawn.error());
+    }
+    if (!display) {
+        return readLinear(target_.resolvedFramebuffer(), view.size, 0.0);
+    }
+    return readDisplay(view.size, [&](unsigned target) { show(scene, view, target); });
+}
+
+/// Into the linear target: red is the luminance, green the PixelDefect.
 Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
                                           const MeshSource& meshes) {
     Result<void> ready = prepare(scene, view, meshes);
@@ -66,6 +89,7 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
 Result<void> InspectionDrawer::prepare(const Scene& scene, const View& view,
                                        const MeshSource& meshes) {
     items_.report() = FrameReport();
+    followCatalog();
     if (catalog_ == nullptr) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
     }
@@ -114,6 +138,7 @@ void InspectionDrawer::drawItems(const Scene& scene, int firstTerm) {
     });
 }
 
+/// The linear target into a framebuffer, with patterns for what is wrong.
 void InspectionDrawer::show(const Scene& scene, const View& view, unsigned framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);

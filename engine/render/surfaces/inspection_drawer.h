@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/image.h"
 #include "gl/vertex_array.h"
 #include "render/gpu/hdr_target.h"
 #include "render/surfaces/albedo_table.h"
@@ -17,35 +18,39 @@ namespace patina {
 /// objects are drawn as opaque ones and with one sample per pixel, so that nothing is averaged.
 class InspectionDrawer {
   public:
-    /// `meshes`, `textures` and `shadows` outlive it.
-    InspectionDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
-                     GpuTextureStore& textures, ShadowMaps& shadows);
+    /// `shared` outlives it.
+    explicit InspectionDrawer(RenderResources& shared);
 
-    void setCatalog(std::shared_ptr<const Catalog> catalog);
+    /// Draws the frame in muted grey, with patterns where a number is not finite or negative before
+    /// anything cuts it, or where the surface sends out more than arrives.
+    const FrameReport& draw(const Scene& scene, const View& view, const MeshSource& meshes,
+                            unsigned framebuffer);
 
-    /// Into the linear target: red is the luminance, green the PixelDefect.
-    Result<void> drawLinear(const Scene& scene, const View& view, const MeshSource& meshes);
-
-    /// The linear target into a framebuffer, with patterns for what is wrong.
-    void show(const Scene& scene, const View& view, unsigned framebuffer);
+    /// The same frame as draw() shows it, or as it is before that: luminance in red, PixelDefect in
+    /// green.
+    Result<Image> capture(const Scene& scene, const View& view, const MeshSource& meshes,
+                          bool display);
 
     /// The numbers of a pixel, (0, 0) at the top left; nothing where there is no object.
     Result<std::optional<PixelProbe>> probe(const Scene& scene, const View& view,
                                             const MeshSource& meshes, glm::ivec2 pixel);
 
-    unsigned linearFramebuffer() const { return target_.resolvedFramebuffer(); }
     const FrameReport& report() const { return items_.report(); }
 
   private:
     using Item = SurfaceItems::Item;
 
+    void followCatalog();
+    Result<void> drawLinear(const Scene& scene, const View& view, const MeshSource& meshes);
+    void show(const Scene& scene, const View& view, unsigned framebuffer);
     Result<void> prepare(const Scene& scene, const View& view, const MeshSource& meshes);
     void fillAlbedo(const Material& material, const Item& item);
     void drawItems(const Scene& scene, int firstTerm);
     PixelProbe read(const Scene& scene, const Item& item, const ProbeTarget::Outputs& outputs);
     void readLights(const Scene& scene, const View& view, glm::ivec2 pixel, PixelProbe& probe);
 
-    std::shared_ptr<const Catalog> catalog_;
+    RenderResources& shared_;
+    std::shared_ptr<const Catalog> catalog_; ///< the one that all below is made from
     SurfaceItems items_;
     PipelineStore tables_;
     std::vector<AlbedoTable> albedos_; ///< by object

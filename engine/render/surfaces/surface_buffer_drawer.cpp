@@ -98,18 +98,21 @@ std::size_t maxValues(const SurfaceBuffer& buffer) {
 
 } // namespace
 
-SurfaceBufferDrawer::SurfaceBufferDrawer(std::filesystem::path programCache, GpuMeshStore& meshes,
-                                         GpuTextureStore& textures, ShadowMaps& shadows)
-    : items_(std::move(programCache), SurfaceOutput::Buffer, meshes, textures, shadows) {}
+SurfaceBufferDrawer::SurfaceBufferDrawer(RenderResources& shared)
+    : shared_(shared), items_(shared, SurfaceOutput::Buffer) {}
 
-void SurfaceBufferDrawer::setCatalog(std::shared_ptr<const Catalog> catalog) {
-    catalog_ = std::move(catalog);
+void SurfaceBufferDrawer::followCatalog() {
+    if (catalog_ == shared_.catalog) {
+        return;
+    }
+    catalog_ = shared_.catalog;
     items_.setCatalog(catalog_);
     environment_.forget();
 }
 
 Result<SurfaceBuffer> SurfaceBufferDrawer::capture(const Scene& scene, const View& view,
                                                    const MeshSource& meshes, int round) {
+    followCatalog();
     if (!catalog_) {
         return failure("there are no shaders to draw with", "a call of setCatalog before draw");
     }

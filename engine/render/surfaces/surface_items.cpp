@@ -26,10 +26,8 @@ std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipel
     return order;
 }
 
-SurfaceItems::SurfaceItems(std::filesystem::path programCache, SurfaceOutput output,
-                           GpuMeshStore& meshes, GpuTextureStore& textures, ShadowMaps& shadows)
-    : pipelines_(std::move(programCache), output), meshes_(meshes), textures_(textures),
-      shadows_(shadows) {
+SurfaceItems::SurfaceItems(RenderResources& shared, SurfaceOutput output)
+    : pipelines_(shared.programCache, output), shared_(shared), textures_{shared.textures} {
     viewData_.reserve(ViewLayout::vec4s);
     sceneData_.reserve(static_cast<std::size_t>(pipelines_.sceneCapacity()));
 }
@@ -42,7 +40,7 @@ void SurfaceItems::setCatalog(std::shared_ptr<const Catalog> catalog) {
 void SurfaceItems::prepare(const Scene& scene, const View& view, const MeshSource& meshes,
                            bool usesDepths) {
     report_ = FrameReport();
-    textures_.beginFrame();
+    textures_.budget = TextureBudget();
     collect(scene, view, meshes);
     choosePipelines(scene, usesDepths ? effectView(depths_, fogReach(scene)) : EffectView());
     drawShadows(scene);
@@ -58,8 +56,8 @@ FogReach SurfaceItems::fogReach(const Scene& scene) const {
 }
 
 void SurfaceItems::end() {
-    meshes_.endFrame();
-    textures_.endFrame();
+    shared_.meshes.endFrame();
+    shared_.textures.endFrame();
 }
 
 void SurfaceItems::collect(const Scene& scene, const View& view, const MeshSource& meshes) {
@@ -68,7 +66,7 @@ void SurfaceItems::collect(const Scene& scene, const View& view, const MeshSourc
     depths_ = DepthRange();
     items_.clear();
     instances_.clear();
-    meshes_.beginFrame();
+    shared_.meshes.beginFrame();
     while (data_.size() < scene.objects.size()) {
         data_.push_back(std::make_unique<UniformBuffer>());
     }
@@ -79,7 +77,8 @@ void SurfaceItems::collect(const Scene& scene, const View& view, const MeshSourc
         if (!mesh.indices.empty()) {
             const glm::dmat4 world = worldMatrix(object);
             depths_.add(mesh.bounds, worldToCamera * world);
-            items_.push_back({i, &meshes_.get(mesh), mesh.bounds, world, data_[i].get(), {}});
+            items_.push_back(
+                {i, &shared_.meshes.get(mesh), mesh.bounds, world, data_[i].get(), {}});
             instances_.add(instanceAt(world));
         }
     }
@@ -114,21 +113,21 @@ void SurfaceItems::choosePipelines(const Scene& scene, const EffectView& view) {
 
 /// The same maps as the picture's; where they cannot be made everything is lit.
 void SurfaceItems::drawShadows(const Scene& scene) {
-    shadows_.clearCasters();
+    shared_.shadows.clearCasters();
     for (const Item& item : items_) {
         if (isCaster(scene.objects[item.index], *catalog_)) {
-            shadows_.addCaster(*item.mesh, {item.bounds, item.world},
+            shared_.shadows.addCaster(*item.mesh, {item.bounds, item.world},
                                scene.objects[item.index].material);
         }
     }
-    if (auto planned =
-            shadows_.plan(scene, scene, cameraToWorld_, pipelines_.programs(), textures_);
-        !planned) {
+    const auto planned = shared_.shadows.plan(scene, scene, cameraToWorld_, pipelines_.programs(),
+                                              shared_.textures);
+    if (!planned) {
         report_.messages.push_back(planned.error());
     }
-    report_.shadowMaps = shadows_.pending();
-    while (shadows_.pending() > 0) {
-        shadows_.drawSome(std::numeric_limits<int>::max(), textures_);
+    report_.shadowMaps = shared_.shadows.pending();
+    while (shared_.shadows.pending() > 0) {
+        shared_.shadows.drawSome(std::numeric_limits<int>::max(), textures_);
     }
 }
 
@@ -143,8 +142,9 @@ void SurfaceItems::feed(const Scene& scene, const View& view) {
     const auto fed =
         std::ranges::find_if(items_, [](const Item& item) { return item.pipeline != nullptr; });
     if (fed != items_.end()) {
-        const PackedScene packed = packScene(sceneData_.staging(), *fed->pipeline,
-                                             {scene, scene, shadows_.views()}, cameraToWorld_);
+        const PackedScene packed =
+            packScene(sceneData_.staging(), *fed->pipeline,
+                      {scene, scene, shared_.shadows.views()}, cameraToWorld_);
         report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
     }
     for (Item& item : items_) {
@@ -170,7 +170,7 @@ void SurfaceItems::draw(const Scene& scene, const std::function<void(const Item&
     glDisable(GL_DITHER);
     glDepthFunc(GL_LESS);
     sceneData_.bind(binding::scene);
-    shadows_.bind();
+    shared_.shadows.bind();
     for (std::size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
         if (!item.pipeline) {

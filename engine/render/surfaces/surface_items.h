@@ -9,13 +9,10 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "render/gpu/gpu_mesh_store.h"
-#include "render/gpu/gpu_texture_store.h"
 #include "render/gpu/uniform_buffer.h"
 #include "render/lights/fog_reach.h"
 #include "render/lights/frustum.h"
-#include "render/pass/pipeline_store.h"
-#include "render/pass/shadow_maps.h"
+#include "render/pass/render_resources.h"
 #include "render/view.h"
 #include "shading/effects/effect_key.h"
 
@@ -36,9 +33,8 @@ class SurfaceItems {
         bool isNew = false; ///< its data are not those of the last frame
     };
 
-    /// `meshes`, `textures` and `shadows` outlive it.
-    SurfaceItems(std::filesystem::path programCache, SurfaceOutput output, GpuMeshStore& meshes,
-                 GpuTextureStore& textures, ShadowMaps& shadows);
+    /// `shared` outlives it.
+    SurfaceItems(RenderResources& shared, SurfaceOutput output);
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
@@ -72,9 +68,8 @@ class SurfaceItems {
 
     std::shared_ptr<const Catalog> catalog_;
     PipelineStore pipelines_;
-    GpuMeshStore& meshes_;
-    GpuTextureStore& textures_;
-    ShadowMaps& shadows_;
+    RenderResources& shared_;
+    FrameTextures textures_;
     UniformBuffer viewData_;
     UniformBuffer sceneData_;
     EffectKey keys_;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/frame/frame_description.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace patina {
+namespace {
+
+/// Canonical order: the object's own effects as they come, each once.
+template <class Item>
+void addOnce(std::vector<Item>& items, const Item& item) {
+    if (std::ranges::find(items, item) == items.end()) {
+        items.push_back(item);
+    }
+}
+
+void addEffects(FrameReport& report, const Pipeline* pipeline) {
+    if (pipeline == nullptr) {
+        return;
+    }
+    for (const EffectLine& line : effectLines(pipeline->effects)) {
+        addOnce(report.effects, line.effect);
+    }
+}
+
+void addWarning(FrameReport& report, Error error) {
+    ++report.warnings;
+    report.messages.push_back(std::move(error));
+}
+
+} // namespace
+
+void FrameDescription::write(const FramePlan& plan, FrameGpu& gpu, ProgramPass& programs,
+                             const std::optional<Error>& shadowError) {
+    countPrograms(plan, gpu.report);
+    const int lostLights = gpu.data.lostLights();
+    const int lostShadows = gpu.shared.shadows.lost();
+    if (sources_ == plan.sources && lostLights == lostLights_ && lostShadows == lostShadows_ &&
+        shadowError == shadowError_) {
+        return;
+    }
+    sources_ = plan.sources;
+    lostLights_ = lostLights;
+    lostShadows_ = lostShadows;
+    shadowError_ = shadowError;
+    writeEffects(plan, gpu, programs);
+    writeLost(gpu.report);
+}
+
+void FrameDescription::countPrograms(const FramePlan& plan, FrameReport& report) {
+    programs_.clear();
+    for (const DrawBatch& batch : plan.list.batches()) {
+        const DrawMaterial& material = plan.materials[batch.material];
+        addOnce<const void*>(programs_, material.pipeline->program.get());
+        if (material.hasLines()) {
+            addOnce<const void*>(programs_, material.pipeline->outlineProgram.get());
+        }
+    }
+    report.programs = static_cast<int>(programs_.size());
+}
+
+void FrameDescription::writeEffects(const FramePlan& plan, FrameGpu& gpu, ProgramPass& programs) {
+    FrameReport& report = gpu.report;
+    report.effects.clear();
+    report.messages.clear();
+    report.warnings = 0;
+    for (const DrawMaterial& material : plan.materials) {
+        for (const Error& error : programs.entryOf(plan, material, gpu.shared).errors) {
+            addOnce(report.messages, error);
+        }
+        addEffects(report, material.pipeline.get());
+    }
+    addEffects(report, plan.ground.pipeline.get());
+}
+
+void FrameDescription::writeLost(FrameReport& report) const {
+    if (lostLights_ > 0) {
+        addWarning(report, {{},
+                            0,
+                            0,
+                            fmt::format("{} lights are left out because the graphics card's "
+                                        "memory for lights is full",
+                                        lostLights_),
+                            {}});
+    }
+    if (lostShadows_ > 0) {
+        addWarning(report, {{},
+                            0,
+                            0,
+                            fmt::format("{} lights have no shadows because there is no room for "
+                                        "more",
+                                        lostShadows_),
+                            {}});
+    }
+    if (shadowError_) {
+        addWarning(report, *shadowError_);
+    }
+}
+
+void FrameDescription::writeFailure(FrameReport& report, const Error& error) {
+    report.messages.assign(1, error);
+    report.warnings = 0;
+    report.effects.clear();
+    forget();
+}
+
+} // namespace patina

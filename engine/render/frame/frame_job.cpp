@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/frame/frame_job.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <boost/container_hash/hash.hpp>
+#include <epoxy/gl.h>
+#include <glm/common.hpp>
+
+#include "render/gpu/capture_image.h"
+#include "render/gpu/stretched_picture.h"
+#include "shading/effects/refraction_choice.h"
+
+namespace patina {
+namespace {
+
+/// What a frame of a window takes of images into the GPU's memory: some milliseconds.
+constexpr std::size_t textureBytesAtOnce = std::size_t(8) << 20;
+
+/// A whole frame that takes no longer needs no sketch, which has about this share of its work.
+constexpr std::chrono::milliseconds longestQuick{48};
+constexpr int sketchShare = 8;
+
+/// Half as wide and high as the view, with one sample per pixel.
+View sketchOf(const View& view) {
+    View few = view;
+    few.size = glm::max(view.size / 2, glm::ivec2(1));
+    few.samples = 1;
+    return few;
+}
+
+} // namespace
+
+FrameJob::FrameJob(std::shared_ptr<RenderResources> shared)
+    : shared_(std::move(shared)), gpu_(*shared_) {}
+
+void FrameJob::followCatalog() {
+    if (catalog_ == shared_->catalog) {
+        return;
+    }
+    catalog_ = shared_->catalog;
+    for (Pass* pass : passes_.prepared(gpu_.data)) {
+        pass->forget();
+    }
+    gpu_.environment.forget();
+    description_.forget();
+}
+
+void FrameJob::begin(const Scene& scene, const View& view, const MeshSource& meshes,
+                     FramePurpose purpose) {
+    began_ = Clock::now();
+    purpose_ = purpose;
+    failure_.reset();
+    at_ = Cursor();
+    isNeedless_ = false;
+    if (gpu_.isSketch && purpose != FramePurpose::Sketch) {
+        gpu_.sketchTarget = HdrTarget();
+    }
+    gpu_.isSketch = purpose == FramePurpose::Sketch;
+    followCatalog();
+    if (catalog_ == nullptr) {
+        failure_ = Error{
+            {}, 0, 0, "there are no shaders to draw with", "a call of setCatalog before draw"};
+        return;
+    }
+    const bool isPrewarming = purpose == FramePurpose::Prewarm;
+    if (isPrewarming) {
+        meshes_ = meshes;
+    } else if (purpose != FramePurpose::Targets) {
+        size_ = view.size;
+        exposure_ = scene.exposure;
+    }
+    view_ = gpu_.isSketch ? sketchOf(view) : view;
+    makePlan(scene, meshes);
+}
+
+void FrameJob::makePlan(const Scene& scene, const MeshSource& meshes, bool holdsEffects) {
+    planner_.make(plan_, scene, view_, meshes, *catalog_,
+                  {holdsEffects, purpose_ == FramePurpose::Prewarm});
+    at_ = Cursor();
+    budget_.beginFrame();
+    shared_->meshes.beginFrame();
+    const bool isAll = purpose_ == FramePurpose::Capture;
+    gpu_.textures.budget = {isAll ? TextureBudget::everything : textureBytesAtOnce, false};
+}
+
+FrameJob::Progress FrameJob::step(Deadline deadline) {
+    if (at_.isDone) {
+        return Progress::Done;
+    }
+    if (failure_) {
+        return fail(*failure_);
+    }
+    if (purpose_ == FramePurpose::Prewarm) {
+        prewarm();
+        return Progress::Done;
+    }
+    if (purpose_ == FramePurpose::Targets) {
+        // What does not fit is told by the frame itself.
+        static_cast<void>(gpu_.fitTarget(plan_, showsSceneRefracted(*plan_.effects, *catalog_)));
+        return Progress::Done;
+    }
+    const bool isFirst = std::exchange(at_.isFirstStep, false);
+    if (isFirst) {
+        beginReport();
+    }
+    if (!prepare(isFirst ? began_ : Clock::now(), deadline)) {
+        return failure_ ? fail(*failure_) : pause();
+    }
+    if (gpu_.isSketch && isLarge()) {
+        isNeedless_ = true; // it would take hardly less than the frame
+        return Progress::Done;
+    }
+    const bool isForLater = isFirst && purpose_ == FramePurpose::Window && deadline != never &&
+                            (isLarge() || passes_.solid.tiles().pace() == RowTiles::Pace::Slow);
+    return isForLater ? pause() : draw(deadline);
+}
+
+void FrameJob::beginReport() {
+    FrameReport& report = gpu_.report;
+    report.programs = 0;
+    report.compiled = 0;
+    report.uploadedBuffers = 0;
+    report.drawnObjects = 0;
+    report.drawCalls = 0;
+    report.isWaiting = false;
+    report.shadowMaps = 0;
+    report.filledTables = 0;
+}
+
+/// The next step finds a copy where the scene was.
+FrameJob::Progress FrameJob::pause() {
+    if (!std::exchange(at_.isKept, true)) {
+        const bool hasOwnEffects = plan_.effects == plan_.scene;
+        kept_.scene = *plan_.scene;
+        kept_.effects = hasOwnEffects ? std::nullopt : std::optional(*plan_.effects);
+        plan_.moveTo(kept_.scene, hasOwnEffects ? kept_.scene : *kept_.effects);
+    }
+    return Progress::More;
+}
+
+FrameJob::Progress FrameJob::fail(const Error& error) {
+    description_.writeFailure(gpu_.report, error);
+    isNeedless_ = gpu_.isSketch;
+    return Progress::Done;
+}
+
+/// Whether the frame may be drawn in this step. A window's frame is prepared one thing at a step,
+/// and drawing, too, may compile: it begins only while most of the time is left.
+bool FrameJob::prepare(Deadline began, Deadline deadline) {
+    const bool isStepwise = purpose_ == FramePurpose::Window && deadline != never;
+    const bool wasPrepared = at_.prepared == passCount();
+    while (at_.prepared < passCount()) {
+        if (!prepareSome() || (isStepwise && at_.prepared < passCount())) {
+            return false;
+        }
+    }
+    return wasPrepared || !isStepwise || Clock::now() - began <= (deadline - began) / 2;
+}
+
+/// Up to and with the first thing that takes long. A pass that has made something is asked again,
+/// until there is nothing left for it to do.
+bool FrameJob::prepareSome() {
+    ProgramCache& programs = shared_->programs();
+    const auto passes = passes_.prepared(gpu_.data);
+    for (; at_.prepared < passes.size(); ++at_.prepared) {
+        const int built = programs.builtCount();
+        const int compiled = programs.compiledCount();
+        const Result<bool> made = passes[at_.prepared]->prepare(plan_, gpu_);
+        gpu_.report.compiled += programs.compiledCount() - compiled;
+        if (!made) {
+            failure_ = made.error();
+            return false;
+        }
+        if (*made || programs.builtCount() > built) {
+            return true;
+        }
+    }
+    return true;
+}
+
+/// Whether it has so many triangles that it is drawn in steps.
+bool FrameJob::isLarge() {
+    return plan_.hasManyTriangles(passes_.shadows.pendingTriangles(plan_, gpu_));
+}
+
+FrameJob::Progress FrameJob::draw(Deadline deadline) {
+    const bool isQuick = !isLarge() && passes_.solid.tiles().pace() == RowTiles::Pace::Quick;
+    if (!budget_.beginStep(isQuick ? never : deadline)) {
+        return pause();
+    }
+    if (!std::exchange(at_.isDrawing, true)) {
+        budget_.beginDrawing(isLarge());
+    }
+    const bool isDone = drawPasses(passes_.beforeObjects()) && drawObjects() &&
+                        passes_.resolve.draw(plan_, gpu_, budget_);
+    return isDone ? finish() : pause();
+}
+
+bool FrameJob::drawPasses(std::span<Pass* const> passes) {
+    return std::ranges::all_of(passes,
+                               [this](Pass* pass) { return pass->draw(plan_, gpu_, budget_); });
+}
+
+bool FrameJob::drawObjects() {
+    if (at_.areObjectsDrawn) {
+        return true;
+    }
+    gpu_.beginObjects();
+    at_.areObjectsDrawn = drawPasses(passes_.objects());
+    FrameGpu::endObjects();
+    if (!budget_.isEndless()) {
+        budget_.mark();
+    }
+    return at_.areObjectsDrawn;
+}
+
+FrameJob::Progress FrameJob::finish() {
+    at_.isDone = true;
+    shared_->meshes.endFrame();
+    shared_->textures.endFrame();
+    gpu_.report.isWaiting = gpu_.textures.budget.isWaiting;
+    description_.write(plan_, gpu_, passes_.programs, passes_.shadows.error());
+    isNeedless_ = gpu_.isSketch && Clock::now() - began_ < longestQuick / sketchShare;
+    return Progress::Done;
+}
+
+/// What was done in its first step is not worth less than it was then.
+bool FrameJob::hasMeshesOf(const Scene& scene) const {
+    const auto isAlike = [](const Object& a, const Object& b) {
+        return a.visible == b.visible && a.mesh == b.mesh;
+    };
+    return (at_.isDone && !at_.isKept) ||
+           std::ranges::equal(kept_.scene.objects, scene.objects, isAlike);
+}
+
+std::uint64_t FrameJob::missingPrograms() {
+    if (failure_) {
+        return 0;
+    }
+    std::size_t missing = passes_.programs.missing(plan_, *shared_);
+    if (!passes_.display.has(*plan_.effects)) {
+        boost::hash_combine(missing, 1);
+    }
+    if (purpose_ == FramePurpose::Prewarm && !hasHeldPrograms()) {
+        boost::hash_combine(missing, 2);
+    }
+    return missing;
+}
+
+/// Those of a drag, in which places and distances decide nothing.
+bool FrameJob::hasHeldPrograms() {
+    return passes_.display.has(*plan_.effects) &&
+           passes_.programs.hasHeld(*plan_.effects, *shared_);
+}
+
+/// The programs of the picture, and those of a drag.
+void FrameJob::prewarm() {
+    const bool isMissing = passes_.programs.missing(plan_, *shared_) != 0;
+    if (isMissing || !passes_.display.has(*plan_.effects)) {
+        drawUnseen();
+    }
+    if (!hasHeldPrograms()) {
+        makePlan(*plan_.scene, meshes_, true);
+        drawUnseen();
+    }
+    meshes_ = nullptr;
+}
+
+/// Drivers put work off until a program is drawn with: it is, outside of what can be seen. Where
+/// there are very many triangles that would take longer than it saves.
+void FrameJob::drawUnseen() {
+    FrameReport before = gpu_.report;
+    if (prepare(began_, never) && !isLarge()) {
+        budget_.beginStep(never);
+        drawPasses(passes_.beforeObjects());
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, 0, 0);
+        drawObjects();
+        gpu_.environment.addUnseen(gpu_.target().resolved(), *catalog_, shared_->programs());
+        glDisable(GL_SCISSOR_TEST);
+        leaveState();
+    }
+    failure_.reset();
+    gpu_.report = std::move(before);
+}
+
+void FrameJob::show(unsigned framebuffer) {
+    if (failure_) {
+        return;
+    }
+    if (!gpu_.isSketch) {
+        showIn(framebuffer, size_, exposure_);
+        return;
+    }
+    const StretchedPicture picture(view_.size);
+    showIn(picture.framebuffer(), view_.size, exposure_);
+    picture.show(framebuffer, size_);
+}
+
+void FrameJob::showIn(unsigned framebuffer, glm::ivec2 size, double exposure) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size.x, size.y);
+    passes_.display.show(gpu_.picture(), exposure);
+    leaveState();
+}
+
+Result<Image> FrameJob::read(bool display, std::optional<double> exposure) {
+    if (failure_) {
+        return tl::unexpected(*failure_);
+    }
+    const double shown = exposure.value_or(exposure_);
+    if (!display) {
+        return readLinear(gpu_.pictureFramebuffer(), size_, shown);
+    }
+    return readDisplay(size_,
+                       [this, shown](unsigned framebuffer) { showIn(framebuffer, size_, shown); });
+}
+
+/// A driver may keep what was drawn with last until something else is: one pixel takes its place.
+void FrameJob::releaseTargets() {
+    passes_.layers.release();
+    passes_.blended.release();
+    gpu_.sketchTarget = HdrTarget();
+    gpu_.isSketch = false;
+    if (!passes_.display.isPrepared() || !gpu_.frameTarget.fit(glm::ivec2(1), 1, false)) {
+        gpu_.frameTarget = HdrTarget();
+        return;
+    }
+    gpu_.frameTarget.bind();
+    passes_.display.show(gpu_.frameTarget.resolved(), 0.0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    leaveState();
+}
+
+} // namespace patina

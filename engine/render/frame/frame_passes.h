@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "render/pass/background_pass.h"
+#include "render/pass/blended_pass.h"
+#include "render/pass/display_pass.h"
+#include "render/pass/ground_pass.h"
+#include "render/pass/layer_pass.h"
+#include "render/pass/mesh_pass.h"
+#include "render/pass/outline_pass.h"
+#include "render/pass/program_pass.h"
+#include "render/pass/resolve_pass.h"
+#include "render/pass/shadow_pass.h"
+#include "render/pass/solid_pass.h"
+
+namespace patina {
+
+/// The passes of a frame, and their orders.
+struct FramePasses {
+    /// As they are prepared: each needs only what those before it have added to the plan.
+    std::array<Pass*, 12> prepared(FrameData& data) {
+        return {&meshes, &shadows, &display, &background, &programs, &data,
+                &layers, &solid,   &ground,  &outlines,   &blended,  &resolve};
+    }
+
+    /// As they are drawn: what objects need, the objects, and the picture of them.
+    std::array<Pass*, 3> beforeObjects() { return {&meshes, &shadows, &background}; }
+    std::array<Pass*, 5> objects() { return {&solid, &ground, &outlines, &blended, &layers}; }
+
+    MeshPass meshes;
+    ShadowPass shadows;
+    DisplayPass display;
+    BackgroundPass background;
+    ProgramPass programs;
+    LayerPass layers;
+    SolidPass solid;
+    GroundPass ground;
+    OutlinePass outlines;
+    BlendedPass blended;
+    ResolvePass resolve;
+};
+
+} // namespace patina

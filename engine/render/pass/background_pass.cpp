@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/background_pass.h"
+
+#include <utility>
+
+#include <epoxy/gl.h>
+
+#include "render/gpu/hdr_numbers.h"
+#include "render/gpu/long_pieces.h"
+#include "render/pass/frame_gpu.h"
+#include "shading/effects/refraction_choice.h"
+
+namespace patina {
+
+Result<bool> BackgroundPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+    isDrawn_ = false;
+    const Catalog& catalog = *gpu.shared.catalog;
+    const auto isNew = gpu.fitTarget(plan, showsSceneRefracted(*plan.effects, catalog));
+    if (!isNew || (*isNew && takesLong(gpu.target().drawnSize()))) {
+        return isNew;
+    }
+    const SceneToPack packing{*plan.scene, *plan.effects, {}};
+    if (plan.isUnseen) {
+        gpu.environment.prewarm(packing, *plan.view, catalog, gpu.shared.programs());
+        return false;
+    }
+    return gpu.environment.begin(packing, *plan.view, catalog, gpu.shared.programs());
+}
+
+bool BackgroundPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget&) {
+    if (std::exchange(isDrawn_, true)) {
+        return true;
+    }
+    const glm::dvec3& color = plan.scene->background;
+    gpu.target().bind();
+    glClearColor(storable(color.x), storable(color.y), storable(color.z), 1.0f);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gpu.environment.drawBackground(plan.view->camera, plan.cameraToWorld,
+                                   double(plan.view->size.x) / double(plan.view->size.y));
+    return true;
+}
+
+} // namespace patina

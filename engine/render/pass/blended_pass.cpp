@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/blended_pass.h"
+
+#include <epoxy/gl.h>
+
+#include "render/gpu/long_pieces.h"
+#include "shading/effects/refraction_choice.h"
+
+namespace patina {
+
+/// A program from before a change may look at what others do not.
+Result<bool> BlendedPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+    batch_ = 0;
+    hasDepths_ = false;
+    hasBack_ = false;
+    hasSurface_ = false;
+    drawer_ = BatchDrawer();
+    if (auto fitted = fitRefraction(plan, gpu); !fitted || *fitted) {
+        return fitted;
+    }
+    return refraction_ && refraction_->looksBehind() ? gpu.fitTarget(plan, true)
+                                                     : Result<bool>(false);
+}
+
+Result<bool> BlendedPass::fitRefraction(const FramePlan& plan, FrameGpu& gpu) {
+    RefractionTargets::Needs needs;
+    bool isNeeded = false;
+    for (const DrawBatch& batch : plan.list.transparentBatches()) {
+        const DrawMaterial& material = plan.materials[batch.material];
+        if (material.refracts()) {
+            isNeeded = true;
+            needs.back = needs.back || !isSheet(*material.pipeline->object.refraction->block);
+            needs.behind = needs.behind || material.pipeline->effects.scene.isShownRefracted;
+        }
+    }
+    if (!isNeeded) {
+        refraction_.reset();
+        return false;
+    }
+    const bool isNew = !refraction_;
+    if (isNew) {
+        refraction_.emplace();
+    }
+    const glm::ivec2 size = gpu.target().averagedSize();
+    return refraction_->begin(size, needs, *gpu.shared.catalog, gpu.shared.programs())
+        .map([isNew, size] { return isNew && takesLong(size); });
+}
+
+bool BlendedPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
+    const std::span<const DrawBatch> batches = plan.list.transparentBatches();
+    while (batch_ < batches.size()) {
+        const DrawBatch& batch = batches[batch_];
+        if (!plan.materials[batch.material].isLayered && !drawBatch(plan, gpu, batch, budget)) {
+            return false;
+        }
+        if (++batch_ < batches.size() && budget.isDue()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// What lies in front of a transparent object is blended over its lines.
+bool BlendedPass::drawBatch(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+                            StepBudget& budget) {
+    if (!hasSurface_ && !drawSurface(plan, gpu, batch, budget)) {
+        return false;
+    }
+    hasSurface_ = true;
+    if (!drawer_.drawLines(plan, gpu, batch, budget)) {
+        return false;
+    }
+    hasSurface_ = false;
+    return true;
+}
+
+/// Blends only the nearest layer of a transparent object, so that the order of its triangles does
+/// not show: depths first, then colours where the depth is the same.
+bool BlendedPass::drawSurface(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+                              StepBudget& budget) {
+    if (plan.materials[batch.material].refracts()) {
+        setBlendState(BlendState::Opaque);
+        return drawRefracting(plan, gpu, batch, budget);
+    }
+    gpu.data.feed(plan, batch);
+    if (!hasDepths_) {
+        setBlendState(BlendState::Depths);
+        if (!drawer_.drawTriangles(gpu, batch, budget)) {
+            return false;
+        }
+    }
+    hasDepths_ = true;
+    setBlendState(BlendState::Blended);
+    if (!drawer_.drawTriangles(gpu, batch, budget)) {
+        return false;
+    }
+    hasDepths_ = false;
+    gpu.report.drawnObjects += static_cast<int>(batch.count);
+    return true;
+}
+
+bool BlendedPass::drawRefracting(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+                                 StepBudget& budget) {
+    const Pipeline& pipeline = *plan.materials[batch.material].pipeline;
+    const Ball& ball = plan.items[plan.list.items()[batch.first]].placement->ball;
+    gpu.data.feed(plan, batch);
+    if (!isSheet(*pipeline.object.refraction->block) && !hasBack_ &&
+        !drawBack(plan, gpu, batch, budget)) {
+        return false;
+    }
+    hasBack_ = true;
+    if (pipeline.effects.scene.isShownRefracted && drawer_.isAtStart()) {
+        refraction_->takeBehind(gpu.target());
+        gpu.target().bind();
+    }
+    refraction_->bind(*pipeline.program, ball, gpu.target());
+    if (!drawer_.drawTriangles(gpu, batch, budget)) {
+        return false;
+    }
+    hasBack_ = false;
+    ++gpu.report.drawnObjects;
+    return true;
+}
+
+/// The farthest surface of the object, and then its own program again.
+bool BlendedPass::drawBack(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
+                           StepBudget& budget) {
+    const Ball& ball = plan.items[plan.list.items()[batch.first]].placement->ball;
+    refraction_->beginBack(ball, drawer_.isAtStart());
+    gpu.data.forgetProgram();
+    const bool isDrawn = drawer_.drawTriangles(gpu, batch, budget);
+    gpu.target().bind();
+    glDepthFunc(GL_LESS);
+    if (isDrawn) {
+        gpu.data.feed(plan, batch);
+    }
+    return isDrawn;
+}
+
+} // namespace patina

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/frame_data.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "render/gpu/binding.h"
+#include "render/pass/data_packer.h"
+#include "render/pass/frame_gpu.h"
+#include "render/pass/refraction_packer.h"
+#include "shading/program/parameter_packer.h"
+
+namespace patina {
+namespace {
+
+/// Moving a point towards the eye by a share of its distance leaves it where it is on the picture,
+/// and changes its depth in clip space by that share (over one less it) of the eye's own.
+glm::vec4 pixelInClipOf(const glm::dmat4& worldToClip, const glm::dvec3& eye, glm::dvec2 size) {
+    const double wide =
+        glm::length(glm::dvec3(worldToClip[0].x, worldToClip[1].x, worldToClip[2].x));
+    const double share = std::min(2.0 / (size.x * wide), 0.5);
+    const double eyeDepth = (worldToClip * glm::dvec4(eye, 1.0)).z;
+    return {2.0 / size.x, 2.0 / size.y, share / (1.0 - share) * eyeDepth, 0.0};
+}
+
+} // namespace
+
+FrameData::FrameData(FrameGpu& gpu) : gpu_(gpu) {
+    view_.reserve(ViewLayout::vec4s);
+}
+
+Result<bool> FrameData::prepare(FramePlan& plan, FrameGpu& gpu) {
+    lostLights_ = 0;
+    makeRoomForLights(plan.lightLists.count());
+    writeView(plan, gpu.target().pixelWidth());
+    plan.list.order(plan.items, plan.materials);
+    instances_.clear();
+    for (const std::uint32_t item : plan.list.items()) {
+        instances_.add(plan.items[item].placement->instance);
+    }
+    note(instances_.upload());
+    placeMaterials(plan);
+    fillTables(plan);
+    return false;
+}
+
+void FrameData::note(bool isWritten) {
+    gpu_.report.uploadedBuffers += isWritten ? 1 : 0;
+}
+
+void FrameData::makeRoomForLights(std::size_t lists) {
+    const auto capacity = static_cast<std::size_t>(gpu_.shared.pipelines.sceneCapacity());
+    while (scenes_.size() < lists) {
+        scenes_.emplace_back().reserve(capacity);
+        fedScenes_.push_back(nullptr);
+    }
+}
+
+void FrameData::writeView(const FramePlan& plan, double pixelWidth) {
+    const glm::dmat4 worldToClip = plan.worldToClip();
+    pixelInClip_ = pixelInClipOf(worldToClip, plan.eye, glm::dvec2(plan.view->size));
+    packView(view_.staging(), worldToClip, plan.eye, pixelWidth);
+    note(view_.upload(ViewLayout::vec4s));
+    view_.bind(binding::view);
+}
+
+void FrameData::placeMaterials(FramePlan& plan) {
+    materials_.clear();
+    for (DrawMaterial& material : plan.materials) {
+        const int vec4s = material.pipeline ? material.pipeline->object.vec4s : 0;
+        material.data = materials_.add(static_cast<std::size_t>(vec4s));
+        const int lineVec4s = material.hasLines() ? material.pipeline->outline->vec4s() : 0;
+        material.outlineData = materials_.add(static_cast<std::size_t>(lineVec4s));
+    }
+    materials_.makeRoom();
+}
+
+/// What the blocks of the frame's materials read in place of computing, where it is not what it
+/// was in the last frame.
+void FrameData::fillTables(const FramePlan& plan) {
+    tables_.makeRoom(plan.materials.size());
+    for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+        const Pipeline* pipeline = plan.materials[i].pipeline.get();
+        if (pipeline != nullptr && pipeline->tableProgram) {
+            const Material& values = plan.scene->objects[plan.materials[i].object].material;
+            gpu_.report.filledTables +=
+                tables_.fit(i, *pipeline, values, plan.cameraToWorld) ? 1 : 0;
+        } else {
+            tables_.drop(i);
+        }
+    }
+}
+
+void FrameData::bind() {
+    view_.bind(binding::view);
+    std::fill(fedScenes_.begin(), fedScenes_.end(), nullptr);
+    forgetProgram();
+}
+
+void FrameData::feed(const FramePlan& plan, const DrawBatch& batch) {
+    const DrawMaterial& material = plan.materials[batch.material];
+    feedScene(plan, *material.pipeline, batch.lights);
+    if (fedMaterial_ != batch.material) {
+        feedMaterial(plan, material);
+        fedMaterial_ = batch.material;
+    }
+}
+
+void FrameData::feedMaterial(const FramePlan& plan, const DrawMaterial& material) {
+    const Pipeline& pipeline = *material.pipeline;
+    const std::span<glm::vec4> data = materials_.staging(material.data);
+    const Material& values = plan.scene->objects[material.object].material;
+    if (pipeline.tableProgram) {
+        tables_.bind(static_cast<std::size_t>(&material - plan.materials.data()));
+    }
+    packMaterial(data, pipeline, values, plan.cameraToWorld);
+    if (material.isLayered) {
+        packLayers(
+            data, pipeline,
+            {plan.transparency().parameters, plan.layerDepths.near(), plan.layerDepths.far()},
+            plan.cameraToWorld);
+    }
+    if (material.refracts()) {
+        packRefraction(data, pipeline, values, plan.scene->background);
+    }
+    gpu_.textures.bind(data, pipeline, values);
+    note(materials_.upload(material.data));
+    materials_.bind(binding::object, material.data);
+    pipeline.program->use();
+}
+
+void FrameData::feedLines(const FramePlan& plan, const DrawBatch& batch) {
+    static const Values none;
+    const DrawMaterial& material = plan.materials[batch.material];
+    const Pipeline& pipeline = *material.pipeline;
+    const OutlineLayout& layout = *pipeline.outline;
+    const Material& values = plan.scene->objects[material.object].material;
+    const BlockValues* part = values.part(layout.block.block->kind);
+    const bool isOfBlock = part != nullptr && part->id == layout.block.block->id;
+    feedScene(plan, pipeline, batch.lights);
+    const std::span<glm::vec4> data = materials_.staging(material.outlineData);
+    data[OutlineLayout::line] = pixelInClip_;
+    packInto(data.subspan(OutlineLayout::fixed), layout.block.layout,
+             isOfBlock ? part->parameters : none, values.accuracy, plan.cameraToWorld);
+    note(materials_.upload(material.outlineData));
+    materials_.bind(binding::object, material.outlineData);
+    pipeline.outlineProgram->use();
+    forgetProgram();
+}
+
+/// Programs that were made for the same scene read the same data; one that is left over from
+/// before a change that does not compile may read other data.
+void FrameData::feedScene(const FramePlan& plan, const Pipeline& pipeline, std::size_t lights) {
+    UniformBuffer& data = scenes_[lights];
+    const Pipeline* fed = fedScenes_[lights];
+    if (fed == nullptr || fed->sceneKey != pipeline.sceneKey || fed->catalog != pipeline.catalog) {
+        const PackedScene packed = packScene(
+            data.staging(), pipeline,
+            {*plan.scene, *plan.effects, gpu_.shared.shadows.views(), &plan.lightLists, lights},
+            plan.cameraToWorld);
+        note(data.upload(packed.vec4s));
+        lostLights_ = std::max(lostLights_, packed.lostLights);
+        fedScenes_[lights] = &pipeline;
+    }
+    data.bind(binding::scene);
+}
+
+} // namespace patina

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/frame_environment.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <epoxy/gl.h>
+#include <glm/trigonometric.hpp>
+
+#include "gl/driver.h"
+#include "render/gpu/long_pieces.h"
+#include "shading/effects/texture_choice.h"
+
+namespace patina {
+namespace {
+
+constexpr int roundSamples = EnvironmentLight::roundSamples;
+
+/// Rounds of directions in one frame, at most.
+constexpr int maxRounds = 64;
+
+/// Rounds in a frame that only adds to what is seen, and need not be done soon, at most.
+constexpr int addedRounds = 8;
+
+/// What a frame takes that must not keep a window waiting.
+int usualRounds() {
+    static const int rounds = gl::isSoftware() ? 1 : 4;
+    return rounds;
+}
+
+/// What blends is drawn at once, however long it takes.
+bool blends(const Scene& effects, const Catalog& catalog) {
+    return std::ranges::any_of(effects.objects, [&catalog](const Object& object) {
+        return object.visible && isTransparent(object.material, catalog);
+    });
+}
+
+/// Less than a round is drawn where no more are wanted.
+int wholeRounds(int samples) {
+    return samples < roundSamples ? samples
+                                  : (samples + roundSamples - 1) / roundSamples * roundSamples;
+}
+
+int samplesOf(const View& view, const Scene& effects, const Catalog& catalog, int done) {
+    if (view.environmentSamples <= 0) {
+        // No more than there are already, so that the first ones are soon seen.
+        const int added =
+            blends(effects, catalog) ? 0 : std::min(done, addedRounds * roundSamples);
+        const int most = std::max(usualRounds() * roundSamples, added);
+        return wholeRounds(std::clamp(view.maxSamples - done, 1, most));
+    }
+    return wholeRounds(std::min(view.environmentSamples, maxRounds * roundSamples));
+}
+
+void set(const gl::Program& program, const char* name, const glm::dvec3& value) {
+    glUniform3f(program.uniform(name), static_cast<float>(value.x), static_cast<float>(value.y),
+                static_cast<float>(value.z));
+}
+
+} // namespace
+
+Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
+                                    const Catalog& catalog, ProgramCache& cache) {
+    const int built = cache.builtCount();
+    if (light_.followSome(scene.effects, scene.scene, view.environmentImage, catalog, cache) ||
+        cache.builtCount() > built) {
+        return true;
+    }
+    if (!isIn()) {
+        if (accumulation_.mean().size().x > 0) {
+            accumulation_ = Accumulation();
+        }
+        done_ = 0;
+        return false;
+    }
+    if (auto prepared = accumulation_.prepare(catalog, cache); !prepared) {
+        return tl::unexpected(prepared.error());
+    }
+    if (cache.builtCount() > built) {
+        return true;
+    }
+    const auto kept = accumulation_.fit(view.size, catalog, cache);
+    if (!kept) {
+        return tl::unexpected(kept.error());
+    }
+    done_ = *kept && view.isContinued ? done_ : 0;
+    if (!*kept && takesLong(view.size)) {
+        return true;
+    }
+    count_ = samplesOf(view, scene.effects, catalog, done_);
+    light_.setSamples(
+        {(done_ + roundSamples - 1) / roundSamples, count_, view.environmentSeries});
+    return false;
+}
+
+void FrameEnvironment::prewarm(const SceneToPack& scene, const View& view, const Catalog& catalog,
+                              ProgramCache& cache) {
+    light_.follow(scene.effects, scene.scene, view.environmentImage, catalog, cache);
+    if (isIn()) {
+        light_.setSamples({0, roundSamples, 0});
+    }
+}
+
+void FrameEnvironment::drawBackground(const Camera& camera, const glm::dmat4& cameraToWorld,
+                                     double aspect) const {
+    const gl::Program* program = light_.background();
+    if (program == nullptr) {
+        return;
+    }
+    light_.bind();
+    program->use();
+    const double up = std::tan(0.5 * glm::radians(std::clamp(camera.fieldOfView, 1.0, 170.0)));
+    set(*program, "backgroundForward", -glm::dvec3(cameraToWorld[2]));
+    set(*program, "backgroundRight", up * aspect * glm::dvec3(cameraToWorld[0]));
+    set(*program, "backgroundUp", up * glm::dvec3(cameraToWorld[1]));
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    glUniform2f(program->uniform("backgroundSize"), static_cast<float>(viewport[2]),
+                static_cast<float>(viewport[3]));
+    glUniform1f(program->uniform("backgroundBlur"), static_cast<float>(light_.backgroundBlur()));
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+}
+
+void FrameEnvironment::bind() const {
+    if (isIn()) {
+        light_.bind();
+    }
+}
+
+void FrameEnvironment::add(const gl::Texture& frame) {
+    done_ += count_;
+    accumulation_.add(frame, static_cast<float>(double(count_) / double(done_)));
+}
+
+/// The first frame of a mean takes its place; those that follow are mixed with it.
+void FrameEnvironment::addUnseen(const gl::Texture& frame, const Catalog& catalog,
+                                ProgramCache& cache) const {
+    Accumulation mean;
+    if (isIn() && mean.fit(glm::ivec2(1), catalog, cache)) {
+        mean.add(frame, 1.0f);
+        mean.add(frame, 0.5f);
+    }
+}
+
+int FrameEnvironment::samples() const {
+    return done_;
+}
+
+int FrameEnvironment::rounds() const {
+    return isIn() ? (count_ + roundSamples - 1) / roundSamples : 0;
+}
+
+bool FrameEnvironment::holds(glm::ivec2 size) const {
+    return hasPicture() && accumulation_.mean().size() == size;
+}
+
+void FrameEnvironment::forget() {
+    light_.forget();
+    accumulation_.forget();
+    done_ = 0;
+}
+
+} // namespace patina

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "render/gpu/gpu_mesh.h"
+#include "render/gpu/instance_buffer.h"
+#include "render/gpu/uniform_buffer.h"
+#include "render/pass/pass.h"
+
+namespace patina {
+
+/// The ground: a plane, or shadows alone, behind the solid objects and in front of nothing.
+class GroundPass : public Pass {
+  public:
+    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
+    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+
+  private:
+    void makeMesh();
+
+    UniformBuffer data_;
+    SingleInstance instance_;
+    std::optional<GpuMesh> mesh_; ///< once it was needed
+    bool isDrawn_ = false;
+};
+
+} // namespace patina

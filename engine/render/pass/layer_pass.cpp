@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/layer_pass.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/transparency.h"
+
+namespace patina {
+namespace {
+
+/// The block that puts the plan's layers together; null where none are needed.
+const Block* blockFor(const FramePlan& plan, const Catalog& catalog) {
+    const bool isNeeded =
+        plan.effects->part(kinds::transparency) != nullptr &&
+        std::ranges::any_of(plan.list.transparentBatches(), [&plan](const DrawBatch& batch) {
+            return !plan.materials[batch.material].refracts();
+        });
+    return isNeeded ? blockOf(plan.effects->parts, kinds::transparency, catalog) : nullptr;
+}
+
+} // namespace
+
+Result<bool> LayerPass::prepare(FramePlan& plan, FrameGpu& gpu) {
+    batch_ = 0;
+    hasLines_ = false;
+    drawer_ = BatchDrawer();
+    const Block* block = blockFor(plan, *gpu.shared.catalog);
+    isDone_ = block == nullptr;
+    if (isDone_) {
+        composer_.leaveOut();
+        return false;
+    }
+    const auto isMade = composer_.begin(gpu.target(), layersOf(plan.transparency(), *block),
+                                        *gpu.shared.catalog, gpu.shared.programs());
+    if (!isMade || *isMade) {
+        return isMade;
+    }
+    return addMaterials(plan, gpu.shared.programs()).map([] { return false; });
+}
+
+/// A program that is left over from before a change may know nothing of layers: its object is
+/// blended by itself.
+bool LayerPass::isLayered(const DrawMaterial& material) const {
+    const Pipeline* pipeline = material.pipeline.get();
+    return pipeline != nullptr && pipeline->object.transparency &&
+           pipeline->object.isPeeled() == composer_.isPeeled();
+}
+
+/// Their programs for depths, until one was made, and how deep they reach.
+Result<void> LayerPass::addMaterials(FramePlan& plan, ProgramCache& programs) {
+    plan.layerDepths = DepthRange();
+    for (const DrawBatch& batch : plan.list.transparentBatches()) {
+        DrawMaterial& material = plan.materials[batch.material];
+        const DrawItem& item = plan.items[plan.list.items()[batch.first]];
+        plan.layerDepths.add(item.view.bounds, plan.worldToCamera * item.placement->world);
+        material.isLayered = isLayered(material);
+        if (!material.isLayered) {
+            continue;
+        }
+        const int built = programs.builtCount();
+        auto added = composer_.addPipeline(material.pipeline, programs);
+        if (!added || programs.builtCount() > built) {
+            return added;
+        }
+    }
+    return {};
+}
+
+bool LayerPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
+    if (isDone_) {
+        return true;
+    }
+    if (!std::exchange(hasLines_, true)) {
+        drawLines(plan, gpu);
+        if (!budget.isEndless() && budget.mustStop()) {
+            return false;
+        }
+    }
+    isDone_ = compose(plan, gpu, budget);
+    if (isDone_) {
+        gpu.report.drawnObjects += static_cast<int>(
+            std::ranges::count_if(plan.list.transparentBatches(), [&plan](const DrawBatch& batch) {
+                return plan.materials[batch.material].isLayered;
+            }));
+    }
+    return isDone_;
+}
+
+/// Before the layers, of which those in front are put over them and those behind are hidden.
+void LayerPass::drawLines(const FramePlan& plan, FrameGpu& gpu) {
+    StepBudget whole;
+    for (const DrawBatch& batch : plan.list.transparentBatches()) {
+        if (plan.materials[batch.material].isLayered) {
+            drawer_.drawLines(plan, gpu, batch, whole);
+        }
+    }
+}
+
+bool LayerPass::compose(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
+    const auto drawStage = [&, this](LayerComposer::Stage stage) {
+        if (stage == LayerComposer::Stage::Layers) {
+            return drawObjects(plan, gpu, stage, budget);
+        }
+        StepBudget whole; // quick, but maybe at the end of a step
+        drawObjects(plan, gpu, stage, whole);
+        return budget.isEndless() || !budget.mustStop();
+    };
+    if (plan.isUnseen) {
+        composer_.drawUnseen(gpu.target(), drawStage);
+        return true;
+    }
+    return composer_.draw(gpu.target(), drawStage);
+}
+
+/// All that is in layers; false where it goes on with the next batch.
+bool LayerPass::drawObjects(const FramePlan& plan, FrameGpu& gpu, LayerComposer::Stage stage,
+                            StepBudget& budget) {
+    const std::span<const DrawBatch> batches = plan.list.transparentBatches();
+    while (batch_ < batches.size()) {
+        const DrawBatch& batch = batches[batch_];
+        const DrawMaterial& material = plan.materials[batch.material];
+        if (material.isLayered) {
+            gpu.data.feed(plan, batch);
+            if (stage == LayerComposer::Stage::Depths) {
+                composer_.useDepths(material.pipeline);
+                gpu.data.forgetProgram();
+            }
+            if (!drawer_.drawTriangles(gpu, batch, budget)) {
+                return false;
+            }
+        }
+        if (++batch_ < batches.size() && budget.isDue()) {
+            return false;
+        }
+    }
+    batch_ = 0;
+    return true;
+}
+
+} // namespace patina

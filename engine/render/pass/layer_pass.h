@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "render/pass/batch_drawer.h"
+#include "render/pass/layer_composer.h"
+
+namespace patina {
+
+/// What is transparent and put together in no order of its objects: layer by layer, or all at once.
+class LayerPass : public Pass {
+  public:
+    Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
+    bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
+    void forget() override { composer_.forget(); }
+
+    /// Gives the memory of the layers back.
+    void release() { composer_.leaveOut(); }
+
+  private:
+    bool isLayered(const DrawMaterial& material) const;
+    Result<void> addMaterials(FramePlan& plan, ProgramCache& programs);
+    void drawLines(const FramePlan& plan, FrameGpu& gpu);
+    bool compose(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget);
+    bool drawObjects(const FramePlan& plan, FrameGpu& gpu, LayerComposer::Stage stage,
+                     StepBudget& budget);
+
+    LayerComposer composer_;
+    std::size_t batch_ = 0; ///< of the transparent ones, drawn into the layer at work
+    bool hasLines_ = false;
+    bool isDone_ = false;
+    BatchDrawer drawer_;
+};
+
+} // namespace patina

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/refraction_targets.h"
+
+#include <array>
+
+#include <epoxy/gl.h>
+
+#include "render/gpu/binding.h"
+#include "shading/effects/refraction_source.h"
+
+namespace patina {
+namespace {
+
+void setBall(const gl::Program& program, const Ball& ball) {
+    glUniform4f(program.uniform("refractionBody"), static_cast<float>(ball.center.x),
+                static_cast<float>(ball.center.y), static_cast<float>(ball.center.z),
+                static_cast<float>(ball.radius));
+}
+
+} // namespace
+
+Result<void> RefractionTargets::begin(glm::ivec2 size, Needs needs, const Catalog& catalog,
+                                   ProgramCache& cache) {
+    if (size != size_ || built_.back != needs.back || built_.behind != needs.behind) {
+        std::shared_ptr<const gl::Program> program = std::move(backProgram_);
+        *this = RefractionTargets();
+        backProgram_ = std::move(program);
+        size_ = size;
+        auto built = needs.back ? buildBack() : Result<void>();
+        if (built && needs.behind) {
+            built = buildBehind();
+        }
+        if (!built) {
+            *this = RefractionTargets();
+            return built;
+        }
+        built_ = needs;
+    }
+    return needs.back && !backProgram_ ? makeProgram(catalog, cache) : Result<void>();
+}
+
+Result<void> RefractionTargets::buildBack() {
+    back_ = gl::TargetTexture::create(size_, GL_RGBA32F, 1);
+    backDepth_ = gl::TargetTexture::create(size_, GL_DEPTH_COMPONENT32F, 1);
+    backTarget_ = gl::Framebuffer::create();
+    backTarget_.attachColor(back_, 0);
+    backTarget_.attachDepth(backDepth_);
+    return backTarget_.check();
+}
+
+Result<void> RefractionTargets::buildBehind() {
+    behindDepth_ = gl::TargetTexture::create(size_, GL_DEPTH_COMPONENT32F, 1);
+    behindTarget_ = gl::Framebuffer::create();
+    behindTarget_.attachDepth(behindDepth_);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    return behindTarget_.check();
+}
+
+Result<void> RefractionTargets::makeProgram(const Catalog& catalog, ProgramCache& cache) {
+    const auto source = bodyBackProgram(catalog);
+    if (!source) {
+        return tl::unexpected(source.error().front());
+    }
+    const ProgramCache::Found made = cache.get(*source);
+    if (!made.program) {
+        return tl::unexpected(made.errors.front());
+    }
+    backProgram_ = made.program;
+    backProgram_->bindBlock("ViewBlock", binding::view);
+    backProgram_->bindBlock("ObjectBlock", binding::object);
+    return {};
+}
+
+void RefractionTargets::beginBack(const Ball& ball, bool isNew) const {
+    static constexpr std::array<float, 4> nothing{0.0f, 0.0f, 0.0f, 0.0f};
+    static constexpr float nearest = 0.0f;
+    glBindFramebuffer(GL_FRAMEBUFFER, backTarget_.name());
+    glViewport(0, 0, size_.x, size_.y);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_GREATER);
+    if (isNew) {
+        glClearBufferfv(GL_COLOR, 0, nothing.data());
+        glClearBufferfv(GL_DEPTH, 0, &nearest);
+    }
+    backProgram_->use();
+    setBall(*backProgram_, ball);
+}
+
+void RefractionTargets::takeBehind(const HdrTarget& target) const {
+    const glm::ivec2 drawn = target.drawnSize();
+    target.resolve();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, behindTarget_.name());
+    glBlitFramebuffer(0, 0, drawn.x, drawn.y, 0, 0, size_.x, size_.y, GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+}
+
+void RefractionTargets::bind(const gl::Program& program, const Ball& ball,
+                          const HdrTarget& target) const {
+    if (built_.back) {
+        back_.bind(binding::refractionBack);
+        setBall(program, ball);
+    }
+    if (built_.behind) {
+        glActiveTexture(GL_TEXTURE0 + binding::behindColor);
+        glBindTexture(GL_TEXTURE_2D, target.averaged().name());
+        behindDepth_.bind(binding::behindDepth);
+    }
+    glActiveTexture(GL_TEXTURE0);
+}
+
+void RefractionTargets::assignUnits(const gl::Program& program) {
+    program.bindSampler("refractionBack", binding::refractionBack);
+    program.bindSampler("behindColor", binding::behindColor);
+    program.bindSampler("behindDepth", binding::behindDepth);
+}
+
+} // namespace patina

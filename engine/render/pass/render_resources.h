@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "catalog/catalog.h"
+#include "render/gpu/gpu_mesh_store.h"
+#include "render/gpu/gpu_texture_store.h"
+#include "render/pass/pipeline_store.h"
+#include "render/pass/shadow_maps.h"
+
+namespace patina {
+
+/// What the views of one context share: programs, meshes, images and shadow maps on the GPU.
+struct RenderResources {
+    explicit RenderResources(std::filesystem::path folder)
+        : programCache(std::move(folder)), pipelines(programCache) {}
+
+    /// Blocks may have changed.
+    void setCatalog(std::shared_ptr<const Catalog> changed);
+
+    ProgramCache& programs() { return pipelines.programs(); }
+
+    std::filesystem::path programCache;     ///< empty: no programs on disk
+    std::shared_ptr<const Catalog> catalog; ///< null: there is none yet
+    PipelineStore pipelines;
+    GpuMeshStore meshes;
+    GpuTextureStore textures;
+    ShadowMaps shadows;
+};
+
+} // namespace patina

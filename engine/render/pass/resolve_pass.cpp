@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/resolve_pass.h"
+
+#include <utility>
+
+#include "render/gpu/step_budget.h"
+#include "render/pass/frame_gpu.h"
+
+namespace patina {
+
+Result<bool> ResolvePass::prepare(FramePlan&, FrameGpu&) {
+    isResolved_ = false;
+    isAdded_ = false;
+    return false;
+}
+
+/// The mean of an environment's frames is a step of its own.
+bool ResolvePass::draw(const FramePlan&, FrameGpu& gpu, StepBudget& budget) {
+    if (!budget.deviceIsDone()) {
+        return false;
+    }
+    const bool isInMean = gpu.environment.isIn();
+    if (!std::exchange(isResolved_, true)) {
+        gpu.target().resolve();
+        gpu.target().stretch();
+        if (isInMean && !budget.isEndless() && budget.mustStop()) {
+            return false;
+        }
+    }
+    if (!std::exchange(isAdded_, true)) {
+        if (isInMean) {
+            gpu.environment.add(gpu.target().resolved());
+        }
+        if (!budget.isEndless()) {
+            budget.mark();
+        }
+    }
+    return budget.deviceIsDone();
+}
+
+} // namespace patina

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/plan/draw_list.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace patina {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Lists of lights are few (LightLists::most), and there are fewer than 2^24 materials in a frame.
+std::uint64_t keyOf(const DrawItem& item) {
+    return item.mesh->serial() << 32 | std::uint64_t(item.material) << 8 |
+           std::uint64_t(item.lights);
+}
+
+const void* programOf(const DrawMaterial& material) {
+    return material.pipeline ? material.pipeline->program.get() : nullptr;
+}
+
+bool isDrawn(const DrawItem& item, const DrawMaterial& material) {
+    return item.isInPicture && material.pipeline != nullptr;
+}
+
+} // namespace
+
+void DrawList::order(std::span<const DrawItem> items, std::span<const DrawMaterial> materials) {
+    batches_.clear();
+    order_.clear();
+    addOpaque(items, materials);
+    rank(materials);
+    sortBatches(materials);
+    placeItems(items);
+    opaque_ = batches_.size();
+    addTransparent(items, materials);
+}
+
+/// Finds what is drawn with one call, in the order of the scene.
+void DrawList::addOpaque(std::span<const DrawItem> items,
+                         std::span<const DrawMaterial> materials) {
+    static_assert(LightLists::most < 255);
+    known_.clear(items.size());
+    found_.clear();
+    batchOf_.assign(items.size(), 0);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const DrawItem& item = items[i];
+        const DrawMaterial& material = materials[item.material];
+        if (!isDrawn(item, material) || material.isTransparent) {
+            continue;
+        }
+        const std::size_t number = known_.find(keyOf(item), found_.size());
+        if (number == found_.size()) {
+            found_.push_back({item.material, item.mesh.get(), item.lights, 0, 0, infinity});
+        }
+        DrawBatch& batch = found_[number];
+        ++batch.count;
+        batch.nearest = std::min(batch.nearest, item.distance);
+        batchOf_[i] = static_cast<std::uint32_t>(number + 1);
+    }
+}
+
+/// How near the nearest object of each material and of its program is.
+void DrawList::rank(std::span<const DrawMaterial> materials) {
+    ranks_.assign(materials.size(), {infinity, infinity});
+    programs_.clear();
+    for (const DrawBatch& batch : found_) {
+        double& nearest = ranks_[batch.material].material;
+        nearest = std::min(nearest, batch.nearest);
+    }
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        const void* program = programOf(materials[i]);
+        auto known = std::ranges::find(programs_, program, &std::pair<const void*, double>::first);
+        if (known == programs_.end()) {
+            known = programs_.insert(known, {program, infinity});
+        }
+        known->second = std::min(known->second, ranks_[i].material);
+    }
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        const void* program = programOf(materials[i]);
+        ranks_[i].program =
+            std::ranges::find(programs_, program, &std::pair<const void*, double>::first)->second;
+    }
+}
+
+void DrawList::sortBatches(std::span<const DrawMaterial> materials) {
+    const auto keyOfBatch = [&](std::uint32_t number) {
+        const DrawBatch& batch = found_[number];
+        const Rank& rank = ranks_[batch.material];
+        return std::tuple(rank.program, programOf(materials[batch.material]), rank.material,
+                          batch.material, batch.nearest, number);
+    };
+    sorted_.resize(found_.size());
+    std::iota(sorted_.begin(), sorted_.end(), 0u);
+    std::ranges::sort(sorted_, std::less<>(), keyOfBatch);
+    placeOf_.resize(found_.size());
+    std::size_t first = 0;
+    for (std::size_t place = 0; place < sorted_.size(); ++place) {
+        placeOf_[sorted_[place]] = static_cast<std::uint32_t>(place);
+        DrawBatch& batch = batches_.emplace_back(found_[sorted_[place]]);
+        batch.first = first;
+        first += batch.count;
+    }
+    order_.resize(first);
+}
+
+/// Each item to its batch, then near ones before far ones.
+void DrawList::placeItems(std::span<const DrawItem> items) {
+    for (DrawBatch& batch : batches_) {
+        batch.count = 0;
+    }
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (batchOf_[i] != 0) {
+            DrawBatch& batch = batches_[placeOf_[batchOf_[i] - 1]];
+            order_[batch.first + batch.count++] = static_cast<std::uint32_t>(i);
+        }
+    }
+    for (const DrawBatch& batch : batches_) {
+        const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(batch.first);
+        std::sort(begin, begin + static_cast<std::ptrdiff_t>(batch.count),
+                  [items](std::uint32_t a, std::uint32_t b) {
+                      return std::tie(items[a].distance, a) < std::tie(items[b].distance, b);
+                  });
+    }
+}
+
+void DrawList::addTransparent(std::span<const DrawItem> items,
+                              std::span<const DrawMaterial> materials) {
+    const std::size_t first = order_.size();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const DrawMaterial& material = materials[items[i].material];
+        if (isDrawn(items[i], material) && material.isTransparent) {
+            order_.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
+    std::sort(order_.begin() + static_cast<std::ptrdiff_t>(first), order_.end(),
+              [items](std::uint32_t a, std::uint32_t b) {
+                  return std::tie(items[b].distance, a) < std::tie(items[a].distance, b);
+              });
+    for (std::size_t i = first; i < order_.size(); ++i) {
+        const DrawItem& item = items[order_[i]];
+        batches_.push_back({item.material, item.mesh.get(), item.lights, i, 1, item.distance});
+    }
+}
+
+} // namespace patina

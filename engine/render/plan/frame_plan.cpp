@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/plan/frame_plan.h"
+
+namespace patina {
+namespace {
+
+/// Frames of more triangles are drawn in steps when there is a deadline.
+constexpr std::int64_t maxTrianglesAtOnce = 200000;
+
+} // namespace
+
+glm::dmat4 FramePlan::worldToClip() const {
+    const double aspect = double(view->size.x) / double(view->size.y);
+    return projection(view->camera, aspect, depths) * worldToCamera;
+}
+
+const BlockValues& FramePlan::transparency() const {
+    const BlockValues* own = scene->part(kinds::transparency);
+    const BlockValues* drawn = effects->part(kinds::transparency);
+    return own != nullptr && own->id == drawn->id ? *own : *drawn;
+}
+
+bool FramePlan::hasManyTriangles(std::int64_t more) const {
+    return triangles + edges + more > maxTrianglesAtOnce;
+}
+
+void FramePlan::moveTo(const Scene& copy, const Scene& effectsCopy) {
+    scene = &copy;
+    effects = &effectsCopy;
+}
+
+} // namespace patina

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/plan/frame_planner.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "render/lights/fog_reach.h"
+#include "shading/effects/effect_choice.h"
+#include "shading/effects/material_hash.h"
+#include "shading/effects/texture_choice.h"
+
+namespace patina {
+namespace {
+
+/// Neighbours often are, and then it need not be looked up.
+bool isOfOneMesh(const Object& a, const Object& b) {
+    return a.mesh == b.mesh && a.fitUnitBox == b.fitUnitBox && a.flipNormals == b.flipNormals;
+}
+
+/// The scene whose effects the programs of a view have.
+const Scene& effectsOf(const View& view, const Scene& scene) {
+    const bool fits = view.effects != nullptr &&
+                      view.effects->objects.size() == scene.objects.size() &&
+                      view.effects->lights.size() == scene.lights.size();
+    return fits ? *view.effects : scene;
+}
+
+/// Whether the frame's objects and its ground lie behind the fog's box or in it.
+FogReach fogReach(const FramePlan& plan, const Catalog& catalog) {
+    FogReach fog(*plan.effects, catalog, glm::dvec3(plan.cameraToWorld[3]));
+    if (!fog.asks()) {
+        return fog;
+    }
+    for (const DrawItem& item : plan.items) {
+        fog.add(item.placement->corners);
+    }
+    if (plan.ground.isSeen) {
+        fog.add(groundBounds(), worldMatrix(plan.ground.place));
+    }
+    return fog;
+}
+
+/// Which lights the objects of a list have no code for. While a value is dragged the lists are data
+/// alone.
+std::size_t missingKinds(FramePlan& plan, std::size_t lights) {
+    return plan.isHeld ? 0 : plan.lightKinds.missingKinds(plan.lightLists, lights);
+}
+
+void count(FramePlan& plan) {
+    plan.triangles = 0;
+    plan.edges = 0;
+    for (const DrawItem& item : plan.items) {
+        const std::int64_t triangles = std::ssize(item.view.indices) / 3;
+        plan.triangles += triangles;
+        // A closed mesh has three edges for two triangles.
+        plan.edges += plan.materials[item.material].isOutlined ? 3 * triangles / 2 : 0;
+    }
+}
+
+void begin(FramePlan& plan, const Scene& scene, const View& view, PlanWish wish) {
+    plan.scene = &scene;
+    plan.effects = &effectsOf(view, scene);
+    plan.view = &view;
+    plan.isHeld = wish.holdsEffects || plan.effects != &scene;
+    plan.isUnseen = wish.isUnseen;
+    plan.worldToCamera = viewMatrix(view.camera);
+    plan.cameraToWorld = glm::inverse(plan.worldToCamera);
+    plan.eye = eye(view.camera);
+    plan.depths = DepthRange();
+    plan.items.clear();
+    plan.materials.clear();
+}
+
+} // namespace
+
+void FramePlanner::make(FramePlan& plan, const Scene& scene, const View& view,
+                        const MeshSource& meshes, const Catalog& catalog, PlanWish wish) {
+    begin(plan, scene, view, wish);
+    collect(plan, meshes, catalog);
+    count(plan);
+    addGround(plan);
+    plan.effectView = plan.isHeld ? EffectView() : effectView(plan.depths, fogReach(plan, catalog));
+}
+
+void FramePlanner::collect(FramePlan& plan, const MeshSource& meshes, const Catalog& catalog) {
+    const std::vector<Object>& objects = plan.scene->objects;
+    materialKeys_.clear(objects.size());
+    placements_.makeRoom(objects.size());
+    plan.lightLists.begin(*plan.scene, catalog);
+    plan.lightKinds.begin(*plan.effects, catalog);
+    const glm::dmat4 worldToClip = plan.worldToClip();
+    const Object* last = nullptr; // of which `mesh` is
+    MeshView mesh;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (!isDrawn(objects[i])) {
+            continue;
+        }
+        if (last == nullptr || !isOfOneMesh(*last, objects[i])) {
+            mesh = meshes(objects[i]);
+            last = &objects[i];
+        }
+        if (!mesh.indices.empty()) {
+            DrawItem& item = plan.items.emplace_back(itemOf(plan, i, mesh, catalog));
+            item.isInPicture = plan.isUnseen || !isOutside(*item.placement, worldToClip);
+        }
+    }
+}
+
+DrawItem FramePlanner::itemOf(FramePlan& plan, std::size_t index, const MeshView& mesh,
+                              const Catalog& catalog) {
+    const Placement& place = placements_.of(index, plan.scene->objects[index], mesh.bounds);
+    const std::size_t lights = plan.lightLists.listFor(place.ball);
+    if (!mesh.bounds.empty()) {
+        plan.depths.add(place.corners, plan.worldToCamera);
+    }
+    return {index,
+            mesh,
+            nullptr,
+            &place,
+            glm::distance(place.middle, plan.eye),
+            lights,
+            materialOf(plan, index, missingKinds(plan, lights), catalog)};
+}
+
+/// The number of an object's material. Two objects share one when both its values and the effects
+/// of their programs are the same.
+std::size_t FramePlanner::materialOf(FramePlan& plan, std::size_t object, std::size_t missing,
+                                     const Catalog& catalog) {
+    const Material& effects = plan.effects->objects[object].material;
+    const Material& values = plan.scene->objects[object].material;
+    std::uint64_t hash = materialHash(effects);
+    if (plan.isHeld) {
+        hash = 31 * hash + materialHash(values);
+    }
+    if (missing != 0) {
+        hash = 31 * hash + missing;
+    }
+    const std::size_t number = materialKeys_.find(hash, plan.materials.size());
+    if (number == plan.materials.size()) {
+        DrawMaterial& material = plan.materials.emplace_back();
+        material.object = object;
+        material.missing = missing;
+        material.isTransparent = isTransparent(effects, catalog);
+        material.canShadow = canShadow(values, catalog);
+        material.isOutlined = outlineChoice(effects, catalog).block != nullptr;
+    }
+    return number;
+}
+
+/// While its opacity is dragged the ground is there at 0 too.
+void FramePlanner::addGround(FramePlan& plan) {
+    plan.ground = PlannedGround();
+    if (!isSeen(plan.effects->ground)) {
+        return;
+    }
+    GroundUnder under;
+    for (const DrawItem& item : plan.items) {
+        under.add(item.view.bounds, item.placement->world, lowestHeight(item));
+    }
+    if (const auto place = under.place(plan.scene->ground, plan.eye)) {
+        plan.ground.isSeen = true;
+        plan.ground.place = *place;
+        plan.ground.lights = plan.lightLists.listFor(ballAround(*place));
+        plan.ground.missing = missingKinds(plan, plan.ground.lights);
+        patina::addGround(plan.depths, *place, plan.view->camera);
+    }
+}
+
+bool FramePlanner::Lowest::isOf(const DrawItem& item) const {
+    return world == item.placement->world && vertices.data() == item.view.vertices.data() &&
+           vertices.size() == item.view.vertices.size() && bounds == item.view.bounds;
+}
+
+/// The lowest height of an object's mesh; looked up again only when the object has changed.
+double FramePlanner::lowestHeight(const DrawItem& item) {
+    if (lowest_.size() <= item.index) {
+        lowest_.resize(item.index + 1);
+    }
+    Lowest& lowest = lowest_[item.index];
+    if (!lowest.isOf(item)) {
+        lowest = {item.placement->world, item.view.vertices, item.view.bounds,
+                  lowestPoint(item.view, item.placement->world)};
+    }
+    return lowest.height;
+}
+
+} // namespace patina

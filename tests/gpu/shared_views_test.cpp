@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several views of a context that share what is in the GPU's memory, each with its own frames.
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "gpu_fixture.h"
+#include "render/plan/frame_planner.h"
+
+namespace patina::tests::shared_views_test {
+namespace {
+
+constexpr int size = 48;
+
+class SharedViews : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        makeRenderer();
+    }
+
+    void TearDown() override {
+        others_.clear();
+        GpuTest::TearDown();
+    }
+
+    Renderer& other() {
+        others_.push_back(renderer->forAnotherView());
+        return *others_.back();
+    }
+
+    /// With shadows, a ground and something that is transparent.
+    Scene everything(double yaw) {
+        Scene scene = simpleScene("phong");
+        scene.objects.push_back(object("lambert", "cube"));
+        scene.objects[1].translation = {0.5, 0.5, -1.0};
+        scene.objects[0].material.opacity = 0.5;
+        scene.lights = {sun({0.5, -1.0, -1.0})};
+        scene.lights[0].shadow = block("shadows", "filtered");
+        scene.ground.mode = GroundMode::Plane;
+        scene.camera.yaw = yaw;
+        scene.camera.pitch = 20.0;
+        return scene;
+    }
+
+    std::vector<float> captured(Renderer& by, const Scene& scene) {
+        const auto image = by.capture(scene, viewOf(scene, size), meshSource(), false);
+        EXPECT_TRUE(image);
+        return image ? image->pixels : std::vector<float>();
+    }
+
+    /// The picture of a view that shares nothing.
+    std::vector<float> alone(const Scene& scene) {
+        auto made = Renderer::create({});
+        EXPECT_TRUE(made);
+        (*made)->setCatalog(catalog);
+        return captured(**made, scene);
+    }
+
+    FrameJob& begin(Renderer& by, const Scene& scene) {
+        return by.begin(scene, viewOf(scene, size), meshSource(), FramePurpose::Capture);
+    }
+
+    static void step(FrameJob& job) { job.step(FrameJob::Clock::now()); }
+
+    void finish(FrameJob& job) {
+        while (job.step(FrameJob::Clock::now()) == FrameJob::Progress::More) {
+        }
+    }
+
+  private:
+    std::vector<std::unique_ptr<Renderer>> others_;
+};
+
+TEST_F(SharedViews, OfOneScene_CompileOnce) {
+    const Scene scene = everything(0.0);
+    captured(*renderer, scene);
+    Renderer& second = other();
+    captured(second, scene);
+    EXPECT_EQ(second.report().compiled, 0);
+}
+
+TEST_F(SharedViews, OfOneScene_ShareShadowMaps) {
+    captured(*renderer, everything(0.0));
+    EXPECT_EQ(renderer->report().shadowMaps, 1);
+    Renderer& second = other();
+    captured(second, everything(90.0));
+    EXPECT_EQ(second.report().shadowMaps, 0);
+}
+
+/// Four views, each a step at a time.
+TEST_F(SharedViews, StepsInTurns_DrawThePicturesOfEachAlone) {
+    std::vector<Scene> scenes;
+    std::vector<FrameJob*> jobs;
+    for (const double yaw : {0.0, 90.0, 180.0, 270.0}) {
+        scenes.push_back(everything(yaw));
+    }
+    for (const Scene& scene : scenes) {
+        jobs.push_back(&begin(other(), scene));
+    }
+    bool isMore = true;
+    while (isMore) {
+        isMore = false;
+        for (FrameJob* job : jobs) {
+            isMore |= job->step(FrameJob::Clock::now()) == FrameJob::Progress::More;
+        }
+    }
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        EXPECT_EQ(jobs[i]->read(false)->pixels, alone(scenes[i])) << i;
+    }
+}
+
+/// The other one's shadows lie elsewhere: the maps are planned and drawn again.
+TEST_F(SharedViews, OfOtherScenesInBetween_LeaveAFrameAsItIs) {
+    const Scene scene = everything(30.0);
+    Scene moved = everything(60.0);
+    moved.objects[1].translation = {-0.5, 0.2, 0.5};
+    moved.objects[0].mesh = "builtin:torus";
+    Renderer& second = other();
+    for (int given = 1; given < 6; ++given) {
+        FrameJob& job = begin(*renderer, scene);
+        for (int i = 0; i < given; ++i) {
+            step(job);
+        }
+        EXPECT_EQ(captured(second, moved), alone(moved));
+        finish(job);
+        EXPECT_EQ(job.read(false)->pixels, alone(scene)) << given;
+    }
+}
+
+TEST_F(SharedViews, ViewThatGoes_LeavesTheOthers) {
+    const Scene scene = everything(30.0);
+    auto second = renderer->forAnotherView();
+    captured(*second, scene);
+    FrameJob& job = begin(*renderer, scene);
+    step(job);
+    second.reset();
+    finish(job);
+    EXPECT_EQ(job.read(false)->pixels, alone(scene));
+}
+
+TEST_F(SharedViews, Catalog_IsThatOfAll) {
+    Renderer& second = other();
+    const std::vector<float> before = captured(*renderer, simpleScene());
+    second.setCatalog(std::make_shared<const Catalog>(*catalog));
+    EXPECT_EQ(captured(*renderer, simpleScene()), before);
+    EXPECT_EQ(captured(second, simpleScene()), before);
+}
+
+using Plan = GpuTest;
+
+TEST_F(Plan, OfASceneAndAView_HasItsObjectsAndMaterials) {
+    Scene scene = simpleScene("phong");
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects.push_back(object("lambert", "cube"));
+    scene.objects[1].translation.x = 1000.0;
+    scene.objects[2].visible = false;
+    FramePlanner planner;
+    FramePlan plan;
+    const View view = viewOf(scene);
+    planner.make(plan, scene, view, meshSource(), *catalog);
+    ASSERT_EQ(plan.items.size(), 2u);
+    EXPECT_EQ(plan.materials.size(), 1u);
+    EXPECT_TRUE(plan.items[0].isInPicture);
+    EXPECT_FALSE(plan.items[1].isInPicture);
+    EXPECT_EQ(plan.triangles, std::ssize(mesh(scene.objects[0]).indices) / 3 * 2);
+    EXPECT_FALSE(plan.ground.isSeen);
+}
+
+TEST_F(Plan, MadeAgain_IsTheSame) {
+    Scene scene = simpleScene("phong");
+    scene.ground.mode = GroundMode::Plane;
+    const View view = viewOf(scene);
+    FramePlanner planner;
+    FramePlan first;
+    FramePlan second;
+    planner.make(first, scene, view, meshSource(), *catalog);
+    planner.make(second, scene, view, meshSource(), *catalog);
+    EXPECT_EQ(second.worldToClip(), first.worldToClip());
+    EXPECT_EQ(second.ground.place.middle, first.ground.place.middle);
+    EXPECT_EQ(second.items.size(), first.items.size());
+}
+
+TEST_F(Plan, OfAnotherScenesEffects_HoldsThem) {
+    const Scene scene = simpleScene("phong");
+    const Scene effects = scene;
+    View view = viewOf(scene);
+    view.effects = &effects;
+    FramePlanner planner;
+    FramePlan plan;
+    planner.make(plan, scene, view, meshSource(), *catalog);
+    EXPECT_TRUE(plan.isHeld);
+    EXPECT_EQ(plan.effects, &effects);
+}
+
+} // namespace
+} // namespace patina::tests::shared_views_test
