@@ -3,17 +3,19 @@
 
 #include <algorithm>
 
+#include "docks/picture_accuracy_form.h"
+#include "document/accuracy_block.h"
 #include "document/commands/parameter_command.h"
-#include "document/fixed_blocks.h"
 #include "material/blocks_in_use.h"
 
 namespace patina {
 
 Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
-    : QObject(parent), catalog_(std::move(catalog)) {
-    settings_ = {{std::string(settings::scene), sceneBlock()},
-                 {std::string(settings::object), objectBlock()},
-                 {std::string(settings::material), materialBlock()}};
+    : QObject(parent), catalog_(std::move(catalog)),
+      sceneSettings_(*settingsBlock(settings::scene)) {
+    for (const Parameter& parameter : pictureAccuracyParameters()) {
+        sceneSettings_.parameters.push_back(parameter);
+    }
     connectSignals();
 }
 
@@ -172,8 +174,11 @@ BlockPath Document::currentPath(std::string_view kind) const {
 }
 
 const Block* Document::block(const BlockPath& path) const {
-    if (const auto found = settings_.find(path.kind); found != settings_.end()) {
-        return &found->second;
+    if (path.isAt(settings::scene)) {
+        return &sceneSettings_;
+    }
+    if (const Block* described = settingsBlock(path.kind)) {
+        return described;
     }
     if (!path.isAt(settings::accuracy)) {
         const BlockValues* values = blockValuesAt(state_, path);
