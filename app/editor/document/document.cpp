@@ -11,10 +11,12 @@
 namespace patina {
 
 Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
-    : QObject(parent), catalog_(std::move(catalog)),
-      sceneSettings_(*settingsBlock(settings::scene)) {
+    : QObject(parent), catalog_(std::move(catalog)) {
+    for (const Descriptor& descriptor : settingsDescriptors()) {
+        settings_.emplace(descriptor.block.id, descriptor.block);
+    }
     for (const Parameter& parameter : pictureAccuracyParameters()) {
-        sceneSettings_.parameters.push_back(parameter);
+        settings_.find(settings::scene)->second.parameters.push_back(parameter);
     }
     connectSignals();
 }
@@ -174,11 +176,8 @@ BlockPath Document::currentPath(std::string_view kind) const {
 }
 
 const Block* Document::block(const BlockPath& path) const {
-    if (path.isAt(settings::scene)) {
-        return &sceneSettings_;
-    }
-    if (const Block* described = settingsBlock(path.kind)) {
-        return described;
+    if (const auto found = settings_.find(path.kind); found != settings_.end()) {
+        return &found->second;
     }
     if (!path.isAt(settings::accuracy)) {
         const BlockValues* values = blockValuesAt(state_, path);

@@ -267,7 +267,7 @@ class Document : public QObject {
     BlockParts lastParts_;     ///< of the scene: they come back when the kind is turned on again
     std::optional<Material> lastSecond_;
     int lastSecondObject_ = -1; ///< what `lastSecond_` was compared on
-    Block sceneSettings_;       ///< with the choices of the picture's accuracy
+    std::map<std::string, Block, std::less<>> settings_;
     mutable std::map<std::vector<const Block*>, Block> accuracyBlocks_; ///< by the blocks in use
     QUndoStack undoStack_;
 };
