@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
-#include "cli/scene_block.h"
 #include "material/block_values.h"
 #include "scene/environment.h"
 
@@ -35,13 +34,15 @@ const Block* blockWithPicture(const Catalog& catalog) {
     return found == blocks.end() ? nullptr : *found;
 }
 
-Result<void> choose(Scene& scene, const std::string& choice, const Catalog& catalog) {
-    if (choice == "none") {
-        scene.setPart(kinds::environment, std::nullopt);
+} // namespace
+
+Result<void> chooseEnvironment(Scene& scene, const std::string& choice, const Catalog& catalog) {
+    if (choice == findKind(environmentKind)->noneWord) {
+        scene.setPart(environmentKind, std::nullopt);
         return {};
     }
     if (const Block* block = catalog.find(environmentKind, choice)) {
-        scene.setPart(kinds::environment, defaultBlockValues(*block));
+        scene.setPart(environmentKind, defaultBlockValues(*block));
         return {};
     }
     const Block* block = blockWithPicture(catalog);
@@ -51,22 +52,11 @@ Result<void> choose(Scene& scene, const std::string& choice, const Catalog& cata
             fmt::format("--environment {}: no such environment and no such file", choice),
             knownIds(catalog));
     }
-    scene.setPart(kinds::environment, defaultBlockValues(*block));
-    scene.part(kinds::environment)->parameters[pictureParameter(*block)->id] =
+    BlockValues values = defaultBlockValues(*block);
+    values.parameters[pictureParameter(*block)->id] =
         std::filesystem::absolute(choice).generic_string();
+    scene.setPart(environmentKind, std::move(values));
     return {};
-}
-
-} // namespace
-
-Result<void> chooseEnvironment(Scene& scene, const PictureOptions& options,
-                               const Catalog& catalog) {
-    if (!options.environment.empty()) {
-        if (auto chosen = choose(scene, options.environment, catalog); !chosen) {
-            return chosen;
-        }
-    }
-    return assignAll({std::string(environmentKind), scene.parts}, options.sets, catalog);
 }
 
 Result<std::shared_ptr<const EnvironmentImage>> environmentPicture(const Scene& scene,
@@ -81,7 +71,7 @@ Result<std::shared_ptr<const EnvironmentImage>> environmentPicture(const Scene& 
         return nullptr;
     }
     const Result<Image> panorama = client.loadImage(std::filesystem::path(file));
-    if (!panorama && options.environment.empty()) {
+    if (!panorama && options.part(environmentKind).empty()) {
         report(Errors{panorama.error()});
         return EnvironmentImage::missing();
     }

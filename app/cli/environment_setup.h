@@ -11,9 +11,9 @@
 
 namespace patina {
 
-/// Puts the environment of the options into the scene: `--environment`, which is a block's id, a
-/// file for the block that shows one, or "none"; and `--set environment.<id>=value`.
-Result<void> chooseEnvironment(Scene& scene, const PictureOptions& options, const Catalog& catalog);
+/// Puts an environment into the scene: a block's id, a file for the block that shows one, or
+/// "none".
+Result<void> chooseEnvironment(Scene& scene, const std::string& choice, const Catalog& catalog);
 
 /// The picture that the scene's environment is made of; null where it needs none. One that cannot
 /// be read is an error where the options name it; where a scene does, a warning on standard error,

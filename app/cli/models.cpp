@@ -11,6 +11,7 @@
 #include "catalog/catalog.h"
 #include "catalog/descriptor.h"
 #include "catalog/descriptor_words.h"
+#include "catalog/settings.h"
 #include "catalog/value_json.h"
 #include "core/number_text.h"
 
@@ -96,12 +97,19 @@ void printTable(const Catalog& catalog) {
             printBlock(*block);
         }
     }
+    std::cout << "settings\n\n";
+    for (const Descriptor& descriptor : settingsDescriptors()) {
+        printBlock(descriptor.block);
+    }
 }
 
 void printJson(const Catalog& catalog) {
     nlohmann::json array = nlohmann::json::array();
     for (const Block& block : catalog.blocks) {
         array.push_back(toJson(block));
+    }
+    for (const Descriptor& descriptor : settingsDescriptors()) {
+        array.push_back(toJson(descriptor.block));
     }
     std::cout << writeJson(array);
 }

@@ -41,16 +41,8 @@ bool isOfPicture(const std::string& assignment) {
     return assignment.starts_with(prefix);
 }
 
-Result<void> choosePictureAccuracy(Scene& scene, const std::vector<std::string>& assignments) {
-    for (const std::string& assignment : assignments) {
-        if (!isOfPicture(assignment)) {
-            continue;
-        }
-        if (auto chosen = choose(scene, assignment); !chosen) {
-            return chosen;
-        }
-    }
-    return {};
+Result<void> choosePictureAccuracy(Scene& scene, const std::string& assignment) {
+    return choose(scene, assignment);
 }
 
 } // namespace patina

@@ -13,6 +13,6 @@ namespace patina {
 bool isOfPicture(const std::string& assignment);
 
 /// Makes those of the assignments.
-Result<void> choosePictureAccuracy(Scene& scene, const std::vector<std::string>& assignments);
+Result<void> choosePictureAccuracy(Scene& scene, const std::string& assignment);
 
 } // namespace patina

@@ -36,16 +36,56 @@ double stopsIn(const std::string& text) {
                          [](double stops) { return std::abs(stops) <= maxStops; }, parseNumber});
 }
 
+std::string helpFor(const BlockKind& kind) {
+    if (kind.folder == kinds::environment) {
+        return "What lights the scene from all around: an environment's id, an HDR panorama's "
+               "file, or none";
+    }
+    if (kind.folder == kinds::transparency) {
+        return "How what shines through is put together: sorted by object, or the id of another "
+               "way";
+    }
+    if (kind.folder == kinds::lights) {
+        return "A light's id in place of the scene's lights, or NAME=ID for the light of that name "
+               "or one more; none; repeatable";
+    }
+    if (kind.owner == BlockOwner::Light) {
+        return fmt::format("The {} block's id for all lights, or NAME=ID for one; {}; repeatable",
+                           kind.singular, kind.noneWord);
+    }
+    return fmt::format("The {} block's id, or {}", kind.singular, kind.noneWord);
+}
+
+void addKind(CLI::App& command, const BlockKind& kind, PictureOptions& options) {
+    if (kind.folder == kinds::models) {
+        return; // it has an option already
+    }
+    const std::string name = fmt::format("--{}", kind.singular);
+    const std::string folder(kind.folder);
+    if (kind.owner == BlockOwner::Light) {
+        command.add_option(name, options.ofLights[folder], helpFor(kind))
+            ->type_size(1)
+            ->allow_extra_args(false);
+        return;
+    }
+    command.add_option_function<std::string>(
+        name, [&options, folder](const std::string& id) { options.parts[folder] = id; },
+        helpFor(kind));
+}
+
 } // namespace
+
+const std::string& PictureOptions::part(std::string_view kind) const {
+    static const std::string none;
+    const auto found = parts.find(kind);
+    return found == parts.end() ? none : found->second;
+}
 
 void addSceneOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("--model", options.model,
                        "A lighting model's id: alone, or in place of a preset's own");
-    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
-        command.add_option_function<std::string>(
-            fmt::format("--{}", kind),
-            [&options, key = std::string(kind)](const std::string& id) { options.parts[key] = id; },
-            fmt::format("The {} block's id", kind));
+    for (const BlockKind& kind : blockKinds()) {
+        addKind(command, kind, options);
     }
     command.add_option("--set", options.sets, "A parameter's value, as id=value; repeatable")
         ->type_size(1)
@@ -58,12 +98,6 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
         ->allow_extra_args(false);
     command.add_option("--mesh", options.mesh, "A mesh file, or builtin:sphere and the like");
     command.add_option("--scene", options.scene, "A scene file; a preset goes on its first object");
-    command.add_option("--environment", options.environment,
-                       "What lights the scene from all around: an environment's id, an HDR "
-                       "panorama's file, or none");
-    command.add_option("--transparency", options.transparency,
-                       "How what shines through is put together: sorted by object, or the id of "
-                       "another way");
     command
         .add_option("--samples", options.samples,
                     "Directions per pixel that an environment's light is summed from; unless "

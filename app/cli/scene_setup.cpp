@@ -6,14 +6,16 @@
 #include <fmt/format.h>
 
 #include "catalog/fills.h"
+#include "catalog/settings.h"
+#include "catalog/suggestion.h"
 #include "cli/accuracy_text.h"
-#include "cli/environment_setup.h"
-#include "cli/picture_levels.h"
-#include "cli/scene_block.h"
+#include "cli/block_assignment.h"
+#include "cli/scene_assignment.h"
+#include "cli/scene_choices.h"
 #include "cli/texture_text.h"
-#include "cli/transparency_setup.h"
 #include "cli/typed_value.h"
-#include "core/number_text.h"
+#include "material/blocks_in_use.h"
+#include "material/material_settings.h"
 #include "material/model_swap.h"
 #include "material/preset_file.h"
 #include "scene/scene_file.h"
@@ -23,10 +25,16 @@ namespace {
 
 constexpr std::string_view builtin = "builtin:";
 
+/// Whether a block is chosen that the shown object's material would have.
+bool choosesPart(const PictureOptions& options) {
+    return std::ranges::any_of(partKinds(BlockOwner::Material),
+                               [&](std::string_view kind) { return !options.part(kind).empty(); });
+}
+
 /// Whether an option speaks of the object that is shown.
 bool needsObject(const std::string& preset, const PictureOptions& options) {
     return !preset.empty() || !options.model.empty() || !options.mesh.empty() ||
-           !options.sets.empty() || !options.parts.empty() || !options.textures.empty();
+           !options.sets.empty() || choosesPart(options) || !options.textures.empty();
 }
 
 /// Notes what a file named that is not read, and how it would be.
@@ -81,27 +89,16 @@ Checked<void> usePreset(SceneSetup& setup, const std::string& preset, const Read
     return {};
 }
 
-Result<const Block*> knownBlock(const Catalog& catalog, const std::string& kind,
-                                const std::string& id) {
-    if (const Block* block = catalog.find(kind, id)) {
-        return block;
-    }
-    std::string known;
-    for (const Block* block : catalog.ofKind(kind)) {
-        known += (known.empty() ? "one of " : ", ") + block->id;
-    }
-    return failure(fmt::format("{}: no block \"{}\" is known", kind, id), known);
-}
-
-/// Another block of a kind beside the model; values that both have carry over.
+/// Another block of a kind beside the model, or none; values that both have carry over.
 Result<bool> choosePart(Material& material, const std::string& kind, const std::string& id,
                         const Catalog& catalog) {
-    const auto block = knownBlock(catalog, kind, id);
+    const bool isNone = id == findKind(kind)->noneWord;
+    const auto block = isNone ? Result<const Block*>(nullptr) : knownBlock(catalog, kind, id);
     if (!block) {
         return tl::unexpected(block.error());
     }
     const Block* model = catalog.find(kinds::models, material.model.id);
-    if (model != nullptr && !hasPlaceFor(*model, kind)) {
+    if (!isNone && model != nullptr && !hasPlaceFor(*model, kind)) {
         return failure(
             fmt::format("{} {}: the model \"{}\" has no place for it", kind, id, material.model.id),
             fmt::format("a model with a {} slot", kind));
@@ -116,45 +113,41 @@ Result<bool> choosePart(Material& material, const std::string& kind, const std::
 Result<void> chooseBlocks(Material& material, bool isPreset, const PictureOptions& options,
                           const Catalog& catalog) {
     if (!options.model.empty()) {
-        const auto model = knownBlock(catalog, std::string(kinds::models), options.model);
+        const auto model = knownBlock(catalog, kinds::models, options.model);
         if (!model) {
             return tl::unexpected(model.error());
         }
         material = isPreset ? swappedModel(material, **model, catalog) : defaultMaterial(**model);
     }
-    for (const auto& [kind, id] : options.parts) {
-        if (auto chosen = choosePart(material, kind, id, catalog); !chosen) {
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
+        const std::string& id = options.part(kind);
+        const auto chosen =
+            id.empty() ? Result<bool>(true) : choosePart(material, std::string(kind), id, catalog);
+        if (!chosen) {
             return tl::unexpected(chosen.error());
         }
     }
     return {};
 }
 
-/// Sets a parameter of a block; false when the block has none of this id.
-Result<bool> setIn(const Block* block, BlockValues* values, const std::string& id,
-                   const std::string& text) {
-    const Parameter* parameter = block == nullptr ? nullptr : block->parameter(id);
+/// What every material has, by its id or after the word for it.
+Result<bool> setOwn(Material& material, const Assignment& assignment) {
+    const std::string named = assignment.inside(settings::material);
+    const std::string& id = named.empty() ? assignment.id : named;
+    const Parameter* parameter = settingsBlock(settings::material)->parameter(id);
     if (parameter == nullptr) {
         return false;
     }
-    const auto value = valueFromText(*parameter, text);
-    if (!value) {
-        return tl::unexpected(value.error());
-    }
-    for (const auto& [changed, held] : afterEdit(*block, values->parameters, *parameter, *value)) {
-        values->parameters.insert_or_assign(changed, held);
-    }
-    return true;
+    return valueFromText(*parameter, assignment.text).map([&](const Value& value) {
+        storeSetting(material, id, value);
+        return true;
+    });
 }
 
-Result<bool> setOpacity(Material& material, const std::string& text) {
-    const auto number = parseNumber(text);
-    if (!number || *number < 0.0 || *number > 1.0) {
-        return failure(fmt::format("opacity: \"{}\" is not a value for it", text),
-                       "a number, 0 .. 1");
-    }
-    material.opacity = *number;
-    return true;
+Result<bool> setIn(const Block* block, BlockValues* values, const std::string& id,
+                   const std::string& text) {
+    return block == nullptr ? Result<bool>(false)
+                            : assignIn(*block, values->parameters, {id, text});
 }
 
 /// "<kind>" chooses a part, "<kind>.<id>" or the id alone sets one of its parameters.
@@ -179,21 +172,36 @@ Result<bool> setInParts(Material& material, const std::string& id, const std::st
     return false;
 }
 
-Result<void> applySet(Material& material, const std::string& assignment, const Catalog& catalog) {
-    const std::size_t equals = assignment.find('=');
-    const std::string id = assignment.substr(0, equals);
-    if (equals == std::string::npos || id.empty()) {
-        return failure(fmt::format("--set {}: this sets nothing", assignment), "id=value");
+/// All that may be set in a material.
+std::vector<std::string> knownIds(const Material& material, const Catalog& catalog) {
+    std::vector<std::string> ids = parameterIds(*settingsBlock(settings::material));
+    for (const Block* block : blocksInUse(material, catalog)) {
+        const bool isModel = block->kind == kinds::models;
+        const auto more = parameterIds(*block, isModel ? std::string() : block->kind + '.');
+        ids.insert(ids.end(), more.begin(), more.end());
+        for (const AccuracyChoice& choice : block->accuracy) {
+            ids.push_back(choice.id);
+        }
     }
-    const std::string text = assignment.substr(equals + 1);
+    return ids;
+}
+
+Result<void> applySet(Material& material, const std::string& text, const Catalog& catalog) {
+    const auto assignment = assignmentFrom(text);
+    if (!assignment) {
+        return tl::unexpected(assignment.error());
+    }
+    const std::string& id = assignment->id;
     const Block* model = catalog.find(kinds::models, material.model.id);
-    Result<bool> done =
-        id == "opacity" ? setOpacity(material, text) : setIn(model, &material.model, id, text);
+    Result<bool> done = setIn(model, &material.model, id, assignment->text);
     if (done && !*done) {
-        done = setLevel(material, id, text, catalog);
+        done = setOwn(material, *assignment);
     }
     if (done && !*done) {
-        done = setInParts(material, id, text, catalog);
+        done = setLevel(material, id, assignment->text, catalog);
+    }
+    if (done && !*done) {
+        done = setInParts(material, id, assignment->text, catalog);
     }
     if (!done) {
         return tl::unexpected(done.error());
@@ -201,7 +209,7 @@ Result<void> applySet(Material& material, const std::string& assignment, const C
     if (!*done) {
         return failure(
             fmt::format("{}: the model \"{}\" has no such parameter", id, material.model.id),
-            "an id that `patina models` lists");
+            oneOf(id, knownIds(material, catalog)) + "; `patina models` lists all");
     }
     return {};
 }
@@ -266,6 +274,16 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
     return {};
 }
 
+Result<void> applyToScene(Scene& scene, const PictureOptions& options, const Catalog& catalog) {
+    Result<void> done = chooseSceneBlocks(scene, options, catalog);
+    for (const std::string& assignment : options.sets) {
+        if (done && isForScene(assignment)) {
+            done = assignInScene(scene, assignment, catalog);
+        }
+    }
+    return done;
+}
+
 void noteEmptiness(SceneSetup& setup, const PictureOptions& options) {
     const std::vector<Object>& objects = setup.scene.objects;
     if (std::none_of(objects.begin(), objects.end(), [](const Object& o) { return o.visible; })) {
@@ -296,19 +314,14 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
             return tl::unexpected(applied.error());
         }
     }
-    if (auto chosen = chooseEnvironment(setup->scene, options, catalog); !chosen) {
-        return tl::unexpected(oneError(chosen.error()));
-    }
-    if (auto chosen = chooseTransparency(setup->scene, options, catalog); !chosen) {
-        return tl::unexpected(oneError(chosen.error()));
-    }
-    if (auto chosen = choosePictureAccuracy(setup->scene, options.sets); !chosen) {
-        return tl::unexpected(oneError(chosen.error()));
+    if (auto applied = applyToScene(setup->scene, options, catalog); !applied) {
+        return tl::unexpected(oneError(applied.error()));
     }
     if (options.exposure) {
         setup->scene.exposure = *options.exposure;
     }
-    for (const std::string& named : {options.mesh, options.environment}) { // by the user himself
+    for (const std::string& named :
+         {options.mesh, options.part(kinds::environment)}) { // by the user himself
         std::error_code isEmpty;
         setup->withheld.erase(std::filesystem::absolute(named, isEmpty).generic_string());
     }

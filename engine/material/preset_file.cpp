@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "catalog/settings.h"
 #include "catalog/suggestion.h"
 #include "material/block_values.h"
 #include "material/file_header.h"
+#include "material/material_settings.h"
 #include "material/model_swap.h"
 #include "material/texture_file.h"
 #include "material/texture_key.h"
@@ -33,7 +35,7 @@ class PresetReader {
         readKept();
         readModel();
         readParts();
-        readOpacity();
+        readOwnSettings();
         readAccuracy();
         const TextureReading textures = readTextures(reader_, references_, reading_.notes);
         reading_.outside = references_.outside();
@@ -111,14 +113,12 @@ class PresetReader {
         }
     }
 
-    void readOpacity() {
-        double opacity = 1.0;
-        reader_.read("opacity", opacity);
-        material().opacity = std::clamp(opacity, 0.0, 1.0);
-        if (material().opacity != opacity) {
-            note(reader_.pointer("opacity"),
-                 "the opacity is outside its range and was brought into it", "0 to 1");
-        }
+    void readOwnSettings() {
+        const auto store = [this](std::string_view id, const Value& value) {
+            storeSetting(material(), id, value);
+            return *settingOf(material(), id);
+        };
+        readSettings(reader_, *settingsBlock(settings::material), reading_.notes, store);
     }
 
     void readAccuracy() {
@@ -244,7 +244,8 @@ nlohmann::json toJson(const Material& material, const std::filesystem::path& fol
     for (const auto& [kind, values] : material.parts) {
         json[kind] = toJson(values);
     }
-    json["opacity"] = static_cast<float>(material.opacity); // as it is read
+    writeSettings(json, *settingsBlock(settings::material),
+                  [&material](std::string_view id) { return settingOf(material, id); });
     json["accuracy"] = material.accuracy;
     json["textures"] = material.unknown.value("textures", Json::object());
     for (const auto& [key, use] : material.textures) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/settings.h"
 #include "catalog/suggestion.h"
 
 namespace patina {
@@ -14,7 +15,7 @@ namespace {
 
 /// The keys under which a material takes images, and whether some of its blocks are not known.
 struct Keys {
-    std::vector<std::string> known{"normal", "height", "opacity"};
+    std::vector<std::string> known;
     bool isWhole = true;
 
     void add(const Block& block, const std::string& prefix) {
@@ -42,6 +43,7 @@ Keys keysOf(const Material& material, const Catalog& catalog) {
     if (model == nullptr) {
         return keys;
     }
+    keys.add(*settingsBlock(settings::material), {});
     keys.add(*model, {});
     for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         const std::string id = partId(kind, *model, material);

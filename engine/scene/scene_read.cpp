@@ -7,14 +7,16 @@
 #include <fmt/format.h>
 
 #include "catalog/json_reader.h"
+#include "catalog/settings.h"
 #include "catalog/suggestion.h"
 #include "material/block_values.h"
 #include "scene/environment.h"
 #include "scene/mesh_path.h"
 #include "scene/picture_accuracy_file.h"
 #include "scene/primitives.h"
+#include "scene/scene_format.h"
 #include "scene/scene_limits.h"
-#include "scene/scene_words.h"
+#include "scene/scene_settings.h"
 
 namespace patina {
 namespace {
@@ -36,9 +38,7 @@ class SceneReader {
         readObjects();
         readLights();
         readParts();
-        readPicture();
-        readGround();
-        readCamera();
+        readOwnSettings();
         reader_.readObject("extras", scene().extras);
         keepUnknown();
         readPictureAccuracy(reader_, scene(), reading_.notes);
@@ -53,29 +53,14 @@ class SceneReader {
         reading_.notes.push_back(document_.error(pointer, std::move(problem), std::move(expected)));
     }
 
-    /// Numbers that may not leave their range are brought into it, with a note.
-    void limit(const JsonReader& reader, std::string_view key, double& value, double lowest,
-               double highest) {
-        const double limited = std::clamp(value, lowest, highest);
-        if (limited != value) {
-            value = limited;
-            noteRange(reader, key, lowest, highest);
-        }
-    }
-
-    void limit(const JsonReader& reader, std::string_view key, glm::dvec3& value, double lowest,
-               double highest) {
-        const glm::dvec3 limited = glm::clamp(value, lowest, highest);
-        if (limited != value) {
-            value = limited;
-            noteRange(reader, key, lowest, highest);
-        }
-    }
-
-    void noteRange(const JsonReader& reader, std::string_view key, double lowest, double highest) {
-        note(reader.pointer(key),
-             fmt::format("\"{}\" is outside its range and was brought into it", key),
-             fmt::format("{} to {}", static_cast<float>(lowest), static_cast<float>(highest)));
+    /// The settings that go by a word; returns what was not known inside.
+    template <class Owner>
+    Json readSettingsOf(Owner& owner, std::string_view word, JsonReader& reader) {
+        const auto store = [&owner](std::string_view id, const Value& value) {
+            storeSetting(owner, id, value);
+            return *settingOf(owner, id);
+        };
+        return readSettings(reader, *settingsBlock(word), reading_.notes, store);
     }
 
     void readObjects() {
@@ -89,28 +74,11 @@ class SceneReader {
     Object objectFrom(JsonReader& reader) {
         Object object;
         reader.read("name", object.name);
-        reader.read("fitUnitBox", object.fitUnitBox);
-        reader.read("flipNormals", object.flipNormals);
-        reader.read("visible", object.visible);
-        reader.read("castsShadow", object.castsShadow);
-        readTransform(reader, object);
+        readSettingsOf(object, settings::object, reader);
         readMesh(reader, object);
         object.material = materialOf(reader);
         object.unknown.update(reader.unknown());
         return object;
-    }
-
-    void readTransform(JsonReader& reader, Object& object) {
-        reader.read("translation", object.translation);
-        reader.read("rotation", object.rotation);
-        reader.read("scale", object.scale);
-        limit(reader, "translation", object.translation, -farthest, farthest);
-        limit(reader, "rotation", object.rotation, -farthest, farthest);
-        const glm::dvec3 usable = usableScale(object.scale);
-        if (usable != object.scale) {
-            object.scale = usable;
-            noteRange(reader, "scale", smallestScale, largestScale);
-        }
     }
 
     void readMesh(JsonReader& reader, Object& object) {
@@ -265,87 +233,18 @@ class SceneReader {
         values.parameters[parameter->id] = meshFromFile(file, references_.base());
     }
 
-    void readPicture() {
-        reader_.read("ambient", scene().ambient);
-        reader_.read("background", scene().background);
-        reader_.read("exposure", scene().exposure);
-        limit(reader_, "ambient", scene().ambient, 0.0, brightest);
-        readHemisphere();
-        limit(reader_, "background", scene().background, 0.0, brightest);
-        limit(reader_, "exposure", scene().exposure, -maxStops, maxStops);
-        readWord(reader_, "toneMapping", toneMappingWords, "tone mapping", scene().toneMapping);
-    }
-
-    void readHemisphere() {
-        Hemisphere& hemisphere = scene().hemisphere;
-        JsonReader reader = reader_.child("hemisphere");
-        reader.read("sky", hemisphere.sky);
-        reader.read("ground", hemisphere.ground);
-        reader.read("up", hemisphere.up);
-        limit(reader, "sky", hemisphere.sky, 0.0, brightest);
-        limit(reader, "ground", hemisphere.ground, 0.0, brightest);
-        limit(reader, "up", hemisphere.up, -farthest, farthest);
-        hemisphereUnknown_ = reader.unknown();
-    }
-
-    template <class Words, class Meaning>
-    void readWord(JsonReader& reader, std::string_view key, const Words& known,
-                  std::string_view what, Meaning& into) {
-        std::string word;
-        reader.read(key, word);
-        std::vector<std::string> words;
-        for (const auto& [text, meaning] : known) {
-            words.emplace_back(text);
-            into = text == word ? meaning : into;
+    void readOwnSettings() {
+        unknownInside_ = readSettingsOf(scene(), settings::scene, reader_);
+        JsonReader camera = reader_.child(settings::camera);
+        readSettingsOf(scene().camera, settings::camera, camera);
+        if (Json unknown = camera.unknown(); !unknown.empty()) {
+            unknownInside_[std::string(settings::camera)] = std::move(unknown);
         }
-        if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) {
-            note(reader.pointer(key),
-                 fmt::format("\"{}\" is no {}; the default is used", word, what),
-                 oneOf(word, words));
-        }
-    }
-
-    void readGround() {
-        Ground& ground = scene().ground;
-        JsonReader reader = reader_.child("ground");
-        readWord(reader, "mode", groundModeWords, "mode of the ground", ground.mode);
-        reader.read("automatic", ground.automatic);
-        reader.read("height", ground.height);
-        reader.read("color", ground.color);
-        reader.read("opacity", ground.opacity);
-        limit(reader, "height", ground.height, -farthest, farthest);
-        limit(reader, "color", ground.color, 0.0, 1.0);
-        limit(reader, "opacity", ground.opacity, 0.0, 1.0);
-        groundUnknown_ = reader.unknown();
-    }
-
-    void readCamera() {
-        Camera& camera = scene().camera;
-        JsonReader reader = reader_.child("camera");
-        reader.read("pivot", camera.pivot);
-        reader.read("yaw", camera.yaw);
-        reader.read("pitch", camera.pitch);
-        reader.read("distance", camera.distance);
-        reader.read("fieldOfView", camera.fieldOfView);
-        limit(reader, "pivot", camera.pivot, -farthest, farthest);
-        limit(reader, "yaw", camera.yaw, -farthest, farthest);
-        limit(reader, "pitch", camera.pitch, -90.0, 90.0);
-        limit(reader, "distance", camera.distance, smallestScale, farthest);
-        limit(reader, "fieldOfView", camera.fieldOfView, 1.0, 170.0);
-        cameraUnknown_ = reader.unknown();
     }
 
     void keepUnknown() {
         scene().unknown = reader_.unknown();
-        if (!cameraUnknown_.empty()) {
-            scene().unknown["camera"] = std::move(cameraUnknown_);
-        }
-        if (!groundUnknown_.empty()) {
-            scene().unknown["ground"] = std::move(groundUnknown_);
-        }
-        if (!hemisphereUnknown_.empty()) {
-            scene().unknown["hemisphere"] = std::move(hemisphereUnknown_);
-        }
+        scene().unknown.update(unknownInside_);
         if (!formerEnvironment_.empty()) {
             scene().unknown[std::string(kinds::environment)] = std::move(formerEnvironment_);
         }
@@ -359,9 +258,7 @@ class SceneReader {
     std::map<std::string, Material> presets_; ///< of files that were read, each once
     JsonReader reader_;
     BlockReader blocks_;
-    Json cameraUnknown_;
-    Json groundUnknown_;
-    Json hemisphereUnknown_;
+    Json unknownInside_ = Json::object(); ///< of objects whose other keys are known
     Json formerEnvironment_;
 };
 

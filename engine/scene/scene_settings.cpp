@@ -15,10 +15,10 @@ namespace {
 template <class T, std::size_t N>
 using SettingWords = std::array<std::pair<std::string_view, T>, N>;
 
-constexpr SettingWords<ToneMapping, 2> toneMappingIds{
+constexpr SettingWords<ToneMapping, 2> toneMappingWords{
     {{"none", ToneMapping::None}, {"khronosNeutral", ToneMapping::KhronosNeutral}}};
 
-constexpr SettingWords<GroundMode, 3> groundModeIds{
+constexpr SettingWords<GroundMode, 3> groundModeWords{
     {{"off", GroundMode::Off}, {"shadows", GroundMode::Shadows}, {"plane", GroundMode::Plane}}};
 
 template <class T, std::size_t N>
@@ -41,21 +41,19 @@ void storeWord(const SettingWords<T, N>& words, const Value& value, T& into) {
 }
 
 MemberAccess<Scene> toneMapping() {
-    return {[](const Scene& scene) {
-                return Value(settingWord(toneMappingIds, scene.toneMapping));
-            },
-            [](Scene& scene, const Value& value) {
-                storeWord(toneMappingIds, value, scene.toneMapping);
-            }};
+    return {
+        [](const Scene& scene) { return Value(settingWord(toneMappingWords, scene.toneMapping)); },
+        [](Scene& scene, const Value& value) {
+            storeWord(toneMappingWords, value, scene.toneMapping);
+        }};
 }
 
 MemberAccess<Scene> groundMode() {
-    return {[](const Scene& scene) {
-                return Value(settingWord(groundModeIds, scene.ground.mode));
-            },
-            [](Scene& scene, const Value& value) {
-                storeWord(groundModeIds, value, scene.ground.mode);
-            }};
+    return {
+        [](const Scene& scene) { return Value(settingWord(groundModeWords, scene.ground.mode)); },
+        [](Scene& scene, const Value& value) {
+            storeWord(groundModeWords, value, scene.ground.mode);
+        }};
 }
 
 const MemberTable<Scene>& sceneMembers() {

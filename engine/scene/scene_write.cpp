@@ -1,37 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/scene_file.h"
 
-#include "catalog/value_json.h"
+#include "catalog/settings.h"
 #include "material/block_values.h"
 #include "scene/mesh_path.h"
 #include "scene/picture_accuracy_file.h"
-#include "scene/scene_words.h"
+#include "scene/scene_format.h"
+#include "scene/scene_settings.h"
 
 namespace patina {
 namespace {
 
 using Json = nlohmann::json;
 
-/// The number that comes back: what is read is a float.
-double narrow(double value) {
-    return static_cast<float>(value);
-}
-
-Json triple(const glm::dvec3& value) {
-    return {narrow(value.x), narrow(value.y), narrow(value.z)};
+/// Beside what the object has already.
+template <class Owner>
+void writeSettingsOf(const Owner& owner, std::string_view word, Json& json) {
+    writeSettings(json, *settingsBlock(word),
+                  [&owner](std::string_view id) { return settingOf(owner, id); });
 }
 
 Json toJson(const Object& object, const std::filesystem::path& folder) {
     Json json = object.unknown;
     json["name"] = object.name;
     json["mesh"] = meshForFile(object.mesh, folder);
-    json["fitUnitBox"] = object.fitUnitBox;
-    json["flipNormals"] = object.flipNormals;
-    json["visible"] = object.visible;
-    json["castsShadow"] = object.castsShadow;
-    json["translation"] = triple(object.translation);
-    json["rotation"] = triple(object.rotation);
-    json["scale"] = triple(object.scale);
+    writeSettingsOf(object, settings::object, json);
     json["preset"] = toJson(object.material, folder);
     return json;
 }
@@ -55,38 +48,6 @@ Json toJson(const BlockValues& part, const std::filesystem::path& folder) {
     return toJson(moved);
 }
 
-Json toJson(const Hemisphere& hemisphere) {
-    return {{"sky", triple(hemisphere.sky)},
-            {"ground", triple(hemisphere.ground)},
-            {"up", triple(hemisphere.up)}};
-}
-
-Json toJson(const Camera& camera) {
-    return {{"pivot", triple(camera.pivot)},
-            {"yaw", narrow(camera.yaw)},
-            {"pitch", narrow(camera.pitch)},
-            {"distance", narrow(camera.distance)},
-            {"fieldOfView", narrow(camera.fieldOfView)}};
-}
-
-template <class Words, class Meaning>
-std::string wordFor(const Words& words, Meaning wanted) {
-    for (const auto& [word, meaning] : words) {
-        if (meaning == wanted) {
-            return std::string(word);
-        }
-    }
-    return {};
-}
-
-Json toJson(const Ground& ground) {
-    return {{"mode", wordFor(groundModeWords, ground.mode)},
-            {"automatic", ground.automatic},
-            {"height", narrow(ground.height)},
-            {"color", triple(ground.color)},
-            {"opacity", narrow(ground.opacity)}};
-}
-
 } // namespace
 
 nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
@@ -102,13 +63,8 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     for (const Light& light : scene.lights) {
         json["lights"].push_back(toJson(light));
     }
-    json["ambient"] = triple(scene.ambient);
-    json["hemisphere"].update(toJson(scene.hemisphere)); // as the camera below
-    json["background"] = triple(scene.background);
-    json["camera"].update(toJson(scene.camera)); // beside the keys that were not known
-    json["ground"].update(toJson(scene.ground));
-    json["exposure"] = narrow(scene.exposure);
-    json["toneMapping"] = wordFor(toneMappingWords, scene.toneMapping);
+    writeSettingsOf(scene, settings::scene, json);
+    writeSettingsOf(scene.camera, settings::camera, json[std::string(settings::camera)]);
     writePictureAccuracy(json, scene.accuracy);
     for (const std::string_view kind : partKinds(BlockOwner::Scene)) {
         const BlockValues* part = scene.part(kind);

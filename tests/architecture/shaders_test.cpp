@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A block is a descriptor and a shader with one stem; its names follow from its folder and id.
-#include <map>
 #include <regex>
 
 #include <gtest/gtest.h>
 
+#include "catalog/block_kind.h"
 #include "source_tree.h"
 
 namespace patina::tests::shaders_test {
 namespace {
-
-/// What a kind adds to the names of its blocks (docs/design/blocks.md, "Names").
-const std::map<std::string, std::string> kindWords = {{"models", ""},
-                                                      {"fresnel", "Fresnel"},
-                                                      {"specular", "Specular"},
-                                                      {"lights", "Light"},
-                                                      {"fog", "Fog"},
-                                                       {"shadows", "Shadow"},
-                                                       {"environment", "Environment"},
-                                                       {"transparency", "Transparency"},
-                                                      {"refraction", "Refraction"},
-                                                      {"outline", "Outline"}};
 
 std::string pascalCase(const std::string& id) {
     std::string name;
@@ -41,20 +29,23 @@ std::string kindOf(const SourceFile& file) {
 }
 
 std::string structNameOf(const SourceFile& file) {
-    return pascalCase(file.stem()) + kindWords.at(kindOf(file));
+    const BlockKind* kind = findKind(kindOf(file));
+    return pascalCase(file.stem()).append(kind == nullptr ? "" : kind->word);
 }
 
 std::vector<SourceFile> blockShaders() {
-    return filesUnder(
-        {"shaders/models", "shaders/fresnel", "shaders/specular", "shaders/lights", "shaders/fog",
-         "shaders/shadows", "shaders/environment", "shaders/transparency",
-         "shaders/refraction", "shaders/outline"},
-        {".glsl"});
+    std::vector<SourceFile> shaders;
+    for (const BlockKind& kind : blockKinds()) {
+        const std::string folder = "shaders/" + std::string(kind.folder);
+        const std::vector<SourceFile> more = filesUnder({folder}, {".glsl"});
+        shaders.insert(shaders.end(), more.begin(), more.end());
+    }
+    return shaders;
 }
 
 TEST(Blocks, Folders_AreKnownKinds) {
     for (const SourceFile& descriptor : blockDescriptors()) {
-        EXPECT_TRUE(kindWords.contains(kindOf(descriptor))) << descriptor.path;
+        EXPECT_NE(findKind(kindOf(descriptor)), nullptr) << descriptor.path;
     }
 }
 

@@ -9,9 +9,11 @@ namespace {
 
 std::vector<std::filesystem::path> shippedDescriptors() {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped("shaders"))) {
-        if (entry.path().extension() == ".json") {
-            files.push_back(entry.path());
+    for (const char* folder : {"shaders", "engine/catalog/settings"}) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped(folder))) {
+            if (entry.path().extension() == ".json") {
+                files.push_back(entry.path());
+            }
         }
     }
     return files;

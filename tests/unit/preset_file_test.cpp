@@ -127,7 +127,7 @@ TEST(ReadPreset, ImageOnAValueThatTakesOne_HasNoNotes) {
 TEST(ReadPreset, ImageOnAnUnknownValue_IsANote) {
     EXPECT_EQ(messages(imageOn("colour")),
               "the material has no value \"colour\" that takes an image; it is kept as it is; "
-              "expected 'color', or one of normal, height, opacity, color\n");
+              "expected 'color', or one of opacity, normal, height, color\n");
 }
 
 TEST(ReadPreset, ImageOnAValueThatTakesNone_IsANote) {

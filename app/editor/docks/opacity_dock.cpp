@@ -13,6 +13,15 @@
 
 namespace patina {
 
+namespace {
+
+/// Whether another dock or panel has the blocks of this kind; all others of a material stand here.
+bool hasPlaceElsewhere(std::string_view kind) {
+    return kind == kinds::fresnel || kind == kinds::specular || kind == kinds::refraction;
+}
+
+} // namespace
+
 OpacityDock::OpacityDock(const DockContext& context)
     : document_(context.document), transparency_(new BlockChooser(document_, kinds::transparency,
                                                                   tr("Sorted by object"), this)) {
@@ -34,7 +43,14 @@ OpacityDock::OpacityDock(const DockContext& context)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(new DocumentForm(document_, settings::material));
     layout->addWidget(new RefractionPanel(document_, forms));
-    layout->addWidget(new SlotPanel(document_, kinds::outline, tr("Outline")));
+    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
+        if (!hasPlaceElsewhere(kind)) {
+            const std::string_view label = findKind(kind)->label;
+            layout->addWidget(new SlotPanel(
+                document_, kind,
+                QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size()))));
+        }
+    }
     layout->addWidget(scene);
     layout->addStretch(1);
     fillPanel(this, {hint}, forms);

@@ -3,17 +3,21 @@
 
 #include <algorithm>
 
+#include "docks/picture_accuracy_form.h"
+#include "document/accuracy_block.h"
 #include "document/commands/parameter_command.h"
-#include "document/fixed_blocks.h"
 #include "material/blocks_in_use.h"
 
 namespace patina {
 
 Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
     : QObject(parent), catalog_(std::move(catalog)) {
-    settings_ = {{std::string(settings::scene), sceneBlock()},
-                 {std::string(settings::object), objectBlock()},
-                 {std::string(settings::material), materialBlock()}};
+    for (const Descriptor& descriptor : settingsDescriptors()) {
+        settings_.emplace(descriptor.block.id, descriptor.block);
+    }
+    for (const Parameter& parameter : pictureAccuracyParameters()) {
+        settings_.find(settings::scene)->second.parameters.push_back(parameter);
+    }
     connectSignals();
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/document_state.h"
 
-#include "document/fixed_blocks.h"
+#include "docks/picture_accuracy_form.h"
+#include "material/material_settings.h"
+#include "scene/scene_settings.h"
 
 namespace patina {
 
@@ -144,11 +146,12 @@ BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path) {
 std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,
                                  std::string_view parameterId) {
     if (path.isAt(settings::scene)) {
-        return sceneValue(state.scene, parameterId);
+        const std::optional<Value> level = pictureLevel(state.scene, parameterId);
+        return level ? level : settingOf(state.scene, parameterId);
     }
     if (path.isAt(settings::object)) {
         const Object* object = elementAt(state.scene.objects, path.index);
-        return object ? objectValue(*object, parameterId) : std::nullopt;
+        return object ? settingOf(*object, parameterId) : std::nullopt;
     }
     if (const BlockValues* block = blockValuesAt(state, path)) {
         return storedInBlock(*block, parameterId);
@@ -159,7 +162,7 @@ std::optional<Value> storedValue(const DocumentState& state, const BlockPath& pa
         return storedLevel(*material, parameterId);
     }
     if (material && path.isAt(settings::material)) {
-        return materialValue(*material, parameterId);
+        return settingOf(*material, parameterId);
     }
     return std::nullopt;
 }
@@ -167,10 +170,11 @@ std::optional<Value> storedValue(const DocumentState& state, const BlockPath& pa
 void storeValue(DocumentState& state, const BlockPath& path, std::string_view parameterId,
                 const Value& value) {
     if (path.isAt(settings::scene)) {
-        storeSceneValue(state.scene, parameterId, value);
+        storeSetting(state.scene, parameterId, value);
+        storePictureLevel(state.scene, parameterId, value);
     } else if (path.isAt(settings::object)) {
         if (Object* object = elementAt(state.scene.objects, path.index)) {
-            storeObjectValue(*object, parameterId, value);
+            storeSetting(*object, parameterId, value);
         }
     } else if (BlockValues* block = blockValuesAt(state, path)) {
         block->parameters.insert_or_assign(std::string(parameterId), value);
@@ -179,7 +183,7 @@ void storeValue(DocumentState& state, const BlockPath& path, std::string_view pa
             material->accuracy.insert_or_assign(std::string(parameterId),
                                                 std::get<std::string>(value));
         } else if (path.isAt(settings::material)) {
-            storeMaterialValue(*material, parameterId, value);
+            storeSetting(*material, parameterId, value);
         }
     }
 }

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/scene_assignment.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "catalog/settings.h"
+#include "catalog/suggestion.h"
+#include "cli/block_assignment.h"
+#include "cli/picture_levels.h"
+#include "cli/typed_value.h"
+#include "scene/scene_settings.h"
+
+namespace patina {
+namespace {
+
+/// Where the first word of an id leads.
+std::string firstWord(const std::string& assignment) {
+    return assignment.substr(0, assignment.find_first_of(".="));
+}
+
+/// Objects inside a scene file whose keys are settings of the scene: "ground", "hemisphere".
+bool isGroup(std::string_view word) {
+    const auto& parameters = settingsBlock(settings::scene)->parameters;
+    return std::ranges::any_of(parameters, [word](const Parameter& parameter) {
+        return parameter.id.size() > word.size() && parameter.id.starts_with(word) &&
+               parameter.id[word.size()] == '.';
+    });
+}
+
+bool isSettings(std::string_view word) {
+    return word == settings::scene || word == settings::camera || word == settings::object;
+}
+
+const BlockKind* kindCalled(std::string_view singular) {
+    const auto all = blockKinds();
+    const auto found = std::ranges::find(all, singular, &BlockKind::singular);
+    return found == all.end() ? nullptr : &*found;
+}
+
+bool isOfScene(const BlockKind& kind) {
+    return kind.owner == BlockOwner::Scene || kind.folder == kinds::lights;
+}
+
+tl::unexpected<Error> unknownId(const Assignment& assignment, const std::string& what,
+                                const std::vector<std::string>& known) {
+    return failure(
+        fmt::format("--set {}={}: {} has no such parameter", assignment.id, assignment.text, what),
+        oneOf(assignment.id, known));
+}
+
+template <class Owner>
+Result<void> assignSetting(Owner& owner, std::string_view word, const Assignment& inner) {
+    const Block& block = *settingsBlock(word);
+    const Parameter* parameter = block.parameter(inner.id);
+    if (parameter == nullptr) {
+        return unknownId(inner, fmt::format("the {}", word), parameterIds(block));
+    }
+    return valueFromText(*parameter, inner.text).map([&](const Value& value) {
+        storeSetting(owner, inner.id, value);
+    });
+}
+
+Result<void> assignSettings(Scene& scene, std::string_view word, const Assignment& inner) {
+    if (word == settings::camera) {
+        return assignSetting(scene.camera, word, inner);
+    }
+    if (word == settings::scene) {
+        return assignSetting(scene, word, inner);
+    }
+    if (scene.objects.empty()) {
+        return failure(fmt::format("--set object.{}: the scene has no object", inner.id));
+    }
+    return assignSetting(scene.objects.front(), word, inner);
+}
+
+/// In a block that the scene or a light of it may have; `option` is what would choose one.
+Result<void> assignInBlock(const Block* block, BlockValues* values, const Assignment& inner,
+                           const std::string& what, const std::string& option) {
+    if (block == nullptr || values == nullptr) {
+        return failure(
+            fmt::format("--set {}={}: {} has no such parameter", inner.id, inner.text, what),
+            option);
+    }
+    const auto done = assignIn(*block, values->parameters, inner);
+    if (!done) {
+        return tl::unexpected(done.error());
+    }
+    return *done ? Result<void>() : unknownId(inner, what, parameterIds(*block));
+}
+
+std::string lowered(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+/// "key.intensity": the light's name, and what is set of it.
+Result<void> assignInLight(Scene& scene, const Assignment& inner, const Catalog& catalog) {
+    std::vector<std::string> names;
+    for (Light& light : scene.lights) {
+        names.push_back(lowered(light.name));
+        const Assignment own{inner.inside(inner.id.substr(0, light.name.size())), inner.text};
+        if (own.id.empty() || lowered(inner.id.substr(0, light.name.size())) != names.back()) {
+            continue;
+        }
+        const std::string what = fmt::format("the light \"{}\"", light.name);
+        const BlockKind& shadows = *findKind(kinds::shadows);
+        if (const std::string id = own.inside(shadows.singular); !id.empty()) {
+            BlockValues* values = light.shadow ? &*light.shadow : nullptr;
+            return assignInBlock(values ? catalog.find(kinds::shadows, values->id) : nullptr,
+                                 values, {id, inner.text}, "the shadow of " + what,
+                                 fmt::format("--{}", shadows.singular));
+        }
+        return assignInBlock(catalog.find(kinds::lights, light.block.id), &light.block, own, what,
+                             "--light");
+    }
+    const std::string name = firstWord(inner.id);
+    return failure(fmt::format("--set light.{}: there is no light \"{}\"", inner.id, name),
+                   oneOf(lowered(name), names));
+}
+
+} // namespace
+
+Light* lightNamed(Scene& scene, std::string_view name) {
+    const auto found = std::ranges::find_if(
+        scene.lights, [&](const Light& light) { return lowered(light.name) == lowered(name); });
+    return found == scene.lights.end() ? nullptr : &*found;
+}
+
+bool isForScene(const std::string& assignment) {
+    const std::string word = firstWord(assignment);
+    const BlockKind* kind = kindCalled(word);
+    const bool hasMore =
+        assignment.find_first_of(".=") < assignment.size() && assignment[word.size()] == '.';
+    return hasMore && ((kind != nullptr && isOfScene(*kind)) || isSettings(word) || isGroup(word) ||
+                       isOfPicture(assignment));
+}
+
+Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog& catalog) {
+    const auto assignment = assignmentFrom(text);
+    if (!assignment) {
+        return tl::unexpected(assignment.error());
+    }
+    const std::string word = firstWord(text);
+    const Assignment inner{assignment->inside(word), assignment->text};
+    if (isOfPicture(text)) {
+        return choosePictureAccuracy(scene, text);
+    }
+    if (isSettings(word)) {
+        return assignSettings(scene, word, inner);
+    }
+    if (isGroup(word)) {
+        return assignSettings(scene, settings::scene, *assignment);
+    }
+    if (word == findKind(kinds::lights)->singular) {
+        return assignInLight(scene, inner, catalog);
+    }
+    const std::string_view kind = kindCalled(word)->folder;
+    return assignInBlock(blockOf(scene.parts, kind, catalog), scene.part(kind), inner,
+                         fmt::format("the scene's {}", word), "--" + word);
+}
+
+} // namespace patina

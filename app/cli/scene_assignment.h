@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "catalog/catalog.h"
+#include "core/error.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// Whether an assignment of `--set` is about a scene and not about a material: "fog.density=0.1",
+/// "light.key.intensity=2", "scene.exposure=1", "camera.yaw=0", "object.visible=false" ...
+bool isForScene(const std::string& assignment);
+
+/// Sets the value in the scene, or in its first object.
+Result<void> assignInScene(Scene& scene, const std::string& assignment, const Catalog& catalog);
+
+/// The light of a name, in capitals or not; null where there is none.
+Light* lightNamed(Scene& scene, std::string_view name);
+
+} // namespace patina

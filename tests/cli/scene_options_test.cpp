@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the command line chooses and sets in a scene, by the names that files have.
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+
+#include "catalog/settings.h"
+#include "cli/picture_options.h"
+#include "cli/scene_setup.h"
+#include "scene/scene_settings.h"
+
+namespace patina::tests::scene_options_test {
+namespace {
+
+const Catalog& catalog() {
+    static const Catalog loaded = loadCatalog(standardBlockRoots());
+    return loaded;
+}
+
+/// The default scene with these options.
+Checked<SceneSetup> setupWith(const std::vector<std::string>& arguments) {
+    CLI::App program;
+    PictureOptions options;
+    addSceneOptions(program, options);
+    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    return sceneFor({}, options, catalog());
+}
+
+Scene sceneWith(const std::vector<std::string>& arguments) {
+    const auto setup = setupWith(arguments);
+    EXPECT_TRUE(setup) << text(setup.error());
+    return setup ? setup->scene : Scene();
+}
+
+std::string errorWith(const std::vector<std::string>& arguments) {
+    const auto setup = setupWith(arguments);
+    EXPECT_FALSE(setup);
+    return setup ? std::string() : text(setup.error());
+}
+
+TEST(SceneOptions, Fog_IsChosenAndSet) {
+    const Scene scene = sceneWith({"--fog", "linear", "--set", "fog.end=25"});
+    ASSERT_NE(scene.part(kinds::fog), nullptr);
+    EXPECT_EQ(scene.part(kinds::fog)->parameters.at("end"), Value(25.0));
+}
+
+TEST(SceneOptions, None_TakesAPartOut) {
+    EXPECT_EQ(sceneWith({"--fog", "none"}).part(kinds::fog), nullptr);
+}
+
+TEST(SceneOptions, ALightsId_StandsForAllLights) {
+    const Scene scene = sceneWith({"--light", "point"});
+    ASSERT_EQ(scene.lights.size(), 1u);
+    EXPECT_EQ(scene.lights.front().block.id, "point");
+}
+
+TEST(SceneOptions, ANamedLight_GetsAnotherKindAlone) {
+    const Scene before = sceneWith({});
+    const Scene scene = sceneWith({"--light", "key=spot", "--light", "lamp=point"});
+    ASSERT_EQ(scene.lights.size(), before.lights.size() + 1);
+    EXPECT_EQ(scene.lights[0].block.id, "spot");
+    EXPECT_EQ(scene.lights[1], before.lights[1]);
+    EXPECT_EQ(scene.lights.back().name, "lamp");
+}
+
+TEST(SceneOptions, ALightsValue_IsSetByItsName) {
+    const Scene scene = sceneWith({"--set", "light.key.intensity=2"});
+    EXPECT_EQ(scene.lights[0].block.parameters.at("intensity"), Value(2.0));
+}
+
+TEST(SceneOptions, AShadow_IsChosenAndSet) {
+    const Scene scene =
+        sceneWith({"--shadow", "key=filtered", "--set", "light.key.shadow.width=0.25"});
+    ASSERT_TRUE(scene.lights[0].shadow);
+    EXPECT_EQ(scene.lights[0].shadow->parameters.at("width"), Value(0.25));
+    EXPECT_EQ(scene.lights[1].shadow, sceneWith({}).lights[1].shadow);
+}
+
+TEST(SceneOptions, SettingsOfTheScene_AreSet) {
+    const Scene scene = sceneWith({"--set", "scene.exposure=1", "--set", "ground.mode=plane",
+                                   "--set", "camera.yaw=90", "--set", "object.visible=false"});
+    EXPECT_EQ(scene.exposure, 1.0);
+    EXPECT_EQ(scene.ground.mode, GroundMode::Plane);
+    EXPECT_EQ(scene.camera.yaw, 90.0);
+    EXPECT_FALSE(scene.objects.front().visible);
+}
+
+TEST(SceneOptions, EverySetting_IsSet) {
+    for (const std::string_view word : {settings::scene, settings::camera, settings::object}) {
+        for (const Parameter& parameter : settingsBlock(word)->parameters) {
+            const std::string id = std::string(word) + '.' + parameter.id;
+            const bool isChoice = parameter.type == ParameterType::Enum;
+            const bool isFlag = parameter.type == ParameterType::Bool;
+            const bool isTriple = componentCount(parameter.type) == 3;
+            const std::string value = isChoice   ? parameter.values.front().id
+                                      : isFlag   ? "true"
+                                      : isTriple ? "1,1,1"
+                                                 : "1";
+            EXPECT_TRUE(setupWith({"--set", id + '=' + value})) << id;
+        }
+    }
+}
+
+TEST(SceneOptions, Misspelt_AreErrorsWithTheNearestName) {
+    EXPECT_NE(errorWith({"--fog", "linaer"}).find("'linear'"), std::string::npos);
+    EXPECT_NE(errorWith({"--light", "pont"}).find("'point'"), std::string::npos);
+    EXPECT_NE(errorWith({"--set", "scene.exposur=1"}).find("'exposure'"), std::string::npos);
+    EXPECT_NE(errorWith({"--set", "light.kye.intensity=1"}).find("'key'"), std::string::npos);
+    EXPECT_NE(errorWith({"--set", "light.key.intensty=1"}).find("'intensity'"), std::string::npos);
+    EXPECT_NE(errorWith({"--fog", "linear", "--set", "fog.strat=1"}).find("'start'"),
+              std::string::npos);
+    EXPECT_NE(errorWith({"--set", "opacty=1"}).find("'opacity'"), std::string::npos);
+}
+
+TEST(SceneOptions, AValueOfWhatIsNotThere_NamesTheOption) {
+    const std::string error = errorWith({"--fog", "none", "--set", "fog.density=1"});
+    EXPECT_NE(error.find("--fog"), std::string::npos) << error;
+}
+
+} // namespace
+} // namespace patina::tests::scene_options_test

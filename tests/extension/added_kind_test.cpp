@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A kind of block more (added_kind.cpp) and two files of that kind are all it takes for the kind to
+// be read, written, checked, compiled in double precision, edited, and chosen on the command line.
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+
+#include "catalog/catalog.h"
+#include "cli/picture_options.h"
+#include "cli/scene_setup.h"
+#include "document/document.h"
+#include "material/preset_file.h"
+#include "reference/reference.h"
+#include "shading/glsl/block_text.h"
+
+namespace patina::tests::added_kind_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kind = "sheen";
+
+std::shared_ptr<const Catalog> catalog() {
+    const fs::path source = PATINA_SOURCE_DIR;
+    static const auto loaded = std::make_shared<const Catalog>(loadCatalog(std::vector<BlockRoot>{
+        {source / "shaders", true}, {source / "tests/extension/shaders", true}}));
+    return loaded;
+}
+
+const Block& velvet() {
+    return *catalog()->find(kind, "velvet");
+}
+
+/// What the options make of the object of the default scene.
+Checked<SceneSetup> setupWith(const std::vector<std::string>& arguments) {
+    CLI::App program;
+    PictureOptions options;
+    addSceneOptions(program, options);
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    program.parse(reversed);
+    return sceneFor({}, options, *catalog());
+}
+
+TEST(AddedKind, ItsBlocks_AreRead) {
+    EXPECT_EQ(text(catalog()->errors), "");
+    ASSERT_NE(catalog()->find(kind, "velvet"), nullptr);
+    EXPECT_EQ(structName(velvet()), "VelvetSheen");
+}
+
+TEST(AddedKind, ItsFunctions_AreInTheReference) {
+    const reference::Block* block = reference::findBlock(kind, "velvet");
+    ASSERT_NE(block, nullptr);
+    const std::vector<double> parameters{0.25, 0.5, 1.0, 3.0};
+    const auto rim = block->call<3>("", std::array{0.5, 0.5}, parameters);
+    EXPECT_DOUBLE_EQ(rim[1], 0.5 * 0.125);
+    EXPECT_DOUBLE_EQ(block->call<1>("Share", {}, parameters)[0], 0.25);
+}
+
+TEST(AddedKind, MissingFunction_IsAMistakeOfItsText) {
+    const Errors mistakes = blockTextMistakes(
+        velvet(), "vec3 velvetSheen(Incidence i, VelvetSheen p) { return p.tint; }\n");
+    ASSERT_EQ(mistakes.size(), 1u);
+    EXPECT_EQ(mistakes.front().problem, "there is no function velvetSheenShare(VelvetSheen p)");
+}
+
+TEST(AddedKind, InAPreset_IsReadAsWritten) {
+    Material material = defaultMaterial(*catalog()->ofKind(kinds::models).front());
+    material = withPart(material, kind, nullptr, &velvet());
+    const LocatedJson document{"a.patina.json", toJson(material, {}), {}};
+    const auto reading = materialFromJson(document, "", *catalog());
+    ASSERT_TRUE(reading);
+    EXPECT_EQ(text(reading->notes), "");
+    EXPECT_EQ(reading->material.parts, material.parts);
+}
+
+TEST(AddedKind, OnTheCommandLine_IsChosenAndSet) {
+    const auto setup = setupWith({"--sheen", "velvet", "--set", "sheen.width=3"});
+    ASSERT_TRUE(setup) << text(setup.error());
+    const BlockValues* part = setup->scene.objects.front().material.part(kind);
+    ASSERT_NE(part, nullptr);
+    EXPECT_EQ(part->parameters.at("width"), Value(3.0));
+}
+
+TEST(AddedKind, WithASlipOfThePen_IsAnErrorWithTheNearestName) {
+    const auto setup = setupWith({"--sheen", "velvte"});
+    ASSERT_FALSE(setup);
+    EXPECT_NE(text(setup.error()).find("'velvet'"), std::string::npos) << text(setup.error());
+}
+
+TEST(AddedKind, InADocument_IsChosenEditedAndUndone) {
+    Document document(catalog());
+    document.startFrom(setupWith({})->scene);
+    const BlockPath path = document.currentPath(kind);
+    document.setBlock(path, "velvet");
+    EXPECT_EQ(document.undoStack().undoText(), "Sheen Velvet");
+    document.setValue(path, "width", 4.0);
+    EXPECT_EQ(document.value(path, *velvet().parameter("width")), Value(4.0));
+    document.undoStack().undo();
+    document.undoStack().undo();
+    EXPECT_EQ(blockValuesAt(document.state(), path), nullptr);
+}
+
+} // namespace
+} // namespace patina::tests::added_kind_test

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "catalog/block_kind.h"
+
+namespace patina::tests::block_kind_test {
+namespace {
+
+std::string textOf(const std::string& file) {
+    std::ifstream stream(std::string(PATINA_SOURCE_DIR) + '/' + file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+TEST(BlockKinds, Words_AreUnique) {
+    std::set<std::string_view> folders;
+    std::set<std::string_view> singulars;
+    for (const BlockKind& kind : blockKinds()) {
+        EXPECT_TRUE(folders.insert(kind.folder).second) << kind.folder;
+        EXPECT_TRUE(singulars.insert(kind.singular).second) << kind.singular;
+    }
+}
+
+TEST(BlockKinds, PartsOfAnOwner_AreThoseItMayDoWithout) {
+    const auto parts = partKinds(BlockOwner::Scene);
+    EXPECT_EQ(std::set<std::string_view>(parts.begin(), parts.end()),
+              (std::set{kinds::fog, kinds::transparency, kinds::environment}));
+    EXPECT_EQ(partKinds(BlockOwner::Light).size(), 1u);
+}
+
+/// The guide's table of signatures has a row for each function of each kind.
+TEST(BlockKinds, Functions_StandInTheGuide) {
+    const std::string guide = textOf("docs/design/blocks.md");
+    for (const BlockKind& kind : blockKinds()) {
+        for (const BlockFunction& function : kind.functions) {
+            const std::string argument =
+                function.argument.empty()
+                    ? std::string()
+                    : fmt::format("{} {}, ", function.argument, function.name);
+            const std::string start = fmt::format("| {} | `{} ", kind.folder, function.result);
+            const std::string end = fmt::format("{}({}", function.suffix, argument);
+            bool isThere = false;
+            for (auto at = guide.find(start); at != guide.npos; at = guide.find(start, at + 1)) {
+                const std::string row = guide.substr(at, guide.find('\n', at) - at);
+                isThere = isThere || row.find(end) != row.npos;
+            }
+            EXPECT_TRUE(isThere) << kind.folder << ": " << function.suffix;
+        }
+    }
+}
+
+/// The row that the guide shows is the one that a test adds.
+TEST(BlockKinds, RowInTheGuide_IsTheOneOfTheExtension) {
+    const std::string guide = textOf("CONTRIBUTING.md");
+    const auto start = guide.find("```cpp kind\n");
+    ASSERT_NE(start, guide.npos);
+    const auto first = guide.find('\n', start) + 1;
+    const std::string row = guide.substr(first, guide.find("```", first) - first);
+    EXPECT_NE(textOf("tests/extension/added_kind.cpp").find(row), std::string::npos) << row;
+}
+
+} // namespace
+} // namespace patina::tests::block_kind_test
