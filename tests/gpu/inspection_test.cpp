@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gpu_fixture.h"
-#include "shading/program/program_source.h"
+#include "shading/effects/surface_program.h"
 #include "support/program.h"
 
 namespace patina::inspection_test {

@@ -14,9 +14,10 @@
 #include "render/gpu/hdr_numbers.h"
 #include "render/pass/data_packer.h"
 #include "render/pass/refraction_packer.h"
-#include "shading/effects/effect_choice.h"
 #include "shading/effects/material_hash.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/opacity.h"
+#include "shading/effects/outline.h"
+#include "shading/effects/shadows.h"
 
 namespace patina {
 namespace {

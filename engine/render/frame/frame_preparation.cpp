@@ -7,7 +7,7 @@
 #include "render/frame/frame_drawer.h"
 #include "render/gpu/long_pieces.h"
 #include "render/pass/data_packer.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/refraction.h"
 
 namespace patina {
 

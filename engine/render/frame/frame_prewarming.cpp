@@ -7,7 +7,7 @@
 
 #include "render/frame/frame_drawer.h"
 #include "shading/effects/material_hash.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/refraction.h"
 
 namespace patina {
 

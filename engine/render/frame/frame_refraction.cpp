@@ -5,7 +5,8 @@
 
 #include "render/frame/frame_drawer.h"
 #include "render/gpu/long_pieces.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/opacity.h"
+#include "shading/effects/refraction.h"
 
 namespace patina {
 
@@ -22,7 +23,7 @@ Result<bool> FrameDrawer::beginRefraction() {
         if (refracts(material)) {
             isNeeded = true;
             needs.back = needs.back || !isSheet(*material.pipeline->object.refraction->block);
-            needs.behind = needs.behind || material.pipeline->effects.scene.isShownRefracted;
+            needs.behind = needs.behind || material.pipeline->effects.isShownRefracted;
         }
     }
     if (!isNeeded) {
@@ -55,7 +56,7 @@ bool FrameDrawer::drawRefracting(const Scene& scene, const DrawBatch& batch, Dea
         feed(scene, batch);
     }
     cursor_.hasBack = true;
-    if (pipeline.effects.scene.isShownRefracted && cursor_.slices.isAtStart()) {
+    if (pipeline.effects.isShownRefracted && cursor_.slices.isAtStart()) {
         refraction_->takeBehind(target_);
         target_.bind();
     }

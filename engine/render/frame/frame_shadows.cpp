@@ -7,7 +7,6 @@
 #include "render/frame/frame_drawer.h"
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
-#include "shading/effects/effect_choice.h"
 
 namespace patina {
 namespace {

@@ -35,7 +35,7 @@ class GpuTextureStore {
     void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material);
 
     /// A number that changes when bind() would show another state of one image of the material.
-    std::uint64_t stateOf(const TextureEffect& effect, const Material& material) const;
+    std::uint64_t stateOf(const BoundTexture& image, const Material& material) const;
 
     /// Whether images of this frame are not whole yet: another frame shows more of them.
     bool isWaiting() const { return isWaiting_; }
@@ -53,7 +53,7 @@ class GpuTextureStore {
     /// A picture, and whether it is shown as an opaque one.
     using EntryKey = std::pair<const TexturePicture*, bool>;
 
-    void bindOne(const TextureEffect& effect, const Material& material, glm::vec4& data);
+    void bindOne(const BoundTexture& image, const Material& material, glm::vec4& data);
     void show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque);
     const gl::Sampler& sampler(const TextureUse& use);
 
