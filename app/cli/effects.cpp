@@ -24,7 +24,8 @@
 #include "render/gpu/texture_loader.h"
 #include "render/surfaces/object_rows.h"
 #include "render/surfaces/scene_depth.h"
-#include "shading/effects/outline_source.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 #include "shading/program/program_source.h"
 
 namespace patina {
@@ -219,8 +220,9 @@ Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
             failure(fmt::format("{} has no shader: {}", objectText(shownObject(subject)), why))
                 .value()));
     }
-    const EffectSet set = effectSet(scene.objects[object].material, scene, catalog,
-                                    objectView(scene, object, catalog, meshes));
+    const Material& material = scene.objects[object].material;
+    const EffectView view = objectView(scene, object, catalog, meshes);
+    const EffectSet set = effectSet(material, scene, catalog, view);
     const auto programs = programsOf(set, catalog);
     if (!programs) {
         return tl::unexpected(programs.error());
@@ -237,7 +239,7 @@ Checked<void> printSource(const Shown& subject, const EffectsOptions& options,
         std::cout << writeJson(json);
         return {};
     }
-    const std::vector<EffectLine> lines = effectLines(set);
+    const std::vector<EffectLine> lines = effectLines(set, {&material, scene, catalog, view});
     std::cout << "// " << objectText(shownObject(subject)) << '\n';
     printStages("", programs->front(), lines);
     if (set.outline) {

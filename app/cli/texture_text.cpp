@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/typed_value.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/textures.h"
 
 namespace patina {
 namespace {

@@ -9,7 +9,7 @@
 #include "gl/headless_context.h"
 #include "render/renderer.h"
 #include "scene/builtin_mesh.h"
-#include "shading/program/block_trial.h"
+#include "shading/effects/block_trial.h"
 #include "shading/program/program_cache.h"
 #include "trial/trial_scene.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "material/block_values.h"
-#include "shading/program/block_trial.h"
+#include "shading/effects/block_trial.h"
 
 namespace patina {
 

@@ -121,6 +121,10 @@ void expectRoomsToFollow(const std::string& folder, const std::string& shared = 
     }
 }
 
+TEST(Arrows, RoomsOfTheShadingCode_FollowTheirs) {
+    expectRoomsToFollow("shading");
+}
+
 TEST(Arrows, RoomsOfTheMeasuringCode_FollowTheirs) {
     expectRoomsToFollow("measure");
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "shading/glsl/declarations.h"
+
 namespace patina::tests {
 
 struct GlslFinding {
@@ -16,28 +18,11 @@ struct GlslFinding {
     std::string rule;
 };
 
-/// Comments become blanks; line breaks stay.
-inline std::string withoutGlslComments(std::string text) {
-    static const std::regex comment(R"(//[^\n]*|/\*[\s\S]*?\*/)");
-    std::string result;
-    std::size_t at = 0;
-    for (std::sregex_iterator it(text.begin(), text.end(), comment), end; it != end; ++it) {
-        result += text.substr(at, std::size_t(it->position()) - at);
-        for (const char c : it->str()) {
-            result += c == '\n' ? '\n' : ' ';
-        }
-        at = std::size_t(it->position() + it->length());
-    }
-    return result + text.substr(at);
-}
-
 /// Names of the functions that a text without comments defines.
 inline std::vector<std::string> glslFunctions(const std::string& text) {
-    static const std::regex form(
-        R"((?:^|\n)\s*[A-Za-z]\w*\s+([A-Za-z]\w*)\s*\((?:OUT\(\w+\)|[^();])*\)\s*\{)");
     std::vector<std::string> names;
-    for (std::sregex_iterator it(text.begin(), text.end(), form), end; it != end; ++it) {
-        names.push_back((*it)[1]);
+    for (const GlslFunction& function : functionsIn(glslTokens(text))) {
+        names.emplace_back(function.name.text);
     }
     return names;
 }
@@ -47,7 +32,7 @@ inline std::vector<std::string> glslFunctions(const std::string& text) {
 class GlslRules {
   public:
     GlslRules(const std::string& text, const std::set<std::string>& library)
-        : text_(withoutGlslComments(text)), functions_(library) {
+        : text_(withoutComments(text)), functions_(library) {
         for (const std::string& name : glslFunctions(text_)) {
             functions_.insert(name);
         }

@@ -11,7 +11,7 @@ namespace {
 std::set<std::string> libraryFunctions() {
     std::set<std::string> names;
     for (const SourceFile& file : filesUnder({"shaders/lib"}, {".glsl"})) {
-        for (const std::string& name : glslFunctions(withoutGlslComments(file.text))) {
+        for (const std::string& name : glslFunctions(withoutComments(file.text))) {
             names.insert(name);
         }
     }
@@ -33,7 +33,7 @@ TEST(GlslRules, ShippedShaders_KeepThem) {
 TEST(GlslRules, LibraryFunctions_HaveNamesOfTheirOwn) {
     std::map<std::string, std::string> places;
     for (const SourceFile& file : filesUnder({"shaders/lib"}, {".glsl"})) {
-        for (const std::string& name : glslFunctions(withoutGlslComments(file.text))) {
+        for (const std::string& name : glslFunctions(withoutComments(file.text))) {
             const auto [place, isNew] = places.emplace(name, file.path);
             EXPECT_TRUE(isNew) << name << " is in " << place->second << " and in " << file.path;
         }

@@ -11,10 +11,10 @@
 #include "gl/vertex_array.h"
 #include "measure/eval/eval_case.h"
 #include "measure/eval/eval_source.h"
-#include "shading/effects/block_use.h"
 #include "shading/glsl/compile_log.h"
 #include "shading/glsl/source_builder.h"
 #include "shading/program/block_source.h"
+#include "shading/program/block_use.h"
 
 namespace patina::benchmarks {
 namespace {
@@ -48,7 +48,7 @@ void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::st
                    std::span<const SlotFill> slots) {
     // As views do, which also look at values that may be equal.
     const std::vector<CompiledValue> compiled =
-        useOf(*block.block, block.values, block.accuracy, {}).compiled;
+        BlockUse(*block.block, block.values, block.accuracy).compiled();
     builder.add(constantsSource(*block.block));
     builder.add(structSource(*block.block));
     builder.add(unpackSource(*block.block, {function, compiled, slots}));

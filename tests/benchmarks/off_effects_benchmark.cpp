@@ -10,6 +10,8 @@
 
 #include "benchmarks.h"
 #include "cpu_clock.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 #include "shading/program/program_source.h"
 #include "stage.h"
 #include "statistics.h"

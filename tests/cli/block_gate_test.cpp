@@ -4,7 +4,7 @@
 
 #include "cli/patina_program.h"
 #include "gl/headless_context.h"
-#include "shading/program/block_trial.h"
+#include "shading/effects/block_trial.h"
 #include "trial/trial_gate.h"
 
 namespace patina::tests::block_gate_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A block tried alone, as the editor does with the user's when they come or change.
-#include "shading/program/block_trial.h"
+#include "shading/effects/block_trial.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "shading/effects/effect_key.h"
-#include "shading/effects/fog_depth.h"
+#include "shading/effects/effect_set.h"
 #include "shading_scene.h"
 
 namespace patina::effect_rows_test {
@@ -181,8 +181,11 @@ TEST_F(EffectRowsTest, FogThatNothingIsSeenThrough_IsLeftOut) {
     EXPECT_FALSE(sceneEffects(scene_, catalog(), view).fog);
     EXPECT_NE(EffectKey().ofScene(scene_, catalog(), view),
               EffectKey().ofScene(scene_, catalog(), {10.0}));
-    const Block& block = *catalog().find("fog", "boxed");
-    EXPECT_EQ(fogText(scene_, block, view),
+    const std::vector<EffectLine> left =
+        leftOut(sceneEffects(scene_, catalog(), view), {nullptr, scene_, catalog(), view});
+    const auto fog = std::ranges::find(left, "fog", &EffectLine::effect);
+    ASSERT_NE(fog, left.end());
+    EXPECT_EQ(fog->reason,
               "Density 5: nothing that is drawn lies in its box or is seen through it.");
 }
 
@@ -273,8 +276,8 @@ TEST_F(EffectRowsTest, NeutralOpacityAmbientAndFresnel_AreOut) {
     scene_.ambient = glm::dvec3(0.0);
     const EffectSet set = effectSet(scene_.objects[0].material, scene_, catalog());
     EXPECT_FALSE(set.opacity);
-    EXPECT_FALSE(set.scene.ambient);
-    EXPECT_EQ(set.fresnelMode, FresnelMode::None);
+    EXPECT_FALSE(set.ambient);
+    EXPECT_FALSE(set.blend);
 }
 
 TEST_F(EffectRowsTest, SwitchedOffEffect_IsNotInTheText) {

@@ -9,19 +9,21 @@ namespace {
 
 class EffectSetTest : public ShadingTest {
   protected:
-    static SceneEffects effectsOf(const Light& one) {
+    static Scene lit(const Light& one) {
         Scene scene;
         scene.lights = {one};
-        return sceneEffects(scene, catalog());
+        return scene;
     }
+
+    static EffectSet effectsOf(const Light& one) { return sceneEffects(lit(one), catalog()); }
 };
 
 TEST_F(EffectSetTest, LightsOfOneKind_AreOneGroup) {
     Scene scene;
     scene.lights = {light("point"), light("head"), light("point")};
-    const SceneEffects effects = sceneEffects(scene, catalog());
+    const EffectSet effects = sceneEffects(scene, catalog());
     ASSERT_EQ(effects.lights.size(), 2u);
-    EXPECT_EQ(effects.lights[1].count, 2);
+    EXPECT_EQ(effects.lights[1].lines, 2);
 }
 
 TEST_F(EffectSetTest, DifferentCompiledValues_AreTwoGroups) {
@@ -35,8 +37,8 @@ TEST_F(EffectSetTest, DisabledLight_IsLeftOutWithAReason) {
     Light off = light("point");
     off.enabled = false;
     EXPECT_TRUE(effectsOf(off).lights.empty());
-    ASSERT_EQ(effectsOf(off).leftOut.size(), 1u);
-    EXPECT_EQ(effectsOf(off).leftOut[0].reason, "It is switched off.");
+    ASSERT_EQ(leftOutOf(lit(off)).size(), 1u);
+    EXPECT_EQ(leftOutOf(lit(off))[0].reason, "It is switched off.");
 }
 
 TEST_F(EffectSetTest, BlackLight_IsLeftOut) {
@@ -54,8 +56,8 @@ TEST_F(EffectSetTest, LightWithoutIntensity_IsLeftOut) {
 TEST_F(EffectSetTest, UnknownLight_IsLeftOutWithItsName) {
     Light unknown;
     unknown.block.id = "moonbeam";
-    ASSERT_EQ(effectsOf(unknown).leftOut.size(), 1u);
-    EXPECT_NE(effectsOf(unknown).leftOut[0].reason.find("moonbeam"), std::string::npos);
+    ASSERT_EQ(leftOutOf(lit(unknown)).size(), 1u);
+    EXPECT_NE(leftOutOf(lit(unknown))[0].reason.find("moonbeam"), std::string::npos);
 }
 
 TEST_F(EffectSetTest, FogWithoutDensity_IsLeftOut) {
@@ -72,27 +74,27 @@ TEST_F(EffectSetTest, DarkEnvironment_IsLeftOutWithAReason) {
     const std::uint64_t lit = keys.ofScene(scene, catalog());
     EXPECT_TRUE(sceneEffects(scene, catalog()).environment);
     scene.part(kinds::environment)->parameters["intensity"] = 0.0;
-    const SceneEffects effects = sceneEffects(scene, catalog());
+    const EffectSet effects = sceneEffects(scene, catalog());
     EXPECT_FALSE(effects.environment);
-    ASSERT_EQ(effects.leftOut.size(), 1u);
-    EXPECT_EQ(effects.leftOut[0].reason, "It is dark. Its “Intensity” is 0.");
+    ASSERT_EQ(leftOutOf(scene).size(), 1u);
+    EXPECT_EQ(leftOutOf(scene)[0].reason, "It is dark. Its “Intensity” is 0.");
     EXPECT_NE(keys.ofScene(scene, catalog()), lit);
 }
 
 TEST_F(EffectSetTest, EnvironmentWithoutItsPicture_IsLeftOutWithAReason) {
     Scene scene;
     scene.setPart(kinds::environment, block("environment", "image"));
-    const SceneEffects effects = sceneEffects(scene, catalog());
+    const EffectSet effects = sceneEffects(scene, catalog());
     EXPECT_FALSE(effects.environment);
-    ASSERT_EQ(effects.leftOut.size(), 1u);
-    EXPECT_EQ(effects.leftOut[0].reason, "No picture is chosen for it.");
+    ASSERT_EQ(leftOutOf(scene).size(), 1u);
+    EXPECT_EQ(leftOutOf(scene)[0].reason, "No picture is chosen for it.");
 }
 
 TEST_F(EffectSetTest, UnknownEnvironment_IsLeftOut) {
     Scene scene;
     scene.parts["environment"].id = "moonscape";
     EXPECT_FALSE(sceneEffects(scene, catalog()).environment);
-    EXPECT_EQ(sceneEffects(scene, catalog()).leftOut.size(), 1u);
+    EXPECT_EQ(leftOutOf(scene).size(), 1u);
 }
 
 TEST_F(EffectSetTest, Hemisphere_IsInWhereOneHalfIsNotBlack) {
@@ -110,14 +112,15 @@ TEST_F(EffectSetTest, ModelWithSlot_TakesTheMaterialsFresnel) {
     metal.parts["fresnel"] = block("fresnel", "dielectric");
     const EffectSet set = effectSet(metal, {}, catalog());
     ASSERT_EQ(set.slots.size(), 1u);
-    EXPECT_EQ(set.slots[0].id, "dielectric");
+    EXPECT_EQ(set.slots[0].block().id, "dielectric");
     EXPECT_FALSE(set.blend);
 }
 
 TEST_F(EffectSetTest, EmptySlot_TakesTheDefaultBlock) {
     const EffectSet set = effectSet(material("cook-torrance"), {}, catalog());
     ASSERT_EQ(set.slots.size(), 1u);
-    EXPECT_EQ(set.slots[0].id, catalog().find("models", "cook-torrance")->slots[0].defaultBlock);
+    EXPECT_EQ(set.slots[0].block().id,
+              catalog().find("models", "cook-torrance")->slots[0].defaultBlock);
 }
 
 TEST_F(EffectSetTest, OpenSlot_StaysEmptyUntilSomethingIsChosen) {
@@ -126,7 +129,7 @@ TEST_F(EffectSetTest, OpenSlot_StaysEmptyUntilSomethingIsChosen) {
     matte.parts["specular"] = block("specular", "gaussian");
     const EffectSet set = effectSet(matte, {}, catalog());
     ASSERT_EQ(set.slots.size(), 1u);
-    EXPECT_EQ(set.slots[0].id, "gaussian");
+    EXPECT_EQ(set.slots[0].block().id, "gaussian");
 }
 
 TEST_F(EffectSetTest, PartWithoutASlot_IsNamedAsLeftOut) {
@@ -134,8 +137,8 @@ TEST_F(EffectSetTest, PartWithoutASlot_IsNamedAsLeftOut) {
     shiny.parts["specular"] = block("specular", "gaussian");
     const EffectSet set = effectSet(shiny, {}, catalog());
     EXPECT_TRUE(set.slots.empty());
-    ASSERT_FALSE(set.leftOut.empty());
-    EXPECT_EQ(set.leftOut[0].what, "specular/gaussian");
+    ASSERT_FALSE(leftOutOf(shiny, {}).empty());
+    EXPECT_EQ(leftOutOf(shiny, {})[0].effect, "specular/gaussian");
 }
 
 TEST_F(EffectSetTest, Emission_IsInOnlyWhereItIsNotBlack) {
@@ -143,15 +146,16 @@ TEST_F(EffectSetTest, Emission_IsInOnlyWhereItIsNotBlack) {
     EXPECT_TRUE(effectSet(glowing, {}, catalog()).emission.empty());
     const std::uint64_t before = EffectKey::ofMaterial(glowing, catalog());
     glowing.model.parameters["emissive.color"] = glm::dvec3(0.0, 0.2, 0.0);
-    EXPECT_EQ(effectSet(glowing, {}, catalog()).emission,
-              std::vector<std::string>{"emissive.color"});
+    const EffectSet set = effectSet(glowing, {}, catalog());
+    ASSERT_EQ(set.emission.size(), 1u);
+    EXPECT_EQ(set.emission[0]->id, "emissive.color");
     EXPECT_NE(EffectKey::ofMaterial(glowing, catalog()), before);
 }
 
 TEST_F(EffectSetTest, ModelWithoutSlot_IsBlended) {
     Material matte = material("lambert");
     matte.parts["fresnel"] = block("fresnel", "schlick");
-    EXPECT_EQ(effectSet(matte, {}, catalog()).fresnelMode, FresnelMode::Blend);
+    EXPECT_TRUE(effectSet(matte, {}, catalog()).blend);
 }
 
 TEST_F(EffectSetTest, EveryEffect_HasAReason) {
@@ -162,7 +166,8 @@ TEST_F(EffectSetTest, EveryEffect_HasAReason) {
     scene.lights = {light("point")};
     scene.setPart(kinds::fog, block("fog", "linear"));
     scene.ambient = glm::dvec3(0.1);
-    const std::vector<EffectLine> lines = effectLines(effectSet(glass, scene, catalog()));
+    const std::vector<EffectLine> lines =
+        effectLines(effectSet(glass, scene, catalog()), {&glass, scene, catalog(), {}});
     ASSERT_EQ(lines.size(), 6u);
     for (const EffectLine& line : lines) {
         EXPECT_TRUE(line.reason.ends_with('.')) << line.effect;
@@ -188,11 +193,11 @@ class ShadowEffects : public ShadingTest {
 
 TEST_F(ShadowEffects, Shadow_IsInTheGroupOfItsLight) {
     const Scene scene = shadowed("point", "soft");
-    const SceneEffects effects = sceneEffects(scene, catalog());
+    const EffectSet effects = sceneEffects(scene, catalog());
     ASSERT_EQ(effects.lights.size(), 1u);
     ASSERT_TRUE(effects.lights[0].shadow);
-    EXPECT_EQ(effects.lights[0].shadow->id, "soft");
-    EXPECT_EQ(effects.lights[0].projection, ShadowProjection::Sphere);
+    EXPECT_EQ(effects.lights[0].shadow->block().id, "soft");
+    EXPECT_EQ(effects.lights[0].projection(), ShadowProjection::Sphere);
 }
 
 TEST_F(ShadowEffects, LightsWithAndWithout_AreGroupsOfTheirOwn) {
@@ -204,10 +209,10 @@ TEST_F(ShadowEffects, LightsWithAndWithout_AreGroupsOfTheirOwn) {
 TEST_F(ShadowEffects, WithoutCaster_AreLeftOutWithAReason) {
     Scene scene = shadowed("point", "soft");
     scene.objects[0].castsShadow = false;
-    const SceneEffects effects = sceneEffects(scene, catalog());
+    const EffectSet effects = sceneEffects(scene, catalog());
     EXPECT_FALSE(effects.lights[0].shadow);
-    ASSERT_EQ(effects.leftOut.size(), 1u);
-    EXPECT_EQ(effects.leftOut[0].reason, "No object casts a shadow: 1 is set to cast none.");
+    ASSERT_EQ(leftOutOf(scene).size(), 1u);
+    EXPECT_EQ(leftOutOf(scene)[0].reason, "No object casts a shadow: 1 is set to cast none.");
     EXPECT_EQ(textOf(scene).find("hadow"), std::string::npos);
 }
 

@@ -15,7 +15,7 @@
 #include "render/gpu/binding.h"
 #include "render/pass/pipeline_store.h"
 #include "shading/effects/effect_key.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/textures.h"
 
 namespace patina::environment_frames_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "gpu_fixture.h"
 #include "render/surfaces/inspection_drawer.h"
-#include "shading/program/program_source.h"
+#include "shading/effects/surface_program.h"
 #include "support/program.h"
 
 namespace patina::inspection_test {

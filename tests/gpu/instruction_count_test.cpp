@@ -9,6 +9,8 @@
 #include "catalog/catalog.h"
 #include "material/material.h"
 #include "scene/scene.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 #include "shading/program/program_source.h"
 
 namespace patina::instruction_count_test {

@@ -13,6 +13,8 @@
 #include "render/lights/light_kinds.h"
 #include "render/surfaces/object_rows.h"
 #include "render/surfaces/scene_depth.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 #include "shading/program/program_source.h"
 
 namespace patina::light_lists_test {

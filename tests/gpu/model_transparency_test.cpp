@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "gpu_fixture.h"
-#include "shading/effects/effect_choice.h"
 #include "shading/effects/effect_key.h"
 #include "shading/effects/effect_rows.h"
 #include "shading/effects/effect_set.h"
@@ -36,6 +35,14 @@ class ModelTransparencyTest : public GpuTest {
         auto image = renderer->capture(scene, viewOf(scene), meshSource(), false);
         EXPECT_TRUE(image) << (image ? "" : image.error().text());
         return image ? *image : Image();
+    }
+
+    std::string opacityReason(const Scene& scene) const {
+        const Material& material = scene.objects[0].material;
+        const std::vector<EffectLine> lines = effectLines(effectSet(material, scene, *catalog),
+                                                          {&material, scene, *catalog, {}});
+        const auto found = std::ranges::find(lines, "opacity", &EffectLine::effect);
+        return found == lines.end() ? std::string() : found->reason;
     }
 
     float middleOf(const Scene& scene) { return middle(capture(scene)).g; }
@@ -86,11 +93,11 @@ TEST_F(ModelTransparencyTest, EffectSet_NamesIt) {
     const Scene solid = ball(0.0);
     const EffectSet set = effectSet(clear.objects[0].material, clear, *catalog);
     EXPECT_TRUE(isVisiblyTransparent(set));
-    EXPECT_EQ(set.reasons.at("opacity"),
+    EXPECT_EQ(opacityReason(clear),
               "The material's opacity is 1, and its model lets 40 % of the light pass.");
     EXPECT_FALSE(isVisiblyTransparent(effectSet(solid.objects[0].material, solid, *catalog)));
     const Scene whole = ball(1.0);
-    EXPECT_EQ(effectSet(whole.objects[0].material, whole, *catalog).reasons.at("opacity"),
+    EXPECT_EQ(opacityReason(whole),
               "The material's opacity is 1, and its model lets 100 % of the light pass.");
     EXPECT_NE(EffectKey::ofMaterial(clear.objects[0].material, *catalog),
               EffectKey::ofMaterial(solid.objects[0].material, *catalog));

@@ -3,7 +3,7 @@
 
 #include "shading/effects/effect_key.h"
 #include "shading/effects/effect_rows.h"
-#include "shading/effects/outline_source.h"
+#include "shading/effects/effect_set.h"
 #include "shading_scene.h"
 
 namespace patina::outline_rows_test {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the picture's accuracy changes in a program's text, and what it leaves alone.
-#include "shading/effects/picture_effects.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 
 #include <algorithm>
 #include <utility>
@@ -48,8 +49,8 @@ class PictureEffects : public ShadingTest {
     static void expectPerPixel(const Scene& scene, std::string_view why) {
         const Scene chosen = with(scene, "lighting", "vertex");
         EXPECT_EQ(program(chosen).hash(), program(scene).hash());
-        const std::vector<LeftOut> left = setOf(chosen).leftOut;
-        EXPECT_TRUE(std::ranges::any_of(left, [why](const LeftOut& each) {
+        const std::vector<EffectLine> left = leftOutOf(chosen.objects[0].material, chosen);
+        EXPECT_TRUE(std::ranges::any_of(left, [why](const EffectLine& each) {
             return each.reason.find(why) != std::string::npos;
         })) << why;
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 #include "shading/program/program_cache.h"
 
 #include <filesystem>

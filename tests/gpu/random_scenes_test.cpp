@@ -14,6 +14,7 @@
 #include "render/lights/environment_image.h"
 #include "render/lights/ground_place.h"
 #include "render/surfaces/scene_depth.h"
+#include "shading/effects/effect_set.h"
 #include "shading/effects/texture_writer.h"
 #include "shading/glsl/tokens.h"
 

@@ -2,7 +2,7 @@
 // What the effects say of materials that bend light, and what is in their programs.
 #include "shading/effects/effect_key.h"
 #include "shading/effects/effect_rows.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/refraction.h"
 #include "shading_scene.h"
 
 namespace patina::refraction_rows_test {

@@ -8,6 +8,8 @@
 
 #include "catalog/catalog.h"
 #include "scene/scene.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 #include "shading/program/program_source.h"
 
 namespace patina {
@@ -37,6 +39,14 @@ class ShadingTest : public testing::Test {
 
     static Material material(const std::string& model) {
         return defaultMaterial(*catalog().find("models", model));
+    }
+
+    /// What a program for the material, or every one in the scene, does not have, and why.
+    static std::vector<EffectLine> leftOutOf(const Scene& scene) {
+        return leftOut(sceneEffects(scene, catalog()), {nullptr, scene, catalog(), {}});
+    }
+    static std::vector<EffectLine> leftOutOf(const Material& material, const Scene& scene) {
+        return leftOut(effectSet(material, scene, catalog()), {&material, scene, catalog(), {}});
     }
 
     static std::string fragment(const Material& material, const Scene& scene) {

@@ -73,7 +73,7 @@ TEST_F(ShadowRowsTest, OneShadowReceiver_IsEnough) {
     for (Object& object : scene_.objects) {
         object.material.model.id = "unheard-of";
     }
-    EXPECT_TRUE(groundEffects(scene_, catalog()).scene.lights[0].shadow) << "the ground";
+    EXPECT_TRUE(groundEffects(scene_, catalog()).lights[0].shadow) << "the ground";
     scene_.ground.mode = GroundMode::Off;
     scene_.objects[1].material = material("lambert");
     EXPECT_TRUE(row("shadows/hard", 1).in) << "the second object";
@@ -110,7 +110,7 @@ TEST_F(ShadowRowsTest, NoLightWithShadows_IsSaidOnce) {
 TEST_F(ShadowRowsTest, SwitchedOffShadows_LeaveTheLight) {
     const std::vector<std::string> off{"shadows/hard"};
     const Scene without = withoutEffects(scene_, off, catalog());
-    const SceneEffects effects = sceneEffects(without, catalog());
+    const EffectSet effects = sceneEffects(without, catalog());
     ASSERT_EQ(effects.lights.size(), 1u);
     EXPECT_FALSE(effects.lights[0].shadow);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shading/glsl/compile_log.h"
+#include "shading/glsl/tokens.h"
 #include "support/program.h"
 
 namespace patina::source_builder_test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "physics_cases.h"
-#include "shading/effects/fog_depth.h"
+#include "shading/effects/fog.h"
 
 namespace patina::physics::bounds_test {
 namespace {

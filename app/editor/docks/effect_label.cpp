@@ -5,7 +5,7 @@
 
 #include <QCoreApplication>
 
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/textures.h"
 #include "text/as_text.h"
 
 namespace patina {

@@ -8,7 +8,7 @@
 #include "docks/panel.h"
 #include "document/document.h"
 #include "parameters/document_form.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/refraction.h"
 
 namespace patina {
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
-#include "shading/effects/effect_choice.h"
 #include "shading/effects/effect_key.h"
 #include "shading/effects/light_reach.h"
+#include "shading/program/given_value.h"
 
 namespace patina {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gl/headless_context.h"
+#include "shading/effects/block_trial.h"
 #include "shading/program/block_gate.h"
-#include "shading/program/block_trial.h"
 #include "window/free_memory.h"
 
 namespace patina {

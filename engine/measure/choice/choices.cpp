@@ -26,13 +26,6 @@ void addBlock(std::vector<Choice>& choices, const Block& block, const std::strin
     }
 }
 
-void addUse(std::vector<Choice>& choices, const BlockUse& use, const Catalog& catalog,
-            const std::string& prefix) {
-    if (const Block* block = catalog.find(use.kind, use.id)) {
-        addBlock(choices, *block, prefix);
-    }
-}
-
 const std::string& levelOf(const Choice& choice, const ChosenLevels& levels) {
     const auto found = levels.find(choice.id);
     return found == levels.end() ? choice.levels.front().id : found->second;
@@ -54,13 +47,13 @@ std::vector<Choice> materialChoices(const Scene& scene, std::size_t object,
     }
     const EffectSet set = effectSet(scene.objects[object].material, scene, catalog);
     if (set.model) {
-        addUse(choices, *set.model, catalog, {});
+        addBlock(choices, set.model->block(), {});
     }
     for (const BlockUse& slot : set.slots) {
-        addUse(choices, slot, catalog, slot.kind + '.');
+        addBlock(choices, slot.block(), slot.block().kind + '.');
     }
     if (set.blend) {
-        addUse(choices, *set.blend, catalog, set.blend->kind + '.');
+        addBlock(choices, set.blend->block(), set.blend->block().kind + '.');
     }
     return choices;
 }

@@ -9,7 +9,6 @@
 #include "scene/environment.h"
 #include "scene/picture_choice_text.h"
 #include "scene/transparency.h"
-#include "shading/effects/effect_choice.h"
 #include "shading/effects/effect_set.h"
 
 namespace patina {

@@ -10,7 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "measure/eval/compiled_block.h"
-#include "shading/program/surface_buffer_layout.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_buffer.h"
 
 namespace patina {
 namespace {
@@ -45,14 +46,10 @@ const ParameterField* fieldOf(const BlockPlace& place, std::string_view name) {
 /// The levels that the program has, which may be others than the material's.
 void takeLevels(std::vector<double>& values, const BlockPlace& place, const BlockUse& use) {
     for (const ParameterField& field : place.layout.fields) {
-        const auto compiled =
-            field.choice == nullptr
-                ? use.compiled.end()
-                : std::ranges::find(use.compiled, field.choice->id, &CompiledValue::id);
-        if (compiled != use.compiled.end() && field.offset < values.size()) {
-            const std::vector<EnumValue>& levels = field.choice->values;
-            const auto level = std::ranges::find(levels, compiled->value, &EnumValue::id);
-            values[field.offset] = static_cast<double>(level - levels.begin());
+        const bool hasLevel = field.choice != nullptr && !field.choice->values.empty();
+        if (hasLevel && field.offset < values.size()) {
+            const EnumValue* level = &use.level(*field.choice);
+            values[field.offset] = static_cast<double>(level - field.choice->values.data());
         }
     }
 }
@@ -70,7 +67,7 @@ class Collector {
         }
         code_.eye = glm::dvec3(buffer_.eye);
         code_.firstShare = object_.firstShare;
-        if (effects_.scene.environment) {
+        if (effects_.environment) {
             code_.firstSample = object_.firstSample;
         }
         code_.slots = layout_.slots.size();
@@ -113,18 +110,17 @@ class Collector {
     }
 
     void addBlock(const BlockPlace& place, const BlockUse& use) {
-        code_.blocks.push_back(
-            codeOf(place, object_.data, static_cast<std::size_t>(place.first)));
+        code_.blocks.push_back(codeOf(place, object_.data, static_cast<std::size_t>(place.first)));
         takeLevels(code_.blocks.back().values, place, use);
         places_.push_back(&place);
     }
 
     void addImages() {
         for (std::size_t i = 0; i < object_.inputs.size(); ++i) {
-            const TextureEffect& effect = effects_.textures[object_.inputs[i]];
+            const BoundTexture& image = effects_.textures[object_.inputs[i]];
             for (std::size_t b = 0; b < places_.size(); ++b) {
-                const ParameterField* field = fieldOf(*places_[b], effect.field);
-                if (places_[b]->block->kind == effect.kind && field != nullptr) {
+                const ParameterField* field = fieldOf(*places_[b], fieldName(image.parameter->id));
+                if (places_[b]->block->kind == image.kind && field != nullptr) {
                     code_.textured.push_back({b, field->offset, field->components, i});
                 }
             }
@@ -132,8 +128,8 @@ class Collector {
     }
 
     void addEmission() {
-        for (const std::string& color : effects_.emission) {
-            const ParameterField* field = fieldOf(*layout_.model, fieldName(color));
+        for (const Parameter* color : effects_.emission) {
+            const ParameterField* field = fieldOf(*layout_.model, fieldName(color->id));
             if (field != nullptr) {
                 code_.emission.push_back({0, field->offset, field->components, 0});
             }
@@ -162,7 +158,7 @@ class Collector {
         const auto data = [this](int index) {
             return glm::dvec3(buffer_.sceneData[static_cast<std::size_t>(index)]);
         };
-        if (effects_.scene.ambient) {
+        if (effects_.ambient) {
             code_.ambient = data(SceneLayout::ambient);
         }
         if (scene.hemisphere) {
@@ -170,8 +166,8 @@ class Collector {
                 data(*scene.hemisphere), data(*scene.hemisphere + 1), data(*scene.hemisphere + 2)};
         }
         if (scene.fog) {
-            code_.fog = codeOf(*scene.fog, buffer_.sceneData,
-                               static_cast<std::size_t>(scene.fog->first));
+            code_.fog =
+                codeOf(*scene.fog, buffer_.sceneData, static_cast<std::size_t>(scene.fog->first));
         }
     }
 
@@ -319,8 +315,7 @@ glm::dvec3 SurfaceShader::fogged(const glm::dvec3& shaded) const {
     const double range = glm::length(point_.toEye);
     const reference::FogRay ray{code_.eye, -point_.toEye / std::max(range, 1e-300), range};
     const reference::Block& block = *code_.fog->code;
-    return glm::mix(block.fogColor(code_.fog->values), shaded,
-                    block.fog(ray, code_.fog->values));
+    return glm::mix(block.fogColor(code_.fog->values), shaded, block.fog(ray, code_.fog->values));
 }
 
 } // namespace patina

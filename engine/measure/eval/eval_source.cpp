@@ -25,7 +25,7 @@ const Value& valueOf(const EvalBlock& block, const Parameter& parameter) {
     return found == block.values.end() ? parameter.defaultValue : found->second;
 }
 
-std::string compiledText(const Value& value) {
+std::string_view compiledText(const Value& value) {
     if (const auto* id = std::get_if<std::string>(&value)) {
         return *id;
     }
@@ -41,7 +41,7 @@ std::string keyOf(const EvalBlock& block) {
     }
     std::string key = block.block->kind + '/' + block.block->id;
     for (const CompiledValue& value : compiledValues(block)) {
-        key += ' ' + value.id + '=' + value.value;
+        key += fmt::format(" {}={}", value.id, value.value);
     }
     return key;
 }
@@ -153,8 +153,9 @@ std::vector<CompiledValue> compiledValues(const EvalBlock& block) {
     }
     for (const AccuracyChoice& choice : block.block->accuracy) {
         const auto level = block.accuracy.find(choice.id);
-        values.push_back(
-            {choice.id, level == block.accuracy.end() ? choice.values.front().id : level->second});
+        values.push_back({choice.id, level == block.accuracy.end()
+                                         ? std::string_view(choice.values.front().id)
+                                         : std::string_view(level->second)});
     }
     return values;
 }

@@ -2,6 +2,8 @@
 #include "measure/time/surface_instructions.h"
 
 #include "render/surfaces/scene_depth.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 #include "shading/program/block_gate.h"
 #include "shading/program/program_source.h"
 

@@ -2,66 +2,18 @@
 #include "declarations.h"
 
 #include <map>
-#include <regex>
+
+#include "shading/glsl/declarations.h"
 
 namespace patina {
 namespace {
 
-/// The text with the insides of all braces left out, so that only what stands at the top level is
-/// left ("struct" bodies excepted, which `structsOf` reads from the whole text).
-std::string topLevel(const std::string& text) {
-    std::string result;
-    int depth = 0;
-    for (const char c : text) {
-        depth -= c == '}' ? 1 : 0;
-        if (depth == 0) {
-            result += c;
-        }
-        depth += c == '{' ? 1 : 0;
+std::vector<Variable> named(const std::vector<GlslVariable>& variables) {
+    std::vector<Variable> result;
+    for (const GlslVariable& variable : variables) {
+        result.push_back({std::string(variable.type), std::string(variable.name), variable.isOut});
     }
     return result;
-}
-
-Variable variableOf(const std::string& text) {
-    static const std::regex form(R"(\s*(?:OUT\(\s*(\w+)\s*\)|(\w+))\s+(\w+)\s*)");
-    std::smatch match;
-    if (!std::regex_match(text, match, form)) {
-        return {};
-    }
-    return {match[1].matched ? match[1] : match[2], match[3], match[1].matched};
-}
-
-std::vector<Variable> variablesOf(const std::string& list, char separator) {
-    std::vector<Variable> variables;
-    std::size_t start = 0;
-    while (start < list.size()) {
-        const std::size_t end = std::min(list.find(separator, start), list.size());
-        if (Variable variable = variableOf(list.substr(start, end - start));
-            !variable.name.empty()) {
-            variables.push_back(std::move(variable));
-        }
-        start = end + 1;
-    }
-    return variables;
-}
-
-std::vector<StructDeclaration> structsOf(const std::string& text) {
-    static const std::regex form(R"(\bstruct\s+(\w+)\s*\{([^}]*)\})");
-    std::vector<StructDeclaration> structs;
-    for (std::sregex_iterator it(text.begin(), text.end(), form), end; it != end; ++it) {
-        structs.push_back({(*it)[1], variablesOf((*it)[2], ';')});
-    }
-    return structs;
-}
-
-std::vector<FunctionDeclaration> functionsOf(const std::string& text) {
-    static const std::regex form(R"(\b(\w+)\s+(\w+)\s*\(((?:OUT\(\w+\)|[^()])*)\)\s*\{)");
-    const std::string outside = topLevel(text);
-    std::vector<FunctionDeclaration> functions;
-    for (std::sregex_iterator it(outside.begin(), outside.end(), form), end; it != end; ++it) {
-        functions.push_back({(*it)[1], (*it)[2], variablesOf((*it)[3], ',')});
-    }
-    return functions;
 }
 
 } // namespace
@@ -101,7 +53,16 @@ std::size_t Declarations::numbers(const std::string& type) const {
 }
 
 Declarations declarationsOf(const std::string& text) {
-    return {structsOf(text), functionsOf(text)};
+    const GlslTokens tokens = glslTokens(text);
+    Declarations declarations;
+    for (const GlslStruct& each : structsIn(tokens)) {
+        declarations.structs.push_back({std::string(each.name), named(each.fields)});
+    }
+    for (const GlslFunction& each : functionsIn(tokens)) {
+        declarations.functions.push_back(
+            {std::string(each.result), std::string(each.name.text), named(each.arguments)});
+    }
+    return declarations;
 }
 
 } // namespace patina

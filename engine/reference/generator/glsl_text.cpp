@@ -2,34 +2,14 @@
 #include "glsl_text.h"
 
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include <fmt/format.h>
 
+#include "shading/glsl/tokens.h"
+
 namespace patina {
 namespace {
-
-/// Comments become blanks; line breaks stay, so that line numbers do.
-std::string withoutComments(const std::string& text) {
-    std::string result = text;
-    for (std::size_t i = 0; i + 1 < result.size();) {
-        const std::string_view two(&result[i], 2);
-        if (two != "//" && two != "/*") {
-            ++i;
-            continue;
-        }
-        const std::string_view last = two == "//" ? "\n" : "*/";
-        const std::size_t found = result.find(last, i + 2);
-        const std::size_t end = found == std::string::npos ? result.size()
-                                : last == "\n"             ? found
-                                                           : found + 2;
-        for (; i < end; ++i) {
-            result[i] = result[i] == '\n' ? '\n' : ' ';
-        }
-    }
-    return result;
-}
 
 Result<std::string> fileText(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -45,12 +25,17 @@ bool isBlank(const std::string& text) {
     return text.find_first_not_of(" \t\r") == std::string::npos;
 }
 
-/// A constant that one translation unit may not need.
+/// In double precision. A constant is one that a translation unit may not need.
 std::string cppLine(const std::string& text) {
-    static const std::regex floatWord("\\bfloat\\b");
-    static const std::regex constant("^const ");
-    return std::regex_replace(std::regex_replace(text, floatWord, "double"), constant,
-                              "[[maybe_unused]] const ");
+    std::string line = text.starts_with("const ") ? "[[maybe_unused]] " : "";
+    const char* done = text.data();
+    for (const GlslToken& token : glslTokens(text)) {
+        if (token.text == "float") {
+            line.append(done, token.text.data()).append("double");
+            done = token.text.data() + token.text.size();
+        }
+    }
+    return line.append(done, text.data() + text.size());
 }
 
 } // namespace
@@ -66,7 +51,6 @@ Result<GlslLines> GlslReader::read(const std::filesystem::path& file) {
 }
 
 Result<void> GlslReader::append(const std::filesystem::path& file) {
-    static const std::regex include("^\\s*#include\\s+\"([^\"]+)\"\\s*$");
     const Result<std::string> text = fileText(file);
     if (!text) {
         return tl::unexpected(text.error());
@@ -74,11 +58,11 @@ Result<void> GlslReader::append(const std::filesystem::path& file) {
     std::istringstream stream(withoutComments(*text));
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {
-        std::smatch match;
-        if (!std::regex_match(line, match, include)) {
+        const std::string included(includedFile(line));
+        if (included.empty()) {
             lines_.push_back({file.generic_string(), number, line});
-        } else if (taken_.insert(match[1]).second) {
-            if (const auto done = append(root_ / match[1].str()); !done) {
+        } else if (taken_.insert(included).second) {
+            if (const auto done = append(root_ / included); !done) {
                 return done;
             }
         }

@@ -10,7 +10,7 @@
 
 #include "render/gpu/capture_image.h"
 #include "render/gpu/stretched_picture.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/refraction.h"
 
 namespace patina {
 namespace {

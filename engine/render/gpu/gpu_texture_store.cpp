@@ -7,7 +7,6 @@
 #include <epoxy/gl.h>
 
 #include "render/gpu/binding.h"
-#include "shading/effects/texture_choice.h"
 
 namespace patina {
 namespace {
@@ -68,28 +67,25 @@ GLenum wrapOf(TextureWrap wrap) {
 
 void GpuTextureStore::bind(std::span<glm::vec4> data, const Pipeline& pipeline,
                            const Material& material, TextureBudget& budget) {
-    const std::vector<TextureEffect>& effects = pipeline.effects.textures;
-    for (std::size_t i = 0; i < effects.size(); ++i) {
+    const auto& images = pipeline.effects.textures;
+    for (std::size_t i = 0; i < images.size(); ++i) {
         const unsigned unit = binding::firstTexture + static_cast<unsigned>(i);
         glActiveTexture(GL_TEXTURE0 + unit);
-        bindOne(effects[i], material, data[std::size_t(pipeline.object.texture(i))],
-                budget);
-        const auto use = material.textures.find(effects[i].id);
-        if (use != material.textures.end()) {
-            sampler(use->second).bind(unit);
+        bindOne(images[i], material, data[std::size_t(pipeline.object.texture(i))], budget);
+        if (const TextureUse* use = images[i].in(material)) {
+            sampler(*use).bind(unit);
         }
     }
     glActiveTexture(GL_TEXTURE0);
 }
 
-std::uint64_t GpuTextureStore::stateOf(const TextureEffect& effect,
-                                       const Material& material) const {
-    const auto use = material.textures.find(effect.id);
-    if (!source_ || use == material.textures.end()) {
+std::uint64_t GpuTextureStore::stateOf(const BoundTexture& image, const Material& material) const {
+    const TextureUse* use = image.in(material);
+    if (!source_ || use == nullptr) {
         return 0;
     }
-    const TextureLookup found = source_(use->second, decodingOf(use->second, effect));
-    const bool isOpaque = found.picture && showsOpaque(*found.picture, use->second);
+    const TextureLookup found = source_(*use, decodingOf(*use, image));
+    const bool isOpaque = found.picture && showsOpaque(*found.picture, *use);
     const auto entry = entries_.find({found.picture.get(), isOpaque});
     const bool isComplete = entry != entries_.end() && entry->second.texture.isComplete();
     // Addresses are even.
@@ -98,20 +94,19 @@ std::uint64_t GpuTextureStore::stateOf(const TextureEffect& effect,
 }
 
 /// A relief keeps its own strength; of anything else the placeholder is all that is seen.
-void GpuTextureStore::bindOne(const TextureEffect& effect, const Material& material,
+void GpuTextureStore::bindOne(const BoundTexture& image, const Material& material,
                               glm::vec4& data, TextureBudget& budget) {
-    const auto use = material.textures.find(effect.id);
+    const TextureUse* use = image.in(material);
     TextureLookup found;
-    if (source_ && use != material.textures.end()) {
-        found = source_(use->second, decodingOf(use->second, effect));
+    if (source_ && use != nullptr) {
+        found = source_(*use, decodingOf(*use, image));
     }
     if (found.picture) {
-        show(found.picture, showsOpaque(*found.picture, use->second), budget);
+        show(found.picture, showsOpaque(*found.picture, *use), budget);
         return;
     }
-    show(placeholder(effect.role), false, budget);
-    const bool isRelief =
-        effect.role == TextureRole::Normal || effect.role == TextureRole::Height;
+    show(placeholder(image.role), false, budget);
+    const bool isRelief = image.role == TextureRole::Normal || image.role == TextureRole::Height;
     if (!found.isMissing) {
         data.w = 0.0f;
     } else if (!isRelief) {

@@ -40,7 +40,7 @@ class GpuTextureStore {
               TextureBudget& budget);
 
     /// A number that changes when bind() would show another state of one image of the material.
-    std::uint64_t stateOf(const TextureEffect& effect, const Material& material) const;
+    std::uint64_t stateOf(const BoundTexture& image, const Material& material) const;
 
     /// Forgets what was not drawn for a while.
     void endFrame();
@@ -55,7 +55,7 @@ class GpuTextureStore {
     /// A picture, and whether it is shown as an opaque one.
     using EntryKey = std::pair<const TexturePicture*, bool>;
 
-    void bindOne(const TextureEffect& effect, const Material& material, glm::vec4& data,
+    void bindOne(const BoundTexture& image, const Material& material, glm::vec4& data,
                  TextureBudget& budget);
     void show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque,
               TextureBudget& budget);

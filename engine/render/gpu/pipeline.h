@@ -8,7 +8,6 @@
 #include "gl/program.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
-#include "shading/effects/outline_source.h"
 
 namespace patina {
 

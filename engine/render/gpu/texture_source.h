@@ -19,9 +19,9 @@ struct TextureLookup {
 /// without it. Called for each frame; must not allocate for what is known.
 using TextureSource = std::function<TextureLookup(const TextureUse&, TextureDecoding)>;
 
-struct TextureEffect;
+struct BoundTexture;
 
 /// How the numbers of the use's file are taken, for what it does in a program.
-TextureDecoding decodingOf(const TextureUse& use, const TextureEffect& effect);
+TextureDecoding decodingOf(const TextureUse& use, const BoundTexture& image);
 
 } // namespace patina

@@ -40,10 +40,8 @@ EnvironmentLight::Known& EnvironmentLight::known(std::uint64_t key, const Scene&
     if (found != known_.end()) {
         return found->second;
     }
-    Known made;
-    made.use = *sceneEffects(effects, catalog).environment;
-    made.block = catalog.find(made.use.kind, made.use.id);
-    made.layout = layoutOf(*made.block);
+    const BlockUse use = *sceneEffects(effects, catalog).environment;
+    Known made{use, layoutOf(use.block()), {}};
     return known_.emplace(key, std::move(made)).first->second;
 }
 
@@ -55,7 +53,7 @@ const gl::Program* EnvironmentLight::program(Known& known, EnvironmentOutput out
         return found->second.get();
     }
     std::shared_ptr<const gl::Program>& made = known.programs[output];
-    if (const auto source = environmentProgram(*known.block, known.use, catalog, output)) {
+    if (const auto source = environmentProgram(known.use, catalog, output)) {
         const ProgramCache::Found answer = cache.get(*source);
         if (!answer.isFinal) {
             known.programs.erase(output);
@@ -89,7 +87,7 @@ bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
     }
     const BlockValues& values = *scene.part(kinds::environment);
     pack(values);
-    if (takeImage(pictureParameter(*current_->block) ? image : nullptr)) {
+    if (takeImage(pictureParameter(current_->use.block()) ? image : nullptr)) {
         return true;
     }
     if (looksOtherwise() || madeFor_ != current_) {
@@ -102,8 +100,8 @@ bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
         }
         return true;
     }
-    const Backdrop backdrop = backdropOf(values, *current_->block);
-    blur_ = 0.5 * glm::radians(environmentNumber(values, *current_->block, "background.blur"));
+    const Backdrop backdrop = backdropOf(values, current_->use.block());
+    blur_ = 0.5 * glm::radians(environmentNumber(values, current_->use.block(), "background.blur"));
     if (backdrop != Backdrop::Hidden) {
         background_ = program(*current_,
                               backdrop == Backdrop::Blurred ? EnvironmentOutput::BlurredBackground
@@ -119,7 +117,7 @@ void EnvironmentLight::pack(const BlockValues& values) {
     values_.reserve(EnvironmentLayout::fixed + vec4s);
     const std::span<glm::vec4> own = values_.staging().subspan(EnvironmentLayout::fixed, vec4s);
     packInto(own, current_->layout, values.parameters, exact, glm::dmat4(1.0));
-    const double turn = glm::radians(environmentNumber(values, *current_->block, "rotate"));
+    const double turn = glm::radians(environmentNumber(values, current_->use.block(), "rotate"));
     values_.staging()[EnvironmentLayout::turn] =
         glm::vec4(std::cos(turn), std::sin(turn), 0.0f, 1.0f);
     wantedLook_.assign(own.begin(), own.end());
@@ -156,7 +154,7 @@ bool EnvironmentLight::looksOtherwise() {
 }
 
 void EnvironmentLight::makeTable(const gl::Program* program) {
-    const bool hasPicture = pictureParameter(*current_->block) != nullptr;
+    const bool hasPicture = pictureParameter(current_->use.block()) != nullptr;
     const glm::ivec2 size = program == nullptr ? glm::ivec2(1)
                             : hasPicture       ? small_.size()
                                                : plainSize;

@@ -10,7 +10,8 @@
 #include "render/lights/environment_table.h"
 #include "render/lights/environment_texture.h"
 #include "scene/environment.h"
-#include "shading/effects/environment_source.h"
+#include "shading/effects/environment.h"
+#include "shading/program/block_use.h"
 #include "shading/program/program_cache.h"
 
 namespace patina {
@@ -62,7 +63,6 @@ class EnvironmentLight {
   private:
     /// What is kept of a block as long as its text stays.
     struct Known {
-        const Block* block = nullptr;
         BlockUse use;
         ParameterLayout layout;
         std::map<EnvironmentOutput, std::shared_ptr<const gl::Program>> programs;

@@ -13,7 +13,7 @@
 #include "render/lights/frustum.h"
 #include "scene/scene.h"
 #include "shading/effects/effect_view.h"
-#include "shading/effects/fog_depth.h"
+#include "shading/effects/fog.h"
 
 namespace patina {
 

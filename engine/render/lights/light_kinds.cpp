@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "shading/effects/effect_choice.h"
 #include "shading/effects/effect_key.h"
+#include "shading/effects/shadows.h"
 
 namespace patina {
 

@@ -8,7 +8,7 @@
 #include "render/gpu/hdr_numbers.h"
 #include "render/gpu/long_pieces.h"
 #include "render/pass/frame_gpu.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/refraction.h"
 
 namespace patina {
 

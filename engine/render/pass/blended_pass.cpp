@@ -4,7 +4,7 @@
 #include <epoxy/gl.h>
 
 #include "render/gpu/long_pieces.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/refraction.h"
 
 namespace patina {
 
@@ -30,7 +30,7 @@ Result<bool> BlendedPass::fitRefraction(const FramePlan& plan, FrameGpu& gpu) {
         if (material.refracts()) {
             isNeeded = true;
             needs.back = needs.back || !isSheet(*material.pipeline->object.refraction->block);
-            needs.behind = needs.behind || material.pipeline->effects.scene.isShownRefracted;
+            needs.behind = needs.behind || material.pipeline->effects.isShownRefracted;
         }
     }
     if (!isNeeded) {
@@ -109,7 +109,7 @@ bool BlendedPass::drawRefracting(const FramePlan& plan, FrameGpu& gpu, const Dra
         return false;
     }
     hasBack_ = true;
-    if (pipeline.effects.scene.isShownRefracted && drawer_.isAtStart()) {
+    if (pipeline.effects.isShownRefracted && drawer_.isAtStart()) {
         refraction_->takeBehind(gpu.target());
         gpu.target().bind();
     }

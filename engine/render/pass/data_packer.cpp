@@ -9,8 +9,10 @@
 #include <glm/trigonometric.hpp>
 
 #include "render/gpu/hdr_numbers.h"
-#include "shading/effects/effect_choice.h"
 #include "shading/effects/effect_key.h"
+#include "shading/effects/lights.h"
+#include "shading/effects/opacity.h"
+#include "shading/effects/shadows.h"
 #include "shading/program/parameter_packer.h"
 
 namespace patina {
@@ -58,14 +60,14 @@ void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pi
                std::size_t index, const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
     const bool shadows = hasShadows(packing.effects, *pipeline.catalog);
     const LightPlace& group = pipeline.scene.groups[index];
-    const LightGroup& effect = pipeline.effects.scene.lights[index];
+    const LightGroup& effect = pipeline.effects.lights[index];
+    const std::uint64_t key = effect.key();
     const auto size = static_cast<std::size_t>(group.vec4s());
     const std::size_t start = packed.vec4s;
     int count = 0;
     for (std::size_t i = 0; i < packing.scene.lights.size(); ++i) {
         if ((effect.lines == 0 && !packing.has(i)) ||
-            EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog, shadows) !=
-                effect.key) {
+            EffectKey::ofLight(packing.effects.lights[i], *pipeline.catalog, shadows) != key) {
             continue;
         }
         if (packed.vec4s + size > out.size()) {
@@ -87,7 +89,7 @@ void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pi
 /// Lines come first: the program reads them without asking how many there are.
 void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
                 const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
-    const std::vector<LightGroup>& groups = pipeline.effects.scene.lights;
+    const std::vector<LightGroup>& groups = pipeline.effects.lights;
     for (const bool inLines : {true, false}) {
         for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
             if ((groups[g].lines > 0) == inLines) {
@@ -126,15 +128,15 @@ void packTexture(std::span<glm::vec4> out, const TextureUse& use, TextureRole ro
 
 void packTextures(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material) {
     for (std::size_t i = 0; i < pipeline.effects.textures.size(); ++i) {
-        const TextureEffect& effect = pipeline.effects.textures[i];
-        const auto use = material.textures.find(effect.id);
+        const BoundTexture& image = pipeline.effects.textures[i];
+        const TextureUse* use = image.in(material);
         static const TextureUse nothing = [] {
             TextureUse none;
             none.strength = 0.0;
             return none;
         }();
         packTexture(out.subspan(static_cast<std::size_t>(pipeline.object.texture(i))),
-                    use == material.textures.end() ? nothing : use->second, effect.role);
+                    use == nullptr ? nothing : *use, image.role);
     }
 }
 

@@ -10,7 +10,7 @@
 
 #include "gl/driver.h"
 #include "render/gpu/long_pieces.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/opacity.h"
 
 namespace patina {
 namespace {

@@ -9,6 +9,8 @@
 #include "render/gpu/binding.h"
 #include "render/gpu/environment_units.h"
 #include "render/pass/refraction_targets.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
 #include "shading/effects/texture_writer.h"
 #include "shading/program/program_source.h"
 
@@ -71,7 +73,7 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addOutline(Pipeline& pip
     found.program->bindBlock("ViewBlock", binding::view);
     found.program->bindBlock("SceneBlock", binding::scene);
     found.program->bindBlock("ObjectBlock", binding::object);
-    pipeline.outline = outlineLayout(effects, *catalog_);
+    pipeline.outline = outlineLayout(effects);
     pipeline.outlineProgram = found.program;
     return {};
 }
@@ -111,11 +113,11 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
     }
     found.program->bindSampler("shadowMaps", binding::shadowMaps);
     RefractionTargets::assignUnits(*found.program);
-    if (effects.scene.environment) {
+    if (effects.environment) {
         environment::assignUnits(*found.program);
     }
     found.program->bindSampler("blockTables", binding::blockTables);
-    pipeline->object = objectLayout(effects, *catalog_);
+    pipeline->object = objectLayout(effects);
     if (!pipeline->object.tables.empty() && output_ == SurfaceOutput::Picture) {
         if (auto added = addTables(*pipeline, effects); !added) {
             return added.error();
@@ -127,7 +129,7 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
         }
     }
     pipeline->catalog = catalog_;
-    pipeline->scene = sceneLayout(effects.scene, *catalog_);
+    pipeline->scene = sceneLayout(effects);
     pipeline->effects = std::move(effects);
     pipeline->sceneKey = sceneKey;
     pipeline->program = found.program;

@@ -2,7 +2,7 @@
 #include "render/pass/refraction_packer.h"
 
 #include "render/gpu/hdr_numbers.h"
-#include "shading/effects/refraction_choice.h"
+#include "shading/effects/refraction.h"
 #include "shading/program/parameter_packer.h"
 
 namespace patina {

@@ -58,7 +58,7 @@ Result<std::shared_ptr<const Pipeline>>
 ShadowHoles::pipelineFor(const Material& material, const std::shared_ptr<const Catalog>& catalog,
                          ProgramCache& programs) {
     OpacityPart part = *holesOf(material, *catalog);
-    const TextureEffect& image = part.set.textures.front();
+    const BoundTexture& image = part.set.textures.front();
     std::shared_ptr<const Pipeline>& known = pipelines_[{image.channel, image.mode, image.cutOut}];
     if (known && known->catalog == catalog) {
         return known;

@@ -8,8 +8,10 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "render/gpu/binding.h"
-#include "shading/effects/effect_choice.h"
+#include "shading/effects/lights.h"
+#include "shading/effects/opacity.h"
 #include "shading/effects/shadow_source.h"
+#include "shading/effects/shadows.h"
 
 namespace patina {
 namespace {

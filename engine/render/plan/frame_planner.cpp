@@ -5,9 +5,10 @@
 #include <glm/matrix.hpp>
 
 #include "render/lights/fog_reach.h"
-#include "shading/effects/effect_choice.h"
 #include "shading/effects/material_hash.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/opacity.h"
+#include "shading/effects/outline.h"
+#include "shading/effects/shadows.h"
 
 namespace patina {
 namespace {

@@ -197,7 +197,7 @@ PixelProbe InspectionDrawer::read(const Scene& scene, const Item& item,
     probe.normal = glm::vec3(term(0));
     probe.nv = term(0).w;
     probe.albedo = term(1).w > 0.0f ? std::optional(glm::vec3(term(1))) : std::nullopt;
-    if (effects.model && (effects.scene.ambient || effects.scene.hemisphere)) {
+    if (effects.model && (effects.ambient || effects.hemisphere)) {
         probe.ambient = glm::vec3(term(2));
     }
     if (!effects.emission.empty()) {
@@ -206,7 +206,7 @@ PixelProbe InspectionDrawer::read(const Scene& scene, const Item& item,
     if (effects.blend) {
         probe.blended = BlendedColor{glm::vec3(term(4)), term(4).w};
     }
-    if (effects.scene.fog) {
+    if (effects.fog) {
         probe.fogged = BlendedColor{glm::vec3(term(5)), term(5).w};
     }
     probe.color = glm::vec3(term(6));

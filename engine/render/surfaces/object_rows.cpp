@@ -13,11 +13,9 @@
 #include "render/lights/light_lists.h"
 #include "render/lights/placement.h"
 #include "render/surfaces/scene_depth.h"
-#include "shading/effects/effect_choice.h"
-#include "shading/effects/light_effects.h"
 #include "shading/effects/light_reach.h"
-#include "shading/effects/texture_choice.h"
-#include "shading/effects/texture_effects.h"
+#include "shading/effects/lights.h"
+#include "shading/effects/opacity.h"
 
 namespace patina {
 namespace {
@@ -70,7 +68,7 @@ void addUnreached(std::vector<EffectRow>& rows, const Scene& scene, std::size_t 
 }
 
 /// What an image does that is the same all over the object.
-const char* evenlyText(const TextureEffect& image) {
+const char* evenlyText(const BoundTexture& image) {
     switch (image.role) {
     case TextureRole::Normal:
         return "it leans all of the surface the same way";
@@ -79,11 +77,11 @@ const char* evenlyText(const TextureEffect& image) {
     case TextureRole::Opacity:
         return "it is one opacity";
     default:
-        return image.isColor ? "it is one colour" : "it is one value";
+        return image.isColor() ? "it is one colour" : "it is one value";
     }
 }
 
-bool isMissing(const TextureUse& use, const TextureEffect& image, const KnownImages& images) {
+bool isMissing(const TextureUse& use, const BoundTexture& image, const KnownImages& images) {
     return images.textures && images.textures(use, decodingOf(use, image)).isMissing;
 }
 
@@ -103,7 +101,8 @@ void describeImages(std::vector<EffectRow>& rows, const Material& material, cons
             continue;
         }
         const auto use = material.textures.find(row.line.effect.substr(textureKind.size()));
-        const TextureEffect image = textureEffect(use->first, use->second, material, catalog);
+        const BoundTexture image =
+            boundTexture(use->second, textureTarget(use->first, use->second, material, catalog));
         if (isMissing(use->second, image, images)) {
             row.line.reason += missingText(use->second);
         }

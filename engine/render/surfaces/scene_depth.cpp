@@ -7,7 +7,7 @@
 #include "render/lights/frustum.h"
 #include "render/lights/ground_place.h"
 #include "render/lights/light_lists.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/opacity.h"
 
 namespace patina {
 namespace {

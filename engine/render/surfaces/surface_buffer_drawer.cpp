@@ -7,7 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "gl/framebuffer.h"
-#include "shading/program/surface_buffer_layout.h"
+#include "shading/effects/surface_buffer.h"
 
 namespace patina {
 namespace {

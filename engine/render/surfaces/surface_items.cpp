@@ -9,16 +9,16 @@
 
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
-#include "shading/effects/effect_choice.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/effect_set.h"
 
 namespace patina {
 std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipeline) {
     const bool shadows = hasShadows(scene, *pipeline.catalog);
     std::vector<std::size_t> order;
-    for (const LightGroup& group : pipeline.effects.scene.lights) {
+    for (const LightGroup& group : pipeline.effects.lights) {
+        const std::uint64_t key = group.key();
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog, shadows) == group.key) {
+            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog, shadows) == key) {
                 order.push_back(i);
             }
         }

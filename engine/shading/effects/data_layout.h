@@ -4,17 +4,17 @@
 #include <optional>
 #include <vector>
 
-#include "catalog/catalog.h"
-#include "catalog/parameter_layout.h"
-#include "shading/effects/effect_set.h"
 #include "shading/program/block_place.h"
+#include "shading/program/block_use.h"
 #include "shading/program/table_layout.h"
 
 namespace patina {
 
+struct EffectSet;
+
 /// Where one light's values lie in those of its group: the light's, its shadows' and its map's.
 struct LightPlace {
-    BlockPlace light; ///< `first` is the index of the group's header
+    BlockPlace light;                 ///< `first` is the index of the group's header
     std::optional<BlockPlace> shadow; ///< `first` counts from the light's first vec4
 
     int vec4s() const;
@@ -37,13 +37,13 @@ struct ObjectLayout {
     std::optional<BlockPlace> model;
     std::vector<BlockPlace> slots; ///< right behind the model, in its order
     std::optional<BlockPlace> blend;
-    int firstTexture = fixed; ///< of EffectSet::textures, each with vec4sPerTexture
+    int firstTexture = fixed;  ///< of EffectSet::textures, each with vec4sPerTexture
     std::optional<int> ground; ///< of the ground: colour and opacity, its disk, and the
                                ///< environment's light on it where there is one
     std::optional<BlockPlace> transparency; ///< of a surface that is put together with others: a
                                             ///< block's values, then what layers() says
-    std::optional<BlockPlace> refraction; ///< then the colour behind the objects
-    TableLayout tables; ///< that the model and its parts read
+    std::optional<BlockPlace> refraction;   ///< then the colour behind the objects
+    TableLayout tables;                     ///< that the model and its parts read
     int vec4s = fixed;
 
     int refractionBackground() const { return refraction->first + refraction->vec4s(); }
@@ -59,7 +59,9 @@ struct ObjectLayout {
     }
 };
 
-/// The array `sceneData`: fog, ambient and lights, shared by all programs of a scene.
+/// The array `sceneData`: fog, ambient and lights, shared by all programs of a scene. The effects
+/// place their data from the last one to the first: lights, of which there may be any number, end
+/// it.
 struct SceneLayout {
     static constexpr int ambient = 0;
     static constexpr int fixed = 1;
@@ -68,8 +70,8 @@ struct SceneLayout {
     static constexpr int maxCapacity = 4096;
 
     std::optional<BlockPlace> fog;
-    std::optional<int> hemisphere; ///< index of three: sky, ground, the unit direction up
-    std::vector<LightPlace> groups; ///< as SceneEffects::lights; a group's header:
+    std::optional<int> hemisphere;  ///< index of three: sky, ground, the unit direction up
+    std::vector<LightPlace> groups; ///< as EffectSet::lights; a group's header:
                                     ///< x: number of lights, y: index of the first one's values
     int firstLight = fixed;
     const Block* environment = nullptr; ///< its values are in an array of their own
@@ -92,8 +94,11 @@ struct ViewLayout {
     static constexpr int vec4s = 6;
 };
 
-/// They point into the catalogue's blocks, which must stay. Blocks it lacks are left out.
-ObjectLayout objectLayout(const EffectSet& set, const Catalog& catalog);
-SceneLayout sceneLayout(const SceneEffects& effects, const Catalog& catalog);
+/// The place of a block at `next`, which moves behind it.
+BlockPlace placed(const BlockUse& use, int& next);
+
+/// They point into the catalogue's blocks, which must stay.
+ObjectLayout objectLayout(const EffectSet& set);
+SceneLayout sceneLayout(const EffectSet& set);
 
 } // namespace patina

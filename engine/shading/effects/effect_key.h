@@ -3,26 +3,21 @@
 
 #include <cstdint>
 
-#include "catalog/catalog.h"
-#include "material/material.h"
-#include "scene/scene.h"
-#include "shading/effects/effect_view.h"
-#include "shading/effects/light_lines.h"
+#include "shading/effects/effect_set.h"
 
 namespace patina {
 
-/// Numbers that are equal when the effect sets are, made without any allocation: what tells a
-/// frame whether the programs of the last one still fit.
+/// Hashes of choices, made without any allocation: what tells a frame whether the programs of the
+/// last one still fit. Sets are equal where both of their hashes are, and differ where one does.
 class EffectKey {
   public:
-    /// Hashes sceneEffects(scene, catalog, view), without the counts of lights that loops go
-    /// through.
+    /// Hashes what the scene brings into all programs: sceneEffects(scene, catalog, view).
     std::uint64_t ofScene(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
-    /// Hashes what effectSet() adds for the material.
+    /// Hashes what effectSet() chooses for the material.
     static std::uint64_t ofMaterial(const Material& material, const Catalog& catalog);
 
-    /// Hashes the scene's environment and its compiled values; 0 when it is left out.
+    /// Hashes the scene's environment; 0 when it is left out.
     static std::uint64_t ofEnvironment(const Scene& scene, const Catalog& catalog);
 
     /// Hashes what happens to the picture behind the objects: equal where one program does it.
@@ -33,7 +28,7 @@ class EffectKey {
     static std::uint64_t ofLight(const Light& light, const Catalog& catalog, bool hasShadows);
 
   private:
-    LightLines lines_; ///< kept for its memory
+    EffectSet set_; ///< kept for its memory
 };
 
 } // namespace patina

@@ -2,41 +2,16 @@
 #include "shading/effects/effect_rows.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include <fmt/format.h>
-
-#include "shading/effects/effect_choice.h"
-#include "shading/effects/refraction_choice.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/display.h"
 
 namespace patina {
 namespace {
 
-/// What happens to the picture after the objects are drawn.
-std::vector<EffectLine> displayLines(const Scene& scene) {
-    std::vector<EffectLine> lines;
-    if (scene.exposure != 0.0) {
-        lines.push_back({"exposure",
-                         {},
-                         fmt::format("Everything is {:.4g} stops {}.", std::abs(scene.exposure),
-                                     scene.exposure > 0.0 ? "brighter" : "darker")});
-    }
-    if (scene.toneMapping != ToneMapping::None) {
-        lines.push_back({"tone mapping", {}, "What is too bright for a display is compressed."});
-    }
-    return lines;
-}
-
-std::vector<EffectLine> displayLeftOut(const Scene& scene) {
-    std::vector<EffectLine> lines;
-    if (scene.exposure == 0.0) {
-        lines.push_back({"exposure", {}, "It is 0 stops."});
-    }
-    if (scene.toneMapping == ToneMapping::None) {
-        lines.push_back({"tone mapping", {}, "None is chosen."});
-    }
-    return lines;
+std::vector<EffectLine> displayLines(const EffectSubject& subject) {
+    EffectListing listing(&subject);
+    DisplayEffect(subject.scene).list(listing);
+    return listing.take();
 }
 
 void append(std::vector<EffectLine>& lines, const std::vector<EffectLine>& more) {
@@ -94,21 +69,47 @@ Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
 }
 
 /// The ground is lit by lights that do not reach the object.
-EffectSet groundOf(const Scene& scene, const Catalog& catalog, EffectView view) {
+EffectSet groundOf(const EffectSubject& subject) {
+    EffectView view = subject.view;
     view.unreached.reset();
-    return groundEffects(scene, catalog, view);
+    return groundEffects(subject.scene, subject.catalog, view);
 }
 
 std::vector<EffectLine> linesOf(const Scene& scene, std::size_t object, const Catalog& catalog,
                                 const EffectView& view) {
-    std::vector<EffectLine> lines =
-        effectLines(effectSet(scene.objects[object].material, scene, catalog, view));
-    const EffectSet ground = groundOf(scene, catalog, view);
-    if (ground.ground != GroundMode::Off) {
-        lines.push_back(effectLines(ground).front());
-    }
-    append(lines, displayLines(scene));
+    const Material& material = scene.objects[object].material;
+    const EffectSubject subject{&material, scene, catalog, view};
+    std::vector<EffectLine> lines = effectLines(effectSet(material, scene, catalog, view), subject);
+    EffectListing ground(&subject);
+    groundOf(subject).GroundEffect::list(ground, {});
+    append(lines, ground.take());
+    append(lines, displayLines(subject));
     return lines;
+}
+
+/// What is neither in the object's program nor in the ground's or the display's.
+std::vector<EffectLine> missingLines(const EffectSubject& subject, const EffectSet& set) {
+    std::vector<EffectLine> out = leftOutLines(set, subject);
+    const EffectSubject withoutMaterial{nullptr, subject.scene, subject.catalog, subject.view};
+    LeftOutListing rest(withoutMaterial);
+    groundOf(subject).GroundEffect::listMissing(rest, set);
+    DisplayEffect(subject.scene).listMissing(rest);
+    append(out, rest.take());
+    return out;
+}
+
+/// The scene without one effect, by its name.
+void takeOut(Scene& scene, std::string_view name, const Catalog& catalog) {
+    const std::size_t slash = name.find('/');
+    const EffectName effect{name.substr(0, slash), slash == std::string_view::npos
+                                                       ? std::string_view()
+                                                       : name.substr(slash + 1)};
+    EffectSet().each([&]<class Effect>(const Effect&) {
+        if constexpr (requires { Effect::remove(scene, effect, catalog); }) {
+            Effect::remove(scene, effect, catalog);
+        }
+    });
+    DisplayEffect::remove(scene, effect);
 }
 
 bool has(const std::vector<EffectLine>& lines, const std::string& effect) {
@@ -142,17 +143,19 @@ std::vector<EffectRow> effectRows(const Scene& scene, std::size_t object, const 
         rows.push_back({std::move(line), true, false, {}});
     }
     findRemovable(rows, aloneIn(scene, object, catalog), catalog, view);
-    const EffectSet set = effectSet(scene.objects[object].material, scene, catalog, view);
-    std::vector<EffectLine> out = leftOutLines(set);
-    const EffectSet ground = groundOf(scene, catalog, view);
-    for (const LeftOut& left : ground.leftOut) {
-        out.push_back({left.what, {}, left.reason});
-    }
-    append(out, displayLeftOut(scene));
-    for (EffectLine& line : out) {
+    const Material& material = scene.objects[object].material;
+    const EffectSet set = effectSet(material, scene, catalog, view);
+    for (EffectLine& line : missingLines({&material, scene, catalog, view}, set)) {
         rows.push_back({std::move(line), false, false, {}});
     }
     return rows;
+}
+
+Scene withoutEffects(Scene scene, std::span<const std::string> effects, const Catalog& catalog) {
+    for (const std::string_view name : effects) {
+        takeOut(scene, name, catalog);
+    }
+    return scene;
 }
 
 } // namespace patina

@@ -1,135 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <string>
+#include <cstddef>
+#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "catalog/catalog.h"
-#include "material/material.h"
-#include "scene/scene.h"
-#include "shading/effects/effect_view.h"
+#include "shading/effects/ambient.h"
+#include "shading/effects/blend.h"
+#include "shading/effects/effect_parts.h"
+#include "shading/effects/emission.h"
+#include "shading/effects/environment.h"
+#include "shading/effects/fog.h"
+#include "shading/effects/ground.h"
+#include "shading/effects/hemisphere.h"
+#include "shading/effects/lights.h"
+#include "shading/effects/model.h"
+#include "shading/effects/opacity.h"
+#include "shading/effects/outline.h"
+#include "shading/effects/picture.h"
+#include "shading/effects/refraction.h"
+#include "shading/effects/shadows.h"
+#include "shading/effects/slots.h"
+#include "shading/effects/textures.h"
+#include "shading/effects/transparency.h"
 
 namespace patina {
 
-/// A choice that is part of the program instead of its data.
-struct CompiledValue {
-    std::string id;    ///< of the parameter or the accuracy choice
-    std::string value; ///< id of the enum value or level; "true", "false"; "zero", "nonzero"
+/// The choices of some effects, each with its own members.
+template <class... Effects>
+struct EffectChoices : Effects... {
+    /// Calls `visit` with each effect in order.
+    template <class Visit>
+    void each(const Visit& visit) const {
+        (visit(static_cast<const Effects&>(*this)), ...);
+    }
+    template <class Visit>
+    void each(const Visit& visit) {
+        (visit(static_cast<Effects&>(*this)), ...);
+    }
 
-    friend bool operator==(const CompiledValue&, const CompiledValue&) = default;
+    /// From the last one to the first.
+    template <class Visit>
+    void eachBackwards(const Visit& visit) const {
+        const auto all = std::tie(static_cast<const Effects&>(*this)...);
+        [&]<std::size_t... i>(std::index_sequence<i...>) {
+            (visit(std::get<sizeof...(Effects) - 1 - i>(all)), ...);
+        }
+        (std::index_sequence_for<Effects...>());
+    }
+
+    friend bool operator==(const EffectChoices&, const EffectChoices&) = default;
 };
 
-/// A block that a program is made of.
-struct BlockUse {
-    std::string kind;
-    std::string id;
-    std::vector<CompiledValue> compiled; ///< in the descriptor's order
-    std::string reason;                  ///< one sentence: why it is in
+/// Every effect, in the order in which a program's text is assembled, which is that of its rows. A
+/// new one is a row here.
+using AllEffects =
+    EffectChoices<GroundEffect, ModelEffect, SlotsEffect, LightsEffect, ShadowsEffect,
+                  AmbientEffect, HemisphereEffect, EnvironmentEffect, BlendEffect, EmissionEffect,
+                  TexturesEffect, FogEffect, OpacityEffect, RefractionEffect, RefractedSceneEffect,
+                  TransparencyEffect, OutlineEffect, PictureEffect>;
 
-    friend bool operator==(const BlockUse&, const BlockUse&) = default;
-};
-
-/// All lights of one kind with the same compiled values: one loop in the program, or a line for
-/// each.
-struct LightGroup {
-    BlockUse block;
-    std::optional<BlockUse> shadow; ///< how their shadows are drawn; nothing: there are none
-    ShadowProjection projection = ShadowProjection::None; ///< of the shadows
-    int count = 0; ///< lights in it now
-    int lines = 0; ///< lights that stand in the program's text; 0: a loop, whose length is data
-    std::uint64_t key = 0; ///< EffectKey::ofLight of each of its lights
-    std::vector<std::string> names{}; ///< of its lights, in the scene's order
-
-    friend bool operator==(const LightGroup&, const LightGroup&) = default;
-};
-
-/// Something that is in the document and not in the program.
-struct LeftOut {
-    std::string what;
-    std::string reason;
-
-    friend bool operator==(const LeftOut&, const LeftOut&) = default;
-};
-
-/// By effect: one sentence each, for what is no block and in the program.
-using Reasons = std::map<std::string, std::string, std::less<>>;
-
-/// What the scene brings into every program that is used in it.
-struct SceneEffects {
-    std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
-    std::optional<BlockUse> fog;
-    std::optional<BlockUse> environment;
-    std::optional<BlockUse> transparency; ///< in programs of what lets something through
-    bool ambient = false;
-    bool hemisphere = false;
-    bool isShownRefracted = false;    ///< by what bends light, see showsSceneRefracted()
-    bool wantsVertexLight = false;    ///< see EffectSet::lightsAtVertices
-    bool wantsBlendedNormals = false; ///< see EffectSet::leavesNormals
-    bool wantsWideHighlights = false; ///< see EffectSet::widensHighlights
-    bool fogsAtVertices = false;      ///< but on the ground
-    Reasons reasons;
-    std::vector<LeftOut> leftOut;
-
-    friend bool operator==(const SceneEffects&, const SceneEffects&) = default;
-};
-
-/// An image that is in a program. Which image, and where it lies on the surface, is data.
-struct TextureEffect {
-    std::string id; ///< its key in Material::textures
-    TextureRole role = TextureRole::Input;
-    std::string kind;  ///< role Input: "models" or a part's
-    std::string field; ///< then the field that it changes, and what that is
-    bool isColor = false;
-    glm::dvec2 range{0.0, 1.0};
-    TextureChannel channel = TextureChannel::Color;
-    bool isUsualChannel = false; ///< not chosen: for alpha the grey of an image that has none
-    TextureMode mode = TextureMode::Replace;
-    bool cutOut = false;
-
-    friend bool operator==(const TextureEffect&, const TextureEffect&) = default;
-};
-
-/// Where the material's Fresnel block works.
-enum class FresnelMode {
-    None,  ///< there is none
-    Slot,  ///< the model calls it
-    Blend, ///< the summed light is blended towards its tint
-};
-
-/// Exactly what one program computes. A value: equal sets give equal program text.
-struct EffectSet {
-    std::optional<BlockUse> model; ///< nothing: the catalogue lacks it; a plain fallback is drawn
-    FresnelMode fresnelMode = FresnelMode::None;
-    std::vector<BlockUse> slots;   ///< what fills the model's slots, in the descriptor's order
-    std::optional<BlockUse> blend; ///< the Fresnel block of FresnelMode::Blend
-    std::vector<std::string> emission; ///< the model's colours that are emitted and not black
-    std::vector<TextureEffect> textures; ///< sorted by id
-    bool opacity = false;
-    std::optional<BlockUse> refraction; ///< what bends the light that passes
-    std::optional<BlockUse> outline; ///< drawn by a program of its own (see outline_source.h)
-    bool lightsAtVertices = false; ///< the model is asked there and its light blended
-    bool leavesNormals = false;    ///< as short as blending those of the vertices makes them
-    bool widensHighlights = false; ///< by what the surface turns within a pixel
-    GroundMode ground = GroundMode::Off; ///< the ground is drawn so, in place of a model
-    SceneEffects scene;
-    Reasons reasons;
-    std::vector<LeftOut> leftOut;
-
+/// Exactly what one program computes: the choices of all effects. A value: equal sets give equal
+/// program text. It points into the catalogue that it was made with.
+struct EffectSet : AllEffects {
     friend bool operator==(const EffectSet&, const EffectSet&) = default;
 };
 
-/// Whether something may shine through what is drawn with the set.
-bool isVisiblyTransparent(const EffectSet& set);
+/// Chooses what the material calls for, or what the scene does, and leaves the rest of the set
+/// alone. Allocates nothing where the set has had as many lights before.
+void chooseEffects(EffectSet& set, const MaterialSubject& subject);
+void chooseEffects(EffectSet& set, const SceneSubject& subject);
 
-/// What the scene's lights, fog and ambient colour call for. A light is left out when it is
-/// disabled or cannot send anything (its `color` is black or its `intensity` is 0), fog when its
-/// `density` is 0 or what is drawn is too near for anybody to see it, shadows when no object casts
-/// any or none is seen, an environment that is dark (unless an object bends what is behind it) or
-/// lacks its picture, and blocks that the catalogue does not know.
-SceneEffects sceneEffects(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
+/// What the scene brings into every program that is used in it, and nothing of any material.
+EffectSet sceneEffects(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
 /// What shading `material` in the scene calls for. A pure function of its arguments.
 EffectSet effectSet(const Material& material, const Scene& scene, const Catalog& catalog,
@@ -138,19 +82,18 @@ EffectSet effectSet(const Material& material, const Scene& scene, const Catalog&
 /// What drawing the scene's ground calls for; its `ground` is Off when there is nothing to draw.
 EffectSet groundEffects(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
-/// One line of a listing of effects.
-struct EffectLine {
-    std::string effect; ///< "models/<id>", "lights/<id>", "ambient", "opacity": each once
-    std::string detail; ///< compiled values and counts; may be empty
-    std::string reason;
+/// Whether the program asks what lights the surface: the fallback for a model knows no light.
+bool isLit(const EffectSet& set);
 
-    friend bool operator==(const EffectLine&, const EffectLine&) = default;
-};
-
-/// The set as a list, in the order in which the program's text is assembled.
+/// What is in the program, in its order: names and details, and reasons with a subject, which is
+/// what the set was chosen for.
 std::vector<EffectLine> effectLines(const EffectSet& set);
+std::vector<EffectLine> effectLines(const EffectSet& set, const EffectSubject& subject);
 
-/// What is not in the program and why, also what the document does not have at all.
-std::vector<EffectLine> leftOutLines(const EffectSet& set);
+/// What the document has and the program has not, and why.
+std::vector<EffectLine> leftOut(const EffectSet& set, const EffectSubject& subject);
+
+/// The same, and what the document does not have at all.
+std::vector<EffectLine> leftOutLines(const EffectSet& set, const EffectSubject& subject);
 
 } // namespace patina

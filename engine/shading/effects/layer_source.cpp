@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "shading/effects/surface_program.h"
 #include "shading/effects/texture_writer.h"
 #include "shading/glsl/source_builder.h"
 
@@ -34,8 +35,7 @@ void addPeeling(SourceBuilder& out, const OpacityPart& part, bool isMultisampled
 Checked<ProgramSource> peelProgram(const OpacityPart& part, const Catalog& catalog,
                                    bool isMultisampled) {
     return program(
-        catalog,
-        [&](SourceBuilder& vertex) { addSurfaceVertex(vertex, part.set, part.layout); },
+        catalog, [&](SourceBuilder& vertex) { addSurfaceVertex(vertex, part.set, part.layout); },
         [&](SourceBuilder& fragment) { addPeeling(fragment, part, isMultisampled); });
 }
 

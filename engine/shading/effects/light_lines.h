@@ -12,7 +12,7 @@ namespace patina {
 class LightLines {
   public:
     struct Group {
-        std::uint64_t key = 0; ///< EffectKey::ofLight of its lights
+        std::uint64_t key = 0; ///< lightKey() of its lights
         int count = 0;
         bool isEverywhere = true;
         bool isReached = false; ///< a light of it reaches what is drawn

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "shading/effects/effect_choice.h"
+#include "shading/program/given_value.h"
 
 namespace patina {
 namespace {

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "shading/effects/effect_choice.h"
-#include "shading/effects/texture_choice.h"
+#include "shading/effects/textures.h"
+#include "shading/program/given_value.h"
 
 namespace patina {
 namespace {

@@ -14,8 +14,7 @@ namespace patina {
 bool isNeutral(const Block& block, const Values& values, const AccuracyLevels& levels = {});
 
 /// "It is black.", "Its “Density” is 0.": why isNeutral() holds; empty where it does not.
-std::string whyNeutral(const Block& block, const Values& values,
-                       const AccuracyLevels& levels = {});
+std::string whyNeutral(const Block& block, const Values& values, const AccuracyLevels& levels = {});
 
 /// Whether a block of the material's `kind` is neutral and no image changes any of its values.
 bool isNeutralPart(const Block& block, const Values& values, const Material& material);

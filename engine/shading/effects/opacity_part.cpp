@@ -8,8 +8,7 @@ namespace patina {
 OpacityPart opacityPart(const EffectSet& set, const ObjectLayout& layout) {
     OpacityPart part;
     part.layout.transparency = layout.transparency;
-    const auto found =
-        std::ranges::find(set.textures, TextureRole::Opacity, &TextureEffect::role);
+    const auto found = std::ranges::find(set.textures, TextureRole::Opacity, &BoundTexture::role);
     if (found != set.textures.end()) {
         part.image = static_cast<std::size_t>(found - set.textures.begin());
         part.set.opacity = set.opacity;

@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "shading/effects/texture_choice.h"
-#include "shading/effects/texture_effects.h"
 #include "shading/effects/texture_writer.h"
+#include "shading/effects/textures.h"
 #include "shading/glsl/source_builder.h"
 
 namespace patina {
@@ -41,8 +40,8 @@ std::optional<OpacityPart> holesOf(const Material& material, const Catalog& cata
     }
     OpacityPart part;
     part.set.opacity = true;
-    part.set.textures = {
-        textureEffect(opacityId, material.textures.find(opacityId)->second, material, catalog)};
+    const TextureUse& use = material.textures.find(opacityId)->second;
+    part.set.textures = {boundTexture(use, textureTarget(opacityId, use, material, catalog))};
     part.layout.firstTexture = part.layout.vec4s;
     part.layout.vec4s = part.layout.texture(1);
     part.image = 0;

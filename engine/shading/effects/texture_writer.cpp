@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "shading/effects/effect_set.h"
+
 namespace patina {
 namespace {
 
@@ -56,7 +58,7 @@ std::string samplerName(std::size_t index) {
 
 bool TextureWriter::has(TextureRole role) const {
     return std::ranges::any_of(set_.textures,
-                               [role](const TextureEffect& each) { return each.role == role; });
+                               [role](const BoundTexture& each) { return each.role == role; });
 }
 
 std::string TextureWriter::writeVertex(SourceBuilder& out) const {
@@ -100,21 +102,23 @@ void TextureWriter::writeSamplers(SourceBuilder& out) const {
 
 /// The part of the image that counts, as a colour where the value is one.
 std::string TextureWriter::texel(std::size_t index) const {
-    const TextureEffect& effect = set_.textures[index];
+    const BoundTexture& texture = set_.textures[index];
     const std::string read = fmt::format("texture({}, imagePlace({})).{}", samplerName(index),
-                                         layout_.texture(index), swizzle(effect.channel));
-    const bool widens = effect.isColor && effect.channel != TextureChannel::Color;
-    const bool narrows = !effect.isColor && effect.channel == TextureChannel::Color;
+                                         layout_.texture(index), swizzle(texture.channel));
+    const bool widens = texture.isColor() && texture.channel != TextureChannel::Color;
+    const bool narrows = !texture.isColor() && texture.channel == TextureChannel::Color;
     return widens ? "vec3(" + read + ")" : narrows ? "imageGrey(" + read + ")" : read;
 }
 
 std::string TextureWriter::changed(std::size_t index, const std::string& value) const {
-    const TextureEffect& effect = set_.textures[index];
-    const std::string made = effect.mode == TextureMode::Replace
+    const BoundTexture& texture = set_.textures[index];
+    const std::string made = texture.mode == TextureMode::Replace
                                  ? texel(index)
-                                 : value + operation(effect.mode) + texel(index);
+                                 : value + operation(texture.mode) + texel(index);
+    const Parameter* parameter = texture.parameter;
     return fmt::format("imaged({}, {}, {}, {}, {})", value, made, layout_.texture(index),
-                       literal(effect.range.x), literal(effect.range.y));
+                       literal(parameter ? parameter->min : 0.0),
+                       literal(parameter ? parameter->max : 1.0));
 }
 
 std::string TextureWriter::relief() const {
@@ -135,11 +139,11 @@ std::string TextureWriter::relief() const {
 std::string TextureWriter::values(std::string_view kind, const std::string& variable) const {
     std::string out;
     for (std::size_t i = 0; i < set_.textures.size(); ++i) {
-        const TextureEffect& effect = set_.textures[i];
-        if (effect.role != TextureRole::Input || effect.kind != kind) {
+        const BoundTexture& texture = set_.textures[i];
+        if (texture.role != TextureRole::Input || texture.kind != kind) {
             continue;
         }
-        const std::string field = variable + '.' + effect.field;
+        const std::string field = variable + '.' + fieldName(texture.parameter->id);
         out += fmt::format("    {} = {};\n", field, changed(i, field));
     }
     return out;

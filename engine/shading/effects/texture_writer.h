@@ -4,11 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "material/texture_use.h"
 #include "shading/effects/data_layout.h"
-#include "shading/effects/effect_set.h"
 #include "shading/glsl/source_builder.h"
 
 namespace patina {
+
+struct EffectSet;
 
 /// Name of the sampler of EffectSet::textures[index].
 std::string samplerName(std::size_t index);

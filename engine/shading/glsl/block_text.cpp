@@ -10,18 +10,12 @@
 
 #include "catalog/suggestion.h"
 #include "catalog/table_source.h"
+#include "shading/glsl/declarations.h"
 #include "shading/glsl/entry_text.h"
 #include "shading/glsl/tokens.h"
 
 namespace patina {
 namespace {
-
-/// A function that the text defines.
-struct Function {
-    GlslToken name;
-    std::string_view result;
-    std::vector<std::string_view> arguments; ///< their types
-};
 
 Error errorAt(const Block& block, const GlslToken& place, std::string problem,
               std::string expected) {
@@ -29,18 +23,8 @@ Error errorAt(const Block& block, const GlslToken& place, std::string problem,
             std::move(expected)};
 }
 
-/// "ifdef" of "#  ifdef X".
-std::string_view directiveName(std::string_view directive) {
-    const std::size_t first = directive.find_first_not_of(" \t", 1);
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    const std::string_view rest = directive.substr(first);
-    return rest.substr(0, rest.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
-}
-
 bool isConditional(const GlslToken& token) {
-    return token.isDirective() && directiveName(token.text).starts_with("if");
+    return directiveName(token).starts_with("if");
 }
 
 /// What opens, closes or stands between, in order; an error for what has no partner.
@@ -48,8 +32,7 @@ Errors conditionalMistakes(const Block& block, const GlslTokens& tokens) {
     Errors errors;
     std::vector<GlslToken> open;
     for (const GlslToken& token : tokens) {
-        const std::string_view name =
-            token.isDirective() ? directiveName(token.text) : std::string_view();
+        const std::string_view name = directiveName(token);
         if (isConditional(token)) {
             open.push_back(token);
         } else if (open.empty() && (name == "else" || name == "elif" || name == "endif")) {
@@ -59,8 +42,7 @@ Errors conditionalMistakes(const Block& block, const GlslTokens& tokens) {
         }
     }
     for (const GlslToken& token : open) {
-        errors.push_back(errorAt(block, token,
-                                 fmt::format("#{} has no end", directiveName(token.text)),
+        errors.push_back(errorAt(block, token, fmt::format("#{} has no end", directiveName(token)),
                                  "#endif before the end of the file"));
     }
     return errors;
@@ -70,8 +52,7 @@ Errors conditionalMistakes(const Block& block, const GlslTokens& tokens) {
 Errors foreignDirectives(const Block& block, const GlslTokens& tokens) {
     Errors errors;
     for (const GlslToken& token : tokens) {
-        const std::string_view name =
-            token.isDirective() ? directiveName(token.text) : std::string_view();
+        const std::string_view name = directiveName(token);
         if (name == "version" || name == "extension" || name == "line") {
             errors.push_back(errorAt(block, token,
                                      fmt::format("#{} is not for the file of a block", name),
@@ -112,53 +93,6 @@ Errors endMistakes(const Block& block, const GlslTokens& tokens) {
                     "; or } before the end of the file")};
 }
 
-/// By index of a parenthesis that opens: the one behind that which closes it, or the end.
-std::vector<std::size_t> closings(const GlslTokens& tokens) {
-    std::vector<std::size_t> closedAt(tokens.size(), tokens.size());
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i].text == "(") {
-            open.push_back(i);
-        } else if (tokens[i].text == ")" && !open.empty()) {
-            closedAt[open.back()] = i + 1;
-            open.pop_back();
-        }
-    }
-    return closedAt;
-}
-
-/// The types of the arguments between the parentheses at `open` and before `end`.
-std::vector<std::string_view> typesOf(const GlslTokens& tokens, std::size_t open, std::size_t end) {
-    std::vector<std::string_view> types;
-    bool isTyped = false;
-    for (std::size_t i = open + 1; i + 1 < end; ++i) {
-        if (tokens[i].text == ",") {
-            isTyped = false;
-        } else if (!isTyped && !isQualifier(tokens[i].text) && tokens[i].text != "void") {
-            types.push_back(tokens[i].text);
-            isTyped = true;
-        }
-    }
-    return types;
-}
-
-/// All that is defined outside of braces: a type, a name, arguments and a brace.
-std::vector<Function> functionsIn(const GlslTokens& tokens) {
-    std::vector<Function> found;
-    const std::vector<std::size_t> closedAt = closings(tokens);
-    int depth = 0;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        depth += tokens[i].text == "{" ? 1 : tokens[i].text == "}" ? -1 : 0;
-        const bool isNamed = depth == 0 && i >= 1 && i + 1 < tokens.size() && tokens[i].isName() &&
-                             tokens[i - 1].isName() && tokens[i + 1].text == "(";
-        const std::size_t end = isNamed ? closedAt[i + 1] : 0;
-        if (isNamed && end < tokens.size() && tokens[end].text == "{") {
-            found.push_back({tokens[i], tokens[i - 1].text, typesOf(tokens, i + 1, end)});
-        }
-    }
-    return found;
-}
-
 /// One call of a block of some kind, looked for in what its file defines.
 class Wanted {
   public:
@@ -177,25 +111,25 @@ class Wanted {
         return fmt::format("{}({}{} p)", name_, first, struct_);
     }
 
-    bool is(const Function& function) const {
+    bool is(const GlslFunction& function) const {
         return function.name.text == name_ && function.result == call_.result && takes(function);
     }
 
     /// What was meant to be it: of its name, or nearly, or else with its arguments.
-    const Function* meant(const std::vector<Function>& functions) const {
+    const GlslFunction* meant(const std::vector<GlslFunction>& functions) const {
         std::vector<std::string> names;
-        for (const Function& function : functions) {
+        for (const GlslFunction& function : functions) {
             names.emplace_back(function.name.text);
         }
         const std::string near = nearest(name_, names);
         const auto found =
-            std::find_if(functions.begin(), functions.end(), [&](const Function& function) {
+            std::find_if(functions.begin(), functions.end(), [&](const GlslFunction& function) {
                 return near.empty() ? takes(function) : function.name.text == near;
             });
         return found == functions.end() ? nullptr : &*found;
     }
 
-    std::string expected(const Function* instead) const {
+    std::string expected(const GlslFunction* instead) const {
         const std::string whole = fmt::format("{} {}", call_.result, signature());
         return instead == nullptr || instead->name.text == name_
                    ? whole
@@ -203,9 +137,11 @@ class Wanted {
     }
 
   private:
-    bool takes(const Function& function) const {
-        return std::equal(function.arguments.begin(), function.arguments.end(), arguments_.begin(),
-                          arguments_.end());
+    bool takes(const GlslFunction& function) const {
+        return std::ranges::equal(function.arguments, arguments_,
+                                  [](const GlslVariable& given, const std::string& type) {
+                                      return given.type == type && !given.isOut;
+                                  });
     }
 
     BlockFunction call_;
@@ -224,11 +160,11 @@ std::vector<std::string> entrySuffixes(const Block& block) {
 }
 
 Errors functionMistakes(const Block& block, const GlslTokens& tokens) {
-    std::vector<Function> others = functionsIn(tokens);
+    std::vector<GlslFunction> others = functionsIn(tokens);
     std::vector<Wanted> missing;
     const auto find = [&](const BlockFunction& function) {
         const Wanted wanted(block, function);
-        const auto isIt = [&wanted](const Function& other) { return wanted.is(other); };
+        const auto isIt = [&wanted](const GlslFunction& other) { return wanted.is(other); };
         if (std::erase_if(others, isIt) == 0) {
             missing.push_back(wanted);
         }
@@ -242,7 +178,7 @@ Errors functionMistakes(const Block& block, const GlslTokens& tokens) {
     }
     Errors errors;
     for (const Wanted& wanted : missing) {
-        const Function* meant = wanted.meant(others);
+        const GlslFunction* meant = wanted.meant(others);
         errors.push_back(errorAt(block, meant == nullptr ? GlslToken() : meant->name,
                                  "there is no function " + wanted.signature(),
                                  wanted.expected(meant)));

@@ -2,7 +2,6 @@
 #include "shading/glsl/private_names.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 #include <string_view>
@@ -29,30 +28,23 @@ struct Stretch {
     Names words;
 };
 
-/// Words of directives too, which are a token each.
-void addWords(Stretch& stretch, std::string_view text) {
-    char before = ' '; // the last sign that is no blank
-    for (std::size_t i = 0; i < text.size();) {
-        std::size_t end = i;
-        while (end < text.size() && isNameCharacter(text[end])) {
-            ++end;
+/// Words of directives too.
+void addWords(Stretch& stretch, const GlslTokens& tokens) {
+    std::string_view before;
+    for (const GlslToken& token : opened(tokens)) {
+        if (token.isName()) {
+            stretch.words.insert(token.text);
         }
-        const bool isWord = end > i && std::isdigit(static_cast<unsigned char>(text[i])) == 0;
-        if (isWord) {
-            stretch.words.insert(text.substr(i, end - i));
+        if (token.isName() && before == ".") {
+            stretch.fields.insert(token.text);
         }
-        if (isWord && before == '.') {
-            stretch.fields.insert(text.substr(i, end - i));
-        }
-        end = std::max(end, i + 1);
-        before = text[end - 1] == ' ' ? before : text[end - 1];
-        i = end;
+        before = token.text;
     }
 }
 
 /// The macro that "#  define NAME..." defines; empty: it is another directive.
-std::string_view macroOf(std::string_view directive) {
-    GlslTokens tokens = glslTokens(directive.substr(1));
+std::string_view macroOf(const GlslToken& directive) {
+    const GlslTokens tokens = directiveTokens(directive);
     return tokens.size() > 1 && tokens[0].text == "define" ? tokens[1].text : std::string_view();
 }
 
@@ -93,13 +85,13 @@ std::string argumentsOf(const GlslTokens& tokens, std::size_t i) {
 
 Stretch stretchOf(std::string_view text) {
     Stretch stretch;
-    addWords(stretch, text);
     const GlslTokens tokens = glslTokens(text);
+    addWords(stretch, tokens);
     int depth = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const std::string_view token = tokens[i].text;
         if (tokens[i].isDirective()) {
-            stretch.macros.insert(macroOf(token));
+            stretch.macros.insert(macroOf(tokens[i]));
         }
         if (depth == 0 && declares(tokens, i)) {
             stretch.declared[token].insert(argumentsOf(tokens, i));

@@ -2,7 +2,6 @@
 #include "shading/glsl/source_builder.h"
 
 #include <algorithm>
-#include <optional>
 
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
@@ -12,6 +11,7 @@
 #include "core/text.h"
 #include "shading/glsl/block_text.h"
 #include "shading/glsl/shader_file.h"
+#include "shading/glsl/tokens.h"
 #include "shading/glsl/unused_code.h"
 
 namespace patina {
@@ -19,24 +19,6 @@ namespace {
 
 /// Nobody reads more of them.
 constexpr std::size_t maxErrors = 100;
-
-/// The file that `#include "..."` names, when the line is one.
-std::optional<std::string> includeOf(std::string_view line) {
-    const std::size_t hash = line.find_first_not_of(" \t");
-    if (hash == std::string_view::npos || line[hash] != '#') {
-        return std::nullopt;
-    }
-    const std::size_t word = line.find_first_not_of(" \t", hash + 1);
-    if (word == std::string_view::npos || !line.substr(word).starts_with("include")) {
-        return std::nullopt;
-    }
-    const std::size_t open = line.find('"', word);
-    const std::size_t close = line.find('"', open == std::string_view::npos ? open : open + 1);
-    if (close == std::string_view::npos) {
-        return std::nullopt;
-    }
-    return std::string(line.substr(open + 1, close - open - 1));
-}
 
 std::string_view nextLine(std::string_view& rest) {
     const std::size_t end = rest.find('\n');
@@ -72,29 +54,6 @@ StrangerBlock strangerOf(const Block& block, const std::string& code,
 }
 
 } // namespace
-
-std::string withoutComments(std::string_view glsl) {
-    enum class In { Code, Line, Block } in = In::Code;
-    std::string out;
-    out.reserve(glsl.size());
-    for (std::size_t i = 0; i < glsl.size(); ++i) {
-        const char c = glsl[i];
-        const char next = i + 1 < glsl.size() ? glsl[i + 1] : '\0';
-        const bool opens = in == In::Code && c == '/' && (next == '/' || next == '*');
-        const bool closes = in == In::Block && c == '*' && next == '/';
-        if (opens || closes) {
-            in = closes ? In::Code : next == '/' ? In::Line : In::Block;
-            out += "  ";
-            ++i;
-        } else if (c == '\n') {
-            in = in == In::Line ? In::Code : in;
-            out += c;
-        } else {
-            out += in == In::Code ? c : ' ';
-        }
-    }
-    return out;
-}
 
 SourceBuilder::SourceBuilder(std::filesystem::path root) : root_(std::move(root)) {}
 
@@ -162,8 +121,8 @@ std::size_t SourceBuilder::addText(const std::string& file, std::string_view tex
     std::string_view rest = text;
     while (!rest.empty()) {
         ++number;
-        if (const auto include = includeOf(nextLine(rest))) {
-            addIncluded(*include, {file, number});
+        if (const auto include = includedFile(nextLine(rest)); !include.empty()) {
+            addIncluded(std::string(include), {file, number});
         }
     }
     const std::size_t first = source_.text.size();
@@ -174,7 +133,7 @@ std::size_t SourceBuilder::addText(const std::string& file, std::string_view tex
     while (!text.empty()) {
         const std::string_view line = nextLine(text);
         ++number;
-        if (isBlank(line) || includeOf(line)) {
+        if (isBlank(line) || !includedFile(line).empty()) {
             gap = true;
             continue;
         }

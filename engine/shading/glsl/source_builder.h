@@ -55,7 +55,4 @@ class SourceBuilder {
     int lines_ = 0;
 };
 
-/// The text with every comment replaced by blanks; line numbers stay.
-std::string withoutComments(std::string_view glsl);
-
 } // namespace patina

@@ -34,6 +34,29 @@ std::size_t tokenEnd(std::string_view text, std::size_t at) {
 
 } // namespace
 
+std::string withoutComments(std::string_view glsl) {
+    enum class In { Code, Line, Block } in = In::Code;
+    std::string out;
+    out.reserve(glsl.size());
+    for (std::size_t i = 0; i < glsl.size(); ++i) {
+        const char c = glsl[i];
+        const char next = i + 1 < glsl.size() ? glsl[i + 1] : '\0';
+        const bool opens = in == In::Code && c == '/' && (next == '/' || next == '*');
+        const bool closes = in == In::Block && c == '*' && next == '/';
+        if (opens || closes) {
+            in = closes ? In::Code : next == '/' ? In::Line : In::Block;
+            out += "  ";
+            ++i;
+        } else if (c == '\n') {
+            in = in == In::Line ? In::Code : in;
+            out += c;
+        } else {
+            out += in == In::Code ? c : ' ';
+        }
+    }
+    return out;
+}
+
 bool GlslToken::isName() const {
     return !text.empty() && isNameCharacter(text.front()) &&
            std::isdigit(static_cast<unsigned char>(text.front())) == 0;
@@ -41,6 +64,7 @@ bool GlslToken::isName() const {
 
 GlslTokens glslTokens(std::string_view text) {
     GlslTokens tokens;
+    tokens.reserve(text.size() / 4);
     int line = 1;
     std::size_t lineStart = 0;
     std::size_t counted = 0; // so far `line` has taken newlines in
@@ -57,6 +81,41 @@ GlslTokens glslTokens(std::string_view text) {
         at = end;
     }
     return tokens;
+}
+
+GlslTokens directiveTokens(const GlslToken& directive) {
+    return glslTokens(directive.text.substr(1));
+}
+
+GlslTokens opened(const GlslTokens& tokens) {
+    GlslTokens all;
+    all.reserve(tokens.size());
+    for (const GlslToken& token : tokens) {
+        if (!token.isDirective()) {
+            all.push_back(token);
+            continue;
+        }
+        const GlslTokens inside = directiveTokens(token);
+        all.insert(all.end(), inside.begin(), inside.end());
+    }
+    return all;
+}
+
+std::string_view directiveName(const GlslToken& token) {
+    const GlslTokens inside = token.isDirective() ? directiveTokens(token) : GlslTokens();
+    return inside.empty() ? std::string_view() : inside.front().text;
+}
+
+std::string_view includedFile(std::string_view line) {
+    const std::size_t hash = line.find_first_not_of(" \t");
+    const GlslToken directive{hash == std::string_view::npos ? line : line.substr(hash)};
+    if (!directiveName(directive).starts_with("include")) {
+        return {};
+    }
+    const std::size_t open = line.find('"');
+    const std::size_t close = line.find('"', open == std::string_view::npos ? open : open + 1);
+    return close == std::string_view::npos ? std::string_view()
+                                           : line.substr(open + 1, close - open - 1);
 }
 
 bool isPrecision(std::string_view word) {

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace patina {
 
-/// A name, a number or a single sign of a GLSL text, or a whole directive from its # on.
+/// The text with every comment replaced by blanks; line numbers stay.
+std::string withoutComments(std::string_view glsl);
+
+/// A name, a number or a single sign of a GLSL text, or a whole directive from its # on, with the
+/// lines that a backslash joins to it.
 struct GlslToken {
     std::string_view text;
     int line = 1;
@@ -18,8 +23,20 @@ struct GlslToken {
 
 using GlslTokens = std::vector<GlslToken>;
 
-/// The tokens of a text without comments (see withoutComments()), into which they point.
+/// The tokens of a text without comments, into which they point.
 GlslTokens glslTokens(std::string_view text);
+
+/// The tokens of a directive, behind its #.
+GlslTokens directiveTokens(const GlslToken& directive);
+
+/// The tokens with those of each directive in its place.
+GlslTokens opened(const GlslTokens& tokens);
+
+/// What a directive is called: "ifdef" of "#  ifdef X"; empty for what is none.
+std::string_view directiveName(const GlslToken& token);
+
+/// The file that `#include "..."` names; empty for what is no such line.
+std::string_view includedFile(std::string_view line);
 
 /// Whether a word says how precise a number is.
 bool isPrecision(std::string_view word);

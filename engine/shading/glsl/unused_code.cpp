@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "shading/glsl/tokens.h"
 
 namespace patina {
 namespace {
@@ -16,19 +20,12 @@ namespace {
 constexpr std::string_view lineWord = "#line ";
 constexpr std::string_view entryPoint = "main";
 
-bool isLetter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// A line and where it says it comes from.
 struct Line {
     std::string_view text;
     int number = 0; ///< as a compiler counts it
     std::size_t file = 0;
+    std::span<const GlslToken> tokens{}; ///< that begin in it
 };
 
 /// What stands for itself at the top of a shader: a function, a declaration, a macro.
@@ -40,14 +37,20 @@ struct Item {
     bool isNeeded = false;
 };
 
-std::vector<Line> linesOf(const ShaderSource& source) {
+/// The lines but for those that only say where others come from.
+std::vector<Line> linesOf(std::string_view text, std::span<const GlslToken> tokens) {
     std::vector<Line> lines;
-    std::string_view rest = source.text;
     Line next{{}, 1, 0};
-    while (!rest.empty()) {
-        const std::size_t end = rest.find('\n');
-        next.text = rest.substr(0, end);
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    for (int row = 1; !text.empty(); ++row) {
+        const std::size_t end = text.find('\n');
+        next.text = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        std::size_t count = 0;
+        while (count < tokens.size() && tokens[count].line == row) {
+            ++count;
+        }
+        next.tokens = tokens.first(count);
+        tokens = tokens.subspan(count);
         if (next.text.starts_with(lineWord)) {
             const char* const stop = next.text.data() + next.text.size();
             const auto [after, read] =
@@ -61,53 +64,50 @@ std::vector<Line> linesOf(const ShaderSource& source) {
     return lines;
 }
 
-void addWords(std::string_view line, std::vector<std::string_view>& words) {
-    for (std::size_t i = 0; i < line.size();) {
-        std::size_t end = i;
-        while (end < line.size() && (isLetter(line[end]) || isDigit(line[end]))) {
-            ++end;
-        }
-        if (end > i && isLetter(line[i])) {
-            words.push_back(line.substr(i, end - i));
-        }
-        i = std::max(end, i + 1);
-    }
+bool isOneOf(std::string_view token, std::string_view signs) {
+    return token.size() == 1 && signs.find(token.front()) != std::string_view::npos;
 }
 
-/// The word before a place.
-std::string_view wordBefore(std::string_view text, std::size_t place) {
-    std::size_t end = place;
-    while (end > 0 && !isLetter(text[end - 1]) && !isDigit(text[end - 1])) {
-        --end;
-    }
-    std::size_t begin = end;
-    while (begin > 0 && (isLetter(text[begin - 1]) || isDigit(text[begin - 1]))) {
-        --begin;
-    }
-    return text.substr(begin, end - begin);
+/// The first of some signs.
+GlslTokens::const_iterator firstOf(const GlslTokens& tokens, std::string_view signs) {
+    return std::ranges::find_if(
+        tokens, [signs](const GlslToken& token) { return isOneOf(token.text, signs); });
+}
+
+/// The last name before a place; empty where there is none.
+std::string_view nameBefore(const GlslTokens& tokens, GlslTokens::const_iterator place) {
+    const auto found = std::find_if(std::make_reverse_iterator(place), tokens.rend(),
+                                    [](const GlslToken& token) { return token.isName(); });
+    return found == tokens.rend() ? std::string_view() : found->text;
+}
+
+/// What a directive defines.
+std::string_view macroOf(const GlslToken& directive) {
+    const GlslTokens tokens = directiveTokens(directive);
+    const bool isMacro =
+        tokens.size() > 1 && (tokens[0].text == "define" || tokens[0].text == "undef");
+    return isMacro ? tokens[1].text : std::string_view();
 }
 
 /// What a declaration or definition declares; empty where it is more than a name for what follows.
-std::string_view nameOf(std::string_view text) {
-    std::vector<std::string_view> words;
-    addWords(text.substr(0, text.find_first_of("({=;")), words);
-    if (words.size() < 2) {
+std::string_view nameOf(const GlslTokens& head) {
+    const auto end = firstOf(head, "(={;[");
+    const auto names = std::count_if(head.begin(), firstOf(head, "({=;"),
+                                     [](const GlslToken& token) { return token.isName(); });
+    if (names < 2) {
         return {};
     }
-    if (text.starts_with('#')) {
-        return words[0] == "define" || words[0] == "undef" ? words[1] : std::string_view();
+    const std::string_view first = head.front().text;
+    if (first == "struct") {
+        return head[1].text;
     }
-    if (words[0] == "struct") {
-        return words[1];
+    if (first == "const") {
+        return end != head.end() ? nameBefore(head, end) : std::string_view();
     }
-    const std::size_t end = text.find_first_of("(={;[");
-    if (words[0] == "const") {
-        return end != std::string_view::npos ? wordBefore(text, end) : std::string_view();
-    }
-    const bool isFunction = end != std::string_view::npos && text[end] == '(';
-    const bool isInterface = words[0] == "layout" || words[0] == "uniform" || words[0] == "in" ||
-                             words[0] == "out" || words[0] == "flat" || words[0] == "precision";
-    return isFunction && !isInterface ? wordBefore(text, end) : std::string_view();
+    const bool isFunction = end != head.end() && end->text == "(";
+    const bool isInterface = first == "layout" || first == "uniform" || first == "in" ||
+                             first == "out" || first == "flat" || first == "precision";
+    return isFunction && !isInterface ? nameBefore(head, end) : std::string_view();
 }
 
 /// Cuts the text into items; nothing where its brackets do not match.
@@ -117,17 +117,21 @@ class ItemReader {
 
     std::optional<std::vector<Item>> read() {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
-            const std::string_view line = lines_[i].text;
+            const std::span<const GlslToken> tokens = lines_[i].tokens;
+            const bool begins = depth_ == 0 && parentheses_ == 0 && item_.first == i;
+            const GlslToken* directive =
+                !tokens.empty() && tokens.back().isDirective() ? &tokens.back() : nullptr;
+            if (directive != nullptr) { // with the lines that it is continued on
+                i += static_cast<std::size_t>(std::ranges::count(directive->text, '\n'));
+            }
             item_.last = i;
-            addWords(line, item_.words);
-            head_ += line;
-            head_ += ' ';
-            if (depth_ == 0 && parentheses_ == 0 && item_.first == i && line.starts_with('#')) {
-                finish(i);
-            } else if (!follow(line)) {
+            take(tokens);
+            if (begins && directive != nullptr) {
+                finish(macroOf(*directive));
+            } else if (depth_ < 0 || parentheses_ < 0) {
                 return std::nullopt;
             } else if (isEnded_) {
-                finish(i);
+                finish(nameOf(head_));
             }
         }
         return depth_ == 0 && item_.first == lines_.size() ? std::optional(std::move(items_))
@@ -135,38 +139,48 @@ class ItemReader {
     }
 
   private:
-    bool follow(std::string_view line) {
-        for (const char c : line) {
-            hasParenthesis_ = hasParenthesis_ || c == '(';
-            if (c == '{' && !hasBrace_) {
-                hasBrace_ = true;
-                bracesFollowParenthesis_ = hasParenthesis_;
+    void take(std::span<const GlslToken> tokens) {
+        for (const GlslToken& token : tokens) {
+            if (token.isDirective()) {
+                take(directiveTokens(token));
+                continue;
             }
-            depth_ += c == '{' ? 1 : c == '}' ? -1 : 0;
-            parentheses_ += c == '(' ? 1 : c == ')' ? -1 : 0;
-            if (c != ' ') {
-                // A function ends with its brace; what else has braces goes on to a semicolon.
-                const bool isBody = c == '}' && depth_ == 0 && isFunction();
-                isEnded_ = depth_ == 0 && parentheses_ == 0 && (c == ';' || isBody);
+            head_.push_back(token);
+            if (token.isName()) {
+                item_.words.push_back(token.text);
             }
+            follow(token.text);
         }
-        return depth_ >= 0 && parentheses_ >= 0;
+    }
+
+    void follow(std::string_view token) {
+        hasParenthesis_ = hasParenthesis_ || token == "(";
+        if (token == "{" && !hasBrace_) {
+            hasBrace_ = true;
+            bracesFollowParenthesis_ = hasParenthesis_;
+        }
+        depth_ += token == "{" ? 1 : token == "}" ? -1 : 0;
+        parentheses_ += token == "(" ? 1 : token == ")" ? -1 : 0;
+        // A function ends with its brace; what else has braces goes on to a semicolon.
+        const bool isBody = token == "}" && isFunction();
+        isEnded_ = depth_ == 0 && parentheses_ == 0 && (token == ";" || isBody);
     }
 
     bool isFunction() const {
-        return bracesFollowParenthesis_ && !head_.starts_with("layout") &&
-               !head_.starts_with("uniform") && !head_.starts_with("const");
+        const std::string_view first = head_.front().text;
+        return bracesFollowParenthesis_ && first != "layout" && first != "uniform" &&
+               first != "const";
     }
 
-    void finish(std::size_t line) {
-        const std::string_view name = nameOf(head_);
-        // The name as it stands in the source, which outlives the head.
-        const auto kept = std::find(item_.words.begin(), item_.words.end(), name);
-        item_.name = name.empty() || kept == item_.words.end() ? std::string_view() : *kept;
+    void finish(std::string_view name) {
+        item_.name = name;
+        const std::size_t next = item_.last + 1;
         items_.push_back(std::move(item_));
         item_ = Item();
-        item_.first = line + 1;
+        item_.first = next;
         head_.clear();
+        depth_ = 0;
+        parentheses_ = 0;
         hasParenthesis_ = false;
         hasBrace_ = false;
         bracesFollowParenthesis_ = false;
@@ -176,7 +190,7 @@ class ItemReader {
     const std::vector<Line>& lines_;
     std::vector<Item> items_;
     Item item_;
-    std::string head_; ///< its text so far
+    GlslTokens head_; ///< its tokens so far
     int depth_ = 0;
     int parentheses_ = 0;
     bool hasParenthesis_ = false;
@@ -238,7 +252,8 @@ class LineWriter {
 } // namespace
 
 ShaderSource withoutUnused(ShaderSource source) {
-    const std::vector<Line> lines = linesOf(source);
+    const GlslTokens tokens = glslTokens(source.text);
+    const std::vector<Line> lines = linesOf(source.text, tokens);
     std::optional<std::vector<Item>> items = ItemReader(lines).read();
     const auto isMain = [](const Item& item) { return item.name == entryPoint; };
     if (!items || std::ranges::none_of(*items, isMain)) {

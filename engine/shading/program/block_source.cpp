@@ -80,7 +80,8 @@ std::string compiledText(const Block& block, const ParameterField& field,
     if (compiled.value == "zero") {
         return "0.0";
     }
-    return choicesOf(field).empty() ? compiled.value : constantName(block, field, compiled.value);
+    return choicesOf(field).empty() ? std::string(compiled.value)
+                                    : constantName(block, field, compiled.value);
 }
 
 /// "MODEL_DISTRIBUTION" for the field `distribution` of `unpackModel`.

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "catalog/block.h"
-#include "shading/effects/effect_set.h"
+#include "shading/program/block_use.h"
 
 namespace patina {
 

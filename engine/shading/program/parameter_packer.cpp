@@ -7,7 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "catalog/unit_direction.h"
-#include "shading/effects/effect_choice.h"
+#include "shading/program/given_value.h"
 
 namespace patina {
 namespace {

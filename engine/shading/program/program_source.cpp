@@ -5,9 +5,7 @@
 
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
-#include <fmt/format.h>
 
-#include "shading/effects/surface_writer.h"
 #include "shading/glsl/source_builder.h"
 
 namespace patina {
@@ -39,47 +37,8 @@ std::string ProgramSource::hash() const {
     return boost::uuids::to_string(generate(vertex.text + '\0' + fragment.text + between));
 }
 
-void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout,
-                      const VertexWork& work) {
-    vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
-    const std::string images = TextureWriter(set, layout).writeVertex(vertex);
-    if (layout.isPeeled()) {
-        vertex.add("invariant gl_Position;\n");
-    }
-    vertex.addFile("passes/surface.vert");
-    const std::string more = work ? work(vertex) : std::string();
-    vertex.add(fmt::format("void main() {{\n    placeSurface();\n{}{}}}\n", images, more));
-}
-
-Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
-                                      SurfaceOutput output, int sceneVec4s) {
-    const ObjectLayout layout = objectLayout(set, catalog);
-    const SceneLayout scene = sceneLayout(set.scene, catalog);
-    SourceBuilder vertex(shaderRoot(catalog));
-    vertex.add(prelude);
-    if (isTable(output)) {
-        vertex.add(fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s));
-        vertex.addFile("passes/screen.vert");
-    } else {
-        const bool isPicture = output == SurfaceOutput::Picture;
-        addSurfaceVertex(vertex, set, layout, [&](SourceBuilder& stage) {
-            return isPicture ? SurfaceWriter(stage, set, layout, scene).writeVertices(sceneVec4s)
-                             : std::string();
-        });
-    }
-
-    SourceBuilder fragment(shaderRoot(catalog));
-    fragment.add(prelude);
-    if (!isTable(output)) {
-        fragment.add(fmt::format("#define SCENE_VEC4S {}\n", sceneVec4s));
-    }
-    SurfaceWriter(fragment, set, layout, scene).write(output);
-    return joined(vertex, fragment);
-}
-
 Checked<ProgramSource> program(const Catalog& catalog, const StageWriter& writeVertex,
-                               const StageWriter& writeFragment,
-                               const StageWriter& writeGeometry) {
+                               const StageWriter& writeFragment, const StageWriter& writeGeometry) {
     SourceBuilder vertex(shaderRoot(catalog));
     vertex.add(prelude);
     writeVertex(vertex);

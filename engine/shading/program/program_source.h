@@ -6,11 +6,9 @@
 #include <span>
 #include <string>
 
+#include "catalog/catalog.h"
 #include "core/error.h"
-#include "shading/effects/data_layout.h"
-#include "shading/effects/effect_set.h"
 #include "shading/glsl/shader_source.h"
-#include "shading/program/surface_output.h"
 
 namespace patina {
 
@@ -24,14 +22,6 @@ struct ProgramSource {
     std::string hash() const;
 };
 
-/// The program that draws surfaces with exactly these effects, in canonical order: what is not in
-/// the set is not in the text. Errors name files that could not be read. A set without a model has
-/// no table of albedos, and one whose levels read no table has no tables. `sceneVec4s` is the size
-/// of the scene's block.
-Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catalog,
-                                      SurfaceOutput output = SurfaceOutput::Picture,
-                                      int sceneVec4s = SceneLayout::minCapacity);
-
 class SourceBuilder;
 
 /// Adds the text of a stage.
@@ -43,11 +33,6 @@ Checked<ProgramSource> program(const Catalog& catalog, const StageWriter& writeV
 
 /// A program that covers the target; `write` adds its fragment stage.
 Checked<ProgramSource> screenProgram(const Catalog& catalog, const StageWriter& write);
-
-/// The vertex stage of surfaceProgram(); `work`, of its main, stands behind what places a vertex.
-using VertexWork = std::function<std::string(SourceBuilder&)>;
-void addSurfaceVertex(SourceBuilder& vertex, const EffectSet& set, const ObjectLayout& layout,
-                      const VertexWork& work = {});
 
 /// A program made of files of the shader folder alone.
 Checked<ProgramSource> passProgram(const Catalog& catalog, const std::string& vertexFile,

@@ -6,8 +6,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "shading/effects/effect_set.h"
 #include "shading/program/block_place.h"
+#include "shading/program/block_use.h"
 
 namespace patina {
 
@@ -37,9 +37,5 @@ struct TableLayout {
     /// Whether the program reads this table.
     bool has(const BlockTable& table) const;
 };
-
-/// Makes a level that reads a table exact where an image changes what the table's entries depend
-/// on, and says so.
-void forgetTablesOfTextured(EffectSet& set, const Catalog& catalog);
 
 } // namespace patina

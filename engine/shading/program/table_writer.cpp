@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Also the part of SurfaceWriter that writes the program which fills the tables.
 #include "shading/program/table_writer.h"
 
 #include <algorithm>
@@ -7,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "catalog/table_source.h"
-#include "shading/effects/surface_writer.h"
 #include "shading/program/block_source.h"
 
 namespace patina {
@@ -83,21 +81,6 @@ std::string fillingSource(const TableLayout& tables) {
                             coordinate("y", place.row, size.y), unpacked(place));
     }
     return text + "    storedEntry = vec4(entry, 1.0);\n}\n";
-}
-
-void SurfaceWriter::writeTables() {
-    out_.add(fmt::format("#define OBJECT_VEC4S {}\n", object_.vec4s));
-    out_.addFile("passes/blocks.glsl");
-    readFrom("objectData");
-    if (object_.model) {
-        writeSlots();
-        writeModel();
-    }
-    if (object_.blend) {
-        writeBlock(*object_.blend->block);
-        writeUnpack(*object_.blend->block, *set_.blend, "unpackBlend");
-    }
-    out_.add(fillingSource(object_.tables));
 }
 
 } // namespace patina

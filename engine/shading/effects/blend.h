@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "shading/effects/effect_parts.h"
+
+namespace patina {
+
+/// The material's Fresnel term where its model calls none: the summed light is blended towards its
+/// tint.
+struct BlendEffect {
+    std::optional<BlockUse> blend;
+
+    void choose(const MaterialSubject& subject, const EffectSet& set);
+    void adjust(const EffectSet& set);
+    void addTo(ChoiceHash& hash) const { hash.add(blend); }
+    void list(EffectListing& listing, const EffectSet& set) const;
+    void listMissing(LeftOutListing& listing, const EffectSet& set) const;
+    EffectLine absent(const EffectSet&) const {
+        return {"fresnel", {}, "The material has no Fresnel term."};
+    }
+    void place(ObjectLayout& layout, const EffectSet& set) const;
+    void write(SurfaceText& text) const;
+    static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
+
+    friend bool operator==(const BlendEffect&, const BlendEffect&) = default;
+};
+
+} // namespace patina

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an effect may be made of. Its type has members for what was chosen, which EffectSet has from
+// it, and those of these functions that it needs (each finds the ones that are there):
+//
+//   void choose(const MaterialSubject& | const SceneSubject&, const EffectSet&): what is in; of the
+//       set the effects before this one are chosen already. It fills what it has anew and allocates
+//       nothing, since keys are made so in every frame.
+//   void adjust(const EffectSet&): what follows from the choices of others.
+//   void addTo(ChoiceHash&) const: its share of EffectKey::ofMaterial() or ofScene(), by the
+//   subject
+//       of its choose().
+//   void list(EffectListing&, const EffectSet&) const: its rows, with reasons.
+//   void listMissing(LeftOutListing&, const EffectSet&) const: what the document has of it and the
+//       program does not, and why.
+//   EffectLine absent(const EffectSet&) const: what is said where the document has none of it.
+//   void place(ObjectLayout& | SceneLayout&, const EffectSet&) const: where its data lie.
+//   void writeLight(SurfaceText&) const: what lights a surface.
+//   void write(SurfaceText&) const: what becomes of that light.
+//   static void remove(Scene&, const EffectName&, const Catalog&): the scene without it, where the
+//       name is its own.
+#pragma once
+
+#include <string_view>
+
+#include "shading/effects/choice_hash.h"
+#include "shading/effects/effect_listing.h"
+#include "shading/effects/effect_subject.h"
+#include "shading/program/block_use.h"
+
+namespace patina {
+
+struct EffectSet;
+struct ObjectLayout;
+struct SceneLayout;
+class SurfaceText;
+
+/// What is taken out: "lights/<id>" has a kind and an id, "ambient" only the first.
+struct EffectName {
+    std::string_view kind;
+    std::string_view id;
+};
+
+} // namespace patina

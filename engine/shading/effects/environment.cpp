@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/environment.h"
+
+#include <fmt/format.h>
+
+#include "scene/environment.h"
+#include "shading/effects/data_layout.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/neutral_values.h"
+#include "shading/effects/surface_text.h"
+#include "shading/program/block_source.h"
+
+namespace patina {
+namespace {
+
+/// "It is dark. Its “Intensity” is 0."
+std::string whyNoEnvironment(const Scene& scene, const Catalog& catalog, const char* whyNot) {
+    const Block* block = catalog.find(kinds::environment, scene.part(kinds::environment)->id);
+    const std::string neutral =
+        block == nullptr ? std::string()
+                         : whyNeutral(*block, scene.part(kinds::environment)->parameters);
+    return neutral.empty() ? whyNot : whyNot + (' ' + neutral);
+}
+
+std::string environmentText(const EffectSubject& subject) {
+    const BlockValues& values = *subject.scene.part(kinds::environment);
+    const Block& block = *subject.catalog.find(kinds::environment, values.id);
+    return isNeutral(block, values.parameters) ? "It is dark, and what an object bends shows it."
+                                               : "The scene has an environment that sends light.";
+}
+
+void addOutput(SourceBuilder& out, EnvironmentOutput output) {
+    if (output == EnvironmentOutput::Small) {
+        out.addFile("passes/environment_bake.glsl");
+        return;
+    }
+    out.addFile("passes/environment_points.glsl");
+    out.addFile(output == EnvironmentOutput::SharpBackground ? "passes/environment_sharp.glsl"
+                                                             : "passes/environment_blurred.glsl");
+    out.addFile("passes/environment_background.glsl");
+}
+
+} // namespace
+
+EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog) {
+    if (!scene.part(kinds::environment)) {
+        return {};
+    }
+    const Block* block = catalog.find(kinds::environment, scene.part(kinds::environment)->id);
+    if (block == nullptr) {
+        return {nullptr, "No environment of this kind is known."};
+    }
+    if (isNeutral(*block, scene.part(kinds::environment)->parameters) &&
+        !hasRefraction(scene, catalog)) {
+        return {nullptr, "It is dark."};
+    }
+    if (pictureParameter(*block) != nullptr &&
+        pictureFile(*scene.part(kinds::environment), *block).empty()) {
+        return {nullptr, "No picture is chosen for it."};
+    }
+    return {block, ""};
+}
+
+void EnvironmentEffect::choose(const SceneSubject& subject, const EffectSet&) {
+    const Block* block = environmentChoice(subject.scene, subject.catalog).block;
+    environment.reset();
+    if (block != nullptr) {
+        environment.emplace(*block, subject.scene.part(kinds::environment)->parameters);
+    }
+}
+
+void EnvironmentEffect::list(EffectListing& listing, const EffectSet& set) const {
+    if (environment && isLit(set)) {
+        listing.add(*environment, environmentText);
+    }
+}
+
+void EnvironmentEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
+    const auto& [material, scene, catalog, view] = listing.subject();
+    const EnvironmentChoice choice = environmentChoice(scene, catalog);
+    if (scene.part(kinds::environment) && choice.block == nullptr) {
+        listing.add("environment/" + scene.part(kinds::environment)->id,
+                    whyNoEnvironment(scene, catalog, choice.whyNot));
+    }
+}
+
+void EnvironmentEffect::place(SceneLayout& layout, const EffectSet&) const {
+    layout.environment = environment ? &environment->block() : nullptr;
+}
+
+/// The inspection looks at single values, of which the environment's light is a sum of many.
+void EnvironmentEffect::writeLight(SurfaceText& text) const {
+    if (!environment || !text.set.model || text.isInspected()) {
+        return;
+    }
+    addEnvironment(text.out, *environment);
+    text.out.addFile("passes/environment_points.glsl");
+    text.out.addFile("passes/environment_light.glsl");
+    text.main += fmt::format("    shaded += environmentLight(s, unpackEnvironment({}), model);\n",
+                             EnvironmentLayout::fixed);
+}
+
+void EnvironmentEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
+    if (effect.kind == kinds::environment && scene.part(kinds::environment) &&
+        scene.part(kinds::environment)->id == effect.id) {
+        scene.setPart(kinds::environment, std::nullopt);
+    }
+}
+
+void addEnvironment(SourceBuilder& out, const BlockUse& use) {
+    const Block& block = use.block();
+    out.add(
+        fmt::format("#define ENVIRONMENT_VEC4S {}\n", EnvironmentLayout::fixed + vec4Count(block)));
+    out.addFile("passes/environment.glsl");
+    const bool hasPicture = pictureParameter(block) != nullptr;
+    if (hasPicture) {
+        out.addFile("passes/environment_picture.glsl");
+    }
+    out.add("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) environmentData[base + (i)]\n");
+    out.add(constantsSource(block) + structSource(block));
+    out.addBlock(block);
+    out.add(unpackSource(block, {"unpackEnvironment", use.compiled()}));
+    out.add(fmt::format("#define Environment {}\n#define environmentValue {}\n"
+                        "#define ENVIRONMENT_PICTURE(d) {}\n",
+                        structName(block), functionName(block),
+                        hasPicture ? "environmentPicture(d)" : "vec3(1.0)"));
+    out.addFile("passes/environment_radiance.glsl");
+}
+
+Checked<ProgramSource> environmentProgram(const BlockUse& use, const Catalog& catalog,
+                                          EnvironmentOutput output) {
+    return screenProgram(catalog, [&](SourceBuilder& fragment) {
+        addEnvironment(fragment, use);
+        addOutput(fragment, output);
+    });
+}
+
+} // namespace patina

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/lights.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "shading/effects/data_layout.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/light_reach.h"
+#include "shading/effects/neutral_values.h"
+#include "shading/effects/surface_text.h"
+#include "shading/program/block_source.h"
+
+namespace patina {
+namespace {
+
+/// What a light adds: {0} is its Illumination, {1} what shadows leave of it (or the number of the
+/// function that says so), {2} the function that asks the model.
+constexpr const char* litSource = "    sum += {2}(s, {0}, p);\n";
+constexpr const char* sharedLitSource = "    Illumination light = {0};\n"
+                                        "    float share = arriving{1}(s, light, base);\n"
+                                        "    if (share > 0.0) {{\n"
+                                        "        sum = share * litAnyway(s, light, p);\n"
+                                        "    }}\n";
+constexpr const char* shadowedLitSource = "    Illumination light = {0};\n"
+                                          "{1}"
+                                          "    sum += {2}(s, light, p);\n";
+constexpr const char* inspectedLitSource = "    Illumination light = inspectedLight({0});\n"
+                                           "{1}"
+                                           "    sum += {2}(s, light, p);\n"
+                                           "    noteLight(s, light);\n";
+
+bool isBefore(const LightGroup& a, const LightGroup& b) {
+    if (BlockUse::isBefore(a.block, b.block) || BlockUse::isBefore(b.block, a.block)) {
+        return BlockUse::isBefore(a.block, b.block);
+    }
+    return b.shadow && (!a.shadow || BlockUse::isBefore(*a.shadow, *b.shadow));
+}
+
+/// Why a light is not in the program; empty when it is.
+std::string whyNoLight(const Light& light, const Block* block) {
+    if (!light.enabled) {
+        return "It is switched off.";
+    }
+    if (block == nullptr) {
+        return fmt::format("No light \"{}\" is known.", light.block.id);
+    }
+    return whyNeutral(*block, light.block.parameters);
+}
+
+/// The names of the lights of one block, each group after the other.
+std::string shiningText(const std::vector<const LightGroup*>& groups,
+                        const EffectSubject& subject) {
+    const std::vector<std::string> names = lightNames(groups, subject);
+    return fmt::format("{} {}.", namesText(names), names.size() == 1 ? "shines" : "shine");
+}
+
+/// A line for each light of a group, or the loop over them. Lines come first in `sceneData`.
+void callLights(SurfaceText& text, std::size_t index, const std::string& function, int& nextLine) {
+    const LightPlace& group = text.scene.groups[index];
+    const int lines = text.set.lights[index].lines;
+    for (int i = 0; i < lines; ++i) {
+        text.main += fmt::format("    shaded += {}(s, model, {});\n", function, nextLine);
+        nextLine += group.vec4s();
+    }
+    if (lines == 0) {
+        text.main +=
+            fmt::format("    for (int i = 0; i < int(sceneData[{0}].x); ++i) {{\n"
+                        "        shaded += {1}(s, model, int(sceneData[{0}].y) + i * {2});\n"
+                        "    }}\n",
+                        group.light.first, function, group.vec4s());
+    }
+}
+
+/// What the function of a group does with one light.
+std::string litBody(SurfaceText& text, std::size_t index) {
+    const LightGroup& group = text.set.lights[index];
+    const Block& block = group.block.block();
+    const bool showsShadows = text.set.ground == GroundMode::Shadows;
+    const bool hasEnd = block.reach && group.lines == 0;
+    const char* lit = group.shadow || hasEnd ? "litWhereItArrives" : "lit";
+    const char* body = text.isInspected() ? inspectedLitSource : litSource;
+    std::string shadowed;
+    if (group.shadow) {
+        writeShadow(text, index);
+        body = text.isInspected() ? body : sharedLitSource;
+        shadowed = text.isInspected() || showsShadows
+                       ? fmt::format("    light.radiance *= arriving{}(s, light, base);\n", index)
+                       : fmt::format("{}", index);
+    }
+    if (showsShadows) {
+        body = shadowedLitSource;
+        shadowed = fmt::format("    sent += {}(s, light, p);\n", lit) + shadowed;
+    }
+    const std::string arrives = fmt::format("{}(s.x, source)", functionName(block));
+    return fmt::format(fmt::runtime(body), arrives, shadowed, lit);
+}
+
+void writeGroup(SurfaceText& text, std::size_t index, int& nextLine) {
+    const BlockUse& use = text.set.lights[index].block;
+    const std::string type = structName(use.block());
+    text.addBlock(use.block());
+    text.addUnpack(use, fmt::format("unpack{}{}", type, index));
+    const std::string body = litBody(text, index);
+    text.out.add(fmt::format("vec3 from{0}{1}(Surface s, Model p, int base) {{\n"
+                             "    vec3 sum = vec3(0.0);\n"
+                             "    {0} source = unpack{0}{1}(base);\n"
+                             "{2}"
+                             "    return sum;\n"
+                             "}}\n",
+                             type, index, body));
+    callLights(text, index, fmt::format("from{}{}", type, index), nextLine);
+}
+
+} // namespace
+
+std::uint64_t LightGroup::key() const {
+    ChoiceHash hash;
+    hash.add(block);
+    hash.add(shadow);
+    return hash.value();
+}
+
+std::optional<LightGroup> lightGroup(const Light& light, const Catalog& catalog, bool hasShadows) {
+    const Block* block = catalog.find(kinds::lights, light.block.id);
+    if (block == nullptr || !canShine(light, *block)) {
+        return std::nullopt;
+    }
+    LightGroup group{BlockUse(*block, light.block.parameters), std::nullopt};
+    const Block* shadow = hasShadows ? shadowBlock(light, *block, catalog) : nullptr;
+    if (shadow != nullptr) {
+        group.shadow.emplace(*shadow, light.shadow->parameters);
+    }
+    return group;
+}
+
+std::uint64_t lightKey(const Light& light, const Catalog& catalog, bool hasShadows) {
+    const std::optional<LightGroup> group = lightGroup(light, catalog, hasShadows);
+    return group ? group->key() : 0;
+}
+
+bool canShine(const Light& light, const Block& block) {
+    return light.enabled && !isNeutral(block, light.block.parameters);
+}
+
+std::string lightName(const Scene& scene, std::size_t index) {
+    const Light& light = scene.lights[index];
+    return light.name.empty() ? fmt::format("light {}", index + 1) : light.name;
+}
+
+std::vector<std::string> lightNames(const std::vector<const LightGroup*>& groups,
+                                    const EffectSubject& subject) {
+    const auto& [material, scene, catalog, view] = subject;
+    const bool shadows = hasShadows(scene, catalog);
+    std::vector<std::string> names;
+    for (const LightGroup* group : groups) {
+        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+            if (view.reaches(i) && lightKey(scene.lights[i], catalog, shadows) == group->key()) {
+                names.push_back(lightName(scene, i));
+            }
+        }
+    }
+    return names;
+}
+
+std::string namesText(const std::vector<std::string>& names) {
+    constexpr std::size_t maxNamed = 4;
+    if (names.size() > maxNamed) {
+        return fmt::format("{} lights", names.size());
+    }
+    if (names.size() <= 1) {
+        return names.empty() ? std::string() : names.front();
+    }
+    return fmt::format("{} and {}", fmt::join(names.begin(), std::prev(names.end()), ", "),
+                       names.back());
+}
+
+std::string compiledText(const std::vector<const BlockUse*>& uses) {
+    std::vector<std::string> texts;
+    for (const BlockUse* use : uses) {
+        std::string text = compiledText(*use);
+        if (!text.empty() && std::ranges::find(texts, text) == texts.end()) {
+            texts.push_back(std::move(text));
+        }
+    }
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+void LightsEffect::choose(const SceneSubject& subject, const EffectSet&) {
+    const auto& [scene, catalog, view, isGround] = subject;
+    const bool shadows = hasShadows(scene, catalog);
+    lights.clear();
+    lines_.clear();
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const std::optional<LightGroup> group = lightGroup(scene.lights[i], catalog, shadows);
+        if (!group) {
+            continue;
+        }
+        lines_.add(group->key(), reachOf(scene.lights[i], group->block.block()).isEverywhere(),
+                   view.reaches(i));
+        if (view.reaches(i) && std::ranges::find(lights, *group) == lights.end()) {
+            lights.push_back(*group);
+        }
+    }
+    std::sort(lights.begin(), lights.end(), isBefore);
+    for (LightGroup& group : lights) {
+        group.lines = lines_.of(group.key());
+    }
+}
+
+void LightsEffect::addTo(ChoiceHash& hash) const {
+    hash.add(std::uint64_t(lights.size()));
+    for (const LightGroup& group : lights) {
+        hash.add(group.key());
+        hash.add(static_cast<std::uint64_t>(group.lines));
+    }
+}
+
+void LightsEffect::list(EffectListing& listing, const EffectSet& set) const {
+    for (std::size_t i = 0; i < lights.size() && isLit(set);) {
+        std::vector<const LightGroup*> groups;
+        std::vector<const BlockUse*> uses;
+        const Block& block = lights[i].block.block();
+        for (; i < lights.size() && &lights[i].block.block() == &block; ++i) {
+            groups.push_back(&lights[i]);
+            uses.push_back(&lights[i].block);
+        }
+        listing.add(
+            effectName(*uses.front()), compiledText(uses),
+            [&groups](const EffectSubject& subject) { return shiningText(groups, subject); });
+    }
+}
+
+void LightsEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
+    const Scene& scene = listing.subject().scene;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        const Block* block = listing.subject().catalog.find(kinds::lights, light.block.id);
+        if (std::string why = whyNoLight(light, block); !why.empty()) {
+            listing.add(lightName(scene, i), std::move(why));
+        }
+    }
+}
+
+void LightsEffect::place(SceneLayout& layout, const EffectSet&) const {
+    for (const LightGroup& group : lights) {
+        const Block& block = group.block.block();
+        LightPlace place{{&block, layoutOf(block), layout.firstLight++}, std::nullopt};
+        if (group.shadow) {
+            int behind = place.light.vec4s();
+            place.shadow = placed(*group.shadow, behind);
+        }
+        layout.groups.push_back(std::move(place));
+    }
+}
+
+void writeLights(SurfaceText& text) {
+    if (text.set.lights.empty()) {
+        return;
+    }
+    text.out.addFile("passes/lit.glsl");
+    text.readFrom("sceneData");
+    if (hasShadows(text.set)) {
+        writeShadowCode(text);
+    }
+    int nextLine = text.scene.firstLight;
+    for (std::size_t i = 0; i < text.set.lights.size(); ++i) {
+        writeGroup(text, i, nextLine);
+    }
+}
+
+void LightsEffect::writeLight(SurfaceText& text) const {
+    if (text.set.model) {
+        writeLights(text);
+    }
+}
+
+void LightsEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
+    for (Light& light : scene.lights) {
+        light.enabled =
+            light.enabled && !(effect.kind == kinds::lights && light.block.id == effect.id);
+    }
+}
+
+} // namespace patina

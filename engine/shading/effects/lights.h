@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shading/effects/effect_parts.h"
+#include "shading/effects/light_lines.h"
+
+namespace patina {
+
+/// All lights of one kind with the same compiled values: one loop in the program, or a line for
+/// each.
+struct LightGroup {
+    BlockUse block;
+    std::optional<BlockUse> shadow; ///< how their shadows are drawn; nothing: there are none
+    int lines = 0; ///< lights that stand in the program's text; 0: a loop, whose length is data
+
+    /// Of the shadows.
+    ShadowProjection projection() const { return block.block().shadowProjection; }
+
+    /// A number that tells groups apart, whatever they have of lines: lightKey() of their lights.
+    std::uint64_t key() const;
+
+    friend bool operator==(const LightGroup&, const LightGroup&) = default;
+};
+
+/// The group of one light; nothing when it is left out. `hasShadows`: shadows can be seen in the
+/// scene (as hasShadows() says).
+std::optional<LightGroup> lightGroup(const Light& light, const Catalog& catalog, bool hasShadows);
+
+/// The key of a light's group; 0 when it is left out.
+std::uint64_t lightKey(const Light& light, const Catalog& catalog, bool hasShadows);
+
+/// Whether a light can send anything.
+bool canShine(const Light& light, const Block& block);
+
+/// What people call a light: by its name, or by its number where it has none.
+std::string lightName(const Scene& scene, std::size_t index);
+
+/// The names of the lights in some groups, group by group, in the scene's order.
+std::vector<std::string> lightNames(const std::vector<const LightGroup*>& groups,
+                                    const EffectSubject& subject);
+
+/// "Key, Fill and Rim", or how many where they are many.
+std::string namesText(const std::vector<std::string>& names);
+
+/// What is compiled of blocks of one kind, which differ in nothing else: each text once.
+std::string compiledText(const std::vector<const BlockUse*>& uses);
+
+/// The scene's lights. One is left out when it is switched off, cannot send anything, or, with all
+/// of its group, ends before what is drawn.
+struct LightsEffect {
+    std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
+
+    void choose(const SceneSubject& subject, const EffectSet& set);
+    void addTo(ChoiceHash& hash) const;
+    void list(EffectListing& listing, const EffectSet& set) const;
+    void listMissing(LeftOutListing& listing, const EffectSet& set) const;
+    void place(SceneLayout& layout, const EffectSet& set) const;
+    void writeLight(SurfaceText& text) const;
+    static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
+
+    friend bool operator==(const LightsEffect& a, const LightsEffect& b) {
+        return a.lights == b.lights;
+    }
+
+  private:
+    LightLines lines_; ///< kept for its memory
+};
+
+/// Declares the functions of all groups of lights, and calls them with `model`.
+void writeLights(SurfaceText& text);
+
+} // namespace patina

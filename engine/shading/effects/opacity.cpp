@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/opacity.h"
+
+#include <algorithm>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "shading/effects/data_layout.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_text.h"
+#include "shading/program/given_value.h"
+
+namespace patina {
+namespace {
+
+/// The least that a model is taken to keep of the light: below half of an 8-bit step.
+constexpr double minKept = 1.0 / 1024.0;
+
+std::string opacityText(const EffectSubject& subject) {
+    const double passed = saidShare(*subject.material, subject.catalog);
+    std::string text = fmt::format("The material's opacity is {:.3g}", subject.material->opacity);
+    if (passed > 0.0) {
+        text += fmt::format(", and its model lets {:.3g} % of the light pass", 100.0 * passed);
+    }
+    return text + '.';
+}
+
+} // namespace
+
+double saidShare(const Material& material, const Catalog& catalog) {
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    double kept = 1.0;
+    for (const Parameter& parameter :
+         model ? std::span(model->parameters) : std::span<const Parameter>()) {
+        const double* share =
+            parameter.transparency
+                ? std::get_if<double>(&givenValue(parameter, material.model.parameters))
+                : nullptr;
+        if (share != nullptr && *share > 0.0) {
+            kept *= 1.0 - std::min(*share, 1.0);
+        }
+    }
+    return 1.0 - kept;
+}
+
+double passedShare(const Material& material, const Catalog& catalog) {
+    return std::min(saidShare(material, catalog), 1.0 - minKept);
+}
+
+double opacityOf(const Material& material, const Catalog& catalog) {
+    return material.opacity * (1.0 - passedShare(material, catalog));
+}
+
+/// A clear body is seen by what it bends and mirrors.
+bool canBeSeen(const Material& material) {
+    return material.opacity > 0.0 || material.part(kinds::refraction) != nullptr ||
+           isTextured("opacity", material);
+}
+
+bool isDrawn(const Object& object) {
+    return object.visible && canBeSeen(object.material);
+}
+
+bool isTransparent(const Material& material, const Catalog& catalog) {
+    return opacityOf(material, catalog) < 1.0 ||
+           (isTextured("opacity", material) && !material.textures.find("opacity")->second.cutOut);
+}
+
+void OpacityEffect::choose(const MaterialSubject& subject, const EffectSet&) {
+    opacity = opacityOf(subject.material, subject.catalog) < 1.0;
+}
+
+void OpacityEffect::list(EffectListing& listing, const EffectSet&) const {
+    if (opacity) {
+        listing.add("opacity", {}, opacityText);
+    }
+}
+
+/// A model that lets light pass has taken its share from what it gives back; so does the opacity.
+void OpacityEffect::writeLight(SurfaceText& text) const {
+    const auto passes = [](const Parameter& parameter) { return parameter.transparency; };
+    if (opacity && text.set.model &&
+        std::ranges::any_of(text.set.model->block().parameters, passes)) {
+        text.main += fmt::format("    shaded *= objectData[{}].y;\n", ObjectLayout::surface);
+    }
+}
+
+void OpacityEffect::write(SurfaceText& text) const {
+    if (opacity) {
+        text.out.add(fmt::format("#define OPACITY objectData[{}].x\n", ObjectLayout::surface));
+        text.alpha = "OPACITY";
+    }
+    text.last = text.textures.opacity(text.alpha);
+}
+
+void OpacityEffect::remove(Scene& scene, const EffectName& effect, const Catalog& catalog) {
+    if (effect.kind != "opacity") {
+        return;
+    }
+    for (Object& object : scene.objects) {
+        object.material.opacity = 1.0;
+        const Block* model = catalog.find(kinds::models, object.material.model.id);
+        for (const Parameter& parameter : model ? model->parameters : std::vector<Parameter>()) {
+            if (parameter.transparency) {
+                object.material.model.parameters[parameter.id] = 0.0;
+            }
+        }
+    }
+}
+
+} // namespace patina

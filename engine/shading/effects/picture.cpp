@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/picture.h"
+
+#include <algorithm>
+
+#include "shading/effects/effect_set.h"
+#include "shading/effects/highlight_width.h"
+
+namespace patina {
+namespace {
+
+/// Null: nothing needs each pixel.
+const char* whyPerPixel(const EffectSet& set) {
+    if (!set.textures.empty()) {
+        return "Lighting stays per pixel: images change the surface between its corners.";
+    }
+    if (drawsMarks(set.model->block())) {
+        return "Lighting stays per pixel: the model draws marks.";
+    }
+    if (hasShadows(set)) {
+        return "Lighting stays per pixel: shadows have edges between the corners.";
+    }
+    if (set.environment) {
+        return "Lighting stays per pixel: an environment's light is summed up there.";
+    }
+    return nullptr;
+}
+
+/// Null: nothing needs normals of length 1.
+const char* whyUnitNormals(const EffectSet& set) {
+    if (set.refraction) {
+        return "They have length 1 in a material that bends light.";
+    }
+    return set.environment ? "They have length 1 under an environment." : nullptr;
+}
+
+bool hasWidth(const EffectSet& set) {
+    return hasHighlightWidth(set.model->block()) ||
+           std::ranges::any_of(
+               set.slots, [](const BlockUse& slot) { return hasHighlightWidth(slot.block()); });
+}
+
+} // namespace
+
+void PictureEffect::choose(const SceneSubject& subject, const EffectSet&) {
+    wantsVertexLight = subject.scene.accuracy.lightsAtVertices();
+    wantsBlendedNormals = subject.scene.accuracy.leavesNormals();
+    wantsWideHighlights = subject.scene.accuracy.widensHighlights();
+}
+
+/// Light that comes from the vertices needs no normals between them. A pixel's neighbours say how
+/// much the surface turns; vertices have none.
+void PictureEffect::adjust(const EffectSet& set) {
+    const bool hasModel = set.model.has_value();
+    lightsAtVertices = hasModel && wantsVertexLight && whyPerPixel(set) == nullptr;
+    leavesNormals =
+        hasModel && wantsBlendedNormals && !lightsAtVertices && whyUnitNormals(set) == nullptr;
+    widensHighlights = hasModel && wantsWideHighlights && !lightsAtVertices && hasWidth(set);
+}
+
+void PictureEffect::addTo(ChoiceHash& hash) const {
+    hash.add(wantsVertexLight);
+    hash.add(wantsBlendedNormals);
+    hash.add(wantsWideHighlights);
+}
+
+void PictureEffect::listMissing(LeftOutListing& listing, const EffectSet& set) const {
+    if (!set.model) {
+        return;
+    }
+    if (const char* why = wantsVertexLight ? whyPerPixel(set) : nullptr) {
+        listing.add("vertex lighting", why);
+    }
+    if (const char* why = wantsBlendedNormals ? whyUnitNormals(set) : nullptr) {
+        listing.add("blended normals", why);
+    }
+    if (wantsWideHighlights && !widensHighlights) {
+        listing.add("wide highlights", hasWidth(set)
+                                           ? "Light that is worked out at vertices is not widened."
+                                           : "The model has no highlight with a width.");
+    }
+}
+
+bool drawsMarks(const Block& model) {
+    return std::ranges::any_of(model.parameters,
+                               [](const Parameter& parameter) { return parameter.unit == "px"; });
+}
+
+} // namespace patina

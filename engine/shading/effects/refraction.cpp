@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/refraction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "shading/effects/data_layout.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_text.h"
+#include "shading/program/block_source.h"
+#include "shading/program/given_value.h"
+
+namespace patina {
+namespace {
+
+constexpr std::string_view kind = kinds::refraction;
+
+std::optional<double> numberIn(const Block& block, const Values& values, std::string_view id) {
+    const Parameter* parameter = block.parameter(id);
+    const auto* number =
+        parameter == nullptr ? nullptr : std::get_if<double>(&givenValue(*parameter, values));
+    return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+/// The index of a dielectric that reflects so much of what meets it straight.
+double indexOf(const glm::dvec3& f0) {
+    const double mean = std::clamp((f0.x + f0.y + f0.z) / 3.0, 0.0, 0.66);
+    return (1.0 + std::sqrt(mean)) / (1.0 - std::sqrt(mean));
+}
+
+std::optional<double> fresnelIndex(const Block& block, const Values& values) {
+    const auto outside = numberIn(block, values, "index.outside");
+    const auto inside = numberIn(block, values, "index.inside");
+    if (outside && inside) {
+        return *inside / std::max(*outside, 1e-6);
+    }
+    const Parameter* f0 = block.parameter("f0");
+    const auto* color = f0 == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*f0, values));
+    return color == nullptr ? std::nullopt : std::optional(indexOf(*color));
+}
+
+/// The index that the material has by what else it is made of.
+std::optional<double> surfaceIndex(const Material& material, const Catalog& catalog) {
+    const BlockValues* part = material.part(kinds::fresnel);
+    const Block* fresnel = part == nullptr ? nullptr : catalog.find(kinds::fresnel, part->id);
+    if (fresnel != nullptr) {
+        if (const auto index = fresnelIndex(*fresnel, part->parameters)) {
+            return index;
+        }
+    }
+    const Block* model = catalog.find(kinds::models, material.model.id);
+    return model == nullptr ? std::nullopt : numberIn(*model, material.model.parameters, "index");
+}
+
+bool isOwn(const Block& block, const Values& values) {
+    const Parameter* from = block.parameter("index.from");
+    const auto* word =
+        from == nullptr ? nullptr : std::get_if<std::string>(&givenValue(*from, values));
+    return word == nullptr || *word == "own";
+}
+
+bool isWhite(const Block& block, const Values& values, std::string_view id) {
+    const Parameter* parameter = block.parameter(id);
+    return parameter == nullptr || givenValue(*parameter, values) == Value(glm::dvec3(1.0));
+}
+
+bool isNeutral(const Material& material, const RefractionChoice& choice, const Catalog& catalog) {
+    return isWhite(*choice.block, *choice.values, "tint") &&
+           isWhite(*choice.block, *choice.values, "absorption.color") &&
+           bodyIndex(material, choice, catalog) == 1.0;
+}
+
+const char* whatIsBehind(const EffectSet& set) {
+    if (set.isShownRefracted) {
+        return set.environment ? "the scene and the environment" : "the scene";
+    }
+    return set.environment ? "the environment" : "the background's colour";
+}
+
+std::string refractionText(const EffectSubject& subject, const EffectSet& set) {
+    const RefractionChoice choice = refractionChoice(*subject.material, subject.catalog);
+    const char* order = subject.scene.part(kinds::transparency)
+                            ? " Such objects are sorted, and hide what else lets light through."
+                            : "";
+    return fmt::format("What passes is bent by an index of {:.4g} and shows {}.{}",
+                       bodyIndex(*subject.material, choice, subject.catalog), whatIsBehind(set),
+                       order);
+}
+
+/// One ray stands for all colours where they bend alike: green.
+const char* channelSource(const BlockUse& use) {
+    for (const CompiledValue& value : use.compiled()) {
+        if (value.id == "dispersion" && value.value == "nonzero") {
+            return "#define FIRST_CHANNEL 0\n#define LAST_CHANNEL 2\n";
+        }
+    }
+    return "#define FIRST_CHANNEL 1\n#define LAST_CHANNEL 1\n";
+}
+
+std::string namesSource(const Block& block) {
+    const std::string function = functionName(block);
+    return fmt::format("#define Refraction {0}\n#define refractedRay {1}\n"
+                       "#define mirroredShare {1}Mirrored\n#define leftShare {1}Left\n",
+                       structName(block), function);
+}
+
+/// What is seen where a ray leaves everything.
+void writeDistance(SurfaceText& text) {
+    if (!text.set.environment) {
+        text.out.add(
+            fmt::format("#define REFRACTION_BACKGROUND {}\n", text.object.refractionBackground()));
+        text.out.addFile("passes/refraction_plain.glsl");
+        return;
+    }
+    if (!text.set.model) {
+        addEnvironment(text.out, *text.set.environment);
+    }
+    text.out.addFile("passes/environment_points.glsl");
+    text.out.addFile("passes/refraction_environment.glsl");
+}
+
+} // namespace
+
+RefractionChoice refractionChoice(const Material& material, const Catalog& catalog) {
+    const BlockValues* part = material.part(kind);
+    if (part == nullptr) {
+        return {};
+    }
+    const RefractionChoice choice{catalog.find(kind, part->id), &part->parameters, ""};
+    if (choice.block == nullptr) {
+        return {nullptr, nullptr, "No refraction of this kind is known."};
+    }
+    if (!isTransparent(material, catalog)) {
+        return {nullptr, nullptr, "The material's opacity is 1: nothing passes."};
+    }
+    if (isNeutral(material, choice, catalog)) {
+        return {nullptr, nullptr, "Its index is 1 and it colours nothing."};
+    }
+    return choice;
+}
+
+double bodyIndex(const Material& material, const RefractionChoice& choice, const Catalog& catalog) {
+    std::optional<double> index;
+    if (!isOwn(*choice.block, *choice.values)) {
+        index = surfaceIndex(material, catalog);
+    }
+    if (!index) {
+        index = numberIn(*choice.block, *choice.values, "index");
+    }
+    const double given = index.value_or(1.0);
+    return std::isfinite(given) ? std::clamp(given, 0.1, 10.0) : 1.0;
+}
+
+bool isSheet(const Block& refraction) {
+    return refraction.parameter("thickness") != nullptr;
+}
+
+bool hasRefraction(const Scene& scene, const Catalog& catalog) {
+    return std::ranges::any_of(scene.objects, [&catalog](const Object& object) {
+        return object.visible && canBeSeen(object.material) &&
+               refractionChoice(object.material, catalog).block != nullptr;
+    });
+}
+
+bool showsSceneRefracted(const Scene& scene, const Catalog& catalog) {
+    if (!hasRefraction(scene, catalog)) {
+        return false;
+    }
+    const auto isDrawn = [](const Object& object) {
+        return object.visible && canBeSeen(object.material);
+    };
+    return isSeen(scene.ground) || std::ranges::count_if(scene.objects, isDrawn) > 1;
+}
+
+void RefractionEffect::choose(const MaterialSubject& subject, const EffectSet&) {
+    const RefractionChoice choice = refractionChoice(subject.material, subject.catalog);
+    refraction.reset();
+    if (choice.block != nullptr) {
+        refraction.emplace(*choice.block, *choice.values, subject.material.accuracy);
+    }
+}
+
+void RefractionEffect::list(EffectListing& listing, const EffectSet& set) const {
+    if (refraction) {
+        listing.add(*refraction,
+                    [&set](const EffectSubject& subject) { return refractionText(subject, set); });
+    }
+}
+
+void RefractionEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
+    const Material* material = listing.subject().material;
+    const BlockValues* part = material == nullptr ? nullptr : material->part(kind);
+    if (part != nullptr && !refraction) {
+        listing.add("refraction/" + part->id,
+                    refractionChoice(*material, listing.subject().catalog).whyNot);
+    }
+}
+
+void RefractionEffect::place(ObjectLayout& layout, const EffectSet&) const {
+    if (refraction) {
+        layout.refraction = placed(*refraction, layout.vec4s);
+        layout.vec4s += 1;
+    }
+}
+
+/// What passes takes the place of what would be blended with: the pixel hides what is behind it.
+/// The inspection looks at the surface alone.
+void RefractionEffect::write(SurfaceText& text) const {
+    if (!refraction || text.isInspected()) {
+        return;
+    }
+    const Block& block = refraction->block();
+    writeDistance(text);
+    text.readFrom("objectData");
+    text.addBlock(block);
+    text.addUnpack(*refraction, "unpackRefraction");
+    text.out.add(namesSource(block) + channelSource(*refraction));
+    text.out.addFile("passes/refraction_passage.glsl");
+    // The way inside is looked along only where there is one.
+    text.out.add(isSheet(block) ? "#define STEPS_INSIDE 0\n" : "#define STEPS_INSIDE 8\n");
+    text.out.addFile(text.set.isShownRefracted ? "passes/refraction_behind.glsl"
+                                               : "passes/refraction_alone.glsl");
+    text.out.addFile(isSheet(block) ? "passes/refraction_sheet.glsl"
+                                    : "passes/refraction_body.glsl");
+    text.out.addFile("passes/refraction.glsl");
+    text.last += fmt::format("    {0} = refracted(s, {0}, {1}, unpackRefraction({2}));\n",
+                             text.stored, text.alpha, text.object.refraction->first);
+    text.alpha = "1.0";
+}
+
+void RefractionEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
+    if (effect.kind == kind) {
+        removePart(scene, effect);
+    }
+}
+
+void RefractedSceneEffect::choose(const SceneSubject& subject, const EffectSet&) {
+    isShownRefracted = showsSceneRefracted(subject.scene, subject.catalog);
+}
+
+} // namespace patina

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "shading/effects/effect_parts.h"
+
+namespace patina {
+
+/// What bends the light that a material lets through; a null block: nothing does, and why.
+struct RefractionChoice {
+    const Block* block = nullptr;
+    const Values* values = nullptr;
+    const char* whyNot = ""; ///< empty where the material chooses nothing
+};
+
+/// A neutral choice is left out: where nothing passes, and where the index is 1 and nothing is
+/// coloured. Allocates nothing.
+RefractionChoice refractionChoice(const Material& material, const Catalog& catalog);
+
+/// The index of the body relative to what surrounds it: the block's own `index`, or, where its
+/// `index.from` does not say "own", that of the material's Fresnel term (`index.inside` over
+/// `index.outside`, or sqrt(f0) = (n - 1) / (n + 1) for the mean of `f0`), or the model's `index`.
+/// 0.1 .. 10.
+double bodyIndex(const Material& material, const RefractionChoice& choice, const Catalog& catalog);
+
+/// Whether light leaves it in its old direction: a pane, which has a `thickness`.
+bool isSheet(const Block& refraction);
+
+/// Whether an object that is seen bends what is behind it. Allocates nothing.
+bool hasRefraction(const Scene& scene, const Catalog& catalog);
+
+/// Whether an object bends what is behind it and there is something of the scene to be behind it.
+bool showsSceneRefracted(const Scene& scene, const Catalog& catalog);
+
+/// What bends the light that the material lets through.
+struct RefractionEffect {
+    std::optional<BlockUse> refraction;
+
+    void choose(const MaterialSubject& subject, const EffectSet& set);
+    void addTo(ChoiceHash& hash) const { hash.add(refraction); }
+    void list(EffectListing& listing, const EffectSet& set) const;
+    void listMissing(LeftOutListing& listing, const EffectSet& set) const;
+    EffectLine absent(const EffectSet&) const {
+        return {"refraction", {}, "The material bends no light."};
+    }
+    void place(ObjectLayout& layout, const EffectSet& set) const;
+    void write(SurfaceText& text) const;
+    static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
+
+    friend bool operator==(const RefractionEffect&, const RefractionEffect&) = default;
+};
+
+/// What is seen through a body that bends light: the scene, or only what is far behind it.
+struct RefractedSceneEffect {
+    bool isShownRefracted = false; ///< see showsSceneRefracted()
+
+    void choose(const SceneSubject& subject, const EffectSet& set);
+    void addTo(ChoiceHash& hash) const { hash.add(isShownRefracted); }
+
+    friend bool operator==(const RefractedSceneEffect&, const RefractedSceneEffect&) = default;
+};
+
+} // namespace patina

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading/effects/surface_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "shading/program/table_writer.h"
+
+namespace patina {
+
+bool SurfaceText::isPicture() const {
+    return output == SurfaceOutput::Picture && set.ground == GroundMode::Off;
+}
+
+void SurfaceText::readFrom(const std::string& array) {
+    out.add(
+        fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array));
+}
+
+void SurfaceText::addBlock(const Block& block) {
+    if (std::ranges::find(written_, &block) != written_.end()) {
+        return;
+    }
+    out.add(constantsSource(block) + structSource(block));
+    if (looksUp(block, object.tables, output)) {
+        out.addFile("passes/block_tables.glsl");
+    }
+    out.add(textBeforeBlock(block, object.tables, output));
+    out.addBlock(block);
+    out.add(textBehindBlock(block, object.tables, output));
+    written_.push_back(&block);
+}
+
+void SurfaceText::addUnpack(const BlockUse& use, const std::string& function) {
+    out.add(unpackSource(use.block(), {function, use.compiled()}));
+}
+
+void SurfaceText::noteTerm(const std::string& term, const std::string& value,
+                           const std::string& detail) {
+    if (isInspected()) {
+        main += fmt::format("    noteTerm(TERM_{}, {}, {});\n", term, value, detail);
+    }
+}
+
+} // namespace patina

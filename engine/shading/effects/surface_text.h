@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shading/effects/data_layout.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/texture_writer.h"
+#include "shading/glsl/source_builder.h"
+#include "shading/program/block_source.h"
+#include "shading/program/surface_output.h"
+
+namespace patina {
+
+/// The text of a stage that draws surfaces, while the effects write it: each adds its declarations
+/// to `out`, then its statement to `main`.
+class SurfaceText {
+  public:
+    SurfaceText(SourceBuilder& stage, const EffectSet& effects, const ObjectLayout& objectLayout,
+                const SceneLayout& sceneLayout, SurfaceOutput written = SurfaceOutput::Picture)
+        : out(stage), set(effects), object(objectLayout), scene(sceneLayout), output(written),
+          textures(effects, objectLayout) {}
+
+    SourceBuilder& out;
+    const EffectSet& set;
+    const ObjectLayout& object;
+    const SceneLayout& scene;
+    const SurfaceOutput output;
+    const TextureWriter textures;
+
+    std::string main;          ///< statements: `s` is the Surface, `shaded` the light so far
+    std::string last;          ///< behind everything else in main
+    std::string alpha = "1.0"; ///< an expression for the share that hides what is behind
+    std::string stored = "shaded";
+    std::string store = "store({}, {})"; ///< the colour, the opacity
+    std::vector<SlotFill> filled;        ///< the model's slots
+
+    /// The inspection looks at values one by one, and nothing of it is in a picture's text.
+    bool isInspected() const { return output == SurfaceOutput::Inspection; }
+
+    /// The inspection and the surface buffer are exact, and the ground has four vertices.
+    bool isPicture() const;
+    bool lightsAtVertices() const { return isPicture() && set.lightsAtVertices; }
+    bool leavesNormals() const { return isPicture() && set.leavesNormals; }
+    bool fogsAtVertices() const { return isPicture() && set.fogsAtVertices; }
+
+    /// Which array unpack functions read that are declared from now on.
+    void readFrom(const std::string& array);
+
+    /// The block's constants, struct and functions, with its tables: once, however often it is
+    /// asked for.
+    void addBlock(const Block& block);
+    void addUnpack(const BlockUse& use, const std::string& function);
+
+    /// What a probe can read, as a statement of main behind the one that made it.
+    void noteTerm(const std::string& term, const std::string& value, const std::string& detail);
+
+  private:
+    std::vector<const Block*> written_;
+};
+
+} // namespace patina

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "shading/effects/effect_parts.h"
+
+namespace patina {
+
+/// Whether something shines through an object that is drawn; how many of a scene's there are.
+bool isVisiblyTransparent(const Object& object, const Catalog& catalog);
+int countTransparent(const Scene& scene, const Catalog& catalog);
+
+/// Whether something may shine through what is drawn with the set.
+bool isVisiblyTransparent(const EffectSet& set);
+
+/// The block that puts together what shines through; null where nothing does, or each object is
+/// blended by itself.
+const Block* transparencyBlock(const Scene& scene, const Catalog& catalog);
+
+/// How what shines through is put together, in programs of what lets something through; without a
+/// block each is blended over what is behind it.
+struct TransparencyEffect {
+    std::optional<BlockUse> transparency;
+
+    void choose(const SceneSubject& subject, const EffectSet& set);
+    void addTo(ChoiceHash& hash) const { hash.add(transparency); }
+    void list(EffectListing& listing, const EffectSet& set) const;
+    void listMissing(LeftOutListing& listing, const EffectSet& set) const;
+    EffectLine absent(const EffectSet& set) const;
+    void place(ObjectLayout& layout, const EffectSet& set) const;
+    void write(SurfaceText& text) const;
+    static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
+
+    friend bool operator==(const TransparencyEffect&, const TransparencyEffect&) = default;
+};
+
+} // namespace patina

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "shading/glsl/tokens.h"
+
+namespace patina {
+
+/// An argument of a function or a field of a struct. All declarations point into the text.
+struct GlslVariable {
+    std::string_view type;
+    std::string_view name; ///< empty: it has none
+    bool isOut = false;    ///< declared OUT(type)
+};
+
+/// A function that a text defines.
+struct GlslFunction {
+    GlslToken name;
+    std::string_view result;
+    std::vector<GlslVariable> arguments;
+};
+
+struct GlslStruct {
+    std::string_view name;
+    std::vector<GlslVariable> fields;
+};
+
+/// All that is defined outside of braces.
+std::vector<GlslFunction> functionsIn(const GlslTokens& tokens);
+std::vector<GlslStruct> structsIn(const GlslTokens& tokens);
+
+} // namespace patina
