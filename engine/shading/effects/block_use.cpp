@@ -16,10 +16,7 @@ std::string stateText(const Block& block, const Parameter& parameter, const Valu
     if (parameter.compiled == Compiled::WhenZero) {
         return state == 0 ? "zero" : "nonzero";
     }
-    if (parameter.type == ParameterType::Bool) {
-        return state == 0 ? "false" : "true";
-    }
-    return state < parameter.values.size() ? parameter.values[state].id : std::string();
+    return infoOf(parameter.type).stateWord(parameter, state);
 }
 
 std::vector<CompiledValue> compiledValues(const Block& block, const Values& values,

@@ -76,10 +76,7 @@ std::size_t compiledState(const Block& block, const Parameter& parameter, const 
         return other != nullptr && givenValue(parameter, values) == givenValue(*other, values) ? 0
                                                                                                : 1;
     }
-    if (const auto* truth = std::get_if<bool>(&givenValue(parameter, values))) {
-        return *truth ? 1 : 0;
-    }
-    return chosenIndex(parameter, values);
+    return infoOf(parameter.type).state(parameter, givenValue(parameter, values));
 }
 
 bool canShine(const Light& light, const Block& block) {

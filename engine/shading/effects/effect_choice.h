@@ -25,8 +25,8 @@ std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& leve
 /// True when the parameter is a number that is 0, or a vector or colour without a positive part.
 bool isZero(const Parameter& parameter, const Values& values);
 
-/// What a compiled parameter contributes to the program, as a small number: the enum value's
-/// index, a bool, or whether a float is zero or the same as another one of its block.
+/// What a compiled parameter contributes to the program, as a small number: the state of its value,
+/// or whether a float is zero or the same as another one of its block.
 std::size_t compiledState(const Block& block, const Parameter& parameter, const Values& values);
 
 /// Whether a light can send anything, and whether the scene's fog can change what is drawn.

@@ -58,6 +58,11 @@ void add(ValueHash& hash, const Value& value) {
         hash.add(pair->x, pair->y);
     } else if (const auto* text = std::get_if<std::string>(&value)) {
         hash.add(std::string_view(*text));
+    } else if (const auto* list = std::get_if<NumberList>(&value)) {
+        hash.add(std::uint64_t(list->numbers.size()));
+        for (const double element : list->numbers) {
+            hash.add(element);
+        }
     } else if (const auto* whole = std::get_if<int>(&value)) {
         hash.add(static_cast<std::uint64_t>(*whole));
     } else {
@@ -76,8 +81,8 @@ void add(ValueHash& hash, const BlockValues& block) {
 
 void add(ValueHash& hash, const TextureUse& use) {
     hash.add(std::string_view(use.file));
-    for (const int choice : {int(use.outside), int(use.colorSpace), int(use.channel),
-                             int(use.mode), int(use.wrap), int(use.filter), int(use.cutOut)}) {
+    for (const int choice : {int(use.outside), int(use.colorSpace), int(use.channel), int(use.mode),
+                             int(use.wrap), int(use.filter), int(use.cutOut)}) {
         hash.add(static_cast<std::uint64_t>(choice));
     }
     hash.add(use.scale.x, use.scale.y, use.offset.x, use.offset.y, use.rotation, use.strength,

@@ -141,9 +141,9 @@ void SurfaceWriter::readFrom(const std::string& array) {
         fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array));
 }
 
-void SurfaceWriter::writeBlock(const Block& block) {
+void SurfaceWriter::writeBlock(const Block& block, std::span<const CompiledValue> compiled) {
     if (std::find(written_.begin(), written_.end(), &block) == written_.end()) {
-        out_.add(constantsSource(block) + structSource(block));
+        out_.add(constantsSource(block) + structSource(block, compiled));
         if (looksUp(block, object_.tables, output_)) {
             out_.addFile("passes/block_tables.glsl");
         }
@@ -178,7 +178,7 @@ void SurfaceWriter::writeSlots() {
 
 void SurfaceWriter::writeModel() {
     const Block& model = *object_.model->block;
-    writeBlock(model);
+    writeBlock(model, set_.model->compiled);
     out_.add(unpackSource(model, {"unpackModel", set_.model->compiled, filled_}));
     out_.add(fmt::format("#define Model {}\n#define {} {}\n#define IS_DARK(d) ({})\n"
                          "#define IS_UNLIT(nl) ({})\n"

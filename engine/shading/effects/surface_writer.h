@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,7 +68,7 @@ class SurfaceWriter {
     void writeGround();
     void addToGround(const std::string& light);
     void writeMain();
-    void writeBlock(const Block& block);
+    void writeBlock(const Block& block, std::span<const CompiledValue> compiled = {});
     void writeUnpack(const Block& block, const BlockUse& use, const std::string& function);
     void readFrom(const std::string& array);
     bool isInspected() const { return output_ == SurfaceOutput::Inspection; }
