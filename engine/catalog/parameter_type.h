@@ -22,7 +22,7 @@ struct Parameter;
 /// editor that `make<Name>Editor()` makes (app/editor/parameters/editor_factory.h).
 #define PATINA_PARAMETER_TYPES(type)                                                               \
     type(Float) type(Int) type(Bool) type(Color) type(Vec2) type(Vec3) type(Angle) type(Enum)      \
-        type(Texture) type(Curve)
+        type(Texture) type(Curve) type(Ramp)
 
 #define PATINA_ENUMERATOR(name) name,
 enum class ParameterType { PATINA_PARAMETER_TYPES(PATINA_ENUMERATOR) };
