@@ -40,8 +40,7 @@ Result<void> checkKeys(const Json& json, std::vector<std::string> known) {
 
 /// One number stands for three where a colour or the like is wanted.
 Json asWanted(const Parameter& parameter, const Json& json) {
-    const bool three =
-        parameter.type == ParameterType::Color || parameter.type == ParameterType::Vec3;
+    const bool three = componentCount(parameter.type) == 3;
     if (three && json.is_number()) {
         return Json::array({json, json, json});
     }

@@ -10,10 +10,8 @@
 
 #include "catalog/catalog.h"
 #include "catalog/descriptor.h"
-#include "catalog/descriptor_words.h"
 #include "catalog/settings.h"
 #include "catalog/value_json.h"
-#include "core/number_text.h"
 
 namespace patina {
 namespace {
@@ -26,30 +24,11 @@ std::string joined(const std::vector<EnumValue>& values) {
     return out;
 }
 
-/// What the numbers of a vector are called.
-std::string namesOf(const Parameter& parameter) {
-    const std::vector<std::string>& names = parameter.components;
-    return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
-}
-
-/// What a parameter can be: its hard range, or its choices.
-std::string rangeOf(const Parameter& parameter) {
-    switch (parameter.type) {
-    case ParameterType::Enum:
-        return joined(parameter.values);
-    case ParameterType::Bool:
-        return "true | false";
-    case ParameterType::Texture:
-        return "a file";
-    default:
-        return fmt::format("{} .. {}{}{}", shortestFloatText(parameter.min),
-                           shortestFloatText(parameter.max),
-                           parameter.unit.empty() ? "" : " " + parameter.unit, namesOf(parameter));
-    }
-}
-
 /// The last character of a JSON file is a newline, which a table has no use for.
 std::string defaultOf(const Parameter& parameter) {
+    if (std::holds_alternative<NumberList>(parameter.defaultValue)) {
+        return textOf(parameter.defaultValue);
+    }
     std::string written = writeJson(toJson(parameter.defaultValue));
     written.pop_back();
     return written;
@@ -58,8 +37,8 @@ std::string defaultOf(const Parameter& parameter) {
 void printParameters(const Block& block) {
     for (const Parameter& parameter : block.parameters) {
         std::cout << fmt::format("    {:<24} {:<7} {:<26} {}\n", parameter.id,
-                                 wordFor(typeWords, parameter.type), defaultOf(parameter),
-                                 rangeOf(parameter));
+                                 infoOf(parameter.type).word, defaultOf(parameter),
+                                 infoOf(parameter.type).range(parameter));
     }
     for (const AccuracyChoice& choice : block.accuracy) {
         std::cout << fmt::format("    {:<24} {:<7} {:<26} {}\n", choice.id, "level",

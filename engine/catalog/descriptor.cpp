@@ -156,9 +156,8 @@ std::vector<std::string> channelsFrom(const Fields& fields, ParameterType type) 
     fields.read("texture", any);
     if (any) {
         const bool whole = componentCount(type) == 3;
-        channels =
-            whole ? std::vector<std::string>{"rgb", "r", "g", "b", "a"}
-                  : std::vector<std::string>{"r", "g", "b", "a"};
+        channels = whole ? std::vector<std::string>{"rgb", "r", "g", "b", "a"}
+                         : std::vector<std::string>{"r", "g", "b", "a"};
     }
     return channels;
 }
@@ -177,14 +176,10 @@ std::optional<PhysicalRange> physicalFrom(const Fields& fields) {
 
 /// What a type's numbers look like where the descriptor does not say.
 void setTypeDefaults(Parameter& parameter) {
-    if (parameter.type == ParameterType::Int) {
-        parameter.step = 1.0;
-        parameter.decimals = 0;
-    } else if (parameter.type == ParameterType::Angle) {
-        parameter.step = 1.0;
-        parameter.decimals = 1;
-        parameter.unit = "\u00b0";
-    }
+    const ParameterTypeInfo& info = infoOf(parameter.type);
+    parameter.step = info.step;
+    parameter.decimals = info.decimals;
+    parameter.unit = info.unit;
     parameter.components = componentNames(parameter);
 }
 
@@ -206,14 +201,17 @@ Parameter parameterFrom(const Fields& fields) {
     fields.read("id", parameter.id);
     fields.read("label", parameter.label);
     fields.read("doc", parameter.doc);
-    fields.read("type", typeWords, parameter.type);
+    std::string word;
+    fields.read("type", word);
+    parameter.type = parameterTypeOf(word).value_or(parameter.type);
     setTypeDefaults(parameter);
     readRange(fields, parameter);
     fields.read("group", parameter.group);
     fields.read("advanced", parameter.advanced);
     fields.read("enabledWhen", parameter.enabledWhen);
     fields.readEach("values", parameter.values, enumValueFrom);
-    parameter.compiled = compiledFrom(fields);
+    parameter.compiled =
+        infoOf(parameter.type).isAlwaysCompiled ? Compiled::Yes : compiledFrom(fields);
     fields.read("components", parameter.components);
     if (parameter.compiled == Compiled::WhenEqual) {
         Fields(*fields.find("compiled")).read("whenEqual", parameter.equalTo);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/block_kind.h"
 #include "catalog/bound_checks.h"
 #include "catalog/descriptor_checker.h"
 #include "catalog/expression.h"
@@ -120,7 +121,7 @@ class Checker : DescriptorChecker {
     }
 
     void checkParameter(const Parameter& parameter, const std::string& pointer) {
-        if (hasRange(parameter.type)) {
+        if (infoOf(parameter.type).hasRange) {
             checkRange(parameter, pointer);
         }
         if (parameter.type == ParameterType::Enum) {
@@ -128,6 +129,7 @@ class Checker : DescriptorChecker {
         } else if (has(pointer + "/values")) {
             add(pointer + "/values", "only an enum has values", "no such key");
         }
+        checkParkedKey(parameter, pointer + "/id");
         checkDefault(parameter, pointer);
         checkComponents(parameter, pointer + "/components");
         checkCompiled(parameter, pointer + "/compiled");
@@ -141,6 +143,17 @@ class Checker : DescriptorChecker {
             add(pointer + "/emission", "only a colour can be emitted", "no such key");
         }
         checkTexture(parameter, pointer);
+    }
+
+    /// Presets keep resting values by id beside objects of these names; a value that is an object
+    /// must not be taken for one of them.
+    void checkParkedKey(const Parameter& parameter, const std::string& pointer) {
+        constexpr auto taken = std::to_array<std::string_view>({"black", "inSlot", "withoutSlot"});
+        const bool isTaken = std::ranges::find(taken, parameter.id) != taken.end() ||
+                             findKind(parameter.id) != nullptr;
+        if (isTaken && infoOf(parameter.type).toJson != nullptr) {
+            add(pointer, fmt::format("\"{}\" is a key of presets", parameter.id), "another id");
+        }
     }
 
     /// An image drives what is read anew at every point; three keys of a preset's images have a
@@ -162,8 +175,7 @@ class Checker : DescriptorChecker {
     }
 
     void checkRange(const Parameter& parameter, const std::string& pointer) {
-        const bool needsRange =
-            parameter.type != ParameterType::Float && parameter.type != ParameterType::Color;
+        const bool needsRange = infoOf(parameter.type).needsRange;
         for (const char* key : {"/min", "/max"}) {
             if (needsRange && has(pointer + "/type") && !has(pointer + key)) {
                 add(pointer, fmt::format("the key \"{}\" is missing", key + 1), "a number");
@@ -198,8 +210,7 @@ class Checker : DescriptorChecker {
     }
 
     void checkComponents(const Parameter& parameter, const std::string& pointer) {
-        const bool isVector =
-            parameter.type == ParameterType::Vec2 || parameter.type == ParameterType::Vec3;
+        const bool isVector = !componentNames(parameter).empty();
         const auto count = static_cast<std::size_t>(componentCount(parameter.type));
         if (has(pointer) && !isVector) {
             add(pointer, "only a vec2 or a vec3 has components", "no such key");
@@ -262,9 +273,8 @@ class Checker : DescriptorChecker {
     }
 
     void checkCompiled(const Parameter& parameter, const std::string& pointer) {
-        const bool isChoice =
-            parameter.type == ParameterType::Enum || parameter.type == ParameterType::Bool;
-        if (parameter.compiled == Compiled::Yes && !isChoice) {
+        const bool hasStates = infoOf(parameter.type).states != nullptr;
+        if (parameter.compiled == Compiled::Yes && !hasStates) {
             add(pointer, "only an enum or a bool can be compiled in",
                 "false, or \"whenZero\" for a float");
         } else if (parameter.compiled == Compiled::WhenZero &&

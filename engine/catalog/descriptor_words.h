@@ -15,16 +15,6 @@ namespace patina {
 template <class T, std::size_t N>
 using Words = std::array<std::pair<std::string_view, T>, N>;
 
-inline constexpr Words<ParameterType, 9> typeWords{{{"float", ParameterType::Float},
-                                                    {"int", ParameterType::Int},
-                                                    {"bool", ParameterType::Bool},
-                                                    {"color", ParameterType::Color},
-                                                    {"vec2", ParameterType::Vec2},
-                                                    {"vec3", ParameterType::Vec3},
-                                                    {"angle", ParameterType::Angle},
-                                                    {"enum", ParameterType::Enum},
-                                                    {"texture", ParameterType::Texture}}};
-
 inline constexpr Words<Scale, 2> scaleWords{{{"linear", Scale::Linear}, {"log", Scale::Log}}};
 
 inline constexpr Words<Space, 5> spaceWords{{{"none", Space::None},

@@ -86,7 +86,7 @@ Json parameterJson(const Parameter& parameter) {
     Json json{{"id", parameter.id},
               {"label", parameter.label},
               {"doc", parameter.doc},
-              {"type", wordFor(typeWords, parameter.type)},
+              {"type", infoOf(parameter.type).word},
               {"default", toJson(parameter.defaultValue)},
               {"unit", parameter.unit},
               {"group", parameter.group},
@@ -102,7 +102,7 @@ Json parameterJson(const Parameter& parameter) {
     if (const auto names = componentNames(parameter); !names.empty()) {
         json["components"] = names;
     }
-    if (hasRange(parameter.type)) {
+    if (infoOf(parameter.type).hasRange) {
         addRange(json, parameter);
     }
     if (parameter.type == ParameterType::Enum) {

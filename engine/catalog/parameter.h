@@ -7,11 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "catalog/parameter_type.h"
 #include "core/value.h"
 
 namespace patina {
-
-enum class ParameterType { Float, Int, Bool, Color, Vec2, Vec3, Angle, Enum, Texture };
 
 /// How a slider maps its length to the value.
 enum class Scale { Linear, Log };
@@ -23,7 +22,7 @@ enum class Space { None, WorldPoint, WorldDirection, CameraPoint, CameraDirectio
 /// What the shader generator does with a parameter.
 enum class Compiled {
     No,       ///< a uniform: changing it never compiles
-    Yes,      ///< its value is part of the program (enums and bools only)
+    Yes,      ///< its state is part of the program: a choice, a bool, whether a curve bends
     WhenZero, ///< a float: only whether it is zero is part of the program
     WhenEqual ///< a float: only whether it is the same as `equalTo` is part of the program
 };
@@ -101,9 +100,6 @@ struct Parameter {
 
 /// The place of the choice with this id; 0 where there is none.
 std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id);
-
-/// Whether values of this type are numbers, which have limits.
-bool hasRange(ParameterType type);
 
 /// Number of float components a value of this type has in the shader (an enum, int or bool has 1).
 int componentCount(ParameterType type);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/parameter_layout.h"
 
-#include <glm/trigonometric.hpp>
+#include <algorithm>
 
 #include "catalog/fills.h"
 #include "catalog/unit_direction.h"
@@ -25,34 +25,15 @@ void append(ParameterLayout& layout, ParameterField field) {
     layout.fields.push_back(std::move(field));
 }
 
-Value valueOf(const Parameter& parameter, const Values& values) {
+/// Writes a value, the default where none is given; directions are made unit.
+void pack(const Parameter& parameter, const Values& values, double* out) {
     const auto found = values.find(parameter.id);
-    return found == values.end() ? parameter.defaultValue : conformed(parameter, found->second);
+    writeNumbers(parameter, found == values.end() ? parameter.defaultValue : found->second, out);
+    if (isDirection(parameter)) {
+        const glm::dvec3 unit = unitDirection({out[0], out[1], out[2]});
+        std::copy_n(&unit.x, 3, out);
+    }
 }
-
-/// Writes the components of a value; `out` has room for three.
-struct Packer {
-    const Parameter& parameter;
-    double* out;
-
-    void operator()(bool value) const { *out = value ? 1.0 : 0.0; }
-    void operator()(int value) const { *out = value; }
-    void operator()(double value) const {
-        *out = parameter.type == ParameterType::Angle ? glm::radians(value) : value;
-    }
-    void operator()(const glm::dvec2& value) const {
-        out[0] = value.x;
-        out[1] = value.y;
-    }
-    void operator()(const glm::dvec3& value) const {
-        const glm::dvec3 inUse = isDirection(parameter) ? unitDirection(value) : value;
-        (*this)(glm::dvec2(inUse));
-        out[2] = inUse.z;
-    }
-    void operator()(const std::string& value) const {
-        *out = static_cast<double>(indexOf(parameter.values, value));
-    }
-};
 
 double levelOf(const AccuracyChoice& choice, const AccuracyLevels& levels) {
     const auto found = levels.find(choice.id);
@@ -82,7 +63,7 @@ std::vector<double> packed(const Block& block, const Values& values, const Accur
     for (const ParameterField& field : layout.fields) {
         double* place = out.data() + field.offset;
         if (field.parameter != nullptr) {
-            std::visit(Packer{*field.parameter, place}, valueOf(*field.parameter, values));
+            pack(*field.parameter, values, place);
         } else {
             *place = levelOf(*field.choice, levels);
         }

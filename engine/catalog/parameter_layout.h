@@ -11,13 +11,14 @@ namespace patina {
 
 /// Where the values of a block lie when they are packed into vec4s, the one layout that the
 /// uniform blocks, `patina eval`'s data texture and the double-precision reference share.
-/// A parameter never straddles two vec4s. Compiled enums and bools have no place in it when the
-/// program holds them, but the reference packs them too, so every parameter has a field.
+/// A parameter never straddles two vec4s, but one that takes more begins with one. Compiled enums
+/// and bools have no place in it when the program holds them, but the reference packs them too, so
+/// every parameter has a field.
 struct ParameterField {
     const Parameter* parameter = nullptr; ///< null for an accuracy choice
     const AccuracyChoice* choice = nullptr;
-    std::string name;          ///< field name in GLSL and C++
-    std::size_t offset = 0;    ///< in floats from the start of the block's data
+    std::string name;       ///< field name in GLSL and C++
+    std::size_t offset = 0; ///< in floats from the start of the block's data
     int components = 1;
 };
 

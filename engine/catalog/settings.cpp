@@ -69,8 +69,11 @@ class SettingsReader {
         return Value(std::move(value));
     }
 
-    /// No setting is a pair.
+    /// No setting is a pair, a curve or a ramp.
     static std::optional<Value> given(JsonReader&, const std::string&, const glm::dvec2&) {
+        return std::nullopt;
+    }
+    static std::optional<Value> given(JsonReader&, const std::string&, const NumberList&) {
         return std::nullopt;
     }
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/function_source.h"
 #include "catalog/table_source.h"
 #include "core/ordinary_file.h"
 #include "core/text.h"
@@ -110,6 +111,11 @@ Errors nameMistakes(const Descriptor& descriptor, const ShaderNames& taken) {
     for (const BlockTable& table : descriptor.block.tables) {
         names.push_back(tableFunction(descriptor.block, table));
         names.push_back(entryFunction(descriptor.block, table));
+    }
+    for (const Parameter& parameter : descriptor.block.parameters) {
+        if (infoOf(parameter.type).function != nullptr) {
+            names.push_back(functionOfField(descriptor.block, fieldName(parameter.id)));
+        }
     }
     for (const std::string& name : names) {
         if (errors.empty() && (isFunctionOfGlsl(name) || taken.contains(name))) {

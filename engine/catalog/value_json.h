@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 #include "catalog/parameter.h"
@@ -13,7 +15,11 @@ namespace patina {
 /// enum is such an error and lists the choices.
 Result<Value> valueFromJson(const Parameter& parameter, const nlohmann::json& json);
 
-/// The JSON of a value: a number, true or false, an array of numbers, a string.
+/// The JSON of a value: a number, true or false, an array of numbers, a string, an object for a
+/// list of numbers.
 nlohmann::json toJson(const Value& value);
+
+/// A value as text that reads back: "0.5", "true", "ggx", "[0.8, 0.1, 0.1]", "0,0 0.5,0.7 1,1".
+std::string textOf(const Value& value);
 
 } // namespace patina

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include <glm/vec3.hpp>
 
 namespace patina {
@@ -16,5 +20,11 @@ glm::dvec3 srgbDecoded(const glm::dvec3& encoded);
 
 /// How bright a linear colour is: the Y of sRGB's primaries (IEC 61966-2-1).
 double luminance(const glm::dvec3& linear);
+
+/// "#8c8c8c": a linear colour encoded as sRGB, eight bits per channel.
+std::string hexOf(const glm::dvec3& linear);
+
+/// The linear colour of "#8cf", "#88ccff" or the same without "#".
+std::optional<glm::dvec3> colorOfHex(std::string_view text);
 
 } // namespace patina

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -16,6 +17,12 @@ Value roundedToFloat(const Value& value) {
                 return glm::dvec2(glm::vec2(held));
             } else if constexpr (std::is_same_v<Held, glm::dvec3>) {
                 return glm::dvec3(glm::vec3(held));
+            } else if constexpr (std::is_same_v<Held, NumberList>) {
+                NumberList rounded = held;
+                for (double& number : rounded.numbers) {
+                    number = static_cast<double>(static_cast<float>(number));
+                }
+                return rounded;
             } else {
                 return held;
             }
@@ -32,6 +39,9 @@ bool isFinite(const Value& value) {
     }
     if (const auto* triple = std::get_if<glm::dvec3>(&value)) {
         return std::isfinite(triple->x) && std::isfinite(triple->y) && std::isfinite(triple->z);
+    }
+    if (const auto* list = std::get_if<NumberList>(&value)) {
+        return std::ranges::all_of(list->numbers, [](double x) { return std::isfinite(x); });
     }
     return true;
 }

@@ -3,18 +3,29 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace patina {
 
+/// A value of a type that is as many numbers as one likes: a curve's points, a ramp's stops.
+struct NumberList {
+    std::string_view type; ///< the type's word, which lives as long as the program
+    std::vector<double> numbers{};
+
+    friend bool operator==(const NumberList&, const NumberList&) = default;
+};
+
 /// The value of one parameter. Which alternative is held follows from the parameter's type:
 /// bool; int; double for float and angle (an angle is in degrees everywhere but in the shader);
-/// dvec2; dvec3 for vec3 and color (linear Rec. 709); string for enum (the chosen value's id).
+/// dvec2; dvec3 for vec3 and color (linear Rec. 709); string for enum (the chosen value's id)
+/// and texture (a file); a list of numbers for curve and ramp.
 /// Documents round numbers to float when they are set; only `patina eval` keeps all 53 bits.
-using Value = std::variant<bool, int, double, glm::dvec2, glm::dvec3, std::string>;
+using Value = std::variant<bool, int, double, glm::dvec2, glm::dvec3, std::string, NumberList>;
 
 /// Parameter id -> value.
 using Values = std::map<std::string, Value, std::less<>>;

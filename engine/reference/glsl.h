@@ -81,4 +81,7 @@ inline FilledSlot filledSlot(Fillers fillers, std::string_view kind, const Geome
 } // namespace patina::reference
 
 #define OUT(T) T&
+/// Four numbers of a value that is a function, from `base` on.
+#define PARAMETER_DATA(i)                                                                          \
+    vec4(base[4 * (i)], base[4 * (i) + 1], base[4 * (i) + 2], base[4 * (i) + 3])
 #define precise // doubles are not reordered

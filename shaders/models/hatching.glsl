@@ -36,7 +36,7 @@ vec2 hatchingLayer(vec2 drawn, float dark, float layer, vec2 stroke) {
 // them, then across, then both at half the spacing. E. Praun, H. Hoppe, M. Webb and A. Finkelstein,
 // Real-Time Hatching, SIGGRAPH 2001, blend six tones of nested strokes in the same way.
 vec3 hatching(Directions d, Hatching p) {
-    float dark = tones(d, p.toneDark, p.toneLight).x;
+    float dark = hatchingToneCurve(tones(d, p.toneDark, p.toneLight).x, p);
     float apart = max(p.spacing, 2.0);
     float close = 0.5 * apart;
     float pen = p.penWidth;

@@ -36,9 +36,12 @@ vec3 toonSpot(Directions d, Toon p) {
 }
 
 // Two or three flat tones by n.l, per fragment. A. Lake et al., Stylized Rendering Techniques for
-// Scalable Real-Time 3D Animation, NPAR 2000, with soft edges and a spot.
+// Scalable Real-Time 3D Animation, NPAR 2000, with soft edges, a spot, and a ramp of tones.
 vec3 toon(Directions d, Toon p) {
     vec3 spot = toonSpot(d, p); // needs most directions, and then they are over
+    if (p.tones == TOON_TONES_RAMP) {
+        return toonToneRamp(d.nl, p) + spot;
+    }
     vec3 tone = toonEdge(toonLead(d, p.threshold), p.softness, p.shadowColor, p.diffuseColor);
     if (p.tones == TOON_TONES_THREE) {
         float brightAt = max(p.brightThreshold, p.threshold);

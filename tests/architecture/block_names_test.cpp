@@ -13,10 +13,9 @@ namespace {
 /// Block ids that are also ordinary words of this trade. They may stand in a sentence or a name
 /// (a point in space, the head of a list, linear light), but never as a string equal to the id.
 constexpr std::array<std::string_view, 16> ordinaryWords = {
-    "point",       "head",      "spot",       "linear",    "directional",
-    "exponential", "empirical", "dielectric", "conductor", "constant",
-    "hard",        "filtered",  "soft",       "image",     "studio",
-    "weighted"};
+    "point",     "head",       "spot",      "linear",   "directional", "exponential",
+    "empirical", "dielectric", "conductor", "constant", "hard",        "filtered",
+    "soft",      "image",      "studio",    "weighted"};
 
 /// Strings that equal an id and mean something else.
 struct OtherMeaning {
@@ -24,8 +23,9 @@ struct OtherMeaning {
     std::string_view id;
     std::string_view why;
 };
-constexpr std::array<OtherMeaning, 3> otherMeanings = {
+constexpr std::array<OtherMeaning, 4> otherMeanings = {
     {{"engine/catalog/", "linear", "the scale of a slider, as opposed to log"},
+     {"engine/catalog/ramp", "constant", "colours that change in steps"},
      {"engine/catalog/", "image", "the word for what drives a parameter, in a message"},
      {"engine/material/texture_use", "linear", "numbers that are no sRGB codes"}}};
 

@@ -102,6 +102,9 @@ class RandomScenes {
         }
         case ParameterType::Texture:
             return std::string(chance(0.8) ? "/panorama.hdr" : "");
+        case ParameterType::Curve:
+        case ParameterType::Ramp:
+            return infoOf(parameter.type).ordinary(parameter, [&] { return number(parameter); });
         default:
             return number(parameter);
         }

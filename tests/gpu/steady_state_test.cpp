@@ -4,6 +4,7 @@
 #include <new>
 #include <optional>
 
+#include "catalog/curve.h"
 #include "frame_target.h"
 #include "gpu_fixture.h"
 
@@ -90,6 +91,28 @@ TEST_F(SteadyStateTest, ChangedParameter_AllocatesNothing) {
     draw();
     std::get<double>(scene_.objects[0].material.model.parameters["roughness"]) = 0.77;
     EXPECT_EQ(ofTheNextFrame(), 0);
+}
+
+TEST_F(SteadyStateTest, DraggedPointOfACurve_AllocatesAndCompilesNothing) {
+    scene_.objects[0].material = object("hatching", "sphere").material;
+    auto& curve = scene_.objects[0].material.model.parameters["tone.curve"];
+    curve = curveValue(CurvePoints{{0.0, 0.0}, {0.5, 0.7}, {1.0, 1.0}});
+    draw();
+    draw();
+    std::get<NumberList>(curve).numbers[3] = 0.3;
+    EXPECT_EQ(ofTheNextFrame(), 0);
+    EXPECT_EQ(renderer->report().compiled, 0);
+}
+
+TEST_F(SteadyStateTest, DraggedStopOfARamp_AllocatesAndCompilesNothing) {
+    scene_.objects[0].material = object("toon", "sphere").material;
+    Values& values = scene_.objects[0].material.model.parameters;
+    values["tones"] = std::string("ramp");
+    draw();
+    draw();
+    std::get<NumberList>(values["tone.ramp"]).numbers[1] = 0.1;
+    EXPECT_EQ(ofTheNextFrame(), 0);
+    EXPECT_EQ(renderer->report().compiled, 0);
 }
 
 /// The driver makes its own state for the table at its second drawing.

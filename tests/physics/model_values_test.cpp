@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "catalog/curve.h"
+#include "catalog/ramp.h"
 #include "catalog/value_json.h"
 #include "physics_cases.h"
 
@@ -215,6 +217,64 @@ TEST(Toon, ThreeTones_AreFlat) {
     EXPECT_EQ(toon(10, "three").x, 0.9);
     EXPECT_EQ(toon(60, "three").x, 0.5);
     EXPECT_EQ(toon(130, "three").x, 0.1);
+}
+
+/// The tone of a Gooch surface that is black on the cool side and white on the warm one.
+double goochShare(const Value& curve, double lightDegrees) {
+    const Subject model("models", "gooch",
+                        {{"diffuse.color", black},
+                         {"warm.color", white},
+                         {"cool.color", black},
+                         {"tone.curve", curve}});
+    return model.shade(geometry(direction(lightDegrees, 0), direction(5, 90))).x;
+}
+
+TEST(Gooch, ToneResponse_IsTheCurve) {
+    for (const CurvePoints& points :
+         {CurvePoints{{0.0, 0.1}, {0.3, 0.2}, {0.31, 0.8}, {0.9, 0.9}},
+          CurvePoints{{0.2, 1.0}, {0.5, 0.0}, {1.0, 0.7}}, curvePresets()[2].points}) {
+        const CurveShape shape(points);
+        for (double degrees = 0.0; degrees <= 180.0; degrees += 1.0) {
+            const double u = 0.5 * (1.0 + std::cos(degrees * std::numbers::pi / 180.0));
+            EXPECT_NEAR(goochShare(curveValue(points), degrees), shape.at(u), 1e-12) << degrees;
+        }
+    }
+}
+
+TEST(Gooch, LinearResponse_IsTheModelWithoutOne) {
+    for (const CurvePoints& points :
+         {CurvePoints{{0.0, 0.0}, {1.0, 1.0}}, CurvePoints{{0.0, 0.0}, {0.25, 0.25}, {1.0, 1.0}}}) {
+        for (double degrees = 0.0; degrees <= 180.0; degrees += 10.0) {
+            EXPECT_NEAR(goochShare(curveValue(points), degrees),
+                        0.5 * (1.0 + std::cos(degrees * std::numbers::pi / 180.0)), 1e-15);
+        }
+    }
+}
+
+TEST(Toon, RampOfTones_IsTheRamp) {
+    for (const auto interpolation :
+         {RampInterpolation::Linear, RampInterpolation::Smooth, RampInterpolation::Constant}) {
+        const Ramp ramp{interpolation, {{0.1, black}, {0.4, {0.8, 0.2, 0.1}}, {0.9, white}}};
+        const Subject model("models", "toon",
+                            {{"tones", std::string("ramp")},
+                             {"specular.color", black},
+                             {"tone.ramp", rampValue(ramp)}});
+        for (double degrees = 0.0; degrees <= 120.0; degrees += 1.0) {
+            const glm::dvec3 value = model.shade(geometry(direction(degrees, 0), direction(5, 90)));
+            const glm::dvec3 wanted = ramp.at(std::cos(degrees * std::numbers::pi / 180.0));
+            EXPECT_NEAR(glm::distance(value, wanted), 0.0, 1e-9) << degrees;
+        }
+    }
+}
+
+/// The default ramp says what the default colours and edges say.
+TEST(Toon, DefaultRamp_IsTheThreeTones) {
+    const Subject ramp("models", "toon", {{"tones", std::string("ramp")}});
+    const Subject three("models", "toon", {{"tones", std::string("three")}});
+    for (double degrees = 0.0; degrees <= 180.0; degrees += 0.25) {
+        const auto g = geometry(direction(degrees, 0), direction(5, 90));
+        EXPECT_NEAR(glm::distance(ramp.shade(g), three.shade(g)), 0.0, 1e-9) << degrees;
+    }
 }
 
 TEST(Toon, Spot_EndsAtItsSize) {

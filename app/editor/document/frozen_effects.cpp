@@ -112,16 +112,21 @@ bool decidesByPlace(const DocumentState& state, const BlockPath& path, const Cat
     return mayHideFog(state, path) || mayMoveLight(state, path, catalog);
 }
 
-bool isNumber(const Parameter& parameter) {
-    return !std::holds_alternative<bool>(parameter.defaultValue) &&
-           !std::holds_alternative<std::string>(parameter.defaultValue);
+/// What a drag of the parameter may come by, as far as it makes other programs.
+std::vector<Value> reachedValues(const Parameter& parameter) {
+    const ParameterTypeInfo& info = infoOf(parameter.type);
+    if (info.function != nullptr) {
+        return info.states == nullptr ? std::vector<Value>() : info.states(parameter);
+    }
+    return {inside(parameter), filled(parameter, 0.0), filled(parameter, parameter.softMin),
+            filled(parameter, parameter.softMax)};
 }
 
 } // namespace
 
 std::vector<DocumentState> prewarmed(const DocumentState& state, const BlockPath& path,
                                      const Parameter& parameter, const Catalog& catalog) {
-    if (!isNumber(parameter)) {
+    if (!infoOf(parameter.type).hasRange) {
         return {};
     }
     std::vector<DocumentState> states;
@@ -129,9 +134,7 @@ std::vector<DocumentState> prewarmed(const DocumentState& state, const BlockPath
         states.push_back(state); // with what is out because of its place
     }
     std::vector<Keys> known{keysOf(state, path, catalog)};
-    for (const Value& value :
-         {inside(parameter), filled(parameter, 0.0), filled(parameter, parameter.softMin),
-          filled(parameter, parameter.softMax)}) {
+    for (const Value& value : reachedValues(parameter)) {
         DocumentState changed = state;
         storeValue(changed, path, parameter.id, value);
         const Keys keys = keysOf(changed, path, catalog);

@@ -5,6 +5,8 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
+#include "parameters/editor_factory.h"
+
 namespace patina {
 
 BoolEditor::BoolEditor(const Parameter& parameter, QWidget* parent)
@@ -27,6 +29,10 @@ void BoolEditor::present(const Value& value) {
 
 QWidget* BoolEditor::focusTarget() {
     return box_;
+}
+
+ParameterEditor* makeBoolEditor(const Parameter& parameter, QWidget* parent) {
+    return new BoolEditor(parameter, parent);
 }
 
 } // namespace patina

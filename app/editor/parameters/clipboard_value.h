@@ -16,8 +16,4 @@ std::string copiedText(const Value& value);
 /// Nothing when it means nothing.
 std::optional<Value> pastedValue(const Parameter& parameter, std::string_view text);
 
-/// A linear colour as the sRGB hex a screen shows ("#80c0ff"), and back.
-std::string hexOf(const glm::dvec3& linear);
-std::optional<glm::dvec3> colorOfHex(std::string_view text);
-
 } // namespace patina

@@ -5,6 +5,7 @@
 
 #include "parameters/color_picker.h"
 #include "parameters/color_swatch.h"
+#include "parameters/editor_factory.h"
 #include "parameters/eyedropper.h"
 #include "parameters/hex_box.h"
 
@@ -74,6 +75,10 @@ void ColorEditor::endPicking(bool taken) {
 
 QWidget* ColorEditor::focusTarget() {
     return swatch_;
+}
+
+ParameterEditor* makeColorEditor(const Parameter& parameter, QWidget* parent) {
+    return new ColorEditor(parameter, parent);
 }
 
 } // namespace patina

@@ -7,7 +7,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScreen>
 #include <QVBoxLayout>
 
 #include "core/color.h"
@@ -15,6 +14,7 @@
 #include "parameters/hex_box.h"
 #include "parameters/number_edit.h"
 #include "parameters/number_format.h"
+#include "parameters/popup_place.h"
 #include "parameters/scrub_label.h"
 #include "parameters/value_slider.h"
 
@@ -97,6 +97,8 @@ QWidget* ColorPicker::makeNumbers(const Parameter& parameter) {
     pick->setToolTip(tr("Click where the colour is; Esc gives up. In a view it is the light before "
                         "exposure and tone mapping."));
     form->addRow(pick);
+    pick->setHidden(parentWidget()->window()->windowType() ==
+                    Qt::Popup); // which a click would close
     connect(pick, &QPushButton::clicked, this, &ColorPicker::eyedropperWished);
     return panel;
 }
@@ -164,16 +166,7 @@ void ColorPicker::hideEvent(QHideEvent* event) {
 }
 
 void ColorPicker::openAt(const QWidget& anchor) {
-    adjustSize();
-    const QRect screen = anchor.screen()->availableGeometry();
-    QPoint corner = anchor.mapToGlobal(QPoint(0, anchor.height() + 2));
-    if (corner.y() + height() > screen.bottom()) {
-        corner.setY(std::max(screen.top(), anchor.mapToGlobal(QPoint(0, 0)).y() - height() - 2));
-    }
-    corner.setX(
-        std::clamp(corner.x(), screen.left(), std::max(screen.left(), screen.right() - width())));
-    move(corner);
-    show();
+    openBeside(*this, anchor);
     field_->setFocus();
 }
 

@@ -4,7 +4,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 
-#include "parameters/clipboard_value.h"
+#include "core/color.h"
 
 namespace patina {
 

@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 
 #include "parameters/choice_box.h"
+#include "parameters/editor_factory.h"
 
 namespace patina {
 
@@ -33,6 +34,10 @@ void EnumEditor::present(const Value& value) {
 
 QWidget* EnumEditor::focusTarget() {
     return box_;
+}
+
+ParameterEditor* makeEnumEditor(const Parameter& parameter, QWidget* parent) {
+    return new EnumEditor(parameter, parent);
 }
 
 } // namespace patina

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/hex_box.h"
 
-#include "parameters/clipboard_value.h"
+#include "core/color.h"
 
 namespace patina {
 

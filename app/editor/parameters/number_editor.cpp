@@ -5,6 +5,7 @@
 
 #include <QHBoxLayout>
 
+#include "parameters/editor_factory.h"
 #include "parameters/number_edit.h"
 #include "parameters/value_slider.h"
 
@@ -48,6 +49,18 @@ QWidget* NumberEditor::focusTarget() {
 
 void NumberEditor::scrubWith(ScrubLabel& label) {
     number_->scrubWith(label);
+}
+
+ParameterEditor* makeFloatEditor(const Parameter& parameter, QWidget* parent) {
+    return new NumberEditor(parameter, parent);
+}
+
+ParameterEditor* makeIntEditor(const Parameter& parameter, QWidget* parent) {
+    return new NumberEditor(parameter, parent);
+}
+
+ParameterEditor* makeAngleEditor(const Parameter& parameter, QWidget* parent) {
+    return new NumberEditor(parameter, parent);
 }
 
 } // namespace patina

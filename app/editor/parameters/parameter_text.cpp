@@ -8,7 +8,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
-#include "parameters/clipboard_value.h"
+#include "core/color.h"
 #include "parameters/number_format.h"
 
 namespace patina {
@@ -48,6 +48,10 @@ struct Shower {
     QString operator()(int whole) const { return withUnit(QString::number(whole), parameter); }
     QString operator()(double value) const { return withUnit(number(value, parameter), parameter); }
     QString operator()(const std::string& id) const { return labelOfChoice(parameter, id); }
+    QString operator()(const NumberList& list) const {
+        const ParameterTypeInfo* info = infoOf(list);
+        return info == nullptr ? QString() : text(info->summary(list));
+    }
     QString operator()(const glm::dvec2& v) const {
         return withUnit(number(v.x, parameter) + ", " + number(v.y, parameter), parameter);
     }
@@ -61,9 +65,10 @@ struct Shower {
     }
 };
 
-bool isNumeric(ParameterType type) {
-    return type != ParameterType::Bool && type != ParameterType::Enum &&
-           type != ParameterType::Texture && type != ParameterType::Color;
+/// Whether the range of a type tells more than the editor shows.
+bool tellsRange(ParameterType type) {
+    return infoOf(type).hasRange && infoOf(type).function == nullptr &&
+           type != ParameterType::Color;
 }
 
 QString paragraph(const QString& text) {
@@ -133,7 +138,7 @@ QString tooltipOf(const Parameter& parameter) {
         tip += choicesText(parameter);
     }
     QStringList facts;
-    if (isNumeric(parameter.type)) {
+    if (tellsRange(parameter.type)) {
         facts << rangeText(parameter);
     }
     if (parameter.type != ParameterType::Texture) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/texture_editor.h"
 
+#include "parameters/editor_factory.h"
+#include "parameters/picture_file_editor.h"
+
 namespace patina {
 
 TextureEditor::TextureEditor(const Parameter& parameter, QWidget* parent)
@@ -10,5 +13,12 @@ TextureEditor::TextureEditor(const Parameter& parameter, QWidget* parent)
 }
 
 void TextureEditor::present(const Value&) {}
+
+/// A value that is an image has the line of its image; any other file is chosen.
+ParameterEditor* makeTextureEditor(const Parameter& parameter, QWidget* parent) {
+    return parameter.textureChannels.empty()
+               ? static_cast<ParameterEditor*>(new PictureFileEditor(parameter, parent))
+               : new TextureEditor(parameter, parent);
+}
 
 } // namespace patina

@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 
+#include "parameters/editor_factory.h"
 #include "parameters/number_edit.h"
 #include "parameters/scrub_label.h"
 #include "parameters/value_slider.h"
@@ -34,8 +35,8 @@ VectorEditor::VectorEditor(const Parameter& parameter, QWidget* parent)
     for (int i = 0; i < static_cast<int>(defaults.size()); ++i) {
         const auto place = static_cast<std::size_t>(i);
         const QString component = QString::fromStdString(names[place]);
-        auto* number = new NumberEdit(parameter, defaults[place],
-                                      name() + QLatin1Char(' ') + component, this);
+        auto* number =
+            new NumberEdit(parameter, defaults[place], name() + QLatin1Char(' ') + component, this);
         auto* letter = new ScrubLabel(component, this);
         number->scrubWith(*letter);
         letter->setBuddy(number->slider());
@@ -73,6 +74,14 @@ void VectorEditor::present(const Value& value) {
 
 QWidget* VectorEditor::focusTarget() {
     return numbers_.empty() ? static_cast<QWidget*>(this) : numbers_.front()->slider();
+}
+
+ParameterEditor* makeVec2Editor(const Parameter& parameter, QWidget* parent) {
+    return new VectorEditor(parameter, parent);
+}
+
+ParameterEditor* makeVec3Editor(const Parameter& parameter, QWidget* parent) {
+    return new VectorEditor(parameter, parent);
 }
 
 } // namespace patina

@@ -25,14 +25,12 @@ const Value& valueOf(const EvalBlock& block, const Parameter& parameter) {
     return found == block.values.end() ? parameter.defaultValue : found->second;
 }
 
-std::string_view compiledText(const Value& value) {
-    if (const auto* id = std::get_if<std::string>(&value)) {
-        return *id;
+std::string_view compiledText(const Parameter& parameter, const Value& value) {
+    if (parameter.compiled == Compiled::WhenZero) {
+        return value == Value(0.0) ? "zero" : "nonzero";
     }
-    if (const auto* flag = std::get_if<bool>(&value)) {
-        return *flag ? "true" : "false";
-    }
-    return value == Value(0.0) ? "zero" : "nonzero";
+    const ParameterTypeInfo& info = infoOf(parameter.type);
+    return info.stateWord(parameter, info.state(parameter, conformed(parameter, value)));
 }
 
 std::string keyOf(const EvalBlock& block) {
@@ -62,7 +60,7 @@ void addParameters(SourceBuilder& builder, const EvalBlock& block, const std::st
                    std::span<const SlotFill> slots) {
     const std::vector<CompiledValue> compiled = compiledValues(block);
     builder.add(constantsSource(*block.block));
-    builder.add(structSource(*block.block));
+    builder.add(structSource(*block.block, compiled));
     builder.add(unpackSource(*block.block, {function, compiled, slots}));
 }
 
@@ -148,7 +146,7 @@ std::vector<CompiledValue> compiledValues(const EvalBlock& block) {
     for (const Parameter& parameter : block.block->parameters) {
         const bool isLooked = parameter.compiled == Compiled::WhenEqual; // at, by the program
         if (parameter.compiled != Compiled::No && !isLooked) {
-            values.push_back({parameter.id, compiledText(valueOf(block, parameter))});
+            values.push_back({parameter.id, compiledText(parameter, valueOf(block, parameter))});
         }
     }
     for (const AccuracyChoice& choice : block.block->accuracy) {

@@ -41,72 +41,12 @@ std::vector<double> edgeCaseNumbers(const Parameter& parameter) {
     return legal;
 }
 
-std::vector<Value> choices(const Parameter& parameter) {
-    std::vector<Value> values;
-    for (const EnumValue& value : parameter.values) {
-        values.emplace_back(value.id);
-    }
-    return values;
-}
-
-std::vector<Value> wholeNumbers(const Parameter& parameter) {
-    std::vector<Value> values;
-    for (const double number : edgeCaseNumbers(parameter)) {
-        values.emplace_back(static_cast<int>(std::ceil(number)));
-    }
-    return values;
-}
-
-/// Equal components, and mixtures of the ends with what is between.
-template <class Vector>
-std::vector<Value> vectors(const Parameter& parameter) {
-    const std::vector<double> numbers = edgeCaseNumbers(parameter);
-    std::vector<Value> values;
-    for (const double number : numbers) {
-        values.emplace_back(Vector(number));
-    }
-    for (std::size_t i = 0; i + 2 < std::min<std::size_t>(numbers.size(), 8); ++i) {
-        Vector mixed(numbers[i + 2]);
-        mixed[0] = numbers[i];
-        mixed[1] = numbers[i + 1];
-        values.emplace_back(mixed);
-    }
-    return values;
-}
-
-std::vector<Value> scalars(const Parameter& parameter) {
-    std::vector<Value> values;
-    for (const double number : edgeCaseNumbers(parameter)) {
-        values.emplace_back(number);
-    }
-    return values;
-}
-
-std::vector<Value> allHard(const Parameter& parameter) {
-    switch (parameter.type) {
-    case ParameterType::Bool:
-        return {false, true};
-    case ParameterType::Enum:
-        return choices(parameter);
-    case ParameterType::Int:
-        return wholeNumbers(parameter);
-    case ParameterType::Vec2:
-        return vectors<glm::dvec2>(parameter);
-    case ParameterType::Vec3:
-    case ParameterType::Color:
-        return vectors<glm::dvec3>(parameter);
-    case ParameterType::Texture:
-        return {};
-    default:
-        return scalars(parameter);
-    }
-}
-
 } // namespace
 
 std::vector<Value> edgeCaseValues(const Parameter& parameter) {
     std::vector<Value> values{roundedToFloat(parameter.defaultValue)};
-    for (const Value& value : allHard(parameter)) {
+    for (const Value& value :
+         infoOf(parameter.type).edgeCases(parameter, edgeCaseNumbers(parameter))) {
         const Value legal = roundedToFloat(conformed(parameter, value));
         if (std::find(values.begin(), values.end(), legal) == values.end()) {
             values.push_back(legal);

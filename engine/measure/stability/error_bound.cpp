@@ -33,17 +33,20 @@ void addChange(ReferenceNumbers& noise, const ReferenceNumbers& exact, const Ref
 }
 
 bool moves(const ParameterField& field) {
-    return field.parameter != nullptr && field.parameter->type != ParameterType::Enum &&
-           field.parameter->type != ParameterType::Bool &&
-           field.parameter->type != ParameterType::Int;
+    return field.parameter != nullptr && infoOf(field.parameter->type).isContinuous;
 }
 
-/// A value moved by its rounding, within the parameter's range.
+/// A value moved by its rounding, within the parameter's range. What is written of a function is
+/// not its values alone.
 double moved(const Parameter& parameter, double x, double sign) {
+    const double next = x + sign * rounding * std::abs(x);
+    if (infoOf(parameter.type).function != nullptr) {
+        return next;
+    }
     const bool angle = parameter.type == ParameterType::Angle;
     const double low = angle ? glm::radians(parameter.min) : parameter.min;
     const double high = angle ? glm::radians(parameter.max) : parameter.max;
-    return std::clamp(x + sign * rounding * std::abs(x), low, high);
+    return std::clamp(next, low, high);
 }
 
 ReferenceNumbers larger(const ReferenceNumbers& a, const ReferenceNumbers& b) {

@@ -19,6 +19,18 @@ bool isZero(const Value& value) {
     return value == Value(0.0);
 }
 
+/// What of a value is part of the program.
+std::size_t compiledState(const Parameter& parameter, const Value& value) {
+    switch (parameter.compiled) {
+    case Compiled::Yes:
+        return infoOf(parameter.type).state(parameter, value);
+    case Compiled::WhenZero:
+        return isZero(value) ? 0 : 1;
+    default:
+        return 0;
+    }
+}
+
 Candidates zeroAndNot(const Parameter& parameter) {
     const Candidates values = edgeCaseValues(parameter);
     Candidates both;
@@ -37,7 +49,7 @@ Candidates zeroAndNot(const Parameter& parameter) {
 Candidates compiledCandidates(const Parameter& parameter) {
     switch (parameter.compiled) {
     case Compiled::Yes:
-        return edgeCaseValues(parameter);
+        return infoOf(parameter.type).states(parameter);
     case Compiled::WhenZero:
         return zeroAndNot(parameter);
     default:
@@ -113,9 +125,7 @@ std::vector<EvalBlock> fillers(const Catalog& catalog, const Block& block) {
 Candidates candidates(const Parameter& parameter, const Value& own) {
     Candidates values{own};
     for (const Value& value : edgeCaseValues(parameter)) {
-        const bool otherProgram =
-            parameter.compiled == Compiled::Yes ||
-            (parameter.compiled == Compiled::WhenZero && isZero(value) != isZero(own));
+        const bool otherProgram = compiledState(parameter, value) != compiledState(parameter, own);
         if (!otherProgram && value != own) {
             values.push_back(value);
         }
@@ -138,7 +148,7 @@ std::vector<Factor> factorsOf(const EvalCase& variant) {
             continue;
         }
         for (const Parameter& parameter : block.block->parameters) {
-            if (parameter.type != ParameterType::Texture) {
+            if (componentCount(parameter.type) > 0) {
                 factors.push_back(
                     {part, &parameter, candidates(parameter, block.values.at(parameter.id))});
             }
@@ -160,20 +170,9 @@ double sliderValue(const Parameter& parameter, std::mt19937& random) {
 
 Value ordinaryValue(const Factor& factor, std::mt19937& random) {
     const auto next = [&] { return sliderValue(*factor.parameter, random); };
-    switch (factor.parameter->type) {
-    case ParameterType::Bool:
-    case ParameterType::Enum:
-        return factor.values[random() % factor.values.size()];
-    case ParameterType::Int:
-        return conformed(*factor.parameter, static_cast<int>(std::round(next())));
-    case ParameterType::Vec2:
-        return roundedToFloat(glm::dvec2(next(), next()));
-    case ParameterType::Vec3:
-    case ParameterType::Color:
-        return roundedToFloat(glm::dvec3(next(), next(), next()));
-    default:
-        return roundedToFloat(next());
-    }
+    const ParameterTypeInfo& info = infoOf(factor.parameter->type);
+    return info.hasRange ? info.ordinary(*factor.parameter, next)
+                         : factor.values[random() % factor.values.size()];
 }
 
 void addChoices(std::string& text, const EvalBlock& block) {
@@ -186,12 +185,10 @@ void addChoices(std::string& text, const EvalBlock& block) {
             found == block.values.end()) {
             continue;
         }
-        const auto* word = std::get_if<std::string>(&found->second);
-        const auto* flag = std::get_if<bool>(&found->second);
-        add(parameter.id, word != nullptr         ? *word
-                          : flag != nullptr       ? (*flag ? "true" : "false")
-                          : isZero(found->second) ? "0"
-                                                  : "not 0");
+        const std::size_t state = compiledState(parameter, found->second);
+        add(parameter.id, parameter.compiled == Compiled::Yes
+                              ? infoOf(parameter.type).stateWord(parameter, state)
+                              : std::string_view(state == 0 ? "0" : "not 0"));
     }
     for (const auto& [id, level] : block.accuracy) {
         add(id, level);

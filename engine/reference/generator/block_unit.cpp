@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/function_source.h"
 #include "catalog/parameter_layout.h"
 #include "catalog/table_source.h"
 #include "core/text.h"
@@ -49,22 +50,16 @@ std::string fieldType(const ParameterField& field) {
     if (choicesOf(field) != nullptr) {
         return "int";
     }
-    switch (field.parameter->type) {
-    case ParameterType::Bool:
-        return "bool";
-    case ParameterType::Int:
-        return "int";
-    case ParameterType::Vec2:
-        return "vec2";
-    case ParameterType::Vec3:
-    case ParameterType::Color:
-        return "vec3";
-    default:
-        return "double";
-    }
+    return std::string(infoOf(field.parameter->type).cpp);
 }
 
 std::string unpackedField(const ParameterField& field) {
+    if (functionOf(field) != nullptr) {
+        const std::string plain = plainField(field);
+        return fmt::format("    p.{} = &data[{}];\n", field.name, field.offset) +
+               (plain.empty() ? ""
+                              : fmt::format("    p.{} = data[{}] == 0.0;\n", plain, field.offset));
+    }
     const std::string type = fieldType(field);
     std::string value = fmt::format("data[{}]", field.offset);
     for (int i = 1; i < field.components; ++i) {
@@ -81,6 +76,7 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
     std::string constantLines;
     std::string fields;
     std::string unpacked;
+    std::string functions;
     for (const ParameterField& field : layout.fields) {
         constantLines += constants(block, field);
         fields += fmt::format("    {} {}{{}};\n", fieldType(field), field.name);
@@ -92,14 +88,19 @@ std::string structCode(const Block& block, const ParameterLayout& layout) {
             unpacked += fmt::format("    p.{0}Equal = p.{0} == p.{1};\n", field.name,
                                     fieldName(field.parameter->equalTo));
         }
+        if (functionOf(field) != nullptr) {
+            const std::string plain = plainField(field);
+            fields += plain.empty() ? "" : fmt::format("    bool {}{{}};\n", plain);
+            functions += asCpp(functionText(block, field, "const double*"));
+        }
     }
     for (const Slot& slot : block.slots) {
         fields += fmt::format("    {}Slot {};\n", capitalised(slot.kind), slot.kind);
     }
     return fmt::format("{0}\nstruct {1} {{\n{2}}};\n\n"
                        "{1} unpack([[maybe_unused]] Parameters data) {{\n    {1} p;\n{3}"
-                       "    return p;\n}}\n\n",
-                       constantLines, structName(block), fields, unpacked);
+                       "    return p;\n}}\n\n{4}",
+                       constantLines, structName(block), fields, unpacked, functions);
 }
 
 /// How what fills a slot is called; where it is a function of Directions, with the slot's geometry.

@@ -58,6 +58,11 @@ void add(ValueHash& hash, const Value& value) {
         hash.add(pair->x, pair->y);
     } else if (const auto* text = std::get_if<std::string>(&value)) {
         hash.add(std::string_view(*text));
+    } else if (const auto* list = std::get_if<NumberList>(&value)) {
+        hash.add(std::uint64_t(list->numbers.size()));
+        for (const double element : list->numbers) {
+            hash.add(element);
+        }
     } else if (const auto* whole = std::get_if<int>(&value)) {
         hash.add(static_cast<std::uint64_t>(*whole));
     } else {

@@ -124,8 +124,9 @@ void writeModel(SurfaceText& text) {
     const BlockUse& use = *text.set.model;
     const Block& model = use.block();
     writeSlots(text);
-    text.addBlock(model);
-    text.out.add(unpackSource(model, {"unpackModel", use.compiled(), text.filled}));
+    const std::vector<CompiledValue> compiled = use.compiled();
+    text.addBlock(model, compiled);
+    text.out.add(unpackSource(model, {"unpackModel", compiled, text.filled}));
     text.out.add(fmt::format("#define Model {}\n#define {} {}\n#define IS_DARK(d) ({})\n"
                              "#define IS_UNLIT(nl) ({})\n"
                              "#define CUT_AT_ZERO(color) {}\n",

@@ -18,11 +18,11 @@ void SurfaceText::readFrom(const std::string& array) {
         fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array));
 }
 
-void SurfaceText::addBlock(const Block& block) {
+void SurfaceText::addBlock(const Block& block, std::span<const CompiledValue> compiled) {
     if (std::ranges::find(written_, &block) != written_.end()) {
         return;
     }
-    out.add(constantsSource(block) + structSource(block));
+    out.add(constantsSource(block) + structSource(block, compiled));
     if (looksUp(block, object.tables, output)) {
         out.addFile("passes/block_tables.glsl");
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,7 @@ class SurfaceText {
 
     /// The block's constants, struct and functions, with its tables: once, however often it is
     /// asked for.
-    void addBlock(const Block& block);
+    void addBlock(const Block& block, std::span<const CompiledValue> compiled = {});
     void addUnpack(const BlockUse& use, const std::string& function);
 
     /// What a probe can read, as a statement of main behind the one that made it.

@@ -5,30 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "catalog/function_source.h"
 #include "catalog/parameter_layout.h"
 #include "core/text.h"
 
 namespace patina {
 namespace {
 
-const char* glslType(const ParameterField& field) {
-    if (field.parameter == nullptr) {
-        return "int";
-    }
-    switch (field.parameter->type) {
-    case ParameterType::Int:
-    case ParameterType::Enum:
-        return "int";
-    case ParameterType::Bool:
-        return "bool";
-    case ParameterType::Vec2:
-        return "vec2";
-    case ParameterType::Vec3:
-    case ParameterType::Color:
-        return "vec3";
-    default:
-        return "float";
-    }
+std::string_view glslType(const ParameterField& field) {
+    return field.parameter == nullptr ? "int" : infoOf(field.parameter->type).glsl;
 }
 
 const std::vector<EnumValue>& choicesOf(const ParameterField& field) {
@@ -52,7 +37,7 @@ std::string placeOf(const ParameterField& field) {
 }
 
 std::string readSource(const ParameterField& field) {
-    const std::string type = glslType(field);
+    const std::string_view type = glslType(field);
     if (type == "int") {
         return fmt::format("int(floor({} + 0.5))", placeOf(field));
     }
@@ -72,7 +57,29 @@ const CompiledValue* compiledOf(const ParameterField& field, const UnpackRequest
                      [&field](const CompiledValue& value) { return value.id == idOf(field); });
     const bool isRead =
         found == request.compiled.end() || found->value == "nonzero" || !equalField(field).empty();
-    return isRead ? nullptr : &*found;
+    return isRead || functionOf(field) != nullptr ? nullptr : &*found;
+}
+
+/// Whether the program knows that the function of a field is the plain one.
+bool isPlain(const ParameterField& field, std::span<const CompiledValue> compiled) {
+    const auto found = std::ranges::find(compiled, idOf(field), &CompiledValue::id);
+    return found != compiled.end() && functionOf(field) != nullptr &&
+           found->value == infoOf(field.parameter->type).stateWord(*field.parameter, 0);
+}
+
+/// "p.curve = base + 3;", and whether the function is the plain one.
+std::string unpackFunction(const ParameterField& field, const UnpackRequest& request) {
+    const std::size_t first = field.offset / 4;
+    std::string text = fmt::format("    p.{} = base + {};\n", field.name, first);
+    if (const std::string plain = plainField(field); !plain.empty()) {
+        const bool isKnown = std::ranges::find(request.compiled, idOf(field), &CompiledValue::id) !=
+                             request.compiled.end();
+        text += fmt::format("    p.{} = {};\n", plain,
+                            !isKnown ? fmt::format("PARAMETER_DATA({}).x == 0.0", first)
+                            : isPlain(field, request.compiled) ? "true"
+                                                               : "false");
+    }
+    return text;
 }
 
 std::string compiledText(const Block& block, const ParameterField& field,
@@ -104,6 +111,15 @@ std::string unpackEqual(const ParameterField& field, const UnpackRequest& reques
     }
     return fmt::format("    p.{} = p.{} == p.{};\n", equal, field.name,
                        fieldName(field.parameter->equalTo));
+}
+
+/// Whether a field lies in this vec4; what a function reads is no field.
+bool isReadByField(const ParameterLayout& layout, std::size_t vec4) {
+    return std::ranges::none_of(layout.fields, [vec4](const ParameterField& field) {
+        const std::size_t first = field.offset / 4;
+        return functionOf(field) != nullptr && vec4 >= first &&
+               vec4 < first + static_cast<std::size_t>(field.components) / 4;
+    });
 }
 
 std::string unpackSlots(const Block& block, const UnpackRequest& request) {
@@ -159,13 +175,13 @@ std::string constantsSource(const Block& block) {
     return out;
 }
 
-std::string structSource(const Block& block) {
+std::string structSource(const Block& block, std::span<const CompiledValue> compiled) {
     std::string out = fmt::format("struct {} {{\n", structName(block));
     const ParameterLayout layout = layoutOf(block);
     for (const ParameterField& field : layout.fields) {
         out += fmt::format("    {} {};\n", glslType(field), field.name);
-        if (const std::string equal = equalField(field); !equal.empty()) {
-            out += fmt::format("    bool {};\n", equal);
+        for (const std::string& flag : {equalField(field), plainField(field)}) {
+            out += flag.empty() ? "" : fmt::format("    bool {};\n", flag);
         }
     }
     for (const Slot& slot : block.slots) {
@@ -174,7 +190,14 @@ std::string structSource(const Block& block) {
     if (layout.fields.empty() && block.slots.empty()) {
         out += "    float unused;\n"; // GLSL has no empty structs
     }
-    return out + "};\n";
+    out += "};\n";
+    for (const ParameterField& field : layout.fields) {
+        if (functionOf(field) != nullptr) {
+            out += isPlain(field, compiled) ? plainFunction(block, field)
+                                            : functionText(block, field, "int");
+        }
+    }
+    return out;
 }
 
 std::string unpackSource(const Block& block, const UnpackRequest& request) {
@@ -182,6 +205,10 @@ std::string unpackSource(const Block& block, const UnpackRequest& request) {
     std::string defines;
     std::string body;
     for (const ParameterField& field : layout.fields) {
+        if (functionOf(field) != nullptr) {
+            body += unpackFunction(field, request);
+            continue;
+        }
         const CompiledValue* compiled = compiledOf(field, request);
         const std::string value =
             compiled == nullptr ? readSource(field) : defineName(field, request);
@@ -197,7 +224,9 @@ std::string unpackSource(const Block& block, const UnpackRequest& request) {
     std::string out = fmt::format("{}{} {}(int base) {{\n    {} p;\n", defines, structName(block),
                                   request.function, structName(block));
     for (std::size_t i = 0; i < layout.floats / 4; ++i) {
-        out += fmt::format("    vec4 d{} = PARAMETER_DATA({});\n", i, i);
+        if (isReadByField(layout, i)) {
+            out += fmt::format("    vec4 d{} = PARAMETER_DATA({});\n", i, i);
+        }
     }
     if (layout.fields.empty() && block.slots.empty()) {
         out += "    p.unused = 0.0;\n";

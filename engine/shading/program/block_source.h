@@ -14,8 +14,9 @@ namespace patina {
 std::string constantsSource(const Block& block);
 
 /// The parameter struct: parameters, accuracy choices, then one field per slot of type
-/// `<Kind>Slot`, named after the kind.
-std::string structSource(const Block& block);
+/// `<Kind>Slot`, named after the kind. Behind it the functions that curves and ramps are, which
+/// read `PARAMETER_DATA(i)`; what `compiled` says to be plain reads nothing.
+std::string structSource(const Block& block, std::span<const CompiledValue> compiled = {});
 
 /// A slot that is filled, and the vec4s that the block in it takes.
 struct SlotFill {

@@ -15,10 +15,7 @@ std::string_view stateText(const Parameter& parameter, std::size_t state) {
     if (parameter.compiled == Compiled::WhenZero) {
         return state == 0 ? "zero" : "nonzero";
     }
-    if (parameter.type == ParameterType::Bool) {
-        return state == 0 ? "false" : "true";
-    }
-    return state < parameter.values.size() ? parameter.values[state].id : std::string_view();
+    return infoOf(parameter.type).stateWord(parameter, state);
 }
 
 bool isCompiled(const Parameter& parameter) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/program/given_value.h"
 
-#include <algorithm>
-
 namespace patina {
 
 const Value& givenValue(const Parameter& parameter, const Values& values) {
@@ -25,16 +23,6 @@ bool notPositive(const Value& value) {
     return false;
 }
 
-std::size_t chosenIndex(const Parameter& parameter, const Values& values) {
-    const auto* given = std::get_if<std::string>(&givenValue(parameter, values));
-    const auto* usual = std::get_if<std::string>(&parameter.defaultValue);
-    const bool known = given != nullptr &&
-                       std::any_of(parameter.values.begin(), parameter.values.end(),
-                                   [given](const EnumValue& value) { return value.id == *given; });
-    const std::string* chosen = known ? given : usual;
-    return chosen == nullptr ? 0 : indexOf(parameter.values, *chosen);
-}
-
 std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& levels) {
     const auto found = levels.find(choice.id);
     return found == levels.end() ? 0 : indexOf(choice.values, found->second);
@@ -55,10 +43,7 @@ std::size_t compiledState(const Block& block, const Parameter& parameter, const 
         return other != nullptr && givenValue(parameter, values) == givenValue(*other, values) ? 0
                                                                                                : 1;
     }
-    if (const auto* truth = std::get_if<bool>(&givenValue(parameter, values))) {
-        return *truth ? 1 : 0;
-    }
-    return chosenIndex(parameter, values);
+    return infoOf(parameter.type).state(parameter, givenValue(parameter, values));
 }
 
 } // namespace patina

@@ -15,15 +15,14 @@ const Value& givenValue(const Parameter& parameter, const Values& values);
 /// Whether no part of a number, a vector or a colour is above 0.
 bool notPositive(const Value& value);
 
-/// Index of the chosen enum value or accuracy level; 0 where the choice is not known.
-std::size_t chosenIndex(const Parameter& parameter, const Values& values);
+/// Index of the chosen accuracy level; 0 where the choice is not known.
 std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& levels);
 
 /// True when the parameter is a number that is 0, or a vector or colour without a positive part.
 bool isZero(const Parameter& parameter, const Values& values);
 
-/// What a compiled parameter contributes to the program, as a small number: the enum value's
-/// index, a bool, or whether a float is zero or the same as another one of its block.
+/// What a compiled parameter contributes to the program, as a small number: the state of its value,
+/// or whether a float is zero or the same as another one of its block.
 std::size_t compiledState(const Block& block, const Parameter& parameter, const Values& values);
 
 } // namespace patina

@@ -2,21 +2,14 @@
 #include "shading/program/parameter_packer.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
-
-#include <glm/trigonometric.hpp>
 
 #include "catalog/unit_direction.h"
 #include "shading/program/given_value.h"
 
 namespace patina {
 namespace {
-
-/// In the hard range, and never beyond what a float holds.
-double limited(const Parameter& parameter, double value) {
-    constexpr double most = std::numeric_limits<float>::max();
-    return std::clamp(std::clamp(value, parameter.min, parameter.max), -most, most);
-}
 
 glm::dvec3 inWorld(const Parameter& parameter, const glm::dvec3& value,
                    const glm::dmat4& cameraToWorld) {
@@ -32,40 +25,28 @@ glm::dvec3 inWorld(const Parameter& parameter, const glm::dvec3& value,
     }
 }
 
-/// The components of a value that is not an enum's.
-glm::dvec3 components(const Parameter& parameter, const Value& value) {
-    if (const auto* truth = std::get_if<bool>(&value)) {
-        return glm::dvec3(*truth ? 1.0 : 0.0);
-    }
-    if (const auto* whole = std::get_if<int>(&value)) {
-        return glm::dvec3(limited(parameter, *whole));
-    }
-    if (const auto* number = std::get_if<double>(&value)) {
-        const double inRange = limited(parameter, *number);
-        return glm::dvec3(parameter.type == ParameterType::Angle ? glm::radians(inRange) : inRange);
-    }
-    if (const auto* pair = std::get_if<glm::dvec2>(&value)) {
-        return {limited(parameter, pair->x), limited(parameter, pair->y), 0.0};
-    }
-    if (const auto* triple = std::get_if<glm::dvec3>(&value)) {
-        return {limited(parameter, triple->x), limited(parameter, triple->y),
-                limited(parameter, triple->z)};
-    }
-    return glm::dvec3(0.0);
-}
+using Numbers = std::array<double, maxComponents>;
 
-glm::dvec3 componentsOf(const ParameterField& field, const Values& values,
-                        const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
+/// The numbers of a field from the first; the others stay.
+void write(Numbers& numbers, const ParameterField& field, const Values& values,
+           const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
     if (field.parameter == nullptr) {
-        return glm::dvec3(static_cast<double>(chosenIndex(*field.choice, levels)));
+        numbers[0] = static_cast<double>(chosenIndex(*field.choice, levels));
+        return;
     }
     const Parameter& parameter = *field.parameter;
-    if (parameter.type == ParameterType::Enum) {
-        return glm::dvec3(static_cast<double>(chosenIndex(parameter, values)));
+    writeNumbers(parameter, givenValue(parameter, values), numbers.data());
+    if (parameter.space != Space::None) {
+        const glm::dvec3 placed =
+            inWorld(parameter, {numbers[0], numbers[1], numbers[2]}, cameraToWorld);
+        std::copy_n(&placed.x, 3, numbers.begin());
     }
-    const Value& given = givenValue(parameter, values);
-    const Value& value = isFinite(given) ? given : parameter.defaultValue;
-    return inWorld(parameter, components(parameter, value), cameraToWorld);
+}
+
+/// Never beyond what a float holds.
+float narrowed(double number) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(number, -most, most));
 }
 
 } // namespace
@@ -73,11 +54,12 @@ glm::dvec3 componentsOf(const ParameterField& field, const Values& values,
 void packInto(std::span<glm::vec4> out, const ParameterLayout& layout, const Values& values,
               const AccuracyLevels& levels, const glm::dmat4& cameraToWorld) {
     std::fill_n(out.begin(), layout.floats / 4, glm::vec4(0.0f));
+    Numbers numbers{};
     for (const ParameterField& field : layout.fields) {
-        const glm::dvec3 source = componentsOf(field, values, levels, cameraToWorld);
-        for (int i = 0; i < field.components; ++i) {
-            const std::size_t place = field.offset + static_cast<std::size_t>(i);
-            out[place / 4][static_cast<int>(place % 4)] = static_cast<float>(source[i]);
+        write(numbers, field, values, levels, cameraToWorld);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(field.components); ++i) {
+            const std::size_t place = field.offset + i;
+            out[place / 4][static_cast<int>(place % 4)] = narrowed(numbers[i]);
         }
     }
 }

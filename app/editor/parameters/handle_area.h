@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QTimer>
+#include <QWidget>
+#include <glm/vec3.hpp>
+
+namespace patina {
+
+/// A point of a curve, a stop of a ramp.
+struct Handle {
+    double x = 0.0;        ///< 0 .. 1
+    double y = 0.0;        ///< curves only
+    glm::dvec3 color{0.0}; ///< ramps only
+
+    friend bool operator==(const Handle&, const Handle&) = default;
+};
+
+/// A field in which handles are chosen, dragged, added with a click and removed by dragging them
+/// out. Arrows move the chosen one, page keys choose another, Delete removes it, Esc takes a drag
+/// back. Handles keep their order and a distance. What it asks for it shows at once; the document's
+/// answer comes through setHandles().
+class HandleArea : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// How many handles there may be, and how far apart their x are at least.
+    struct Limits {
+        std::size_t min = 1;
+        std::size_t max = 1;
+        double gap = 0.0;
+    };
+
+    HandleArea(const Limits& limits, QWidget* parent);
+
+    void setHandles(const std::vector<Handle>& handles);
+    const std::vector<Handle>& handles() const { return handles_; }
+
+    /// The handle that keys and fields change; none where it was removed.
+    std::optional<std::size_t> chosen() const { return chosen_; }
+    void choose(std::size_t index);
+
+    /// Asks for another chosen handle, as near as its neighbours allow.
+    void replaceChosen(const Handle& wanted);
+    void removeChosen();
+
+    /// Where a handle is in the widget.
+    virtual QPointF pixelOf(const Handle& handle) const = 0;
+
+  Q_SIGNALS:
+    void interactionBegan();
+    void changed(); ///< handles() is asked for
+    void interactionEnded();
+    void chosenChanged();
+    void activated(); ///< the chosen handle was double clicked, or Return was pressed
+
+  protected:
+    /// A new handle at a pixel.
+    virtual Handle handleAt(const QPointF& pixel) const = 0;
+    /// A handle that is dragged to a pixel.
+    virtual Handle dragged(const Handle& handle, const QPointF& pixel) const = 0;
+    /// A handle after an arrow key, by so many steps.
+    virtual Handle stepped(const Handle& handle, double right, double up) const = 0;
+
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    std::optional<std::size_t> handleNear(const QPointF& pixel) const;
+    std::optional<std::size_t> insert(const Handle& handle);
+    Handle between(const std::vector<Handle>& others, std::size_t index, Handle wanted) const;
+    bool isFarOutside(const QPointF& pixel) const;
+    void setChosen(std::optional<std::size_t> index);
+    void chooseNext(int steps);
+    void nudge(double right, double up);
+    void cancelDrag();
+    void endNudging();
+
+    Limits limits_;
+    std::vector<Handle> handles_;
+    std::optional<std::size_t> chosen_;
+    std::vector<Handle> before_;         ///< a drag, for Esc
+    std::vector<Handle> base_;           ///< with the dragged handle where it was pressed
+    std::optional<std::size_t> dragged_; ///< in base_
+    QTimer nudging_;                     ///< a held key is one interaction until it rests
+};
+
+} // namespace patina

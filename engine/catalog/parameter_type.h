@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/error.h"
+#include "core/value.h"
+
+namespace patina {
+
+struct Parameter;
+
+/// The types of parameters. A type is its name here, the row that `infoOf<Name>()` gives, and the
+/// editor that `make<Name>Editor()` makes (app/editor/parameters/editor_factory.h).
+#define PATINA_PARAMETER_TYPES(type)                                                               \
+    type(Float) type(Int) type(Bool) type(Color) type(Vec2) type(Vec3) type(Angle) type(Enum)      \
+        type(Texture) type(Curve) type(Ramp)
+
+#define PATINA_ENUMERATOR(name) name,
+enum class ParameterType { PATINA_PARAMETER_TYPES(PATINA_ENUMERATOR) };
+#undef PATINA_ENUMERATOR
+
+/// The most numbers that a value takes in the data of a shader.
+inline constexpr int maxComponents = 72;
+
+/// What a block calls of a value that is a function: `<result> <block><Field>(float x, <Block> p)`.
+struct ShaderFunction {
+    std::string_view result; ///< "float", "vec3"
+
+    /// GLSL that is C++ too: reads PARAMETER_DATA(i), the value's vec4s from 0, and ends in a
+    /// return.
+    std::string_view body;
+
+    /// The word of state 0, in which the function is `plainBody` and reads nothing: the struct has
+    /// a bool `<field><Word>` for it, which is the first number being 0. Empty: there is none.
+    std::string_view plainWord;
+    std::string_view plainBody;
+};
+
+/// Everything that is known of a type of parameter; code that depends on the type reads it here.
+struct ParameterTypeInfo {
+    std::string_view word;           ///< names the type in descriptors
+    int components = 1;              ///< numbers of a value in a shader's data; 0: it has none
+    std::string_view glsl = "float"; ///< type of the field that holds it
+    std::string_view cpp = "double"; ///< the same in the reference
+    bool hasRange = true;            ///< a value is numbers, which have limits
+    bool needsRange = true;          ///< its descriptor must give them
+    bool isContinuous = true;        ///< a small change of a number is a small one of the picture
+    bool isAlwaysCompiled = false;   ///< the state of a value is part of the program
+    double step = 0.01;              ///< where the descriptor does not say
+    int decimals = 3;
+    std::string_view unit{};
+
+    Result<Value> (*fromJson)(const Parameter&, const nlohmann::json&) = nullptr;
+    /// What a person typed or pasted, as it stands; nothing where it is no value of the type.
+    std::optional<Value> (*fromText)(const Parameter&, std::string_view) = nullptr;
+    std::string (*expected)(const Parameter&) = nullptr; ///< what may be typed
+    std::string (*range)(const Parameter&) = nullptr;    ///< what a value can be, for lists
+    /// How a value that is a NumberList is written; null for the other types.
+    nlohmann::json (*toJson)(const NumberList&) = nullptr;
+    std::string (*toText)(const NumberList&) = nullptr;
+    std::string (*summary)(const NumberList&) = nullptr; ///< in a word or two
+
+    /// See conformed() and writeNumbers(); the value holds the alternative of the default.
+    Value (*conformed)(const Parameter&, const Value&) = nullptr;
+    void (*pack)(const Parameter&, const Value&, double* out) = nullptr;
+
+    /// Hard values of the type, made of hard numbers of the parameter's range.
+    std::vector<Value> (*edgeCases)(const Parameter&, std::span<const double>) = nullptr;
+    /// A value made of numbers of the slider's range, which `next` gives.
+    Value (*ordinary)(const Parameter&, const std::function<double()>& next) = nullptr;
+
+    /// What of a value is part of a program: one value for each state, the state of a value, and
+    /// the word of a state. Null: no value of the type can be compiled in.
+    std::vector<Value> (*states)(const Parameter&) = nullptr;
+    std::size_t (*state)(const Parameter&, const Value&) = nullptr;
+    /// Points into the parameter, or to what lasts.
+    std::string_view (*stateWord)(const Parameter&, std::size_t state) = nullptr;
+
+    const ShaderFunction* function = nullptr; ///< null: a field holds the value itself
+};
+
+#define PATINA_DECLARATION(name) const ParameterTypeInfo& infoOf##name();
+PATINA_PARAMETER_TYPES(PATINA_DECLARATION)
+#undef PATINA_DECLARATION
+
+const ParameterTypeInfo& infoOf(ParameterType type);
+
+/// All types, in their order.
+std::span<const ParameterType> parameterTypes();
+
+/// The type that a descriptor's word names.
+std::optional<ParameterType> parameterTypeOf(std::string_view word);
+
+/// The row of what a list of numbers is; null where no type has this word.
+const ParameterTypeInfo* infoOf(const NumberList& list);
+
+/// The numbers of a value as the shader has them: forced into the type and the hard range, angles
+/// in radians, a choice as its index. A value of another type, or one that is not finite, gives the
+/// default. `out` has room for the type's components. Allocates nothing.
+void writeNumbers(const Parameter& parameter, const Value& value, double* out);
+
+/// The numbers in "[1, 2, 3]", "1, 2, 3" or "1 2 3"; nothing where something else stands.
+std::optional<std::vector<double>> numbersIn(std::string_view text);
+
+} // namespace patina
