@@ -166,7 +166,8 @@ void addCheck(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
         "check", "Evaluate a preset or a block where formulas break, on the graphics device and\n"
                  "in double precision; the status is 1 when a value is not finite, negative or\n"
-                 "inaccurate, and 130 when it was interrupted before one was found. Each finding comes as a line for `patina eval`");
+                 "inaccurate, and 130 when it was interrupted before one was found. Each finding "
+                 "comes as a line for `patina eval`");
     auto options = std::make_shared<CheckOptions>();
     command
         ->add_option("subject", options->subject, "A preset, or the id of a model or other block")

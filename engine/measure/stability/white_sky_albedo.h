@@ -7,10 +7,10 @@
 
 namespace patina {
 
-/// The share of an even white sky's light that a model gives back with its own values, as luminance:
-/// its directional albedo, averaged over the directions of the light by their cosine, in double
-/// precision. Above 1: it sends out more than arrives. Nothing for a block without code in double
-/// precision.
+/// The share of an even white sky's light that a model gives back with its own values, as
+/// luminance: its directional albedo, averaged over the directions of the light by their cosine, in
+/// double precision. Above 1: it sends out more than arrives. Nothing for a block without code in
+/// double precision.
 std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Block& model);
 
 } // namespace patina
