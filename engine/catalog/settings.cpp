@@ -91,13 +91,27 @@ class SettingsReader {
         }
         if (parameter.type == ParameterType::Enum) {
             readChoice(reader, key, parameter, std::get<std::string>(*value));
-        } else if (store_(parameter.id, roundedToFloat(conformed(parameter, *value))) != *value) {
+            return;
+        }
+        const Value inRange = roundedToFloat(conformed(parameter, *value));
+        if (const Value held = store_(parameter.id, inRange); held != *value) {
             notes_.push_back(reader.document().error(
                 reader.pointer(key),
                 fmt::format("\"{}\" is outside its range and was brought into it", key),
-                fmt::format("{} to {}", static_cast<float>(parameter.min),
-                            static_cast<float>(parameter.max))));
+                inRange == *value ? likeHeld(held) : rangeOf(parameter)));
         }
+    }
+
+    static std::string rangeOf(const Parameter& parameter) {
+        return fmt::format("{} to {}", static_cast<float>(parameter.min),
+                           static_cast<float>(parameter.max));
+    }
+
+    /// Where the range alone does not say what may stand there, as no factor of a scale may be 0.
+    static std::string likeHeld(const Value& held) {
+        std::string text = writeJson(toJson(held));
+        text.pop_back(); // the end of the line
+        return "such as " + text;
     }
 
     void readChoice(JsonReader& reader, const std::string& key, const Parameter& parameter,

@@ -30,7 +30,8 @@ struct ModelCost {
 void countFromQuickest(std::vector<ModelCost>& costs);
 
 /// Ranks all models of the catalogue on one scene: the object that a sweep would measure gets each
-/// of them with its defaults, round after round. Works in steps. Made, used and destroyed with one context current.
+/// of them with its defaults, round after round. Works in steps. Made, used and destroyed with one
+/// context current.
 class ModelRanking {
   public:
     static Result<std::unique_ptr<ModelRanking>> create(CostSweep::Subject subject,
