@@ -176,8 +176,8 @@ Value ordinaryValue(const Factor& factor, std::mt19937& random) {
 }
 
 void addChoices(std::string& text, const EvalBlock& block) {
-    const auto add = [&text](const std::string& id, const std::string& value) {
-        text += (text.empty() ? "" : ", ") + id + '=' + value;
+    const auto add = [&text](std::string_view id, std::string_view value) {
+        text += fmt::format("{}{}={}", text.empty() ? "" : ", ", id, value);
     };
     for (const Parameter& parameter : block.block->parameters) {
         const auto found = block.values.find(parameter.id);

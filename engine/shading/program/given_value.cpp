@@ -23,6 +23,10 @@ bool notPositive(const Value& value) {
     return false;
 }
 
+std::size_t chosenIndex(const Parameter& parameter, const Values& values) {
+    return infoOf(parameter.type).state(parameter, givenValue(parameter, values));
+}
+
 std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& levels) {
     const auto found = levels.find(choice.id);
     return found == levels.end() ? 0 : indexOf(choice.values, found->second);
@@ -43,7 +47,7 @@ std::size_t compiledState(const Block& block, const Parameter& parameter, const 
         return other != nullptr && givenValue(parameter, values) == givenValue(*other, values) ? 0
                                                                                                : 1;
     }
-    return infoOf(parameter.type).state(parameter, givenValue(parameter, values));
+    return chosenIndex(parameter, values);
 }
 
 } // namespace patina

@@ -15,7 +15,9 @@ const Value& givenValue(const Parameter& parameter, const Values& values);
 /// Whether no part of a number, a vector or a colour is above 0.
 bool notPositive(const Value& value);
 
-/// Index of the chosen accuracy level; 0 where the choice is not known.
+/// The state of a value that can be compiled: an enum's index. Index of the chosen accuracy level;
+/// 0 where the choice is not known.
+std::size_t chosenIndex(const Parameter& parameter, const Values& values);
 std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& levels);
 
 /// True when the parameter is a number that is 0, or a vector or colour without a positive part.
