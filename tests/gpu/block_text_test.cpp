@@ -10,6 +10,7 @@
 #include "shading/glsl/compile_log.h"
 #include "shading/glsl/shader_file.h"
 #include "shading/glsl/source_builder.h"
+#include "shading/glsl/tokens.h"
 #include "support/program.h"
 
 namespace patina::block_text_test {

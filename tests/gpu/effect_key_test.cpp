@@ -27,8 +27,11 @@ class EffectKeyTest : public ShadingTest {
                 variants.push_back(withoutEffects(scene, {&row.line.effect, 1}, catalog()));
             }
         }
+        const Scene other = RandomScenes(catalog()).scene(number + sceneCount);
         variants.push_back(scene);
-        variants.back().fog = RandomScenes(catalog()).scene(number + sceneCount).fog;
+        if (const BlockValues* fog = other.part(kinds::fog)) {
+            variants.back().setPart(kinds::fog, *fog);
+        }
         variants.push_back(scene);
         variants.back().exposure += 1.0;
         return variants;

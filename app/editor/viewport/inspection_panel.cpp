@@ -71,7 +71,7 @@ QString row(const QString& name, const glm::vec3& value, const QString& detail =
              cell(number(value.z)), detail.toHtmlEscaped());
 }
 
-QString lightName(const Scene& scene, std::size_t index) {
+QString shownLightName(const Scene& scene, std::size_t index) {
     const QString name = index < scene.lights.size()
                              ? QString::fromStdString(scene.lights[index].name)
                              : QString();
@@ -83,7 +83,7 @@ QString lightRows(const PixelProbe& probe, const Scene& scene) {
     const std::size_t shown = std::min(probe.lights.size(), maxLights);
     for (std::size_t i = 0; i < shown; ++i) {
         const LightShare& share = probe.lights[i];
-        text += row(lightName(scene, share.light), share.value,
+        text += row(shownLightName(scene, share.light), share.value,
                     InspectionPanel::tr("n·l %1").arg(number(share.nl)));
     }
     if (shown < probe.lights.size()) {

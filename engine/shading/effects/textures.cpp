@@ -114,7 +114,10 @@ std::string detailOf(const BoundTexture& texture, const EffectSubject* subject) 
 /// A parameter of the table that a level reads which an image changes; null: there is none.
 const Parameter* texturedInput(const EffectSet& set, const Block& block, const EnumValue& level) {
     const BlockTable* table = block.table(level.table);
-    for (const std::string& id : table ? table->of : std::vector<std::string>()) {
+    if (table == nullptr) {
+        return nullptr;
+    }
+    for (const std::string& id : table->of) {
         const bool hasImage = std::ranges::any_of(set.textures, [&](const BoundTexture& image) {
             return image.role == TextureRole::Input && image.kind == block.kind &&
                    image.parameter->id == id;
