@@ -45,7 +45,9 @@ class PresetReader {
         if (!textures.unknown.empty()) {
             material().unknown["textures"] = textures.unknown;
         }
-        return settled(std::move(reading_), std::move(errors_));
+        const bool hasModel = !material().model.id.empty(); // else it could not be written again
+        return hasModel ? settled(std::move(reading_), std::move(errors_))
+                        : Checked<PresetReading>(tl::unexpected(std::move(errors_)));
     }
 
   private:
