@@ -48,7 +48,9 @@ void fillRow(NumberRow& row, const ModelCost& each) {
                                         "this model")
                               .arg(row.text(Model)));
     row.setNumber(Ratio, costRatioText(each.cost, each.bound), each.cost.ratio.median);
-    row.setToolTip(Ratio, ratioNote(each.cost, each.bound));
+    row.setToolTip(Ratio, ModelList::tr("%1. In this run: what else the machine does may give "
+                                        "another run other times")
+                              .arg(ratioNote(each.cost, each.bound)));
     row.setNumber(Time, perPixelText(each.cost, true), each.cost.nanosecondsPerPixel);
     fillCounts(row, each.instructions);
     row.setNumber(Loss, lossText(each.albedoLoss), each.albedoLoss.value_or(2.0));

@@ -34,12 +34,14 @@ std::string rowText(const ModelCost& each) {
 std::string rankingText(const std::vector<ModelCost>& costs) {
     std::string text =
         fmt::format("{:<28} {:>6} {:<15} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8}\n",
-                    "model", "time", "(of 95 %)", "ns/pixel", "instr.", "sums", "roots", "images",
-                    "branch", "memory", "loss");
+                    "model", "time", "(in this run)", "ns/pixel", "instr.", "sums", "roots",
+                    "images", "branch", "memory", "loss");
     for (const ModelCost& each : costs) {
         text += rowText(each);
     }
-    return text + fmt::format("time: beside the quickest model; {}\n"
+    return text + fmt::format("time: beside the quickest model, and where it lies with a "
+                              "probability of 95 % in this run: what else a machine does may give "
+                              "another run other times; {}\n"
                               "loss: of an even white sky's light, with the model's own colours; "
                               "below 0: it sends out more than arrives\n",
                               signsText("the quickest model"));
