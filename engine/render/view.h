@@ -16,7 +16,7 @@
 
 namespace patina {
 
-class EnvironmentImage;
+struct EnvironmentImage;
 
 /// Which frame is wanted, apart from the scene.
 struct View {
