@@ -27,7 +27,7 @@ enum class Compiled {
     WhenEqual ///< a float: only whether it is the same as `equalTo` is part of the program
 };
 
-/// As what a number says how wide a block's highlight is. Pictures may widen highlights by it.
+/// Says as what a number tells how wide a highlight is. Pictures may widen highlights by it.
 enum class HighlightWidth {
     None,     ///< it does not
     Slope,    ///< of tiny mirrors, 0 .. 1

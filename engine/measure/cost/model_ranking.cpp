@@ -32,7 +32,7 @@ glm::ivec2 chosenSize(glm::ivec2 wanted) {
 constexpr int pairsPerTurn = 2;
 constexpr int fewestTurns = 6;
 
-/// Of two numbers that are known by intervals; unchanged where the second may be none.
+/// Divides numbers that are known by intervals; leaves the first where the second may be 0.
 MedianInterval quotient(const MedianInterval& a, const MedianInterval& b) {
     return b.lower > 0.0 ? MedianInterval{a.median / b.median, a.lower / b.upper, a.upper / b.lower}
                          : a;

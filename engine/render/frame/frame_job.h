@@ -47,14 +47,14 @@ class FrameJob {
     const std::optional<Error>& failure() const { return failure_; }
 
     /// A number that tells which programs are missing: 0 when all are there, and the same while the
-    /// same ones are missing. Of a frame that was just begun.
+    /// same ones are missing. The frame was just begun.
     std::uint64_t missingPrograms();
 
-    /// Of a sketch: the whole frame takes little, or hardly more than it did.
+    /// Says of a sketch that the whole frame takes little, or hardly more than it did.
     bool isNeedless() const { return isNeedless_; }
 
     /// Whether the frame has the same meshes in view as this scene, so that it is worth finishing
-    /// first. Of one that takes several steps.
+    /// first. It is one that takes several steps.
     bool hasMeshesOf(const Scene& scene) const;
 
     /// What the frame for a window has taken, with all its steps: the next one goes by it.

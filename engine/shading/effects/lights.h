@@ -18,7 +18,7 @@ struct LightGroup {
     std::optional<BlockUse> shadow; ///< how their shadows are drawn; nothing: there are none
     int lines = 0; ///< lights that stand in the program's text; 0: a loop, whose length is data
 
-    /// Of the shadows.
+    /// Says how the rays run that the shadows are cast along.
     ShadowProjection projection() const { return block.block().shadowProjection; }
 
     /// A number that tells groups apart, whatever they have of lines: lightKey() of their lights.

@@ -187,7 +187,7 @@ void ShadowsEffect::listMissing(LeftOutListing& listing, const EffectSet&) const
     }
 }
 
-/// Of the two kinds of map only those are in the text that lights have.
+/// Writes the kinds of map that lights have; the others are not in the text.
 void writeShadowCode(SurfaceText& text) {
     bool parallel = false;
     bool local = false;
