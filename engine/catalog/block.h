@@ -80,6 +80,7 @@ struct Reach {
 struct Block {
     std::string kind; ///< the folder: "models", "fresnel", "specular", "lights", ...
     std::string id;   ///< the stem of both files
+    std::vector<std::string> formerIds; ///< by which older files still name it
     int version = 1;
     std::string label;
     std::string summary;

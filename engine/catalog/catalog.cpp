@@ -218,10 +218,16 @@ class Loader {
 } // namespace
 
 const Block* Catalog::find(std::string_view kind, std::string_view id) const {
-    const auto found = std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) {
-        return block.kind == kind && block.id == id;
-    });
-    return found == blocks.end() ? nullptr : &*found;
+    const Block* renamed = nullptr;
+    for (const Block& block : blocks) {
+        if (block.kind == kind && block.id == id) {
+            return &block;
+        }
+        if (block.kind == kind && std::ranges::find(block.formerIds, id) != block.formerIds.end()) {
+            renamed = &block;
+        }
+    }
+    return renamed;
 }
 
 std::vector<const Block*> Catalog::ofKind(std::string_view kind) const {

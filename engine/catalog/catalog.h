@@ -25,6 +25,7 @@ struct Catalog {
     std::vector<Block> blocks;    ///< sorted by kind, then id
     Errors errors;
 
+    /// The block with that id, else the one that had it before; null where there is none.
     const Block* find(std::string_view kind, std::string_view id) const;
 
     /// All blocks of one kind, sorted by label.

@@ -312,6 +312,7 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
     block.descriptorFile = path;
     block.shaderFile = std::filesystem::path(path).replace_extension(".glsl");
     fields.read("id", block.id);
+    fields.read("formerIds", block.formerIds);
     fields.read("version", block.version);
     fields.read("label", block.label);
     fields.read("summary", block.summary);

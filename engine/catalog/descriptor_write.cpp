@@ -153,6 +153,7 @@ Json toJson(const Reach& reach) {
 nlohmann::json toJson(const Block& block) {
     Json json = {{"kind", block.kind},
                  {"id", block.id},
+                 {"formerIds", block.formerIds},
                  {"version", block.version},
                  {"label", block.label},
                  {"summary", block.summary},

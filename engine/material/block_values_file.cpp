@@ -176,6 +176,7 @@ BlockValues BlockReader::read(JsonReader& block, JsonReader& parameters, std::st
     ValuesReader reader(parameters, values, notes, parked);
     const Block* known = catalog.find(kind, values.id);
     if (known != nullptr) {
+        values.id = known->id;
         reader.read(*known);
         if (values.version > known->version) {
             notes.push_back(

@@ -1,84 +1,156 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks are data: the program knows none of them by name.
+// Blocks are data: the program looks none of them up by a literal id. Words of the trade that are
+// also ids (a box, a height, a point, linear light) may stand anywhere else.
 #include <array>
 #include <cctype>
+#include <set>
 
 #include <gtest/gtest.h>
 
+#include "shading/glsl/tokens.h"
 #include "source_tree.h"
 
 namespace patina::tests::block_names_test {
 namespace {
 
-/// Block ids that are also ordinary words of this trade. They may stand in a sentence or a name
-/// (a point in space, the head of a list, linear light), but never as a string equal to the id.
-constexpr std::array<std::string_view, 16> ordinaryWords = {
-    "point",     "head",       "spot",      "linear",   "directional", "exponential",
-    "empirical", "dielectric", "conductor", "constant", "hard",        "filtered",
-    "soft",      "image",      "studio",    "weighted"};
+using Ids = std::set<std::string, std::less<>>;
 
-/// Strings that equal an id and mean something else.
-struct OtherMeaning {
-    std::string_view file;
-    std::string_view id;
-    std::string_view why;
-};
-constexpr std::array<OtherMeaning, 4> otherMeanings = {
-    {{"engine/catalog/", "linear", "the scale of a slider, as opposed to log"},
-     {"engine/catalog/ramp", "constant", "colours that change in steps"},
-     {"engine/catalog/", "image", "the word for what drives a parameter, in a message"},
-     {"engine/material/texture_use", "linear", "numbers that are no sRGB codes"}}};
-
-bool isWordCharacter(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
+const Ids& blockIds() {
+    static const Ids ids = [] {
+        Ids found;
+        for (const SourceFile& descriptor : blockDescriptors()) {
+            found.insert(descriptor.stem());
+        }
+        return found;
+    }();
+    return ids;
 }
 
-/// Offset of `word` as a whole word, or npos.
-std::size_t findWord(std::string_view text, std::string_view word) {
-    for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-        const auto after = at + word.size();
-        const bool begins = at == 0 || !isWordCharacter(text[at - 1]);
-        if (begins && (after >= text.size() || !isWordCharacter(text[after]))) {
-            return at;
+bool isNameCharacter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+std::string_view withoutSpaceAtEnd(std::string_view text) {
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+/// The identifier that the text ends with.
+std::string_view lastName(std::string_view text) {
+    text = withoutSpaceAtEnd(text);
+    const auto begins = std::find_if_not(text.rbegin(), text.rend(), isNameCharacter);
+    return text.substr(static_cast<std::size_t>(text.rend() - begins));
+}
+
+/// What is called or constructed where this is the text before an argument, from the inside out.
+std::vector<std::string_view> callsAround(std::string_view before) {
+    std::vector<std::string_view> names;
+    int depth = 0;
+    for (std::size_t at = before.size(); at > 0; --at) {
+        const char c = before[at - 1];
+        if (c == ')' || c == '}') {
+            ++depth;
+        } else if ((c == '(' || c == '{') && depth > 0) {
+            --depth;
+        } else if (c == '(' || c == '{') {
+            const std::string_view callee = withoutSpaceAtEnd(before.substr(0, at - 1));
+            if (c == '{' && callee.ends_with(')')) { // the body of a function or a branch
+                break;
+            }
+            names.push_back(lastName(callee));
+        } else if (c == ';' && depth == 0) {
+            break;
         }
     }
-    return text.npos;
+    return names;
 }
 
-bool meansSomethingElse(const SourceFile& file, std::string_view id) {
-    return std::ranges::any_of(otherMeanings, [&](const OtherMeaning& other) {
-        return other.id == id && file.path.starts_with(other.file);
-    });
+std::string lowered(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    return lower;
 }
 
-std::vector<SourceFile> programSources() {
-    return filesUnder({"engine", "app"}, {".h", ".cpp", ".in"});
+bool namesABlock(std::string_view name) {
+    constexpr std::array<std::string_view, 6> words{"id", "block", "model", "light", "fog", "part"};
+    const std::string lower = lowered(name);
+    return std::ranges::any_of(words, [&](std::string_view word) { return lower.ends_with(word); });
 }
 
-TEST(BlockNames, Program_HasNoStringEqualToAnId) {
-    for (const SourceFile& descriptor : blockDescriptors()) {
-        const std::string literal = '"' + descriptor.stem() + '"';
-        for (const SourceFile& file : programSources()) {
-            const auto at = file.text.find(literal);
-            if (at != std::string::npos && !meansSomethingElse(file, descriptor.stem())) {
-                ADD_FAILURE() << file.place(at) << ": " << literal << " is a block id";
-            }
+bool looksUp(std::string_view call) {
+    constexpr std::array<std::string_view, 9> words{
+        "find", "block", "model", "light", "fog", "part", "fresnel", "shadow", "environment"};
+    const std::string lower = lowered(call);
+    return std::ranges::any_of(
+        words, [&](std::string_view word) { return lower.find(word) != lower.npos; });
+}
+
+/// Whether a string between these texts is compared with an id, becomes one, or is looked up.
+bool isLookup(std::string_view before, std::string_view after) {
+    before = withoutSpaceAtEnd(before);
+    for (const std::string_view comparison : {"==", "!=", "="}) {
+        if (before.ends_with(comparison)) {
+            return namesABlock(lastName(before.substr(0, before.size() - comparison.size())));
+        }
+    }
+    const auto next = std::ranges::find_if_not(
+        after, [](unsigned char c) { return std::isspace(c) != 0; });
+    const std::string_view rest(next, after.end());
+    if (rest.starts_with("==") || rest.starts_with("!=")) {
+        const std::string_view compared = rest.substr(2);
+        return namesABlock(lastName(compared.substr(0, compared.find_first_of(");&|?,"))));
+    }
+    return before.ends_with("\"id\",") || std::ranges::any_of(callsAround(before), looksUp);
+}
+
+/// Offsets of the literals that are ids and are looked up.
+std::vector<std::size_t> lookups(std::string_view code, const Ids& ids) {
+    std::vector<std::size_t> found;
+    for (auto at = code.find('"'); at != code.npos; at = code.find('"', at + 1)) {
+        const auto end = code.find('"', at + 1);
+        if (end == code.npos) {
+            break;
+        }
+        if (ids.contains(code.substr(at + 1, end - at - 1)) &&
+            isLookup(code.substr(0, at), code.substr(end + 1))) {
+            found.push_back(at);
+        }
+        at = end;
+    }
+    return found;
+}
+
+TEST(BlockNames, Program_LooksNoBlockUpByALiteralId) {
+    ASSERT_FALSE(blockIds().empty());
+    for (const SourceFile& file : filesUnder({"engine", "app"}, {".h", ".cpp", ".in"})) {
+        for (const std::size_t at : lookups(withoutComments(file.text), blockIds())) {
+            ADD_FAILURE() << file.place(at) << ": looks a block up by its id: "
+                          << file.text.substr(at, 40);
         }
     }
 }
 
-TEST(BlockNames, Program_HasNoIdThatIsNotAnOrdinaryWord) {
-    for (const SourceFile& descriptor : blockDescriptors()) {
-        const std::string id = descriptor.stem();
-        if (std::ranges::find(ordinaryWords, id) != ordinaryWords.end()) {
-            continue;
-        }
-        for (const SourceFile& file : programSources()) {
-            const auto at = findWord(file.text, id);
-            if (at != std::string::npos) {
-                ADD_FAILURE() << file.place(at) << ": " << id << " is a block id";
-            }
-        }
+TEST(BlockNames, Lookups_AreFoundHoweverTheyAreWritten) {
+    const Ids ids{"box", "phong"};
+    for (const char* code :
+         {"catalog.find(kinds::fog, \"box\");", "if (values.id == \"box\") {",
+          "if (\"phong\" != material.model.id && x) {",
+          "constexpr std::string_view fogId = \"box\";",
+          "BlockValues{\"phong\", 1, {}};", "document.setModel(Side::A, \"phong\");",
+          "scene.setPart(kinds::fog, named(catalog, \"box\"));", "json{{\"id\", \"box\"}};",
+          "model =\n    \"phong\";"}) {
+        EXPECT_EQ(lookups(code, ids).size(), 1u) << code;
+    }
+}
+
+TEST(BlockNames, WordsOfTheTrade_AreNoLookups) {
+    const Ids ids{"box", "height", "linear"};
+    for (const char* code :
+         {"if (mesh == \"box\") {", "{\"normal\", \"height\", \"opacity\"};", "scale = \"linear\";",
+          "json.at(\"height\");", "const Box box; const float height = box.height; // the box"}) {
+        EXPECT_TRUE(lookups(code, ids).empty()) << code;
     }
 }
 

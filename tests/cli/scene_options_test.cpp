@@ -47,6 +47,11 @@ TEST(SceneOptions, None_TakesAPartOut) {
     EXPECT_EQ(sceneWith({"--fog", "none"}).part(kinds::fog), nullptr);
 }
 
+TEST(SceneOptions, FormerNamesOfFogs_MeanThoseOfNow) {
+    EXPECT_EQ(sceneWith({"--fog", "boxed"}).part(kinds::fog)->id, "box");
+    EXPECT_EQ(sceneWith({"--fog", "low-lying"}).part(kinds::fog)->id, "height");
+}
+
 TEST(SceneOptions, ALightsId_StandsForAllLights) {
     const Scene scene = sceneWith({"--light", "point"});
     ASSERT_EQ(scene.lights.size(), 1u);

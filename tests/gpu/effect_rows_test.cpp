@@ -174,7 +174,7 @@ TEST_F(EffectRowsTest, Fog_SaysHowMuchItHides) {
 }
 
 TEST_F(EffectRowsTest, FogThatNothingIsSeenThrough_IsLeftOut) {
-    useFog("boxed", "density", 5.0);
+    useFog("box", "density", 5.0);
     EffectView view{10.0};
     EXPECT_TRUE(sceneEffects(scene_, catalog(), view).fog);
     view.missesFog = true;
@@ -226,26 +226,26 @@ TEST_F(EffectRowsTest, FogSentence_NamesTheDepthThatThereIs) {
 }
 
 TEST_F(EffectRowsTest, FogInABoxWithoutAnyWidth_IsLeftOut) {
-    useFog("boxed", "density", 100.0);
-    EXPECT_TRUE(isIn("fog/boxed", 8.4));
-    EXPECT_EQ(row("fog/boxed", 8.4).line.reason.find("1e+02"), std::string::npos);
+    useFog("box", "density", 100.0);
+    EXPECT_TRUE(isIn("fog/box", 8.4));
+    EXPECT_EQ(row("fog/box", 8.4).line.reason.find("1e+02"), std::string::npos);
     Scene clear = scene_;
     clear.setPart(kinds::fog, std::nullopt);
     EffectKey keys;
     for (const glm::dvec3& size : {glm::dvec3(0.0), glm::dvec3(4.0, 0.0, 4.0)}) {
         scene_.part(kinds::fog)->parameters["size"] = size;
-        EXPECT_FALSE(isIn("fog/boxed", 8.4));
+        EXPECT_FALSE(isIn("fog/box", 8.4));
         EXPECT_EQ(keys.ofScene(scene_, catalog(), {8.4}), keys.ofScene(clear, catalog(), {8.4}));
     }
 }
 
 /// No ray is longer in it than its diagonal.
 TEST_F(EffectRowsTest, ThinFogInASmallBox_IsLeftOutAtAnyDepth) {
-    useFog("boxed", "density", 0.01);
+    useFog("box", "density", 0.01);
     scene_.part(kinds::fog)->parameters["size"] = glm::dvec3(1e-3);
-    EXPECT_FALSE(isIn("fog/boxed", 1000.0));
+    EXPECT_FALSE(isIn("fog/box", 1000.0));
     scene_.part(kinds::fog)->parameters["size"] = glm::dvec3(10.0);
-    EXPECT_TRUE(isIn("fog/boxed", 1000.0));
+    EXPECT_TRUE(isIn("fog/box", 1000.0));
 }
 
 /// Halves of 8-bit steps, by the worst case that there is: black behind bright fog.

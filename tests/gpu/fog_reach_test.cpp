@@ -21,7 +21,7 @@ class FogReachTest : public GpuTest {
     Scene fogAt(const glm::dvec3& center, const glm::dvec3& size) const {
         Scene scene = simpleScene();
         scene.camera.distance = 4.0;
-        scene.setPart(kinds::fog, block("fog", "boxed"));
+        scene.setPart(kinds::fog, block("fog", "box"));
         scene.part(kinds::fog)->parameters["density"] = 5.0;
         scene.part(kinds::fog)->parameters["center"] = center;
         scene.part(kinds::fog)->parameters["size"] = size;
@@ -43,7 +43,7 @@ class FogReachTest : public GpuTest {
     }
 
     bool isInTheFrame() const {
-        return std::ranges::count(renderer->report().effects, "fog/boxed") > 0;
+        return std::ranges::count(renderer->report().effects, "fog/box") > 0;
     }
 };
 
@@ -192,7 +192,7 @@ class FogLayerTest : public FogReachTest {
     Scene fogUpTo(double base, double thickness) const {
         Scene scene = simpleScene();
         scene.camera.distance = 4.0;
-        scene.setPart(kinds::fog, block("fog", "low-lying"));
+        scene.setPart(kinds::fog, block("fog", "height"));
         scene.part(kinds::fog)->parameters["base"] = base;
         scene.part(kinds::fog)->parameters["thickness"] = thickness;
         return scene;
@@ -200,7 +200,7 @@ class FogLayerTest : public FogReachTest {
 
     bool isDrawn(const Scene& scene) {
         capture(scene);
-        return std::ranges::count(renderer->report().effects, "fog/low-lying") > 0;
+        return std::ranges::count(renderer->report().effects, "fog/height") > 0;
     }
 
     EffectRow row(const Scene& scene) {
@@ -225,7 +225,7 @@ TEST_F(FogLayerTest, BelowTheObject_IsInNoProgramAndInNoPixel) {
 /// What is left out could be seen nowhere: the bound against the fog in the frame.
 TEST_F(FogLayerTest, JustLeftOut_ChangesNoPixelByHalfAStep) {
     makeRenderer();
-    const Block& fog = *catalog->find("fog", "low-lying");
+    const Block& fog = *catalog->find("fog", "height");
     double base = -0.9;
     Scene scene = fogUpTo(base, 0.1);
     while (isDrawn(scene)) {
@@ -314,7 +314,7 @@ TEST_F(FogLayerTest, RandomWays_HaveNoMoreOfItThanIsSaid) {
     for (int i = 0; i < 300; ++i) {
         Scene scene = fogUpTo(within(3.0), 1.0 + within(1.0));
         const FogLayer layer =
-            *fogLayer(*catalog->find("fog", "low-lying"), scene.part(kinds::fog)->parameters);
+            *fogLayer(*catalog->find("fog", "height"), scene.part(kinds::fog)->parameters);
         const glm::dvec3 eye(within(6.0), within(6.0), within(6.0));
         const glm::dmat4 world = glm::translate(here, {within(4.0), within(4.0), within(4.0)});
         FogReach reach(scene, *catalog, eye);

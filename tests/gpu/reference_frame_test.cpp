@@ -121,9 +121,9 @@ TEST_F(ReferenceFrameTest, FogThatEndsSomewhere_IsInIt) {
         SCOPED_TRACE(pitch);
         Scene scene = simpleScene();
         scene.camera.pitch = pitch;
-        scene.setPart(kinds::fog, block("fog", "low-lying"));
+        scene.setPart(kinds::fog, block("fog", "height"));
         EXPECT_LE(error(scene).p99, rounding);
-        scene.setPart(kinds::fog, block("fog", "boxed"));
+        scene.setPart(kinds::fog, block("fog", "box"));
         scene.part(kinds::fog)->parameters["size"] = glm::dvec3(1.2, 0.7, 4.0);
         scene.part(kinds::fog)->parameters["center"] = glm::dvec3(0.3, 0.2, 1.0);
         EXPECT_LE(error(scene).p99, rounding);

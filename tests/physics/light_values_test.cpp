@@ -178,7 +178,7 @@ const reference::FogRay crossingRays[] = {
 };
 
 TEST(LowLyingFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
-    const Subject fog("fog", "low-lying", {{"density", 0.8}, {"base", 0.2}, {"thickness", 0.6}});
+    const Subject fog("fog", "height", {{"density", 0.8}, {"base", 0.2}, {"thickness", 0.6}});
     for (const reference::FogRay& ray : crossingRays) {
         const double stepped = leftByStepping(ray, [](const glm::dvec3& x) {
             return 0.8 * std::exp(-std::max(x.y - 0.2, 0.0) / 0.6);
@@ -188,7 +188,7 @@ TEST(LowLyingFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
 }
 
 TEST(LowLyingFog, WithoutThickness_EndsAtItsBase) {
-    const Subject fog("fog", "low-lying", {{"density", 1.0}, {"base", 0.0}, {"thickness", 0.0}});
+    const Subject fog("fog", "height", {{"density", 1.0}, {"base", 0.0}, {"thickness", 0.0}});
     EXPECT_NEAR(fog.code->fog({{0, 2, 0}, {0, -1, 0}, 3.0}, fog.parameters), std::exp(-1.0), 1e-6);
     EXPECT_EQ(fog.code->fog({{0, 2, 0}, {1, 0, 0}, 3.0}, fog.parameters), 1.0);
 }
@@ -196,7 +196,7 @@ TEST(LowLyingFog, WithoutThickness_EndsAtItsBase) {
 TEST(BoxedFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
     const glm::dvec3 center(0.1, 0.5, -0.2);
     const glm::dvec3 size(2.0, 1.0, 3.0);
-    const Subject fog("fog", "boxed", {{"density", 0.8}, {"center", center}, {"size", size}});
+    const Subject fog("fog", "box", {{"density", 0.8}, {"center", center}, {"size", size}});
     for (const reference::FogRay& ray : crossingRays) {
         const double stepped = leftByStepping(ray, [&](const glm::dvec3& x) {
             const glm::dvec3 off = glm::abs(x - center) - 0.5 * size;
@@ -207,7 +207,7 @@ TEST(BoxedFog, OnEveryRay_LeavesWhatItsDensityAddsUpTo) {
 }
 
 TEST(BoxedFog, ThinAndFarAway_KeepsItsDigits) {
-    const Subject fog("fog", "boxed",
+    const Subject fog("fog", "box",
                       {{"density", 1000.0},
                        {"center", glm::dvec3(0.0, 0.0, -1e6)},
                        {"size", glm::dvec3(10.0, 10.0, 1e-3)}});

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "catalog/block_kind.h"
 
@@ -32,6 +33,18 @@ TEST(BlockKinds, PartsOfAnOwner_AreThoseItMayDoWithout) {
     EXPECT_EQ(std::set<std::string_view>(parts.begin(), parts.end()),
               (std::set{kinds::fog, kinds::transparency, kinds::environment}));
     EXPECT_EQ(partKinds(BlockOwner::Light).size(), 1u);
+}
+
+/// Other programs check files by the schemas alone.
+TEST(BlockKinds, Parts_StandInTheSchemas) {
+    for (const auto& [owner, schema] :
+         {std::pair(BlockOwner::Material, "schemas/preset.schema.json"),
+          std::pair(BlockOwner::Scene, "schemas/scene.schema.json")}) {
+        const auto properties = nlohmann::json::parse(textOf(schema)).at("properties");
+        for (const std::string_view kind : partKinds(owner)) {
+            EXPECT_TRUE(properties.contains(kind)) << schema << ": " << kind;
+        }
+    }
 }
 
 /// The guide's table of signatures has a row for each function of each kind.

@@ -24,6 +24,18 @@ TEST(Catalog, BlockOfAnotherKind_IsNotFound) {
     EXPECT_EQ(folder.load().find("models", "lamp"), nullptr);
 }
 
+TEST(Catalog, FormerId_GivesWayToABlockThatHasItNow) {
+    BlockFolder folder;
+    auto renamed = plainDescriptor("mist");
+    renamed["formerIds"] = {"haze", "smoke"};
+    folder.add("fog", renamed);
+    folder.add("fog", plainDescriptor("smoke"));
+    const Catalog catalog = folder.load();
+    EXPECT_EQ(catalog.find("fog", "haze")->id, "mist");
+    EXPECT_EQ(catalog.find("fog", "smoke")->id, "smoke");
+    EXPECT_EQ(catalog.find("models", "haze"), nullptr);
+}
+
 TEST(Catalog, Blocks_AreSortedByLabelWithinAKind) {
     BlockFolder folder;
     auto first = plainDescriptor("zz");

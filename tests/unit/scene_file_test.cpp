@@ -27,7 +27,9 @@ const Catalog& sceneCatalog() {
         BlockFolder folder;
         folder.add("models", plainDescriptor("velvet"));
         folder.add("lights", plainDescriptor("lamp"));
-        folder.add("fog", plainDescriptor("mist"));
+        json mist = plainDescriptor("mist");
+        mist["formerIds"] = {"haze"};
+        folder.add("fog", mist);
         folder.add("shadows", plainDescriptor("veil"));
         folder.add("environment", panoramaDescriptor());
         folder.add("transparency", plainDescriptor("glass"));
@@ -303,6 +305,15 @@ TEST_F(SceneFile, EnvironmentOfFormerFiles_IsNoneAndIsKept) {
     ASSERT_TRUE(reading);
     EXPECT_FALSE(reading->scene.part(kinds::environment));
     EXPECT_EQ(toJson(reading->scene, folder_.path())["environment"]["whatever"], 1);
+}
+
+TEST_F(SceneFile, FormerIdOfABlock_IsReadAsTheOneItHasNow) {
+    const auto reading = readChanged({{"fog", {{"id", "haze"}}}});
+    ASSERT_TRUE(reading && reading->scene.part(kinds::fog));
+    EXPECT_EQ(reading->scene.part(kinds::fog)->id, "mist");
+    EXPECT_EQ(reading->scene.part(kinds::fog)->parameters, (Values{{"gloss", 0.125}}));
+    EXPECT_TRUE(reading->notes.empty());
+    EXPECT_EQ(toJson(reading->scene, folder_.path())["fog"]["id"], "mist");
 }
 
 TEST_F(SceneFile, Transparency_ComesBack) {

@@ -254,11 +254,12 @@ void FogEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
     }
     const Block* block = catalog.find(kinds::fog, scene.part(kinds::fog)->id);
     if (block == nullptr) {
-        listing.add("fog", fmt::format("No fog \"{}\" is known.", scene.part(kinds::fog)->id));
+        listing.add(std::string(kinds::fog),
+                    fmt::format("No fog \"{}\" is known.", scene.part(kinds::fog)->id));
         return;
     }
     const std::string neutral = whyNeutral(*block, scene.part(kinds::fog)->parameters);
-    listing.add("fog", neutral.empty() ? fogText(scene, *block, view) : neutral);
+    listing.add(std::string(kinds::fog), neutral.empty() ? fogText(scene, *block, view) : neutral);
 }
 
 void FogEffect::place(SceneLayout& layout, const EffectSet&) const {

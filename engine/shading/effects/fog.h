@@ -57,7 +57,9 @@ struct FogEffect {
     void addTo(ChoiceHash& hash) const;
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
-    EffectLine absent(const EffectSet&) const { return {"fog", {}, "The scene has no fog."}; }
+    EffectLine absent(const EffectSet&) const {
+        return {std::string(kinds::fog), {}, "The scene has no fog."};
+    }
     void place(SceneLayout& layout, const EffectSet& set) const;
     void write(SurfaceText& text) const;
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
