@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QFrame>
+#include <QPushButton>
 
 #include "catalog/curve.h"
 #include "catalog/ramp.h"
@@ -255,6 +256,34 @@ TEST_F(RampPopupTest, DoubleClick_OpensTheColourOfTheStop) {
     EXPECT_EQ(steps(), before + 1);
     picker->hide();
     EXPECT_TRUE(area_->isVisible());
+}
+
+TEST_F(RampPopupTest, ColourOfAStop_IsTakenFromTheScreenInOneStep) {
+    open("tones");
+    QWidget* popup = area_->window();
+    QTest::mouseClick(area_, Qt::LeftButton, {}, pixel(0.75));
+    QTest::mouseDClick(area_, Qt::LeftButton, {}, pixel(0.75));
+    const int before = steps();
+    auto* picker = popup->findChild<ColorPicker*>();
+    picker->findChild<QPushButton*>()->click();
+    EXPECT_FALSE(popup->isVisible());
+
+    QWidget* grabbing = popup->parentWidget();
+    QWidget painted(grabbing->window());
+    painted.setStyleSheet("background: #ff8000");
+    painted.setGeometry(0, 0, 20, 20);
+    painted.show();
+    const QPoint there = painted.mapToGlobal(QPoint(10, 10));
+    QMouseEvent move(QEvent::MouseMove, grabbing->mapFromGlobal(there), there, Qt::NoButton,
+                     Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(grabbing, &move);
+    EXPECT_NEAR(ramp().stops[1].color.x, 1.0, 1e-6);
+    EXPECT_NEAR(ramp().stops[1].color.z, 0.0, 1e-6);
+    QTest::keyClick(grabbing, Qt::Key_Return);
+    EXPECT_EQ(steps(), before + 1);
+    EXPECT_TRUE(popup->isVisible());
+    EXPECT_TRUE(picker->isVisible());
+    picker->hide();
 }
 
 TEST_F(RampPopupTest, Interpolation_IsOneStep) {

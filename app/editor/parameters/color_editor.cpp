@@ -12,8 +12,7 @@
 namespace patina {
 
 ColorEditor::ColorEditor(const Parameter& parameter, QWidget* parent)
-    : ParameterEditor(parameter, parent), swatch_(new ColorSwatch(this)), hex_(new HexBox(this)),
-      eyedropper_(new Eyedropper(swatch_)) {
+    : ParameterEditor(parameter, parent), swatch_(new ColorSwatch(this)), hex_(new HexBox(this)) {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(6);
@@ -22,10 +21,13 @@ ColorEditor::ColorEditor(const Parameter& parameter, QWidget* parent)
     swatch_->setAccessibleName(name());
     hex_->setAccessibleName(tr("%1, sRGB hex").arg(name()));
     connect(swatch_, &QAbstractButton::clicked, this, &ColorEditor::openPicker);
-    const auto ask = [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); };
-    connect(hex_, &HexBox::typed, this, ask);
-    connect(eyedropper_, &Eyedropper::hovered, this, ask);
-    connect(eyedropper_, &Eyedropper::finished, this, &ColorEditor::endPicking);
+    connect(hex_, &HexBox::typed, this,
+            [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
+}
+
+/// The popup that the editor stands in; null where it stands in a window or a dock.
+QWidget* ColorEditor::popup() const {
+    return window()->windowType() == Qt::Popup ? window() : nullptr;
 }
 
 void ColorEditor::present(const Value& value) {
@@ -56,8 +58,22 @@ void ColorEditor::openPicker() {
     picker_->openAt(*swatch_);
 }
 
+/// A popup is out of the way meanwhile, so what it belongs to has the mouse and the keys.
+void ColorEditor::makeEyedropper() {
+    eyedropper_ = new Eyedropper(popup() ? popup()->parentWidget() : swatch_);
+    connect(eyedropper_, &Eyedropper::hovered, this,
+            [this](const glm::dvec3& wanted) { Q_EMIT edited(Value(wanted)); });
+    connect(eyedropper_, &Eyedropper::finished, this, &ColorEditor::endPicking);
+}
+
 void ColorEditor::pickFromScreen() {
+    if (!eyedropper_) {
+        makeEyedropper();
+    }
     picker_->hide();
+    if (popup()) {
+        popup()->hide();
+    }
     colorBefore_ = color_;
     Q_EMIT interactionBegan();
     eyedropper_->start();
@@ -68,6 +84,9 @@ void ColorEditor::endPicking(bool taken) {
         Q_EMIT edited(Value(colorBefore_));
     }
     Q_EMIT interactionEnded();
+    if (popup() && popup()->parentWidget()->isVisible()) {
+        popup()->show();
+    }
     if (swatch_->isVisible()) {
         openPicker();
     }

@@ -23,6 +23,8 @@ class ColorEditor : public ParameterEditor {
   private:
     void openPicker();
     void makePicker();
+    void makeEyedropper();
+    QWidget* popup() const;
     void pickFromScreen();
     void endPicking(bool taken);
 
@@ -30,7 +32,7 @@ class ColorEditor : public ParameterEditor {
     ColorSwatch* swatch_;
     HexBox* hex_;
     ColorPicker* picker_ = nullptr; ///< made when it is first opened
-    Eyedropper* eyedropper_;
+    Eyedropper* eyedropper_ = nullptr; ///< likewise
     glm::dvec3 colorBefore_{0.0}; ///< what giving up the picking goes back to
 };
 

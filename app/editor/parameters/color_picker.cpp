@@ -97,8 +97,6 @@ QWidget* ColorPicker::makeNumbers(const Parameter& parameter) {
     pick->setToolTip(tr("Click where the colour is; Esc gives up. In a view it is the light before "
                         "exposure and tone mapping."));
     form->addRow(pick);
-    pick->setHidden(parentWidget()->window()->windowType() ==
-                    Qt::Popup); // which a click would close
     connect(pick, &QPushButton::clicked, this, &ColorPicker::eyedropperWished);
     return panel;
 }
