@@ -54,10 +54,11 @@ void BlendEffect::listMissing(LeftOutListing& listing, const EffectSet& set) con
         return;
     }
     if (const Block* block = listing.subject().catalog.find(kinds::fresnel, part->id)) {
-        listing.add("fresnel/" + part->id,
+        listing.add(effectName(kinds::fresnel, part->id),
                     whyNeutral(*block, part->parameters, material->accuracy));
     } else {
-        listing.add("fresnel", fmt::format("No Fresnel term \"{}\" is known.", part->id));
+        listing.add(std::string(kinds::fresnel),
+                    fmt::format("No Fresnel term \"{}\" is known.", part->id));
     }
 }
 

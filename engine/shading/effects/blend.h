@@ -18,7 +18,7 @@ struct BlendEffect {
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     EffectLine absent(const EffectSet&) const {
-        return {"fresnel", {}, "The material has no Fresnel term."};
+        return {std::string(kinds::fresnel), {}, "The material has no Fresnel term."};
     }
     void place(ObjectLayout& layout, const EffectSet& set) const;
     void write(SurfaceText& text) const;

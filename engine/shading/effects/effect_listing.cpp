@@ -5,8 +5,12 @@
 
 namespace patina {
 
+std::string effectName(std::string_view kind, std::string_view id) {
+    return fmt::format("{}/{}", kind, id);
+}
+
 std::string effectName(const BlockUse& use) {
-    return use.block().kind + '/' + use.block().id;
+    return effectName(use.block().kind, use.block().id);
 }
 
 std::string compiledText(const BlockUse& use) {

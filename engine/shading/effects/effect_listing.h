@@ -21,6 +21,7 @@ struct EffectLine {
 };
 
 /// "models/<id>": what a block is called in listings.
+std::string effectName(std::string_view kind, std::string_view id);
 std::string effectName(const BlockUse& use);
 
 /// "distribution=ggx, shadowing=exact": what of it is compiled.

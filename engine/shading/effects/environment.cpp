@@ -79,7 +79,7 @@ void EnvironmentEffect::listMissing(LeftOutListing& listing, const EffectSet&) c
     const auto& [material, scene, catalog, view] = listing.subject();
     const EnvironmentChoice choice = environmentChoice(scene, catalog);
     if (scene.part(kinds::environment) && choice.block == nullptr) {
-        listing.add("environment/" + scene.part(kinds::environment)->id,
+        listing.add(effectName(kinds::environment, scene.part(kinds::environment)->id),
                     whyNoEnvironment(scene, catalog, choice.whyNot));
     }
 }

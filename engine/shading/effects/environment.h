@@ -28,7 +28,7 @@ struct EnvironmentEffect {
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     EffectLine absent(const EffectSet&) const {
-        return {"environment", {}, "The scene has no environment."};
+        return {std::string(kinds::environment), {}, "The scene has no environment."};
     }
     void place(SceneLayout& layout, const EffectSet& set) const;
     void writeLight(SurfaceText& text) const;

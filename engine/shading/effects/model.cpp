@@ -140,7 +140,7 @@ void writeModel(SurfaceText& text) {
     }
     text.main += fmt::format("    Model model = unpackModel({});\n", text.object.model->first);
     if (!isTable(text.output)) {
-        text.main += text.textures.values("models", "model");
+        text.main += text.textures.values(kinds::models, "model");
         for (const SlotFill& slot : text.filled) {
             text.main += text.textures.values(slot.kind, fmt::format("model.{}", slot.kind));
         }

@@ -117,7 +117,7 @@ void OutlineEffect::listMissing(LeftOutListing& listing, const EffectSet&) const
     const Material* material = listing.subject().material;
     const BlockValues* part = material == nullptr ? nullptr : material->part(kinds::outline);
     if (part != nullptr && !outline) {
-        listing.add("outline/" + part->id,
+        listing.add(effectName(kinds::outline, part->id),
                     outlineChoice(*material, listing.subject().catalog).whyNot);
     }
 }

@@ -26,7 +26,7 @@ struct OutlineEffect {
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     EffectLine absent(const EffectSet&) const {
-        return {"outline", {}, "The material has no outline."};
+        return {std::string(kinds::outline), {}, "The material has no outline."};
     }
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 

@@ -32,7 +32,9 @@ const Block* shadowBlock(const Light& light, const Block& block, const Catalog& 
 struct ShadowsEffect {
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
-    EffectLine absent(const EffectSet&) const { return {"shadows", {}, "No light has shadows."}; }
+    EffectLine absent(const EffectSet&) const {
+        return {std::string(kinds::shadows), {}, "No light has shadows."};
+    }
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
     friend bool operator==(const ShadowsEffect&, const ShadowsEffect&) = default;

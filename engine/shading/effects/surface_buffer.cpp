@@ -30,7 +30,7 @@ void writeModelValues(SurfaceText& text) {
     text.out.add(unpackSource(model, {"unpackModel", use.compiled(), text.filled}));
     text.main += fmt::format("    {} model = unpackModel({});\n", structName(model),
                              text.object.model->first);
-    noteValues(text, "models", "model");
+    noteValues(text, kinds::models, "model");
     for (const SlotFill& slot : text.filled) {
         noteValues(text, slot.kind, fmt::format("model.{}", slot.kind));
     }

@@ -78,14 +78,14 @@ void TransparencyEffect::list(EffectListing& listing, const EffectSet& set) cons
     if (transparency) {
         listing.add(*transparency, transparencyText);
     } else if (subject == nullptr || countTransparent(subject->scene, subject->catalog) > 0) {
-        listing.add("transparency", "sorted", transparencyText);
+        listing.add(std::string(kinds::transparency), "sorted", transparencyText);
     }
 }
 
 void TransparencyEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
     const auto& [material, scene, catalog, view] = listing.subject();
     if (scene.part(kinds::transparency) && !transparency) {
-        listing.add("transparency/" + scene.part(kinds::transparency)->id,
+        listing.add(effectName(kinds::transparency, scene.part(kinds::transparency)->id),
                     countTransparent(scene, catalog) == 0
                         ? "No object lets anything through."
                         : "No transparency of this kind is known.");
@@ -93,7 +93,7 @@ void TransparencyEffect::listMissing(LeftOutListing& listing, const EffectSet&) 
 }
 
 EffectLine TransparencyEffect::absent(const EffectSet& set) const {
-    return {"transparency",
+    return {std::string(kinds::transparency),
             {},
             set.refraction ? "What is behind the object is seen bent, in its colour."
                            : "Nothing shines through the object."};
