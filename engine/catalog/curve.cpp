@@ -10,6 +10,7 @@
 
 #include "catalog/json_reader.h"
 #include "catalog/parameter.h"
+#include "catalog/spaced_list.h"
 #include "core/number_text.h"
 
 namespace patina {
@@ -20,17 +21,9 @@ using Json = nlohmann::json;
 constexpr std::string_view curveWord = "curve";
 constexpr std::size_t firstKnot = 4;                  ///< behind a vec4 that says whether it bends
 constexpr std::size_t knotCount = maxCurvePoints + 1; ///< the last one is beyond every x
-constexpr double roundingOfGap = 1e-6;                ///< of points that were rounded to floats
 constexpr const char* curveForm = R"({"points": [[0, 0], [0.5, 0.7], [1, 1]]})";
 
-/// As many points as a curve has, without a heap.
-struct Points {
-    std::array<glm::dvec2, maxCurvePoints> at{};
-    std::size_t count = 0;
-
-    std::span<const glm::dvec2> span() const { return {at.data(), count}; }
-    void add(const glm::dvec2& point) { at[count++] = point; }
-};
+using Points = SpacedList<glm::dvec2, maxCurvePoints>;
 
 /// The points that a list has in use: in the range, by rising x and not too close. Fewer than two
 /// where it is no curve.
@@ -44,16 +37,8 @@ Points pointsOf(const Parameter& parameter, const NumberList& list) {
         all.add({std::clamp(list.numbers[i], 0.0, 1.0),
                  std::clamp(list.numbers[i + 1], parameter.min, parameter.max)});
     }
-    std::sort(all.at.begin(), all.at.begin() + static_cast<std::ptrdiff_t>(all.count),
-              [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x; });
-    Points apart;
-    for (const glm::dvec2& point : all.span()) {
-        if (apart.count == 0 ||
-            point.x - apart.at[apart.count - 1].x >= minCurveGap - roundingOfGap) {
-            apart.add(point);
-        }
-    }
-    return apart;
+    all.space(&glm::dvec2::x, minCurveGap);
+    return all;
 }
 
 /// The points of a value, else of the default, else of the straight line.
@@ -61,7 +46,7 @@ Points usablePoints(const Parameter& parameter, const Value& value) {
     for (const Value* given : {&value, &parameter.defaultValue}) {
         const auto* list = std::get_if<NumberList>(given);
         if (const Points points = list == nullptr ? Points() : pointsOf(parameter, *list);
-            points.count >= minCurvePoints) {
+            points.size() >= minCurvePoints) {
             return points;
         }
     }
@@ -178,7 +163,7 @@ Result<void> checkPlace(const CurvePoints& before, const glm::dvec2& point) {
                                    shortestFloatText(point.x)),
                        "an x from 0 to 1");
     }
-    if (!before.empty() && point.x - before.back().x < minCurveGap - roundingOfGap) {
+    if (!before.empty() && Points::isTooNear(before.back().x, point.x, minCurveGap)) {
         return failure(fmt::format("the curve's point {} has x = {} after {}", before.size() + 1,
                                    shortestFloatText(point.x), shortestFloatText(before.back().x)),
                        fmt::format("an x that is {} larger or more", minCurveGap));

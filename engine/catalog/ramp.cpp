@@ -10,6 +10,7 @@
 
 #include "catalog/json_reader.h"
 #include "catalog/parameter.h"
+#include "catalog/spaced_list.h"
 #include "catalog/suggestion.h"
 #include "core/color.h"
 #include "core/number_text.h"
@@ -24,18 +25,11 @@ constexpr std::array<std::string_view, 3> interpolationWords{"linear", "smooth",
 constexpr std::size_t numbersPerStop = 4;
 constexpr std::size_t firstStop = 4;             ///< behind a vec4 that says how to interpolate
 constexpr std::size_t places = maxRampStops + 1; ///< the last one is beyond every x
-constexpr double roundingOfPlace = 1e-6;         ///< of places that were rounded to floats
 constexpr const char* rampForm = R"({"stops": [{"at": 0, "color": [0, 0, 0]}, )"
                                  R"({"at": 1, "color": [1, 1, 1]}], "interpolation": "smooth"})";
 
-/// As many stops as a ramp has, without a heap.
-struct Stops {
+struct Stops : SpacedList<RampStop, maxRampStops> {
     double interpolation = 0.0;
-    std::array<RampStop, maxRampStops> all{};
-    std::size_t count = 0;
-
-    std::span<const RampStop> span() const { return {all.data(), count}; }
-    void add(const RampStop& stop) { all[count++] = stop; }
 };
 
 std::size_t indexOfInterpolation(double number) {
@@ -45,31 +39,23 @@ std::size_t indexOfInterpolation(double number) {
 /// The stops that a list has in use: in the range, by rising place and not too close. None where it
 /// is no ramp.
 Stops stopsOf(const Parameter& parameter, const NumberList& list) {
-    Stops sorted;
+    Stops stops;
     const std::size_t size = list.numbers.size();
     if (list.type != rampWord || size % numbersPerStop != 1 ||
         size > 1 + numbersPerStop * maxRampStops) {
-        return sorted;
+        return stops;
     }
     const auto inRange = [&parameter](double x) {
         return std::clamp(x, parameter.min, parameter.max);
     };
     for (std::size_t i = 1; i < size; i += numbersPerStop) {
         const double* stop = &list.numbers[i];
-        sorted.add({std::clamp(stop[0], 0.0, 1.0),
-                    {inRange(stop[1]), inRange(stop[2]), inRange(stop[3])}});
+        stops.add({std::clamp(stop[0], 0.0, 1.0),
+                   {inRange(stop[1]), inRange(stop[2]), inRange(stop[3])}});
     }
-    std::sort(sorted.all.begin(), sorted.all.begin() + static_cast<std::ptrdiff_t>(sorted.count),
-              [](const RampStop& a, const RampStop& b) { return a.at < b.at; });
-    Stops apart;
-    apart.interpolation = static_cast<double>(indexOfInterpolation(list.numbers.front()));
-    for (const RampStop& stop : sorted.span()) {
-        if (apart.count == 0 ||
-            stop.at - apart.all[apart.count - 1].at >= minRampGap - roundingOfPlace) {
-            apart.add(stop);
-        }
-    }
-    return apart;
+    stops.space(&RampStop::at, minRampGap);
+    stops.interpolation = static_cast<double>(indexOfInterpolation(list.numbers.front()));
+    return stops;
 }
 
 /// The stops of a value, else of the default, else black.
@@ -77,7 +63,7 @@ Stops usableStops(const Parameter& parameter, const Value& value) {
     for (const Value* given : {&value, &parameter.defaultValue}) {
         const auto* list = std::get_if<NumberList>(given);
         if (const Stops stops = list == nullptr ? Stops() : stopsOf(parameter, *list);
-            stops.count > 0) {
+            stops.size() > 0) {
             return stops;
         }
     }
@@ -139,7 +125,7 @@ Result<void> checkStop(const std::vector<RampStop>& before, const RampStop& stop
                                    shortestFloatText(stop.at)),
                        "a place from 0 to 1");
     }
-    if (!before.empty() && stop.at - before.back().at < minRampGap - roundingOfPlace) {
+    if (!before.empty() && Stops::isTooNear(before.back().at, stop.at, minRampGap)) {
         return failure(fmt::format("the ramp's stop {} is at {} after {}", before.size() + 1,
                                    shortestFloatText(stop.at), shortestFloatText(before.back().at)),
                        fmt::format("a place that is {} further or more", minRampGap));
@@ -285,9 +271,9 @@ void packRamp(const Parameter& parameter, const Value& value, double* out) {
     std::fill_n(out, firstStop, 0.0);
     out[0] = stops.interpolation;
     for (std::size_t i = 0; i < places; ++i) {
-        const RampStop& stop = stops.all[std::min(i, stops.count - 1)];
+        const RampStop& stop = stops.span()[std::min(i, stops.size() - 1)];
         double* place = out + firstStop + numbersPerStop * i;
-        place[0] = i < stops.count ? stop.at : 2.0;
+        place[0] = i < stops.size() ? stop.at : 2.0;
         std::copy_n(&stop.color.x, 3, place + 1);
     }
 }

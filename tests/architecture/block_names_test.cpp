@@ -95,8 +95,8 @@ bool isLookup(std::string_view before, std::string_view after) {
             return namesABlock(lastName(before.substr(0, before.size() - comparison.size())));
         }
     }
-    const auto next = std::ranges::find_if_not(
-        after, [](unsigned char c) { return std::isspace(c) != 0; });
+    const auto next =
+        std::ranges::find_if_not(after, [](unsigned char c) { return std::isspace(c) != 0; });
     const std::string_view rest(next, after.end());
     if (rest.starts_with("==") || rest.starts_with("!=")) {
         const std::string_view compared = rest.substr(2);
@@ -126,8 +126,8 @@ TEST(BlockNames, Program_LooksNoBlockUpByALiteralId) {
     ASSERT_FALSE(blockIds().empty());
     for (const SourceFile& file : filesUnder({"engine", "app"}, {".h", ".cpp", ".in"})) {
         for (const std::size_t at : lookups(withoutComments(file.text), blockIds())) {
-            ADD_FAILURE() << file.place(at) << ": looks a block up by its id: "
-                          << file.text.substr(at, 40);
+            ADD_FAILURE() << file.place(at)
+                          << ": looks a block up by its id: " << file.text.substr(at, 40);
         }
     }
 }
@@ -137,8 +137,8 @@ TEST(BlockNames, Lookups_AreFoundHoweverTheyAreWritten) {
     for (const char* code :
          {"catalog.find(kinds::fog, \"box\");", "if (values.id == \"box\") {",
           "if (\"phong\" != material.model.id && x) {",
-          "constexpr std::string_view fogId = \"box\";",
-          "BlockValues{\"phong\", 1, {}};", "document.setModel(Side::A, \"phong\");",
+          "constexpr std::string_view fogId = \"box\";", "BlockValues{\"phong\", 1, {}};",
+          "document.setModel(Side::A, \"phong\");",
           "scene.setPart(kinds::fog, named(catalog, \"box\"));", "json{{\"id\", \"box\"}};",
           "model =\n    \"phong\";"}) {
         EXPECT_EQ(lookups(code, ids).size(), 1u) << code;

@@ -74,14 +74,4 @@ void ColorArea::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void ColorArea::focusInEvent(QFocusEvent* event) {
-    QWidget::focusInEvent(event);
-    update();
-}
-
-void ColorArea::focusOutEvent(QFocusEvent* event) {
-    QWidget::focusOutEvent(event);
-    update();
-}
-
 } // namespace patina

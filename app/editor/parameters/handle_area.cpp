@@ -227,16 +227,6 @@ void HandleArea::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void HandleArea::focusInEvent(QFocusEvent* event) {
-    QWidget::focusInEvent(event);
-    update();
-}
-
-void HandleArea::focusOutEvent(QFocusEvent* event) {
-    QWidget::focusOutEvent(event);
-    update();
-}
-
 void HandleArea::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     endNudging();
