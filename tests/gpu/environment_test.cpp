@@ -95,6 +95,69 @@ TEST_F(EnvironmentTest, BlurredBackground_IsSmoothAcrossAnEdge) {
     EXPECT_NEAR(pixel(image, 0, 16).r, 1.0f, 0.1f);
 }
 
+/// Preetham et al. 1999: at turbidity 3 with the sun at 45 degrees the zenith has 7.323 kcd/m^2.
+TEST_F(EnvironmentTest, SkyAtItsZenith_HasTheLuminanceOfThePaper) {
+    Scene scene = simpleScene();
+    scene.objects.clear();
+    scene.lights.clear();
+    scene.camera.pitch = -90.0; // from below
+    scene.setPart(kinds::environment, block("environment", "sky"));
+    Values& sky = scene.part(kinds::environment)->parameters;
+    sky["sun.height"] = 45.0;
+    sky["sun.intensity"] = 0.0;
+    sky["turbidity"] = 3.0;
+    sky["background"] = std::string("sharp");
+    const glm::vec3 zenith = pixel(settled(scene, 1), 16, 16);
+    const float luminance = glm::dot(zenith, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    EXPECT_NEAR(luminance, 0.7323f, 2e-3f);
+    EXPECT_GT(zenith.b, zenith.r);
+}
+
+/// Every number at each end of its range, by itself and all of them together.
+TEST_F(EnvironmentTest, EveryBlockAtItsLimits_GivesFiniteLight) {
+    size_ = 9;
+    image_ = EnvironmentImage::from(plain(1.0f));
+    for (const Block* environment : catalog->ofKind("environment")) {
+        Scene scene = square("lambert");
+        scene.objects[0].mesh = "builtin:sphere";
+        scene.setPart(kinds::environment, block("environment", environment->id));
+        Values& values = scene.part(kinds::environment)->parameters;
+        values["background"] = std::string("sharp");
+        const Values start = values;
+        const auto expectFinite = [&](const std::string& what) {
+            for (const float number : settled(scene, 4).pixels) {
+                ASSERT_TRUE(std::isfinite(number) && number >= 0.0f) << what;
+            }
+        };
+        Values lowest = start;
+        Values highest = start;
+        for (const Parameter& parameter : environment->parameters) {
+            if (parameter.id == "directions" || parameter.type == ParameterType::Enum ||
+                !infoOf(parameter.type).hasRange) {
+                continue;
+            }
+            const auto all = [&parameter](double number) -> Value {
+                if (parameter.type == ParameterType::Color) {
+                    return glm::dvec3(number);
+                }
+                return parameter.type == ParameterType::Int ? Value(static_cast<int>(number))
+                                                            : Value(number);
+            };
+            for (Values* changed : {&lowest, &highest}) {
+                const double number = changed == &lowest ? parameter.min : parameter.max;
+                (*changed)[parameter.id] = all(number);
+                values = start;
+                values[parameter.id] = all(number);
+                expectFinite(environment->id + ": " + parameter.id);
+            }
+        }
+        for (const Values& together : {lowest, highest}) {
+            values = together;
+            expectFinite(environment->id);
+        }
+    }
+}
+
 TEST_F(EnvironmentTest, FurtherFrames_AddSamplesUntilTheSceneChanges) {
     const Scene scene = inTheStudio("cook-torrance");
     View view = viewWith(scene, 8);
