@@ -9,12 +9,10 @@ namespace patina {
 
 EffectSwitches::EffectSwitches(Document& document, QObject* parent)
     : QObject(parent), document_(document) {
-    connect(&document, &Document::changed, this, &EffectSwitches::forget);
-    connect(&document, &Document::cameraChanged, this, &EffectSwitches::forget);
+    onChange(document, DocumentChange::Drawn | DocumentChange::Current, this,
+             &EffectSwitches::forget);
     connect(&document, &Document::effectsChanged, this, &EffectSwitches::forget);
-    connect(&document, &Document::currentChanged, this, &EffectSwitches::forget);
-    connect(&document, &Document::catalogChanged, this, &EffectSwitches::forget);
-    connect(&document, &Document::sceneReplaced, this, &EffectSwitches::switchAllOn);
+    onChange(document, DocumentChange::Scene, this, &EffectSwitches::switchAllOn);
 }
 
 bool EffectSwitches::isOff(std::string_view effect) const {

@@ -130,7 +130,7 @@ void EffectsDock::connectParts() {
     connect(&environments_, &EnvironmentLibrary::loaded, this, later);
     connect(&environments_, &EnvironmentLibrary::failed, this, later);
     connect(&switches_, &EffectSwitches::changed, this, &EffectsDock::updateRows);
-    connect(&document_, &Document::sceneReplaced, this, [this] {
+    onChange(document_, DocumentChange::Scene, this, [this] {
         measurement_.cancel();
         measured_.reset(); // of another document
         updateRows();

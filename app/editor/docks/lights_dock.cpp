@@ -44,9 +44,8 @@ LightsDock::LightsDock(const DockContext& context)
     });
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.removeLight(document_.currentLight()); });
-    connect(&document_, &Document::lightsChanged, this, &LightsDock::update);
-    connect(&document_, &Document::currentChanged, this, &LightsDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &LightsDock::update);
+    onChange(document_, DocumentChange::Lights | DocumentChange::Current | DocumentChange::Scene,
+             this, &LightsDock::update);
     update();
 }
 

@@ -44,10 +44,9 @@ ModelDock::ModelDock(const DockContext& context)
                 }
             });
     connect(grid_, &PictureGrid::pictureWished, this, &ModelDock::askForPicture);
-    connect(&document_, &Document::catalogChanged, this, &ModelDock::fill);
-    connect(&document_, &Document::materialChanged, this, &ModelDock::showCurrent);
-    connect(&document_, &Document::currentChanged, this, &ModelDock::showCurrent);
-    connect(&document_, &Document::sceneReplaced, this, &ModelDock::showCurrent);
+    onChange(document_, DocumentChange::Catalog, this, &ModelDock::fill);
+    onChange(document_, DocumentChange::Material | DocumentChange::Current | DocumentChange::Scene,
+             this, &ModelDock::showCurrent);
     fill();
 }
 

@@ -56,14 +56,13 @@ SceneDock::SceneDock(const DockContext& context)
     connect(meshes_, &QMenu::aboutToShow, this, &SceneDock::fillMenu);
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.removeObject(document_.currentObject()); });
-    connect(&document_, &Document::objectsChanged, this, &SceneDock::update);
-    connect(&document_, &Document::valueChanged, this, [this](const BlockPath& path) {
-        if (path.isAt(settings::object)) {
+    onChange(document_, DocumentChange::Objects | DocumentChange::Current | DocumentChange::Scene,
+             this, &SceneDock::update);
+    onChange(document_, DocumentChange::Value, this, [this](const DocumentChange& change) {
+        if (change.path.isAt(settings::object)) {
             update();
         }
     });
-    connect(&document_, &Document::currentChanged, this, &SceneDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &SceneDock::update);
     update();
 }
 

@@ -18,7 +18,8 @@ Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
     for (const Parameter& parameter : pictureAccuracyParameters()) {
         settings_.find(settings::scene)->second.parameters.push_back(parameter);
     }
-    connectSignals();
+    connect(&undoStack_, &QUndoStack::cleanChanged, this,
+            [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
 }
 
 Document::~Document() {
@@ -26,51 +27,24 @@ Document::~Document() {
     undoStack_.disconnect(this);
 }
 
-void Document::connectSignals() {
-    connect(this, &Document::valueChanged, this, &Document::updateShownScenes);
-    const auto forget = [this] { forgetShownScenes(); };
-    connect(this, &Document::materialChanged, this, forget);
-    connect(this, &Document::textureChanged, this, forget);
-    connect(this, &Document::blockReplaced, this, forget);
-    connect(this, &Document::lightsChanged, this, forget);
-    connect(this, &Document::objectsChanged, this, forget);
-    connect(this, &Document::sceneReplaced, this, forget);
-    connect(this, &Document::catalogChanged, this, forget);
-    connect(this, &Document::cameraChanged, this, forget);
-    connect(this, &Document::lightsChanged, this, &Document::keepCurrentInside);
-    connect(this, &Document::objectsChanged, this, &Document::keepCurrentInside);
-    connect(this, &Document::comparingChanged, this, &Document::keepCurrentInside);
-
-    connect(this, &Document::valueChanged, this,
-            [this](const BlockPath& path, const QString& parameterId) {
-                frozenEffects_.follow(state_, path, parameterId.toStdString());
-            });
-    connect(this, &Document::materialChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::textureChanged, this, [this] {
-        if (!isInteracting()) {
-            endFrozenEffects();
-        }
-    });
-    connect(this, &Document::blockReplaced, this, &Document::endFrozenEffects);
-    connect(this, &Document::lightsChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::objectsChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::comparingChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::sceneReplaced, this, &Document::endFrozenEffects);
-    connect(this, &Document::catalogChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::currentChanged, this, &Document::endFrozenEffects);
-
-    connect(this, &Document::valueChanged, this, &Document::changed);
-    connect(this, &Document::materialChanged, this, &Document::changed);
-    connect(this, &Document::textureChanged, this, &Document::changed);
-    connect(this, &Document::blockReplaced, this, &Document::changed);
-    connect(this, &Document::lightsChanged, this, &Document::changed);
-    connect(this, &Document::objectsChanged, this, &Document::changed);
-    connect(this, &Document::comparingChanged, this, &Document::changed);
-    connect(this, &Document::cameraChanged, this, &Document::changed);
-    connect(this, &Document::sceneReplaced, this, &Document::changed);
-    connect(this, &Document::catalogChanged, this, &Document::changed);
-    connect(&undoStack_, &QUndoStack::cleanChanged, this,
-            [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
+/// The document itself follows first, so that everybody finds it in order.
+void Document::announce(const DocumentChange& change) {
+    if (change.has(DocumentChange::Value)) {
+        updateShownScene(Side::A, change.path, change.parameterId);
+        updateShownScene(Side::B, change.path, change.parameterId);
+        frozenEffects_.follow(state_, change.path, change.parameterId);
+    } else if (change.has(DocumentChange::Drawn)) {
+        forgetShownScenes();
+    }
+    if (change.has(DocumentChange::Lights | DocumentChange::Objects | DocumentChange::Comparing)) {
+        keepCurrentInside();
+    }
+    const bool isValue = change.has(DocumentChange::Value | DocumentChange::Camera);
+    const bool isDragged = change.has(DocumentChange::Texture) && isInteracting();
+    if (!isValue && !isDragged) {
+        endFrozenEffects();
+    }
+    Q_EMIT changed(change);
 }
 
 const Scene& Document::scene(Side side) const {
@@ -90,11 +64,6 @@ Scene Document::ownScene(Side side) const {
 }
 
 /// A slider's tick changes what is shown in place: copying it would cost more than drawing it.
-void Document::updateShownScenes(const BlockPath& path, const QString& parameterId) {
-    updateShownScene(Side::A, path, parameterId.toStdString());
-    updateShownScene(Side::B, path, parameterId.toStdString());
-}
-
 void Document::updateShownScene(Side side, const BlockPath& path, const std::string& id) {
     std::optional<Scene>& shown = shownScenes_[static_cast<std::size_t>(side)];
     const std::optional<Value> stored = storedValue(state_, path, id);
@@ -134,10 +103,9 @@ void Document::setCurrentObject(int index) {
     if (inside != currentObject_) {
         currentObject_ = inside;
         forgetShownScenes();
-        Q_EMIT currentChanged();
-        if (state_.second) {
-            Q_EMIT changed(); // side B moved to another object
-        }
+        DocumentChange change{DocumentChange::Current};
+        change.aspects.setFlag(DocumentChange::Material, isComparing()); // B moved to this object
+        announce(change);
     }
 }
 
@@ -145,7 +113,7 @@ void Document::setCurrentLight(int index) {
     const int inside = std::min(index, static_cast<int>(state_.scene.lights.size()) - 1);
     if (inside != currentLight_) {
         currentLight_ = inside;
-        Q_EMIT currentChanged();
+        announce({DocumentChange::Current});
     }
 }
 
@@ -153,7 +121,7 @@ void Document::setActiveSide(Side side) {
     const Side possible = state_.second ? side : Side::A;
     if (possible != activeSide_) {
         activeSide_ = possible;
-        Q_EMIT currentChanged();
+        announce({DocumentChange::Current});
     }
 }
 
@@ -276,7 +244,7 @@ void Document::endFrozenEffects() {
 void Document::setCamera(const Camera& camera) {
     if (camera != state_.scene.camera) {
         state_.scene.camera = camera;
-        Q_EMIT cameraChanged();
+        announce({DocumentChange::Camera});
     }
 }
 

@@ -10,11 +10,13 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include <QObject>
 #include <QUndoStack>
 
 #include "catalog/catalog.h"
+#include "document/document_change.h"
 #include "document/document_state.h"
 #include "document/frozen_effects.h"
 #include "material/reading_rights.h"
@@ -144,6 +146,9 @@ class Document : public QObject {
     /// Edits in one undo step, which also takes the camera back where they moved it.
     void editAsOneStep(const QString& label, const std::function<void()>& edits);
 
+    /// Says what changed, which whoever changed the state calls once it is changed.
+    void announce(const DocumentChange& change);
+
     // Undo.
     QUndoStack& undoStack() { return undoStack_; }
     bool isModified() const { return !undoStack_.isClean(); }
@@ -189,31 +194,14 @@ class Document : public QObject {
     bool save();
 
   Q_SIGNALS:
-    /// Anything that is drawn changed. Comes with every signal below but the last seven.
-    void changed();
-    void valueChanged(const patina::BlockPath& path, const QString& parameterId);
-    void textureChanged(const patina::BlockPath& path, const QString& parameterId);
-    /// Another model, part or whole material: the form's rows may differ.
-    void materialChanged(int object, patina::Side side);
-    /// Another block of the scene, or none.
-    void blockReplaced(const patina::BlockPath& path);
-    /// The list of lights: added, removed, renamed, switched, another kind.
-    void lightsChanged();
-    /// The list of objects: added, removed, renamed, another mesh.
-    void objectsChanged();
-    /// Comparing began or ended.
-    void comparingChanged(bool on);
-    void cameraChanged();
-    void sceneReplaced();
-    void catalogChanged();
+    /// See onChange().
+    void changed(const patina::DocumentChange& change);
     /// The views need other programs for the same picture: a drag has begun or ended.
     void effectsChanged();
     /// An image that was asked for is there, or will not come.
     void imagesArrived();
     /// The views may need the programs of this state soon.
     void effectsPrewarmed(const patina::DocumentState& state);
-    /// The current object, light or side.
-    void currentChanged();
     void fileChanged();
     /// Other files are withheld, or fewer.
     void withheldChanged();
@@ -225,7 +213,6 @@ class Document : public QObject {
 
     void setLightBlock(const BlockPath& path, const Block* wanted);
     void setSceneBlock(const BlockPath& path, const Block* wanted);
-    void connectSignals();
     void endComparing();
     void putBack();
     void setLookedAt(std::optional<LookedAt> lookedAt);
@@ -233,7 +220,6 @@ class Document : public QObject {
     void setPicture(std::optional<ComparedPicture> picture);
     void endFrozenEffects();
     void forgetShownScenes() const { shownScenes_ = {}; }
-    void updateShownScenes(const BlockPath& path, const QString& parameterId);
     void updateShownScene(Side side, const BlockPath& path, const std::string& id);
     void keepCurrentInside();
     std::optional<Errors> takeScene(const std::filesystem::path& path,
@@ -271,5 +257,25 @@ class Document : public QObject {
     mutable std::map<std::vector<const Block*>, Block> accuracyBlocks_; ///< by the blocks in use
     QUndoStack undoStack_;
 };
+
+/// Calls a function, which may be one of the listener's and may take the change, whenever any of
+/// these aspects of a document has changed.
+template <class Listener, class Function>
+void onChange(const Document& document, DocumentChange::Aspects aspects, Listener* listener,
+              Function function) {
+    const auto call = [aspects, listener, function](const DocumentChange& change) {
+        if (!change.has(aspects)) {
+            return;
+        }
+        if constexpr (std::is_member_function_pointer_v<Function>) {
+            std::invoke(function, *listener);
+        } else if constexpr (std::is_invocable_v<Function, const DocumentChange&>) {
+            function(change);
+        } else {
+            function();
+        }
+    };
+    QObject::connect(&document, &Document::changed, listener, call);
+}
 
 } // namespace patina

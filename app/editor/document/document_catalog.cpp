@@ -28,7 +28,7 @@ void Document::setCatalog(std::shared_ptr<const Catalog> catalog) {
     for (auto& [kind, values] : state_.scene.parts) {
         values = reconciled(values, kind, *before, *catalog_);
     }
-    Q_EMIT catalogChanged();
+    announce({DocumentChange::Catalog});
 }
 
 } // namespace patina

@@ -139,8 +139,7 @@ void Document::replaceState(DocumentState state, DocumentFile file, int object) 
     currentLight_ = state_.scene.lights.empty() ? -1 : 0;
     activeSide_ = Side::A;
     setFile(std::move(file));
-    Q_EMIT sceneReplaced();
-    Q_EMIT comparingChanged(isComparing());
+    announce({DocumentChange::Scene | DocumentChange::Comparing});
 }
 
 void Document::startFrom(const Scene& scene) {

@@ -90,7 +90,7 @@ void Document::allowOutside() {
         });
     }
     setOutside({});
-    Q_EMIT changed();
+    announce({DocumentChange::Material});
 }
 
 /// Reads a material's preset that was not read, and shows its images.

@@ -103,7 +103,7 @@ Autosave::Autosave(Document& document, std::filesystem::path folder, QObject* pa
     setIntervals(defaultQuietMs, defaultLongestMs);
     connect(&quiet_, &QTimer::timeout, this, &Autosave::save);
     connect(&longest_, &QTimer::timeout, this, &Autosave::save);
-    connect(&document, &Document::changed, this, &Autosave::schedule);
+    onChange(document, DocumentChange::Drawn, this, &Autosave::schedule);
     // The first edit is announced before it makes the document a modified one.
     connect(&document, &Document::modifiedChanged, this, &Autosave::schedule);
 }

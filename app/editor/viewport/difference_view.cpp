@@ -90,14 +90,9 @@ void DifferenceView::connectParts() {
     connect(&settle_, &QTimer::timeout, this, &DifferenceView::ask);
     connect(&worker_, &DifferenceWorker::finished, this, &DifferenceView::take);
     const auto soon = [this] { refreshSoon(); };
-    connect(&document_, &Document::changed, this, soon);
+    onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this, soon);
     connect(&document_, &Document::effectsChanged, this, soon);
     connect(&document_, &Document::imagesArrived, this, soon);
-    connect(&document_, &Document::cameraChanged, this, soon);
-    connect(&document_, &Document::currentChanged, this, soon);
-    connect(&document_, &Document::sceneReplaced, this, soon);
-    connect(&document_, &Document::catalogChanged, this, soon);
-    connect(&document_, &Document::comparingChanged, this, soon);
     connect(&switches_, &EffectSwitches::changed, this, soon);
     connect(&meshes_, &MeshLibrary::loaded, this, soon);
     connect(&environments_, &EnvironmentLibrary::loaded, this, soon);

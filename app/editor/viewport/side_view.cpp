@@ -66,19 +66,18 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
     viewport_->setCatalog(document_.sharedCatalog());
     viewport_->setCamera(document_.scene().camera);
     connectNavigation();
-    connect(&document_, &Document::changed, viewport_, &Viewport::refresh);
+    onChange(document_, DocumentChange::Drawn, viewport_, &Viewport::refresh);
     connect(&document_, &Document::effectsChanged, viewport_, &Viewport::refresh);
     connect(&document_, &Document::imagesArrived, viewport_, &Viewport::refresh);
     connect(&document_, &Document::effectsPrewarmed, this, [this](const DocumentState& state) {
         viewport_->prewarm(withoutEffects(shownScene(state, document_.currentObject(), side_),
                                           switches_.off(), document_.catalog()));
     });
-    connect(&document_, &Document::changed, this, &SideView::updateTitle);
-    connect(&document_, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
-    connect(&document_, &Document::currentChanged, this, &SideView::updateTitle);
-    connect(&document_, &Document::comparingChanged, this, &SideView::updateTitle);
-    connect(&document_, &Document::catalogChanged, this,
-            [this] { viewport_->setCatalog(document_.sharedCatalog()); });
+    onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this,
+             &SideView::updateTitle);
+    onChange(document_, DocumentChange::Scene, viewport_, &Viewport::announceScene);
+    onChange(document_, DocumentChange::Catalog, this,
+             [this] { viewport_->setCatalog(document_.sharedCatalog()); });
     connect(&switches_, &EffectSwitches::changed, viewport_, &Viewport::refresh);
     connect(&meshes_, &MeshLibrary::loaded, viewport_, &Viewport::refresh);
     connect(&sources.environments, &EnvironmentLibrary::loaded, viewport_, &Viewport::refresh);

@@ -128,10 +128,9 @@ void MainWindow::connectParts() {
     connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::add);
     connect(&textures_, &TextureLibrary::failed, this,
             [this](const QString&, const Error& why) { messages_.add(why); });
-    connect(&document_, &Document::sceneReplaced, &textures_, &TextureLibrary::forgetFailures);
+    onChange(document_, DocumentChange::Scene, &textures_, &TextureLibrary::forgetFailures);
     connect(&environments_, &EnvironmentLibrary::failed, &messages_, &MessageLog::add);
-    connect(&document_, &Document::sceneReplaced, &environments_,
-            &EnvironmentLibrary::forgetFailure);
+    onChange(document_, DocumentChange::Scene, &environments_, &EnvironmentLibrary::forgetFailure);
     connect(&document_, &Document::withheldChanged, this, [this] {
         meshes_.withhold(document_.withheld());
         environments_.withhold(document_.withheld());
@@ -145,7 +144,7 @@ void MainWindow::connectParts() {
             [this](const Errors& mistakes) { messages_.setGroup("presets", mistakes); });
     connect(&messages_, &MessageLog::arrived, this, &MainWindow::showMessages);
     connect(&document_, &Document::fileChanged, this, &MainWindow::updateTitle);
-    connect(&document_, &Document::sceneReplaced, this, &MainWindow::updateTitle);
+    onChange(document_, DocumentChange::Scene, this, &MainWindow::updateTitle);
     connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);
     connect(files_, &FileActions::saved, &autosave_, &Autosave::discard);
     connect(files_, &FileActions::documentReplaced, &autosave_, &Autosave::giveUp);
@@ -159,8 +158,8 @@ void MainWindow::connectParts() {
         const bool inFront = !dock("messages")->visibleRegion().isEmpty();
         inFront ? dock("messages")->hide() : showMessages();
     });
-    connect(&document_, &Document::currentChanged, this,
-            [this] { status_->setViewport(&views_->active().viewport()); });
+    onChange(document_, DocumentChange::Current, this,
+             [this] { status_->setViewport(&views_->active().viewport()); });
     status_->setViewport(&views_->first().viewport());
     status_->watch(textures_);
     const auto listen = [this](SideView* view) {

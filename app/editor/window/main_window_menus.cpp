@@ -153,7 +153,7 @@ void MainWindow::makeViewMenu() {
             action->setEnabled(comparing);
         }
     };
-    connect(&document_, &Document::comparingChanged, this, follow);
+    onChange(document_, DocumentChange::Comparing, this, follow);
     connect(views_, &CompareArea::linkChanged, link_, &QAction::setChecked);
     connect(views_, &CompareArea::differenceWantedChanged, difference_, &QAction::setChecked);
     follow();

@@ -52,7 +52,7 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibra
     connect(&settle_, &QTimer::timeout, this, &StatusLine::showFrame);
     connect(badge_, &QToolButton::clicked, this, &StatusLine::messagesWished);
     connect(&messages_, &MessageLog::changed, this, &StatusLine::showBadge);
-    connect(&document_, &Document::currentChanged, &settle_, qOverload<>(&QTimer::start));
+    onChange(document_, DocumentChange::Current, &settle_, qOverload<>(&QTimer::start));
     showBadge();
     setMinimumHeight(sizeHint().height()); // what comes and goes in it does not move the views
 }
