@@ -13,6 +13,7 @@
 #include <QTreeWidgetItemIterator>
 
 #include "docks/effects_dock.h"
+#include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::effects_dock_test {
@@ -213,7 +214,7 @@ TEST_F(EffectsPanel, AnotherDocument_HasEverythingOnAndNoCosts) {
     switchOff("fog/");
     Scene other = document().scene();
     other.ambient = glm::dvec3(0.3);
-    document().startFrom(other);
+    window().documentFiles().startFrom(other);
     settle();
     newFrames();
     EXPECT_TRUE(isInTheShader("fog/"));
@@ -274,7 +275,7 @@ TEST_F(EffectsPanel, BlocksThatAreReadAgainAsTheyWere_LeaveTheCostsFresh) {
 }
 
 TEST_F(EffectsPanel, CostsOfAnotherObject_AreNotCalledThoseOfAnotherScene) {
-    document().addObject(document().scene().objects.front());
+    addObject(document(), document().scene().objects.front());
     document().setCurrentObject(0);
     dock().measure();
     press("Cancel");

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "docks/block_chooser.h"
+#include "document/scene_edits.h"
 #include "scene/environment.h"
 #include "ui/window_fixture.h"
 
@@ -64,7 +65,7 @@ TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing)
     QObject::connect(&view(), &Viewport::frameDrawn, &view(),
                      [&] { compiled += view().report().compiled; });
     const BlockPath path = document().currentPath(kinds::environment);
-    const int token = document().beginInteraction(path, "intensity");
+    const int token = document().beginInteraction(ParameterTarget{path, "intensity"});
     for (const double intensity : {0.6, 0.0, 0.3}) {
         const int frames = view().frameCount();
         document().setValue(path, "intensity", intensity);
@@ -84,7 +85,7 @@ TEST_F(EnvironmentInTheWindow, StatusLine_TellsHowFarItIs) {
 TEST_F(EnvironmentInTheWindow, DroppedPanorama_LightsTheScene) {
     window().files().drop({QString::fromStdString(panorama())}, Side::A);
     ASSERT_TRUE(document().scene().part(kinds::environment));
-    EXPECT_EQ(document().environmentPicture(), home("sky.hdr").string());
+    EXPECT_EQ(environmentPicture(document()), home("sky.hdr").string());
     EXPECT_TRUE(waitForSamples(8));
     EXPECT_EQ(window().messages().count(), 0);
 }
@@ -93,13 +94,13 @@ TEST_F(EnvironmentInTheWindow, PanoramaBesideAPreset_IsLaidOnItWithoutAQuestion)
     const std::string preset = otherPreset(document()).string();
     window().files().open({QString::fromStdString(panorama()), QString::fromStdString(preset)},
                           Side::A);
-    EXPECT_EQ(document().environmentPicture(), home("sky.hdr").string());
+    EXPECT_EQ(environmentPicture(document()), home("sky.hdr").string());
 }
 
 TEST_F(EnvironmentInTheWindow, PanoramaThatCannotBeRead_IsAMessageAndStays) {
     window().files().drop({QString::fromStdString(home("none.exr").string())}, Side::A);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window().messages().count() > 0; }, limitMs));
-    EXPECT_EQ(document().environmentPicture(), home("none.exr").string());
+    EXPECT_EQ(environmentPicture(document()), home("none.exr").string());
 }
 
 /// Red and blue fields stand behind the objects.

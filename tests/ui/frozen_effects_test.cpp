@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "docks/picture_grid.h"
+#include "document/scene_edits.h"
 #include "parameters/parameter_row.h"
 #include "ui/window_fixture.h"
 
@@ -34,7 +35,7 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
     FrozenEffectss() {
         document().setBlock(pathOf(kinds::fog), "exponential");
         while (document().scene().lights.size() > 1) {
-            document().removeLight(1);
+            removeLight(document(), 1);
         }
         set(GetParam().without);
         newFrames();
@@ -43,7 +44,8 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
     BlockPath path() { return document().currentPath(GetParam().kind); }
     void set(const Value& value) { document().setValue(path(), GetParam().parameterId, value); }
     int press() {
-        const int token = document().beginInteraction(path(), GetParam().parameterId);
+        const int token =
+            document().beginInteraction(ParameterTarget{path(), GetParam().parameterId});
         newFrames();
         return token;
     }
@@ -70,7 +72,7 @@ TEST_P(FrozenEffectss, PressWithoutWarning_WaitsForPrograms) {
 }
 
 TEST_P(FrozenEffectss, PressAfterPrewarming_WaitsForNothing) {
-    document().prewarm(path(), GetParam().parameterId);
+    Q_EMIT document().valueApproached({path(), GetParam().parameterId});
     EXPECT_EQ(newFrames(), 0);
     const int before = view().waitCount();
     press();
@@ -81,7 +83,7 @@ TEST_P(FrozenEffectss, PressAfterPrewarming_WaitsForNothing) {
 
 TEST_P(FrozenEffectss, Prewarming_LeavesTheReport) {
     const std::vector<std::string> before = view().report().effects;
-    document().prewarm(path(), GetParam().parameterId);
+    Q_EMIT document().valueApproached({path(), GetParam().parameterId});
     newFrames();
     EXPECT_EQ(view().report().effects, before);
 }
@@ -121,8 +123,9 @@ INSTANTIATE_TEST_SUITE_P(
 class HeldValue : public WindowFixture {};
 
 TEST_F(HeldValue, OrdinaryValue_IsNotHeld) {
-    document().beginInteraction(document().currentPath(settings::scene), "background");
-    EXPECT_EQ(document().effects(Side::A), nullptr);
+    document().beginInteraction(
+        ParameterTarget{document().currentPath(settings::scene), "background"});
+    EXPECT_EQ(window().effects().scene(Side::A), nullptr);
     EXPECT_EQ(newFrames(), 0);
 }
 
@@ -143,8 +146,8 @@ class Prewarming : public WindowFixture {
     /// How many states are asked for; waits for `wanted` of them.
     int prewarmedAfter(const std::function<void()>& event, int wanted = 0) {
         int count = 0;
-        const auto connection =
-            QObject::connect(&document(), &Document::effectsPrewarmed, [&count] { ++count; });
+        const auto connection = QObject::connect(&window().effects(), &ProgramEffects::prewarmed,
+                                                 [&count] { ++count; });
         event();
         QTest::qWait(restMs);
         (void)QTest::qWaitFor([&] { return count >= wanted; }, longestMs);
@@ -204,7 +207,8 @@ TEST_F(Prewarming, PointerThatRestsOnAModel_HasItsProgramsMade) {
 TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {
     const BlockPath scene = document().currentPath(settings::scene);
     document().setValue(scene, "ambient", glm::dvec3(0.0));
-    document().beginInteraction(document().currentPath(settings::material), "opacity");
+    document().beginInteraction(
+        ParameterTarget{document().currentPath(settings::material), "opacity"});
     document().setValue(scene, "ambient", glm::dvec3(0.5));
     newFrames();
     const std::vector<std::string>& effects = view().report().effects;

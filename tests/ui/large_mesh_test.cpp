@@ -123,7 +123,7 @@ TEST_F(LargeMesh, ResizedWhileItIsDrawn_IsDrawnInTheNewSize) {
 
 TEST_F(LargeMesh, CancelledWhileItIsRead_ChangesNothing) {
     const Scene before = document().scene();
-    QSignalSpy messages(&document(), &Document::message);
+    QSignalSpy messages(&window().documentFiles(), &DocumentFiles::message);
     drop();
     ASSERT_TRUE(cancelButton() && cancelButton()->isVisible());
     QTest::mouseClick(cancelButton(), Qt::LeftButton);

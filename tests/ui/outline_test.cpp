@@ -68,7 +68,7 @@ TEST_F(OutlineInTheWindow, WidthDraggedToNothingAndBack_CompilesNothing) {
     int compiled = 0;
     QObject::connect(&view(), &Viewport::frameDrawn, &view(),
                      [&] { compiled += view().report().compiled; });
-    const int token = document().beginInteraction(path(), "width");
+    const int token = document().beginInteraction(ParameterTarget{path(), "width"});
     for (const double width : {3.0, 0.0, 8.0}) {
         const int frames = view().frameCount();
         document().setValue(path(), "width", width);

@@ -57,7 +57,7 @@ TEST_F(RefractionInTheWindow, DraggedToIndexOneAndBack_CompilesNothing) {
     int compiled = 0;
     QObject::connect(&view(), &Viewport::frameDrawn, &view(),
                      [&] { compiled += view().report().compiled; });
-    const int token = document().beginInteraction(path, "index");
+    const int token = document().beginInteraction(ParameterTarget{path, "index"});
     for (const double index : {1.8, 1.0, 2.5, 1.2}) {
         const int frames = view().frameCount();
         document().setValue(path, "index", index);

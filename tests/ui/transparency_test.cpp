@@ -58,7 +58,7 @@ TEST_F(TransparencyInTheWindow, OpacityDraggedToOneAndBack_CompilesNothing) {
     int compiled = 0;
     QObject::connect(&view(), &Viewport::frameDrawn, &view(),
                      [&] { compiled += view().report().compiled; });
-    const int token = document().beginInteraction(path, "opacity");
+    const int token = document().beginInteraction(ParameterTarget{path, "opacity"});
     for (const double opacity : {0.8, 1.0, 0.0, 0.3}) {
         const int frames = view().frameCount();
         document().setValue(path, "opacity", opacity);

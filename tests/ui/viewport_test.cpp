@@ -210,13 +210,13 @@ TEST_F(Viewports, NumpadSeven_LooksFromAbove) {
 }
 
 TEST_F(Viewports, WhileComparing_MoveTogether) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
     EXPECT_EQ(secondView().camera(), camera());
 }
 
 TEST_F(Viewports, ViewsBesideEachOther_AreOfOneSize) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     QTest::qWait(200); // layouts that were put off
     ASSERT_TRUE(secondView().isVisible());
     EXPECT_EQ(view().height(), secondView().height());
@@ -224,7 +224,7 @@ TEST_F(Viewports, ViewsBesideEachOther_AreOfOneSize) {
 }
 
 TEST_F(Viewports, Unlinked_MoveAlone) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     window().views().setCamerasLinked(false);
     const Camera before = secondView().camera();
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
@@ -232,7 +232,7 @@ TEST_F(Viewports, Unlinked_MoveAlone) {
 }
 
 TEST_F(Viewports, Realigned_LookFromTheSamePlace) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     window().views().setCamerasLinked(false);
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
     window().views().realignCameras();
@@ -240,13 +240,13 @@ TEST_F(Viewports, Realigned_LookFromTheSamePlace) {
 }
 
 TEST_F(Viewports, ClickOnB_MakesItActive) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     QTest::mouseClick(&secondView(), Qt::LeftButton);
     EXPECT_EQ(document().activeSide(), Side::B);
 }
 
 TEST_F(Viewports, PresetDroppedOnB_ChangesOnlyB) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     QTest::qWait(0);
     const Material before = *document().material(Side::A);
     const std::filesystem::path preset = otherPreset(document());

@@ -22,10 +22,12 @@ struct DocumentChange {
         Camera = 1 << 7,
         Scene = 1 << 8, ///< another scene is there
         Catalog = 1 << 9,
-        Current = 1 << 10, ///< another object, light or side is the current one
+        Rights = 1 << 10,      ///< files that were not read may be read
+        Current = 1 << 11,     ///< another object, light or side is the current one
+        Interaction = 1 << 12, ///< an interaction began or ended
         /// Any of what is drawn.
         Drawn = Value | Texture | Material | Block | Lights | Objects | Comparing | Camera | Scene |
-                Catalog
+                Catalog | Rights
     };
     Q_DECLARE_FLAGS(Aspects, Aspect)
 

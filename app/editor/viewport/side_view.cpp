@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "document/scene_edits.h"
 #include "shading/effects/effect_rows.h"
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
@@ -50,7 +51,7 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
                               [this](const Object& object) { return meshes_.view(object); },
                               [this] { return switches_.effects(side_); },
                               [this, &environments = sources.environments] {
-                                  return environments.image(document_.environmentPicture());
+                                  return environments.image(environmentPicture(document_));
                               },
                               programCache, texturesOf(document_), &sources.programs},
                              this)) {
@@ -67,9 +68,9 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
     viewport_->setCamera(document_.scene().camera);
     connectNavigation();
     onChange(document_, DocumentChange::Drawn, viewport_, &Viewport::refresh);
-    connect(&document_, &Document::effectsChanged, viewport_, &Viewport::refresh);
+    connect(&sources.effects, &ProgramEffects::changed, viewport_, &Viewport::refresh);
     connect(&document_, &Document::imagesArrived, viewport_, &Viewport::refresh);
-    connect(&document_, &Document::effectsPrewarmed, this, [this](const DocumentState& state) {
+    connect(&sources.effects, &ProgramEffects::prewarmed, this, [this](const DocumentState& state) {
         viewport_->prewarm(withoutEffects(shownScene(state, document_.currentObject(), side_),
                                           switches_.off(), document_.catalog()));
     });
@@ -169,7 +170,7 @@ void SideView::turnObject(double yaw, double pitch) {
     beginTurn();
     Object object = document_.scene().objects[static_cast<std::size_t>(current)];
     object.rotation = turnedRotation(object.rotation, viewport_->camera(), yaw, pitch);
-    document_.setObject(current, object);
+    setObject(document_, current, object);
 }
 
 void SideView::turnLight(double yaw, double pitch) {

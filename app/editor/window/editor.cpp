@@ -119,7 +119,7 @@ int runEditor(int argc, char** argv) {
 
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
-    window.document().openTemplate(defaultSceneFile());
+    window.documentFiles().openTemplate(defaultSceneFile());
     window.files().open(files, Side::A);
     Viewport& viewport = window.views().first().viewport();
     afterFirstFrame(window, viewport);

@@ -48,13 +48,14 @@ Qt::DockWidgetArea areaOf(DockPlace place) {
 } // namespace
 
 MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
-    : theme_(theme), document_(catalog), switches_(document_), watcher_(catalog), presets_(catalog),
-      thumbnails_(catalog,
-                  {cacheFolder() / "thumbnails", programCacheFolder(), defaultSceneFile()}),
-      programs_(programCacheFolder()), autosave_(document_, stateFolder() / "autosave"),
-      files_(new FileActions(document_, meshes_, session_, this)),
+    : theme_(theme), document_(catalog), switches_(document_, effects_), watcher_(catalog),
+      presets_(catalog), thumbnails_(catalog, {cacheFolder() / "thumbnails", programCacheFolder(),
+                                               defaultSceneFile()}),
+      programs_(programCacheFolder()),
+      autosave_(document_, documentFiles_, stateFolder() / "autosave"),
+      files_(new FileActions(document_, documentFiles_, meshes_, session_, this)),
       pictures_(new PictureExport(session_, this)),
-      views_(new CompareArea({document_, meshes_, environments_, switches_, programs_},
+      views_(new CompareArea({document_, meshes_, environments_, switches_, effects_, programs_},
                              programCacheFolder(), this)),
       status_(new StatusLine(document_, meshes_, environments_, messages_, this)) {
     document_.setTextureLibrary(&textures_);
@@ -102,8 +103,8 @@ void MainWindow::startRest() {
 }
 
 DockContext MainWindow::dockContext() {
-    return {document_, *files_,       messages_, presets_, thumbnails_,
-            meshes_,   environments_, switches_, *views_};
+    return {document_,   comparison_, documentFiles_, *files_,   messages_, presets_,
+            thumbnails_, meshes_,     environments_,  switches_, *views_};
 }
 
 void MainWindow::makeDocks() {
@@ -124,16 +125,16 @@ void MainWindow::makeDocks() {
 }
 
 void MainWindow::connectParts() {
-    connect(&document_, &Document::message, &messages_, &MessageLog::add);
+    connect(&documentFiles_, &DocumentFiles::message, &messages_, &MessageLog::add);
     connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::add);
     connect(&textures_, &TextureLibrary::failed, this,
             [this](const QString&, const Error& why) { messages_.add(why); });
     onChange(document_, DocumentChange::Scene, &textures_, &TextureLibrary::forgetFailures);
     connect(&environments_, &EnvironmentLibrary::failed, &messages_, &MessageLog::add);
     onChange(document_, DocumentChange::Scene, &environments_, &EnvironmentLibrary::forgetFailure);
-    connect(&document_, &Document::withheldChanged, this, [this] {
-        meshes_.withhold(document_.withheld());
-        environments_.withhold(document_.withheld());
+    connect(&documentFiles_, &DocumentFiles::withheldChanged, this, [this] {
+        meshes_.withhold(documentFiles_.withheld());
+        environments_.withhold(documentFiles_.withheld());
     });
     connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
     connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
@@ -143,7 +144,7 @@ void MainWindow::connectParts() {
     connect(&presets_, &PresetLibrary::checked, this,
             [this](const Errors& mistakes) { messages_.setGroup("presets", mistakes); });
     connect(&messages_, &MessageLog::arrived, this, &MainWindow::showMessages);
-    connect(&document_, &Document::fileChanged, this, &MainWindow::updateTitle);
+    connect(&documentFiles_, &DocumentFiles::fileChanged, this, &MainWindow::updateTitle);
     onChange(document_, DocumentChange::Scene, this, &MainWindow::updateTitle);
     connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);
     connect(files_, &FileActions::saved, &autosave_, &Autosave::discard);
@@ -249,7 +250,7 @@ bool MainWindow::focusNextPrevChild(bool next) {
 }
 
 void MainWindow::updateTitle() {
-    const DocumentFile& file = document_.file();
+    const DocumentFile& file = documentFiles_.file();
     const QString name =
         file.path.empty() ? tr("Untitled") : QString::fromStdString(file.path.filename().string());
     setWindowTitle(file.readOnly ? tr("%1[*] (read-only) – Patina").arg(name)
@@ -329,7 +330,7 @@ void MainWindow::recover(const Recovery& recovery) {
         return;
     }
     autosave_.complete(recovery);
-    if (document_.recover(recovery.scene, recovery.original)) {
+    if (documentFiles_.recover(recovery.scene, recovery.original)) {
         autosave_.giveUp();
         autosave_.adopt(recovery);
     }
