@@ -53,7 +53,7 @@ std::vector<Kind> allKinds() {
 /// false: a block was not on the screen in time.
 bool useAll(EditorCourse& course, Document& document, const Kind& kind) {
     EditorCourse::Cost worst{0.0, 0.0};
-    const auto drawn = [&] { return course.view().isUpToDate(); };
+    const auto drawn = [&] { return course.view().frames().isUpToDate(); };
     const std::vector<const Block*> blocks = document.catalog().ofKind(kind.name);
     for (const Block* block : blocks) {
         const EditorCourse::Cost cost =

@@ -58,7 +58,7 @@ class EffectsPanel : public WindowFixture {
     }
 
     bool isInTheShader(const std::string& effect) {
-        for (const std::string& each : view().report().effects) {
+        for (const std::string& each : view().frames().report().effects) {
             if (each.starts_with(effect)) {
                 return true;
             }
@@ -187,9 +187,9 @@ TEST_F(EffectsPanel, Switch_IsNoEdit) {
 
 TEST_F(EffectsPanel, Export_HasWhatIsSwitchedOff) {
     newFrames();
-    const Image before = view().picture(true);
+    const Image before = view().frames().picture(true);
     switchOff("lights/");
-    EXPECT_EQ(view().picture(true).pixels, before.pixels);
+    EXPECT_EQ(view().frames().picture(true).pixels, before.pixels);
 }
 
 TEST_F(EffectsPanel, SwitchedOffEffect_IsSaidInTheStatusLine) {

@@ -54,11 +54,11 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
     int compiledFor(const Value& value) {
         set(value);
         EXPECT_EQ(newFrames(), 1);
-        return view().report().compiled;
+        return view().frames().report().compiled;
     }
 
     bool isInTheShader() {
-        const std::vector<std::string>& effects = view().report().effects;
+        const std::vector<std::string>& effects = view().frames().report().effects;
         return std::any_of(effects.begin(), effects.end(), [](const std::string& effect) {
             return effect.starts_with(GetParam().effect);
         });
@@ -66,26 +66,26 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
 };
 
 TEST_P(FrozenEffectss, PressWithoutWarning_WaitsForPrograms) {
-    const int before = view().waitCount();
+    const int before = view().frames().waitCount();
     press();
-    EXPECT_EQ(view().waitCount(), before + 1); // or the next test could not fail
+    EXPECT_EQ(view().frames().waitCount(), before + 1); // or the next test could not fail
 }
 
 TEST_P(FrozenEffectss, PressAfterPrewarming_WaitsForNothing) {
     Q_EMIT document().valueApproached({path(), GetParam().parameterId});
     EXPECT_EQ(newFrames(), 0);
-    const int before = view().waitCount();
+    const int before = view().frames().waitCount();
     press();
-    EXPECT_EQ(view().waitCount(), before);
+    EXPECT_EQ(view().frames().waitCount(), before);
     EXPECT_TRUE(isInTheShader());
-    EXPECT_EQ(view().report().compiled, 0);
+    EXPECT_EQ(view().frames().report().compiled, 0);
 }
 
 TEST_P(FrozenEffectss, Prewarming_LeavesTheReport) {
-    const std::vector<std::string> before = view().report().effects;
+    const std::vector<std::string> before = view().frames().report().effects;
     Q_EMIT document().valueApproached({path(), GetParam().parameterId});
     newFrames();
-    EXPECT_EQ(view().report().effects, before);
+    EXPECT_EQ(view().frames().report().effects, before);
 }
 
 TEST_P(FrozenEffectss, DragAcrossZero_CompilesNothing) {
@@ -192,7 +192,7 @@ TEST_F(Prewarming, PointerThatRestsOnAModel_HasItsProgramsMade) {
     const std::string current = document().material(Side::A)->model.id;
     const bool isFirst = grid->keyOf(grid->item(0)).toStdString() == current;
     QListWidgetItem* other = grid->item(isFirst ? 1 : 0);
-    const int waits = view().waitCount();
+    const int waits = view().frames().waitCount();
     const QPoint place = grid->visualItemRect(other).center();
     const int asked = prewarmedAfter([&] { QTest::mouseMove(grid->viewport(), place); }, 1);
     ASSERT_EQ(asked, 1);
@@ -200,8 +200,8 @@ TEST_F(Prewarming, PointerThatRestsOnAModel_HasItsProgramsMade) {
     QTest::mouseClick(grid->viewport(), Qt::LeftButton, Qt::NoModifier, place);
     newFrames();
     EXPECT_EQ(document().material(Side::A)->model.id, grid->keyOf(other).toStdString());
-    EXPECT_EQ(view().report().compiled, 0);
-    EXPECT_EQ(view().waitCount(), waits);
+    EXPECT_EQ(view().frames().report().compiled, 0);
+    EXPECT_EQ(view().frames().waitCount(), waits);
 }
 
 TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {
@@ -211,7 +211,7 @@ TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {
         ParameterTarget{document().currentPath(settings::material), "opacity"});
     document().setValue(scene, "ambient", glm::dvec3(0.5));
     newFrames();
-    const std::vector<std::string>& effects = view().report().effects;
+    const std::vector<std::string>& effects = view().frames().report().effects;
     EXPECT_NE(std::find(effects.begin(), effects.end(), "ambient"), effects.end());
 }
 

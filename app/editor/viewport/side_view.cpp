@@ -67,22 +67,27 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
     viewport_->setCatalog(document_.sharedCatalog());
     viewport_->setCamera(document_.scene().camera);
     connectNavigation();
-    onChange(document_, DocumentChange::Drawn, viewport_, &Viewport::refresh);
-    connect(&sources.effects, &ProgramEffects::changed, viewport_, &Viewport::refresh);
-    connect(&document_, &Document::imagesArrived, viewport_, &Viewport::refresh);
+    onChange(document_, DocumentChange::Drawn, &viewport_->frames(), &FrameLoop::refresh);
+    connect(&sources.effects, &ProgramEffects::changed, &viewport_->frames(), &FrameLoop::refresh);
+    connect(&document_, &Document::imagesArrived, &viewport_->frames(), &FrameLoop::refresh);
     connect(&sources.effects, &ProgramEffects::prewarmed, this, [this](const DocumentState& state) {
-        viewport_->prewarm(withoutEffects(shownScene(state, document_.currentObject(), side_),
-                                          switches_.off(), document_.catalog()));
+        if (viewport_->isVisible()) {
+            viewport_->prewarmer().add(
+                withoutEffects(shownScene(state, document_.currentObject(), side_), switches_.off(),
+                               document_.catalog()));
+        }
     });
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this,
              &SideView::updateTitle);
-    onChange(document_, DocumentChange::Scene, viewport_, &Viewport::announceScene);
+    onChange(document_, DocumentChange::Scene, &viewport_->frames(), &FrameLoop::announceScene);
     onChange(document_, DocumentChange::Catalog, this,
              [this] { viewport_->setCatalog(document_.sharedCatalog()); });
-    connect(&switches_, &EffectSwitches::changed, viewport_, &Viewport::refresh);
-    connect(&meshes_, &MeshLibrary::loaded, viewport_, &Viewport::refresh);
-    connect(&sources.environments, &EnvironmentLibrary::loaded, viewport_, &Viewport::refresh);
-    connect(&sources.environments, &EnvironmentLibrary::failed, viewport_, &Viewport::refresh);
+    connect(&switches_, &EffectSwitches::changed, &viewport_->frames(), &FrameLoop::refresh);
+    connect(&meshes_, &MeshLibrary::loaded, &viewport_->frames(), &FrameLoop::refresh);
+    connect(&sources.environments, &EnvironmentLibrary::loaded, &viewport_->frames(),
+            &FrameLoop::refresh);
+    connect(&sources.environments, &EnvironmentLibrary::failed, &viewport_->frames(),
+            &FrameLoop::refresh);
     connect(viewport_, &Viewport::filesDropped, this, &SideView::filesDropped);
     connect(viewport_, &Viewport::focusShown, this, [this](bool byKeyboard) {
         focusShown_ = byKeyboard;
@@ -114,7 +119,7 @@ void SideView::setInspecting(bool on) {
         auto* layout = new QVBoxLayout(viewport_);
         layout->setSizeConstraint(QLayout::SetNoConstraint);
         layout->addWidget(inspection_, 0, Qt::AlignLeft | Qt::AlignBottom);
-        connect(viewport_, &Viewport::probed, inspection_,
+        connect(&viewport_->prober(), &PixelProber::probed, inspection_,
                 [this](const std::optional<PixelProbe>& numbers) {
                     inspection_->showNumbers(numbers, document_.scene(side_));
                 });

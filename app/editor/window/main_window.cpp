@@ -99,7 +99,7 @@ void MainWindow::startRest() {
     thumbnails_.start();
     trials_.run(document_.sharedCatalog());
     theme_.followDesktop();
-    views_->first().viewport().chooseTimer();
+    views_->first().viewport().frames().chooseTimer();
 }
 
 DockContext MainWindow::dockContext() {
@@ -165,7 +165,7 @@ void MainWindow::connectParts() {
     status_->watch(textures_);
     const auto listen = [this](SideView* view) {
         const QString group = "view " + letterOf(view->side());
-        connect(&view->viewport(), &Viewport::messagesDrawn, this,
+        connect(&view->viewport().frames(), &FrameLoop::messagesDrawn, this,
                 [this, group](const Errors& errors) { messages_.setGroup(group, errors); });
     };
     listen(&views_->first());
@@ -184,9 +184,12 @@ void MainWindow::connectParts() {
     connect(&trials_, &UserBlockTrials::finished, this, [this](const Errors& mistakes) {
         messages_.setGroup("shaders", mistakes);
         status_->clearMessage();
-        views_->first().viewport().refresh(); // of a block that it could not draw with before
+        views_->first()
+            .viewport()
+            .frames()
+            .refresh(); // of a block that it could not draw with before
         if (SideView* second = views_->second()) {
-            second->viewport().refresh();
+            second->viewport().frames().refresh();
         }
     });
 }
@@ -261,12 +264,12 @@ void MainWindow::updateTitle() {
 
 void MainWindow::exportPicture() {
     const QPointer viewport(&views_->active().viewport());
-    const auto capture = [viewport](bool display, Viewport::PictureTaken taken) {
-        viewport ? viewport->capture(display, std::move(taken)) : taken({});
+    const auto capture = [viewport](bool display, FrameLoop::PictureTaken taken) {
+        viewport ? viewport->frames().capture(display, std::move(taken)) : taken({});
     };
     const auto cancel = [viewport] {
         if (viewport) {
-            viewport->cancelCapture();
+            viewport->frames().cancelCapture();
         }
     };
     const Material* material = document_.material(document_.activeSide());
