@@ -140,7 +140,7 @@ TEST_F(OutsideFilesWindow, RecoveredWork_HasWhatWasAllowed) {
     const std::filesystem::path copy = home("copies/copy.patina-scene.json");
     ASSERT_TRUE(writeScene(copy, window().documentFiles().sceneToRecover()));
     ASSERT_TRUE(window().documentFiles().recover(copy, window().documentFiles().file()));
-    EXPECT_TRUE(window().documentFiles().outside().empty());
+    EXPECT_TRUE(window().documentFiles().withheld().all().empty());
     EXPECT_TRUE(isShown());
 }
 

@@ -105,26 +105,6 @@ void takeWithheld(SceneReading& reading, Checked<std::optional<Material>>& secon
     }
 }
 
-/// Where the reader of scenes keeps the path of a preset that it did not read.
-const char* const unreadPreset = "damagedPreset";
-
-/// Every place of a material that a document has.
-std::vector<MaterialPlace> materialPlaces(const DocumentState& state, int currentObject) {
-    std::vector<MaterialPlace> places;
-    for (int i = 0; i < static_cast<int>(state.scene.objects.size()); ++i) {
-        places.push_back({i, Side::A});
-    }
-    if (state.second) {
-        places.push_back({currentObject, Side::B});
-    }
-    return places;
-}
-
-bool hasOutsideImages(const Material& material) {
-    return std::ranges::any_of(material.textures,
-                               [](const auto& entry) { return entry.second.outside; });
-}
-
 QString titleOf(const std::filesystem::path& path) {
     return QString::fromStdString(path.filename().string());
 }
@@ -132,9 +112,7 @@ QString titleOf(const std::filesystem::path& path) {
 } // namespace
 
 DocumentFiles::DocumentFiles(Document& document, QObject* parent)
-    : QObject(parent), document_(document) {
-    connect(&document, &Document::fileNamed, this, &DocumentFiles::allow);
-}
+    : QObject(parent), document_(document), withheld_(document) {}
 
 void DocumentFiles::tell(const Errors& messages) {
     for (const Error& error : messages) {
@@ -162,7 +140,7 @@ void DocumentFiles::start(DocumentState state, DocumentFile file, int object) {
 }
 
 void DocumentFiles::startFrom(const Scene& scene) {
-    setOutside({});
+    withheld_.set({});
     start({scene, std::nullopt}, {});
 }
 
@@ -183,7 +161,7 @@ std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path
     Checked<std::optional<Material>> second =
         takeSecond(reading->scene, path, document_.catalog(), rights);
     takeWithheld(*reading, second);
-    setOutside(reading->outside);
+    withheld_.set(reading->outside);
     const int object = second && *second ? takeSecondObject(reading->scene) : 0;
     start({reading->scene, second.value_or(std::nullopt)},
           {DocumentFile::Kind::Scene, path, reading->readOnly}, object);
@@ -278,7 +256,7 @@ bool DocumentFiles::applyPreset(const std::filesystem::path& path, Side side,
 Scene DocumentFiles::sceneToRecover() const {
     Scene scene = sceneToSave();
     nlohmann::json withheld = nlohmann::json::array();
-    for (const OutsideFile& each : outside()) {
+    for (const OutsideFile& each : withheld_.all()) {
         withheld.push_back({{"kind", static_cast<int>(each.kind)}, {"file", each.file}});
     }
     scene.extras[withheldKey] = std::move(withheld);
@@ -422,97 +400,6 @@ bool DocumentFiles::save() {
         return saveScene(file_.path);
     default:
         return false;
-    }
-}
-
-OutsideFiles DocumentFiles::outside() const {
-    OutsideFiles all = outside_;
-    for (const MaterialPlace& place :
-         materialPlaces(document_.state(), document_.currentObject())) {
-        const Material* material = materialAt(document_.state(), place.object, place.side);
-        if (!material) {
-            continue;
-        }
-        for (const auto& [key, use] : material->textures) {
-            const OutsideFile image{OutsideFile::Kind::Image, use.file};
-            if (use.outside && std::ranges::find(all, image) == all.end()) {
-                all.push_back(image);
-            }
-        }
-    }
-    return all;
-}
-
-std::set<std::string, std::less<>> DocumentFiles::withheld() const {
-    std::set<std::string, std::less<>> files;
-    for (const OutsideFile& each : outside_) {
-        files.insert(each.file);
-    }
-    return files;
-}
-
-void DocumentFiles::setOutside(OutsideFiles outside) {
-    std::erase_if(outside,
-                  [](const OutsideFile& each) { return each.kind == OutsideFile::Kind::Image; });
-    if (outside != outside_) {
-        outside_ = std::move(outside);
-        Q_EMIT withheldChanged();
-    }
-}
-
-void DocumentFiles::allow(const std::filesystem::path& file) {
-    OutsideFiles left = outside_;
-    std::erase_if(left, [name = file.generic_string()](const OutsideFile& each) {
-        return each.file == name;
-    });
-    setOutside(std::move(left));
-}
-
-void DocumentFiles::allowOutside() {
-    ReadingRights rights;
-    const OutsideFiles all = outside();
-    for (const OutsideFile& each : all) {
-        rights.allowed.insert(each.file);
-    }
-    const bool isInMaterials = std::ranges::any_of(all, [](const OutsideFile& each) {
-        return each.kind == OutsideFile::Kind::Image || each.kind == OutsideFile::Kind::Preset;
-    });
-    if (isInMaterials) {
-        document_.editAsOneStep(tr("Allow files outside"), [&] {
-            for (const MaterialPlace& place :
-                 materialPlaces(document_.state(), document_.currentObject())) {
-                allowIn(place, rights);
-            }
-        });
-    }
-    setOutside({});
-    document_.announce({DocumentChange::Rights});
-}
-
-/// Reads a material's preset that was not read, and shows its images.
-void DocumentFiles::allowIn(const MaterialPlace& place, const ReadingRights& rights) {
-    const Material* held = materialAt(document_.state(), place.object, place.side);
-    if (!held) {
-        return;
-    }
-    Material material = *held;
-    const auto unread = material.extras.find(unreadPreset);
-    if (unread != material.extras.end() && unread->is_string()) {
-        const std::filesystem::path file =
-            (referenceFolder(file_.path) / unread->get<std::string>()).lexically_normal();
-        const auto reading = readPreset(file, document_.catalog(), rights);
-        if (reading && rights.allowed.contains(file.generic_string())) {
-            material = reading->material;
-        }
-    }
-    if (hasOutsideImages(material)) {
-        for (auto& [key, use] : material.textures) {
-            use.outside = use.outside && !rights.allowed.contains(use.file);
-        }
-    }
-    if (!(material == *held)) {
-        document_.undoStack().push(
-            new MaterialCommand(document_, place, material, tr("Allow files outside")));
     }
 }
 

@@ -2,16 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <string_view>
 
-#include "document/document.h"
-#include "material/reading_rights.h"
+#include "document/withheld_files.h"
 
 namespace patina {
-
-struct MaterialPlace;
 
 /// What the document was opened from or saved to last.
 struct DocumentFile {
@@ -23,9 +19,8 @@ struct DocumentFile {
     friend bool operator==(const DocumentFile&, const DocumentFile&) = default;
 };
 
-/// Knows which file a document is, what of it is saved there, and which files that it names
-/// outside its folder are not read. What goes wrong, and what the reader has to tell, comes through
-/// message().
+/// Knows which file a document is and what of it is saved there. What goes wrong, and what the
+/// reader has to tell, comes through message().
 class DocumentFiles : public QObject {
     Q_OBJECT
 
@@ -66,26 +61,15 @@ class DocumentFiles : public QObject {
     /// What a scene or preset file names outside its folder and would not read with these rights.
     static OutsideFiles outsideOf(const std::filesystem::path& path, DocumentFile::Kind kind,
                                   const Catalog& catalog, const ReadingRights& rights);
-    /// What the document names and does not read, since nobody agreed to it.
-    OutsideFiles outside() const;
-    /// The meshes and the picture among them.
-    std::set<std::string, std::less<>> withheld() const;
-    /// Reads them all from now on; images and presets as one undoable step.
-    void allowOutside();
-    /// The user named this file himself.
-    void allow(const std::filesystem::path& file);
+    WithheldFiles& withheld() { return withheld_; }
 
   Q_SIGNALS:
     void fileChanged();
-    /// Other files are withheld, or fewer.
-    void withheldChanged();
     void message(const patina::Error& message);
 
   private:
     void start(DocumentState state, DocumentFile file, int object = 0);
     std::optional<Errors> takeScene(const std::filesystem::path& path, const ReadingRights& rights);
-    void setOutside(OutsideFiles outside);
-    void allowIn(const MaterialPlace& place, const ReadingRights& rights);
     bool savePreset(const std::filesystem::path& path, const BlockPath& of, Material saved);
     void tell(const Errors& messages);
     bool isOwnFile(const std::filesystem::path& path) const;
@@ -94,8 +78,8 @@ class DocumentFiles : public QObject {
     void markPresetSaved(Side side);
 
     Document& document_;
+    WithheldFiles withheld_;
     DocumentFile file_;
-    OutsideFiles outside_;  ///< what is not read, beside images, which know it themselves
     int presetObject_ = -1; ///< whose material is in file_, when that is a preset
     bool isRecovered_ = false;
     DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out

@@ -108,7 +108,7 @@ void FileActions::noteSaved(const QString& file) {
     session_.addRecentFile(file);
     consent_.noteSaved(
         file, file.endsWith(presetSuffix) ? DocumentFile::Kind::Preset : DocumentFile::Kind::Scene,
-        document_.catalog(), files_.outside());
+        document_.catalog(), files_.withheld().all());
     if (!document_.isModified()) {
         Q_EMIT saved();
         return;
@@ -146,7 +146,8 @@ void FileActions::exportPreset() {
     const QString file = withSuffix(asked, presetSuffix);
     if (!file.isEmpty() && mayReplace(asked, file) && writePreset(file)) {
         session_.addRecentFile(file);
-        consent_.noteSaved(file, DocumentFile::Kind::Preset, document_.catalog(), files_.outside());
+        consent_.noteSaved(file, DocumentFile::Kind::Preset, document_.catalog(),
+                           files_.withheld().all());
     }
 }
 
@@ -255,10 +256,10 @@ void FileActions::applyPreset(const QString& file, Side side) {
 }
 
 void FileActions::allowOutside() {
-    const OutsideFiles wanted = files_.outside();
+    const OutsideFiles wanted = files_.withheld().all();
     const QString file = QString::fromStdString(files_.file().path.string());
     if (!wanted.empty() && consent_.ask(file, wanted)) {
-        files_.allowOutside();
+        files_.withheld().allowAll(files_.file().path);
     }
 }
 
@@ -336,7 +337,7 @@ void FileActions::openDocument(const QString& file) {
 }
 
 void FileActions::tellOutside(const QString& file) {
-    if (!files_.outside().empty()) {
+    if (!files_.withheld().all().empty()) {
         tell({file.toStdString(), 0, 0, "names files outside its folder, which are not read",
               "File > Allow Files Outside, where you trust it"});
     }

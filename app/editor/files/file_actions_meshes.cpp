@@ -51,7 +51,7 @@ void FileActions::load(const QString& mesh) {
     object.fitUnitBox = true;
     const QString file = QString::fromStdString(object.mesh);
     wanted_[file] = object;
-    files_.allow(object.mesh);
+    files_.withheld().allow(object.mesh);
     meshes_.forgetFailures();
     meshes_.view(object);
     if (meshes_.has(object)) {

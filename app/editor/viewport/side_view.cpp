@@ -67,9 +67,10 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
     viewport_->setCatalog(document_.sharedCatalog());
     viewport_->setCamera(document_.scene().camera);
     connectNavigation();
-    onChange(document_, DocumentChange::Drawn, &viewport_->frames(), &FrameLoop::refresh);
-    connect(&sources.effects, &ProgramEffects::changed, &viewport_->frames(), &FrameLoop::refresh);
-    connect(&document_, &Document::imagesArrived, &viewport_->frames(), &FrameLoop::refresh);
+    FrameLoop* frames = &viewport_->frames();
+    onChange(document_, DocumentChange::Drawn, frames, &FrameLoop::refresh);
+    connect(&sources.effects, &ProgramEffects::changed, frames, &FrameLoop::refresh);
+    connect(&document_, &Document::imagesArrived, frames, &FrameLoop::refresh);
     connect(&sources.effects, &ProgramEffects::prewarmed, this, [this](const DocumentState& state) {
         if (viewport_->isVisible()) {
             viewport_->prewarmer().add(
@@ -79,15 +80,13 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
     });
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this,
              &SideView::updateTitle);
-    onChange(document_, DocumentChange::Scene, &viewport_->frames(), &FrameLoop::announceScene);
+    onChange(document_, DocumentChange::Scene, frames, &FrameLoop::announceScene);
     onChange(document_, DocumentChange::Catalog, this,
              [this] { viewport_->setCatalog(document_.sharedCatalog()); });
-    connect(&switches_, &EffectSwitches::changed, &viewport_->frames(), &FrameLoop::refresh);
-    connect(&meshes_, &MeshLibrary::loaded, &viewport_->frames(), &FrameLoop::refresh);
-    connect(&sources.environments, &EnvironmentLibrary::loaded, &viewport_->frames(),
-            &FrameLoop::refresh);
-    connect(&sources.environments, &EnvironmentLibrary::failed, &viewport_->frames(),
-            &FrameLoop::refresh);
+    connect(&switches_, &EffectSwitches::changed, frames, &FrameLoop::refresh);
+    connect(&meshes_, &MeshLibrary::loaded, frames, &FrameLoop::refresh);
+    connect(&sources.environments, &EnvironmentLibrary::loaded, frames, &FrameLoop::refresh);
+    connect(&sources.environments, &EnvironmentLibrary::failed, frames, &FrameLoop::refresh);
     connect(viewport_, &Viewport::filesDropped, this, &SideView::filesDropped);
     connect(viewport_, &Viewport::focusShown, this, [this](bool byKeyboard) {
         focusShown_ = byKeyboard;

@@ -132,9 +132,10 @@ void MainWindow::connectParts() {
     onChange(document_, DocumentChange::Scene, &textures_, &TextureLibrary::forgetFailures);
     connect(&environments_, &EnvironmentLibrary::failed, &messages_, &MessageLog::add);
     onChange(document_, DocumentChange::Scene, &environments_, &EnvironmentLibrary::forgetFailure);
-    connect(&documentFiles_, &DocumentFiles::withheldChanged, this, [this] {
-        meshes_.withhold(documentFiles_.withheld());
-        environments_.withhold(documentFiles_.withheld());
+    connect(&documentFiles_.withheld(), &WithheldFiles::changed, this, [this] {
+        const auto withheld = documentFiles_.withheld().withoutImages();
+        meshes_.withhold(withheld);
+        environments_.withhold(withheld);
     });
     connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
     connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
@@ -184,10 +185,8 @@ void MainWindow::connectParts() {
     connect(&trials_, &UserBlockTrials::finished, this, [this](const Errors& mistakes) {
         messages_.setGroup("shaders", mistakes);
         status_->clearMessage();
-        views_->first()
-            .viewport()
-            .frames()
-            .refresh(); // of a block that it could not draw with before
+        // Of a block that it could not draw with before.
+        views_->first().viewport().frames().refresh();
         if (SideView* second = views_->second()) {
             second->viewport().frames().refresh();
         }

@@ -41,7 +41,7 @@ void MainWindow::makeFileMenu() {
     QAction* allow = add(menu, tr("Allow Files Ou&tside…"), {}, [this] { files_->allowOutside(); });
     allow->setObjectName("allowOutside");
     connect(menu, &QMenu::aboutToShow, this,
-            [this, allow] { allow->setEnabled(!documentFiles_.outside().empty()); });
+            [this, allow] { allow->setEnabled(!documentFiles_.withheld().all().empty()); });
     menu->addSeparator();
     add(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
