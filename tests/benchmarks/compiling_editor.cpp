@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 
 #include "catalog/catalog.h"
+#include "document/scene_edits.h"
 #include "editor_course.h"
 #include "window/main_window.h"
 
@@ -36,7 +37,7 @@ std::vector<Kind> allKinds() {
     return {{"models",
              [](Document& document, const std::string& id) { document.setModel(Side::A, id); }},
             {"fresnel", part(kinds::fresnel)},
-            {"lights", [](Document& document, const std::string& id) { document.addLight(id); }},
+            {"lights", [](Document& document, const std::string& id) { addLight(document, id); }},
             {"shadows", part(kinds::shadows)},
             {"fog", part(kinds::fog)},
             {"environment", part(kinds::environment)},
@@ -52,7 +53,7 @@ std::vector<Kind> allKinds() {
 /// false: a block was not on the screen in time.
 bool useAll(EditorCourse& course, Document& document, const Kind& kind) {
     EditorCourse::Cost worst{0.0, 0.0};
-    const auto drawn = [&] { return course.view().isUpToDate(); };
+    const auto drawn = [&] { return course.view().frames().isUpToDate(); };
     const std::vector<const Block*> blocks = document.catalog().ofKind(kind.name);
     for (const Block* block : blocks) {
         const EditorCourse::Cost cost =
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
     Document& document = window.document();
-    document.openTemplate(defaultSceneFile());
+    window.documentFiles().openTemplate(defaultSceneFile());
     window.show();
     EditorCourse course(window);
     course.rest(settleMs);

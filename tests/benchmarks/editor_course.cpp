@@ -60,9 +60,9 @@ bool EditorCourse::waitUntil(const std::function<bool()>& done) {
 
 /// One more frame than was asked for until now, so that it shows all of it.
 bool EditorCourse::waitForPicture() {
-    const int drawn = view_.frameCount();
-    view_.refresh();
-    if (!waitUntil([&] { return view_.frameCount() > drawn; })) {
+    const int drawn = view_.frames().frameCount();
+    view_.frames().refresh();
+    if (!waitUntil([&] { return view_.frames().frameCount() > drawn; })) {
         return false;
     }
     const int swapped = swaps_;

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 
 #include "catalog/catalog.h"
+#include "document/scene_edits.h"
 #include "editor_course.h"
 #include "window/main_window.h"
 
@@ -75,18 +76,19 @@ bool runAll(MainWindow& window, const QStringList& meshes) {
            course.step(
                "picking a pivot", [&] { doubleClickMiddle(course.view()); }, always) &&
            course.step(
-               "saving", [&] { document.saveScene(scene); }, always) &&
+               "saving", [&] { window.documentFiles().saveScene(scene); }, always) &&
            course.step("undoing the import", undo, always) &&
            course.step(
                "redoing it", [&] { document.undoStack().redo(); }, always) &&
            course.step(
-               "removing it", [&] { document.removeObject(indexOfLarge(document)); }, always) &&
+               "removing it", [&] { removeObject(document, indexOfLarge(document)); }, always) &&
            course.step("undoing the removal", undo, always) &&
            course.step(
-               "a new document", [&] { document.openTemplate(defaultSceneFile()); },
+               "a new document", [&] { window.documentFiles().openTemplate(defaultSceneFile()); },
                always) &&
            course.step(
-               "opening the saved scene", [&] { document.openScene(scene); }, always) &&
+               "opening the saved scene", [&] { window.documentFiles().openScene(scene); },
+               always) &&
            course.step(
                "dropping the other meshes", [&] { window.files().drop(meshes.mid(1), Side::A); },
                [&] { return large() == meshes.size(); });
@@ -99,7 +101,7 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
-    window.document().openTemplate(defaultSceneFile());
+    window.documentFiles().openTemplate(defaultSceneFile());
     window.show();
     window.startRest();
     return runAll(window, QApplication::arguments().mid(1)) ? 0 : 1;

@@ -88,7 +88,7 @@ TEST(AddedKind, WithASlipOfThePen_IsAnErrorWithTheNearestName) {
 
 TEST(AddedKind, InADocument_IsChosenEditedAndUndone) {
     Document document(catalog());
-    document.startFrom(setupWith({})->scene);
+    document.startFrom({setupWith({})->scene, std::nullopt});
     const BlockPath path = document.currentPath(kind);
     document.setBlock(path, "velvet");
     EXPECT_EQ(document.undoStack().undoText(), "Sheen Velvet");

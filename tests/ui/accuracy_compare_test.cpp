@@ -34,26 +34,26 @@ TEST_F(AccuracyPanel, EndOfComparing_PutsBackWhatWasThere) {
     dock().compare(pointOf("near"));
     EXPECT_EQ(level(Side::A), "");
     const int before = steps();
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(steps(), before + 1);
     EXPECT_EQ(*document().material(Side::A), chosen);
     document().undoStack().undo();
     EXPECT_EQ(level(Side::A), "");
     EXPECT_EQ(level(Side::B), "near");
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(*document().material(Side::A), chosen);
 }
 
 TEST_F(AccuracyPanel, ComparedSideB_LeavesSideAAsItWas) {
     ASSERT_TRUE(measure()) << state().toStdString();
     const int far = pointOf("far");
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     document().setActiveSide(Side::B);
     Material other = *document().material(Side::A);
     other.opacity = 0.5;
     document().replaceMaterial(Side::A, other, "Another");
     dock().compare(far);
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(*document().material(Side::A), other);
 }
 
@@ -62,12 +62,12 @@ TEST_F(AccuracyPanel, SavedWhileComparing_KeepsTheChoice) {
     dock().apply(pointOf("near"));
     dock().compare(pointOf("far"));
     const std::filesystem::path preset = home("kept.patina.json");
-    ASSERT_TRUE(document().savePreset(preset, Side::A));
+    ASSERT_TRUE(window().documentFiles().savePreset(preset, Side::A));
     EXPECT_NE(readFile(preset).find("\"work\": \"near\""), std::string::npos);
     EXPECT_EQ(level(Side::A), "");
     const std::filesystem::path scene = home("kept.patina-scene.json");
-    ASSERT_TRUE(document().saveScene(scene));
-    ASSERT_TRUE(document().openScene(scene));
+    ASSERT_TRUE(window().documentFiles().saveScene(scene));
+    ASSERT_TRUE(window().documentFiles().openScene(scene));
     EXPECT_EQ(level(Side::A), "near");
     EXPECT_EQ(level(Side::B), "far");
 }
@@ -78,7 +78,7 @@ TEST_F(AccuracyPanel, EditedWhileComparing_StaysEditedAfterwards) {
     dock().apply(pointOf("near"));
     dock().compare(far);
     document().setValue(document().currentPath(settings::material), "opacity", 0.5);
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(document().material(Side::A)->opacity, 0.5);
     EXPECT_EQ(level(Side::A), "near");
 }
@@ -88,11 +88,11 @@ TEST_F(AccuracyPanel, ChosenWhileComparing_IsChosen) {
     dock().apply(pointOf("near"));
     dock().compare(pointOf("far"));
     dock().apply(0); // the exact way
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(level(Side::A), "");
     document().undoStack().undo();
     document().undoStack().undo();
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(level(Side::A), "near");
 }
 

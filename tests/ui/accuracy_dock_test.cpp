@@ -176,7 +176,7 @@ TEST_F(AccuracyPanel, SceneThatIsBack_HasItsChartAgain) {
 
 TEST_F(AccuracyPanel, SavedDocument_KeepsItsChart) {
     ASSERT_TRUE(measure()) << state().toStdString();
-    ASSERT_TRUE(document().saveScene(home("saved.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().saveScene(home("saved.patina-scene.json")));
     settle();
     ASSERT_NE(dock().shown(), nullptr);
     EXPECT_FALSE(dock().isStale());

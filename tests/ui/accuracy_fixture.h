@@ -16,6 +16,7 @@
 #include "accuracy/cost_list.h"
 #include "accuracy/cost_plot.h"
 #include "docks/accuracy_dock.h"
+#include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests {
@@ -69,7 +70,7 @@ class AccuracyPanel : public WindowFixture {
         document().setBlock(pathOf(kinds::fresnel), "");
         document().setBlock(pathOf(kinds::environment), "");
         while (document().scene().lights.size() > 1) { // each of them costs as much again
-            document().removeLight(0);
+            removeLight(document(), 0);
         }
         document().setValue(document().currentPath(settings::scene), "ambient", glm::dvec3(0.0));
         window().dock("accuracy")->show();

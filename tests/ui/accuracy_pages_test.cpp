@@ -206,20 +206,20 @@ TEST_F(ScalingPanel, SceneThatIsBack_HasItsNumbersAgain) {
 
 TEST_F(ScalingPanel, SavedDocument_KeepsItsNumbers) {
     ASSERT_TRUE(measureSmall());
-    ASSERT_TRUE(document().saveScene(home("saved.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().saveScene(home("saved.patina-scene.json")));
     settle();
     EXPECT_FALSE(page().isStale());
     EXPECT_EQ(page().curves().size(), 3u);
 }
 
 TEST_F(ScalingPanel, OtherDocument_HasNoneOfItsNumbers) {
-    ASSERT_TRUE(document().saveScene(home("one.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().saveScene(home("one.patina-scene.json")));
     ASSERT_TRUE(measureSmall());
-    document().startFrom(Scene(document().scene()));
+    window().documentFiles().startFrom(Scene(document().scene()));
     document().setBlock(pathOf(kinds::fog), "exponential");
     settle();
     EXPECT_TRUE(page().curves().empty());
-    ASSERT_TRUE(document().openScene(home("one.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().openScene(home("one.patina-scene.json")));
     settle();
     EXPECT_EQ(page().curves().size(), 3u);
 }

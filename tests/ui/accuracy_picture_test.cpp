@@ -75,6 +75,7 @@ class PicturePanel : public testing::Test {
     BudgetRow& budget() { return panel().budget(); }
     CostList& list() { return panel().list(); }
     CostPlot& plot() { return panel().plot(); }
+    MainWindow& window() { return panel().window(); }
     Document& document() { return panel().document(); }
     void press(const QString& text) { panel().press(text); }
     void settle() { panel().settle(); }
@@ -175,7 +176,8 @@ TEST_F(PicturePanel, ShadowsLayersAndDirections_AreGivenToWhatHasThem) {
         })) << each.first;
     }
     const int count = steps();
-    PictureTarget(document(), panel().window().views()).apply(choices, wanted, "Accuracy");
+    PictureTarget(document(), window().comparison(), window().views())
+        .apply(choices, wanted, "Accuracy");
     EXPECT_EQ(steps(), count + 1);
     EXPECT_EQ(levelsOfPicture(document().scene(), choices, document().catalog()), wanted);
     document().undoStack().undo();
@@ -211,13 +213,13 @@ class ComparedPicturePanel : public PicturePanel {
     }
 
     void TearDown() override {
-        document().setComparing(false);
+        window().comparison().setComparing(false);
         PicturePanel::TearDown();
     }
 
     std::string savedScene() {
         const std::filesystem::path file = panel().home("compared.patina-scene.json");
-        EXPECT_TRUE(writeScene(file, document().sceneToSave()));
+        EXPECT_TRUE(writeScene(file, window().documentFiles().sceneToSave()));
         return readFile(file);
     }
 
@@ -272,7 +274,7 @@ TEST_F(ComparedPicturePanel, EndOfComparing_LeavesTheSceneAndTheCamera) {
     const Scene before = document().scene();
     const Camera seen = panel().camera();
     compareHalf();
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(document().scene(), before);
     EXPECT_EQ(document().scene(Side::A), before);
     EXPECT_EQ(panel().camera(), seen);
@@ -312,14 +314,15 @@ TEST_F(ComparedPicturePanel, ChosenPicture_IsShownInA) {
 
 TEST_F(ComparedPicturePanel, SwappedSides_SwapThePictures) {
     compareHalf();
-    document().swapSides();
+    window().comparison().swapSides();
     EXPECT_EQ(scaleOf(document().scene(Side::A)), 0.5);
     EXPECT_EQ(scaleOf(document().scene(Side::B)), 1.0);
 }
 
 TEST_F(ComparedPicturePanel, MaterialsThatAreComparedNext_HaveTheScenesPicture) {
     compareHalf();
-    document().look(*document().material(Side::A), *document().material(Side::B), "Compare");
+    window().comparison().look(*document().material(Side::A), *document().material(Side::B),
+                               "Compare");
     EXPECT_EQ(document().scene(Side::A), document().scene());
     EXPECT_EQ(scaleOf(document().scene(Side::B)), scaleOf(document().scene()));
 }

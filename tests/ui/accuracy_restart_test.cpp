@@ -10,7 +10,7 @@ class RestartedAccuracy : public AccuracyPanel {
   protected:
     /// Measures a saved scene.
     void measureSaved() {
-        ASSERT_TRUE(document().saveScene(scene()));
+        ASSERT_TRUE(window().documentFiles().saveScene(scene()));
         ASSERT_TRUE(measure()) << state().toStdString();
     }
 
@@ -20,7 +20,7 @@ class RestartedAccuracy : public AccuracyPanel {
     void startAgain() {
         close();
         open();
-        ASSERT_TRUE(document().openScene(scene()));
+        ASSERT_TRUE(window().documentFiles().openScene(scene()));
         window().dock("accuracy")->show();
         settle();
     }
@@ -57,7 +57,7 @@ TEST_F(RestartedAccuracy, SameScene_HasItsChartAgain) {
 
 TEST_F(RestartedAccuracy, ChartOfAnUnsavedScene_GoesWithTheFileItIsSavedTo) {
     ASSERT_TRUE(measure()) << state().toStdString();
-    ASSERT_TRUE(document().saveScene(scene()));
+    ASSERT_TRUE(window().documentFiles().saveScene(scene()));
     settle();
     startAgain();
     ASSERT_NE(dock().shown(), nullptr);

@@ -15,7 +15,7 @@ class Difference : public AccuracyPanel {
   protected:
     /// The exact way in A and one that is off by a tenth in B, without measuring that.
     void compareWithFar() {
-        document().setComparing(true);
+        window().comparison().setComparing(true);
         Material chosen = *document().material(Side::B);
         chosen.accuracy["work"] = "far";
         document().setSecondMaterial(chosen);
@@ -69,7 +69,7 @@ TEST_F(Difference, Gain_MakesItBrighter) {
 }
 
 TEST_F(Difference, SameMaterials_AreBlackAtTheGreatestGain) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     window().views().setDifferenceWanted(true);
     ASSERT_TRUE(waitForView());
     view().setGain(DifferenceView::maxGain);
@@ -93,12 +93,12 @@ TEST_F(Difference, ErrorMode_HasColours) {
 TEST_F(Difference, EndOfComparing_HidesIt) {
     compareWithFar();
     EXPECT_TRUE(view().isVisible());
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_FALSE(view().isVisible());
 }
 
 TEST_F(Difference, NotWantedAnyMore_GivesTheCameraBack) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     const Camera before = camera();
     window().views().setDifferenceWanted(true);
     EXPECT_GT(camera().distance, before.distance);
@@ -116,7 +116,7 @@ TEST_F(Difference, ComparedPointThatIsUndone_GivesTheCameraBack) {
     EXPECT_EQ(camera(), before);
     document().undoStack().redo();
     EXPECT_GT(camera().distance, before.distance);
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(camera(), before);
 }
 
@@ -125,20 +125,20 @@ TEST_F(Difference, ComparedPoint_IsNoOtherView) {
     dock().compare(pointOf("near"));
     settle();
     EXPECT_FALSE(state().contains("another view")) << state().toStdString();
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     settle();
     EXPECT_FALSE(state().contains("another view")) << state().toStdString();
 }
 
 TEST_F(Difference, CameraMovedWhileComparing_StaysThereAfterwards) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     window().views().setDifferenceWanted(true);
     Camera wished = camera();
     wished.yaw += 30.0;
     Q_EMIT window().views().first().cameraWished(wished);
     EXPECT_EQ(camera().yaw, wished.yaw);
     EXPECT_NEAR(camera().distance, wished.distance, 1e-12 * wished.distance);
-    document().setComparing(false);
+    window().comparison().setComparing(false);
     EXPECT_EQ(camera(), document().scene().camera);
     EXPECT_EQ(camera().yaw, wished.yaw);
 }

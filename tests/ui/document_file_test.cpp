@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "document/scene_edits.h"
 #include "scene/scene_file.h"
 #include "ui/fixtures.h"
 
@@ -23,13 +24,13 @@ struct DocumentFile_ : testing::Test {
     std::vector<std::string> messages;
 
     DocumentFile_() {
-        QObject::connect(&document, &Document::message,
+        QObject::connect(&fixture.files, &DocumentFiles::message,
                          [this](const Error& error) { messages.push_back(error.text()); });
     }
 
     /// a.patina.json as a newer version of Patina would write it.
     std::string writeFuturePreset() {
-        EXPECT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+        EXPECT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
         std::string future = readFile(folder / "a.patina.json");
         const std::string version = "\n  \"version\": 1";
         future.replace(future.find(version), version.size(), "\n  \"version\": 99");
@@ -42,55 +43,55 @@ struct DocumentFile_ : testing::Test {
 
 TEST_F(DocumentFile_, SavedScene_OpensAsItWas) {
     document.setValue(fixture.model(), "roughness", 0.75);
-    document.setComparing(true);
+    fixture.comparison.setComparing(true);
     document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.25);
-    ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
     const std::string saved = written(document.state());
-    document.startFrom(Scene());
-    ASSERT_TRUE(document.openScene(folder / "a.patina-scene.json"));
+    fixture.files.startFrom(Scene());
+    ASSERT_TRUE(fixture.files.openScene(folder / "a.patina-scene.json"));
     EXPECT_EQ(written(document.state()), saved);
     EXPECT_EQ(messages, std::vector<std::string>());
 }
 
 TEST_F(DocumentFile_, SideB_StaysOnItsObject) {
-    document.addObject(document.scene().objects.front());
-    document.setComparing(true);
+    addObject(document, document.scene().objects.front());
+    fixture.comparison.setComparing(true);
     document.setValue(pathOf(kinds::models, 1, Side::B), "roughness", 0.25);
-    ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
     Scene shown = document.scene(Side::B);
     shown.name = "a"; // as the file
-    document.startFrom(Scene());
-    ASSERT_TRUE(document.openScene(folder / "a.patina-scene.json"));
+    fixture.files.startFrom(Scene());
+    ASSERT_TRUE(fixture.files.openScene(folder / "a.patina-scene.json"));
     EXPECT_EQ(document.currentObject(), 1);
     EXPECT_EQ(document.scene(Side::B), shown);
 }
 
 TEST_F(DocumentFile_, SideBOfAnObjectThatIsNotThere_IsOnTheFirst) {
-    document.setComparing(true);
-    ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    fixture.comparison.setComparing(true);
+    ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
     std::string file = readFile(folder / "a.patina-scene.json");
     const std::string named = "\"compareObject\": 0";
     ASSERT_NE(file.find(named), std::string::npos);
     file.replace(file.find(named), named.size(), "\"compareObject\": 1e99");
     writeFile(folder / "a.patina-scene.json", file);
-    ASSERT_TRUE(document.openScene(folder / "a.patina-scene.json"));
+    ASSERT_TRUE(fixture.files.openScene(folder / "a.patina-scene.json"));
     EXPECT_EQ(document.currentObject(), 0);
 }
 
 TEST_F(DocumentFile_, PresetOfTheSecondObject_IsSavedFromIt) {
-    document.addObject(document.scene().objects.front());
-    ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
-    ASSERT_TRUE(document.openPreset(folder / "a.patina.json"));
+    addObject(document, document.scene().objects.front());
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
+    ASSERT_TRUE(fixture.files.openPreset(folder / "a.patina.json"));
     document.setValue(pathOf(kinds::models, 1), "roughness", 0.75);
     document.setCurrentObject(0);
-    ASSERT_TRUE(document.save());
+    ASSERT_TRUE(fixture.files.save());
     EXPECT_NE(readFile(folder / "a.patina.json").find("0.75"), std::string::npos);
 }
 
 TEST_F(DocumentFile_, SavedScene_IsNotModified) {
     document.setValue(fixture.model(), "roughness", 0.75);
     EXPECT_TRUE(document.isModified());
-    document.saveScene(folder / "a.patina-scene.json");
+    fixture.files.saveScene(folder / "a.patina-scene.json");
     EXPECT_FALSE(document.isModified());
     document.undoStack().undo();
     EXPECT_TRUE(document.isModified());
@@ -99,127 +100,127 @@ TEST_F(DocumentFile_, SavedScene_IsNotModified) {
 TEST_F(DocumentFile_, SavedPreset_OpensAsItWas) {
     document.setValue(fixture.model(), "roughness", 0.75);
     const std::string saved = writeJson(toJson(*document.material(Side::A)));
-    ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
     EXPECT_FALSE(document.isModified());
     document.undoStack().undo();
-    ASSERT_TRUE(document.openPreset(folder / "a.patina.json"));
+    ASSERT_TRUE(fixture.files.openPreset(folder / "a.patina.json"));
     EXPECT_EQ(writeJson(toJson(*document.material(Side::A))), saved);
 }
 
 TEST_F(DocumentFile_, SavedPresetOfAChangedScene_StaysModified) {
     document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
-    ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
     EXPECT_TRUE(document.isModified());
 }
 
 TEST_F(DocumentFile_, SecondSave_WritesTheSameFile) {
-    document.saveScene(folder / "a.patina-scene.json");
+    fixture.files.saveScene(folder / "a.patina-scene.json");
     document.setValue(fixture.model(), "roughness", 0.75);
-    ASSERT_TRUE(document.save());
+    ASSERT_TRUE(fixture.files.save());
     EXPECT_NE(readFile(folder / "a.patina-scene.json").find("0.75"), std::string::npos);
 }
 
 TEST_F(DocumentFile_, UntitledDocument_DoesNotSave) {
-    EXPECT_FALSE(document.save());
+    EXPECT_FALSE(fixture.files.save());
 }
 
 TEST_F(DocumentFile_, SceneSavedUnderAnotherName_IsCalledAsItsFile) {
-    ASSERT_TRUE(document.saveScene(folder / "v1.2 night.patina-scene.json"));
+    ASSERT_TRUE(fixture.files.saveScene(folder / "v1.2 night.patina-scene.json"));
     EXPECT_EQ(document.scene().name, "v1.2 night");
     document.setValue(fixture.model(), "roughness", 0.75);
-    ASSERT_TRUE(document.save());
-    document.startFrom(Scene());
-    ASSERT_TRUE(document.openScene(folder / "v1.2 night.patina-scene.json"));
+    ASSERT_TRUE(fixture.files.save());
+    fixture.files.startFrom(Scene());
+    ASSERT_TRUE(fixture.files.openScene(folder / "v1.2 night.patina-scene.json"));
     EXPECT_EQ(document.scene().name, "v1.2 night");
 }
 
 TEST_F(DocumentFile_, SceneSavedWhereItCannotBe_KeepsItsName) {
     const std::string name = document.scene().name;
-    EXPECT_FALSE(document.saveScene(folder / "missing" / "b.patina-scene.json"));
+    EXPECT_FALSE(fixture.files.saveScene(folder / "missing" / "b.patina-scene.json"));
     EXPECT_EQ(document.scene().name, name);
 }
 
 TEST_F(DocumentFile_, PresetSavedWhereItCannotBe_KeepsItsName) {
     const Material before = *document.material(Side::A);
     const int steps = fixture.steps();
-    EXPECT_FALSE(document.savePreset(folder / "missing" / "b.patina.json", Side::A, "b"));
+    EXPECT_FALSE(fixture.files.savePreset(folder / "missing" / "b.patina.json", Side::A, "b"));
     EXPECT_EQ(*document.material(Side::A), before);
     EXPECT_EQ(fixture.steps(), steps);
     EXPECT_FALSE(document.isModified());
 }
 
 TEST_F(DocumentFile_, MaterialExportedOutOfAScene_IsNotCalledOtherwiseThere) {
-    ASSERT_TRUE(document.saveScene(folder / "a.patina-scene.json"));
+    ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
     const Material before = *document.material(Side::A);
-    ASSERT_TRUE(document.savePreset(folder / "b.patina.json", Side::A, "b"));
+    ASSERT_TRUE(fixture.files.savePreset(folder / "b.patina.json", Side::A, "b"));
     EXPECT_EQ(*document.material(Side::A), before);
     EXPECT_FALSE(document.isModified());
-    ASSERT_TRUE(document.openPreset(folder / "b.patina.json"));
+    ASSERT_TRUE(fixture.files.openPreset(folder / "b.patina.json"));
     EXPECT_EQ(document.material(Side::A)->name, "b");
 }
 
 TEST_F(DocumentFile_, DroppedPreset_IsOneStep) {
-    document.savePreset(folder / "a.patina.json", Side::A);
+    fixture.files.savePreset(folder / "a.patina.json", Side::A);
     document.setValue(fixture.model(), "roughness", 0.75);
     const int steps = fixture.steps();
-    ASSERT_TRUE(document.applyPreset(folder / "a.patina.json", Side::A));
+    ASSERT_TRUE(fixture.files.applyPreset(folder / "a.patina.json", Side::A));
     EXPECT_EQ(fixture.steps(), steps + 1);
     EXPECT_EQ(fixture.number("roughness"), 0.5);
 }
 
 TEST_F(DocumentFile_, PresetDroppedOnB_StartsComparing) {
-    document.savePreset(folder / "a.patina.json", Side::A);
-    ASSERT_TRUE(document.applyPreset(folder / "a.patina.json", Side::B));
+    fixture.files.savePreset(folder / "a.patina.json", Side::A);
+    ASSERT_TRUE(fixture.files.applyPreset(folder / "a.patina.json", Side::B));
     EXPECT_TRUE(document.isComparing());
 }
 
 TEST_F(DocumentFile_, RecoveredWork_IsSavedToTheFileItBelongsTo) {
     document.setValue(fixture.model(), "roughness", 0.75);
-    ASSERT_TRUE(document.saveScene(folder / "copy.patina-scene.json"));
-    document.startFrom(Scene());
+    ASSERT_TRUE(fixture.files.saveScene(folder / "copy.patina-scene.json"));
+    fixture.files.startFrom(Scene());
     const DocumentFile origin{DocumentFile::Kind::Scene, folder / "a.patina-scene.json", false};
-    ASSERT_TRUE(document.recover(folder / "copy.patina-scene.json", origin));
+    ASSERT_TRUE(fixture.files.recover(folder / "copy.patina-scene.json", origin));
     EXPECT_TRUE(document.isModified());
-    ASSERT_TRUE(document.save());
+    ASSERT_TRUE(fixture.files.save());
     EXPECT_NE(readFile(folder / "a.patina-scene.json").find("0.75"), std::string::npos);
 }
 
 TEST_F(DocumentFile_, RecoveredPreset_StaysModifiedWhenMoreThanThePresetChanged) {
     document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
-    ASSERT_TRUE(document.saveScene(folder / "copy.patina-scene.json"));
+    ASSERT_TRUE(fixture.files.saveScene(folder / "copy.patina-scene.json"));
     document.undoStack().undo();
     const DocumentFile origin{DocumentFile::Kind::Preset, folder / "a.patina.json", false};
-    ASSERT_TRUE(document.recover(folder / "copy.patina-scene.json", origin));
-    ASSERT_TRUE(document.save());
+    ASSERT_TRUE(fixture.files.recover(folder / "copy.patina-scene.json", origin));
+    ASSERT_TRUE(fixture.files.save());
     EXPECT_TRUE(document.isModified());
 }
 
 TEST_F(DocumentFile_, PresetWithAChangedLight_IsOutgrown) {
-    ASSERT_TRUE(document.savePreset(folder / "a.patina.json", Side::A));
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
     document.setValue(fixture.model(), "roughness", 0.75);
-    EXPECT_FALSE(document.outgrewPreset());
+    EXPECT_FALSE(fixture.files.outgrewPreset());
     document.setValue(document.currentPath(kinds::lights), "intensity", 5.0);
-    EXPECT_TRUE(document.outgrewPreset());
+    EXPECT_TRUE(fixture.files.outgrewPreset());
 }
 
 TEST_F(DocumentFile_, BadFile_ChangesNothingAndSaysSo) {
     const DocumentState before = document.state();
     writeFile(folder / "a.patina-scene.json", "{\"format\": ");
-    EXPECT_FALSE(document.openScene(folder / "a.patina-scene.json"));
+    EXPECT_FALSE(fixture.files.openScene(folder / "a.patina-scene.json"));
     EXPECT_EQ(document.state(), before);
     EXPECT_EQ(messages.size(), 1u);
 }
 
 TEST_F(DocumentFile_, MissingFolder_SaysSo) {
-    EXPECT_FALSE(document.saveScene(folder / "missing" / "a.patina-scene.json"));
+    EXPECT_FALSE(fixture.files.saveScene(folder / "missing" / "a.patina-scene.json"));
     EXPECT_EQ(messages.size(), 1u);
 }
 
 TEST_F(DocumentFile_, PresetFromTheFuture_IsNotSavedOver) {
     const std::string future = writeFuturePreset();
-    ASSERT_TRUE(document.openPreset(folder / "a.patina.json"));
-    EXPECT_TRUE(document.file().readOnly);
-    EXPECT_FALSE(document.save());
+    ASSERT_TRUE(fixture.files.openPreset(folder / "a.patina.json"));
+    EXPECT_TRUE(fixture.files.file().readOnly);
+    EXPECT_FALSE(fixture.files.save());
     EXPECT_EQ(readFile(folder / "a.patina.json"), future);
 }
 
@@ -228,7 +229,7 @@ TEST_F(DocumentFile_, ImageOutsideTheFolder_IsSaidWhenItIsSaved) {
     material.textures["normal"] = textureUse("normal", (folder / "far" / "a.png").string());
     document.replaceMaterial(Side::A, material, "Test");
     std::filesystem::create_directories(folder / "near");
-    ASSERT_TRUE(document.savePreset(folder / "near" / "a.patina.json", Side::A));
+    ASSERT_TRUE(fixture.files.savePreset(folder / "near" / "a.patina.json", Side::A));
     ASSERT_EQ(messages.size(), 1u);
     EXPECT_NE(messages.front().find("far/a.png"), std::string::npos) << messages.front();
 }
@@ -236,8 +237,8 @@ TEST_F(DocumentFile_, ImageOutsideTheFolder_IsSaidWhenItIsSaved) {
 TEST_F(DocumentFile_, PresetFromTheFutureUnderAnotherName_IsNotSavedOver) {
     const std::string future = writeFuturePreset();
     std::filesystem::create_symlink(folder.path(), folder / "same");
-    ASSERT_TRUE(document.openPreset(folder / "same" / "a.patina.json"));
-    EXPECT_FALSE(document.savePreset(folder / "a.patina.json", Side::A));
+    ASSERT_TRUE(fixture.files.openPreset(folder / "same" / "a.patina.json"));
+    EXPECT_FALSE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
     EXPECT_EQ(readFile(folder / "a.patina.json"), future);
 }
 

@@ -2,6 +2,7 @@
 // The document without widgets: what edits do, and what undo takes back.
 #include <gtest/gtest.h>
 
+#include "document/scene_edits.h"
 #include "ui/fixtures.h"
 
 namespace patina::tests::document_test {
@@ -65,7 +66,7 @@ struct ShorthandEdit : testing::Test {
                    "vec3 alloyFresnel(Incidence i, AlloyFresnel p) {\n    return vec3(p.a);\n}\n"
                    "vec3 alloyFresnelTint(AlloyFresnel p) {\n    return vec3(p.b);\n}\n");
         document = std::make_unique<Document>(blocks.catalog());
-        document->startFrom(fixtureScene(*blocks.catalog()));
+        document->startFrom({fixtureScene(*blocks.catalog()), std::nullopt});
         document->setBlock(pathOf(kinds::fresnel), "alloy");
     }
     BlockPath path() const { return document->currentPath(kinds::fresnel); }
@@ -131,12 +132,12 @@ TEST_F(DocumentEdit, ModelSwap_UndoesAndRedoes) {
 }
 
 TEST_F(DocumentEdit, Lights_UndoAndRedo) {
-    document.addLight("sun");
+    addLight(document, "sun");
     Light renamed = document.scene().lights[1];
     renamed.name = "Rim";
-    document.setLight(1, renamed);
+    setLight(document, 1, renamed);
     document.setBlock(pathOf(kinds::lights), "sun");
-    document.removeLight(0);
+    removeLight(document, 0);
     EXPECT_EQ(fixture.steps(), 4);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
@@ -144,10 +145,10 @@ TEST_F(DocumentEdit, Lights_UndoAndRedo) {
 TEST_F(DocumentEdit, Objects_UndoAndRedo) {
     Object second = document.scene().objects[0];
     second.name = "Second";
-    document.addObject(second);
+    addObject(document, second);
     second.mesh = "builtin:cube";
-    document.setObject(1, second);
-    document.removeObject(0);
+    setObject(document, 1, second);
+    removeObject(document, 0);
     EXPECT_EQ(fixture.steps(), 3);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
@@ -155,30 +156,30 @@ TEST_F(DocumentEdit, Objects_UndoAndRedo) {
 /// Side B is on the current object: redoing an import must not move it to another one.
 TEST_F(DocumentEdit, CurrentObject_FollowsUndoAndRedo) {
     const int first = document.currentObject();
-    document.addObject(document.scene().objects.front());
+    addObject(document, document.scene().objects.front());
     const int second = document.currentObject();
     ASSERT_NE(first, second);
     document.undoStack().undo();
     EXPECT_EQ(document.currentObject(), first);
     document.undoStack().redo();
     EXPECT_EQ(document.currentObject(), second);
-    document.removeObject(first);
+    removeObject(document, first);
     EXPECT_EQ(document.currentObject(), second - 1);
     document.undoStack().undo();
     EXPECT_EQ(document.currentObject(), second);
 }
 
 TEST_F(DocumentEdit, RemovedLight_IsCurrentAgainWhenItIsBack) {
-    document.addLight("sun");
+    addLight(document, "sun");
     ASSERT_EQ(document.currentLight(), 1);
-    document.removeLight(1);
+    removeLight(document, 1);
     document.setCurrentLight(0);
     document.undoStack().undo();
     EXPECT_EQ(document.currentLight(), 1);
 }
 
 TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
-    document.addLight("sun");
+    addLight(document, "sun");
     const int light = document.currentLight();
     const auto shadow = [this, light] {
         return document.scene().lights.at(static_cast<std::size_t>(light)).shadow;
@@ -210,9 +211,9 @@ TEST_F(DocumentEdit, Fog_UndoesAndRedoes) {
 }
 
 TEST_F(DocumentEdit, SideB_IsOnItsObjectAfterUndoAndRedo) {
-    document.addObject(document.scene().objects.front());
+    addObject(document, document.scene().objects.front());
     document.setCurrentObject(0);
-    document.setComparing(true);
+    fixture.comparison.setComparing(true);
     document.setCurrentObject(1);
     document.setValue(pathOf(kinds::models, 1, Side::B), "roughness", 0.9);
     const Scene shown = document.scene(Side::B);
@@ -221,9 +222,9 @@ TEST_F(DocumentEdit, SideB_IsOnItsObjectAfterUndoAndRedo) {
 }
 
 TEST_F(DocumentEdit, Comparing_UndoesAndRedoes) {
-    document.setComparing(true);
+    fixture.comparison.setComparing(true);
     document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.9);
-    document.swapSides();
+    fixture.comparison.swapSides();
     EXPECT_EQ(fixture.steps(), 3);
     EXPECT_TRUE(survivesUndoAndRedo(document, before));
 }
@@ -327,27 +328,27 @@ TEST_F(DocumentEdit, ScaleOfNothing_IsWhatASceneFileMayHold) {
 }
 
 TEST_F(DocumentEdit, ComparingAgain_BringsBackWhatWasOnSideB) {
-    document.setComparing(true);
+    fixture.comparison.setComparing(true);
     document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.75);
     const Material made = *document.state().second;
-    document.setComparing(false);
-    document.setComparing(true);
+    fixture.comparison.setComparing(false);
+    fixture.comparison.setComparing(true);
     EXPECT_EQ(document.state().second, made);
 }
 
 TEST_F(DocumentEdit, ComparingOnAnotherObject_StartsWithACopy) {
-    document.addObject(document.scene().objects.front());
+    addObject(document, document.scene().objects.front());
     document.setCurrentObject(0);
-    document.setComparing(true);
+    fixture.comparison.setComparing(true);
     document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.75);
-    document.setComparing(false);
+    fixture.comparison.setComparing(false);
     document.setCurrentObject(1);
-    document.setComparing(true);
+    fixture.comparison.setComparing(true);
     EXPECT_EQ(document.state().second, *document.material(Side::A));
 }
 
 TEST_F(DocumentEdit, SecondMaterial_ShowsOnSideBOnly) {
-    document.setComparing(true);
+    fixture.comparison.setComparing(true);
     document.scene(Side::B);
     document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.75);
     document.setValue(document.currentPath(settings::scene), "exposure", 1.0);
@@ -357,7 +358,7 @@ TEST_F(DocumentEdit, SecondMaterial_ShowsOnSideBOnly) {
 }
 
 TEST_F(DocumentEdit, RemovingTheLastLight_LeavesNoCurrentLight) {
-    document.removeLight(0);
+    removeLight(document, 0);
     EXPECT_EQ(document.currentLight(), -1);
     document.undoStack().undo();
     EXPECT_EQ(document.currentLight(), 0);

@@ -13,6 +13,7 @@
 #include <QTreeWidgetItemIterator>
 
 #include "docks/effects_dock.h"
+#include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::effects_dock_test {
@@ -57,7 +58,7 @@ class EffectsPanel : public WindowFixture {
     }
 
     bool isInTheShader(const std::string& effect) {
-        for (const std::string& each : view().report().effects) {
+        for (const std::string& each : view().frames().report().effects) {
             if (each.starts_with(effect)) {
                 return true;
             }
@@ -186,9 +187,9 @@ TEST_F(EffectsPanel, Switch_IsNoEdit) {
 
 TEST_F(EffectsPanel, Export_HasWhatIsSwitchedOff) {
     newFrames();
-    const Image before = view().picture(true);
+    const Image before = view().frames().picture(true);
     switchOff("lights/");
-    EXPECT_EQ(view().picture(true).pixels, before.pixels);
+    EXPECT_EQ(view().frames().picture(true).pixels, before.pixels);
 }
 
 TEST_F(EffectsPanel, SwitchedOffEffect_IsSaidInTheStatusLine) {
@@ -213,7 +214,7 @@ TEST_F(EffectsPanel, AnotherDocument_HasEverythingOnAndNoCosts) {
     switchOff("fog/");
     Scene other = document().scene();
     other.ambient = glm::dvec3(0.3);
-    document().startFrom(other);
+    window().documentFiles().startFrom(other);
     settle();
     newFrames();
     EXPECT_TRUE(isInTheShader("fog/"));
@@ -274,7 +275,7 @@ TEST_F(EffectsPanel, BlocksThatAreReadAgainAsTheyWere_LeaveTheCostsFresh) {
 }
 
 TEST_F(EffectsPanel, CostsOfAnotherObject_AreNotCalledThoseOfAnotherScene) {
-    document().addObject(document().scene().objects.front());
+    addObject(document(), document().scene().objects.front());
     document().setCurrentObject(0);
     dock().measure();
     press("Cancel");

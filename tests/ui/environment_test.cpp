@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "docks/block_chooser.h"
+#include "document/scene_edits.h"
 #include "scene/environment.h"
 #include "ui/window_fixture.h"
 
@@ -18,7 +19,7 @@ constexpr int limitMs = 120000;
 class EnvironmentInTheWindow : public WindowFixture {
   protected:
     bool waitForSamples(int samples) {
-        return QTest::qWaitFor([=, this] { return view().samples() >= samples; }, limitMs);
+        return QTest::qWaitFor([=, this] { return view().frames().samples() >= samples; }, limitMs);
     }
 
     /// A panorama of one colour in a format without compression: Radiance, 8 by 4.
@@ -42,18 +43,18 @@ TEST_F(EnvironmentInTheWindow, LeftAlone_SettlesAndThenDrawsNothing) {
     newFrames();
     QTest::qWait(1000);
     EXPECT_EQ(newFrames(), 0);
-    EXPECT_EQ(view().samples(), wanted);
+    EXPECT_EQ(view().frames().samples(), wanted);
 }
 
 TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {
     view().setFixedSize(160, 120);
     document().setBlock(pathOf(kinds::environment), "studio");
     ASSERT_TRUE(waitForSamples(24));
-    QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
     document().setValue(document().currentPath(kinds::environment), "key.intensity", 2.0);
     ASSERT_TRUE(frames.wait());
-    EXPECT_LT(view().samples(), 24);
-    EXPECT_EQ(view().report().compiled, 0);
+    EXPECT_LT(view().frames().samples(), 24);
+    EXPECT_EQ(view().frames().report().compiled, 0);
 }
 
 TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing) {
@@ -61,14 +62,15 @@ TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing)
     document().setBlock(pathOf(kinds::environment), "studio");
     ASSERT_TRUE(waitForSamples(8));
     int compiled = 0;
-    QObject::connect(&view(), &Viewport::frameDrawn, &view(),
-                     [&] { compiled += view().report().compiled; });
+    QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(),
+                     [&] { compiled += view().frames().report().compiled; });
     const BlockPath path = document().currentPath(kinds::environment);
-    const int token = document().beginInteraction(path, "intensity");
+    const int token = document().beginInteraction(ParameterTarget{path, "intensity"});
     for (const double intensity : {0.6, 0.0, 0.3}) {
-        const int frames = view().frameCount();
+        const int frames = view().frames().frameCount();
         document().setValue(path, "intensity", intensity);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view().frameCount() > frames; }, limitMs));
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
     }
     EXPECT_EQ(compiled, 0);
     document().endInteraction(token);
@@ -84,7 +86,7 @@ TEST_F(EnvironmentInTheWindow, StatusLine_TellsHowFarItIs) {
 TEST_F(EnvironmentInTheWindow, DroppedPanorama_LightsTheScene) {
     window().files().drop({QString::fromStdString(panorama())}, Side::A);
     ASSERT_TRUE(document().scene().part(kinds::environment));
-    EXPECT_EQ(document().environmentPicture(), home("sky.hdr").string());
+    EXPECT_EQ(environmentPicture(document()), home("sky.hdr").string());
     EXPECT_TRUE(waitForSamples(8));
     EXPECT_EQ(window().messages().count(), 0);
 }
@@ -93,13 +95,13 @@ TEST_F(EnvironmentInTheWindow, PanoramaBesideAPreset_IsLaidOnItWithoutAQuestion)
     const std::string preset = otherPreset(document()).string();
     window().files().open({QString::fromStdString(panorama()), QString::fromStdString(preset)},
                           Side::A);
-    EXPECT_EQ(document().environmentPicture(), home("sky.hdr").string());
+    EXPECT_EQ(environmentPicture(document()), home("sky.hdr").string());
 }
 
 TEST_F(EnvironmentInTheWindow, PanoramaThatCannotBeRead_IsAMessageAndStays) {
     window().files().drop({QString::fromStdString(home("none.exr").string())}, Side::A);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window().messages().count() > 0; }, limitMs));
-    EXPECT_EQ(document().environmentPicture(), home("none.exr").string());
+    EXPECT_EQ(environmentPicture(document()), home("none.exr").string());
 }
 
 /// Red and blue fields stand behind the objects.
@@ -107,8 +109,8 @@ TEST_F(EnvironmentInTheWindow, PanoramaThatCannotBeRead_ShowsAPlaceholder) {
     window().files().drop({QString::fromStdString(home("none.exr").string())}, Side::A);
     ASSERT_TRUE(waitForSamples(8));
     ASSERT_TRUE(QTest::qWaitFor([&] { return window().messages().count() > 0; }, limitMs));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().isUpToDate(); }, limitMs));
-    const Image picture = view().linearPicture();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().isUpToDate(); }, limitMs));
+    const Image picture = view().frames().linearPicture();
     ASSERT_FALSE(picture.pixels.empty());
     int fields = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
@@ -122,11 +124,11 @@ TEST_F(EnvironmentInTheWindow, PictureTakenWhileItSettles_HasTheSamplesThatAreSh
     view().setFixedSize(160, 120);
     document().setBlock(pathOf(kinds::environment), "studio");
     ASSERT_TRUE(waitForSamples(24));
-    const int frames = view().frameCount();
-    const int samples = view().samples();
-    ASSERT_FALSE(view().linearPicture().pixels.empty());
-    EXPECT_EQ(view().frameCount(), frames);
-    EXPECT_EQ(view().samples(), samples);
+    const int frames = view().frames().frameCount();
+    const int samples = view().frames().samples();
+    ASSERT_FALSE(view().frames().linearPicture().pixels.empty());
+    EXPECT_EQ(view().frames().frameCount(), frames);
+    EXPECT_EQ(view().frames().samples(), samples);
     EXPECT_TRUE(waitForSamples(samples + 8));
 }
 

@@ -4,7 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "document/document.h"
+#include "document/comparison.h"
+#include "document/document_files.h"
 #include "parameters/parameter_form.h"
 #include "support/program.h"
 
@@ -38,8 +39,10 @@ Scene fixtureScene(const Catalog& catalog);
 struct FixtureDocument {
     FixtureBlocks blocks;
     Document document{blocks.catalog()};
+    DocumentFiles files{document};
+    Comparison comparison{document};
 
-    FixtureDocument() { document.startFrom(fixtureScene(*blocks.catalog())); }
+    FixtureDocument() { files.startFrom(fixtureScene(*blocks.catalog())); }
 
     BlockPath model() const { return document.currentPath(kinds::models); }
     Value value(const std::string& id) const;

@@ -217,7 +217,7 @@ TEST_F(Form, Undo_IsShown) {
 }
 
 TEST_F(Form, ActiveSide_IsWhatTheFormEdits) {
-    document.setComparing(true);
+    fixture.comparison.setComparing(true);
     document.setActiveSide(Side::B);
     type("roughness", "0.75");
     EXPECT_EQ(document.material(Side::A)->model.parameters.at("roughness"), Value(0.5));

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "docks/picture_grid.h"
+#include "document/scene_edits.h"
 #include "parameters/parameter_row.h"
 #include "ui/window_fixture.h"
 
@@ -34,7 +35,7 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
     FrozenEffectss() {
         document().setBlock(pathOf(kinds::fog), "exponential");
         while (document().scene().lights.size() > 1) {
-            document().removeLight(1);
+            removeLight(document(), 1);
         }
         set(GetParam().without);
         newFrames();
@@ -43,7 +44,8 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
     BlockPath path() { return document().currentPath(GetParam().kind); }
     void set(const Value& value) { document().setValue(path(), GetParam().parameterId, value); }
     int press() {
-        const int token = document().beginInteraction(path(), GetParam().parameterId);
+        const int token =
+            document().beginInteraction(ParameterTarget{path(), GetParam().parameterId});
         newFrames();
         return token;
     }
@@ -52,11 +54,11 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
     int compiledFor(const Value& value) {
         set(value);
         EXPECT_EQ(newFrames(), 1);
-        return view().report().compiled;
+        return view().frames().report().compiled;
     }
 
     bool isInTheShader() {
-        const std::vector<std::string>& effects = view().report().effects;
+        const std::vector<std::string>& effects = view().frames().report().effects;
         return std::any_of(effects.begin(), effects.end(), [](const std::string& effect) {
             return effect.starts_with(GetParam().effect);
         });
@@ -64,26 +66,26 @@ class FrozenEffectss : public WindowFixture, public testing::WithParamInterface<
 };
 
 TEST_P(FrozenEffectss, PressWithoutWarning_WaitsForPrograms) {
-    const int before = view().waitCount();
+    const int before = view().frames().waitCount();
     press();
-    EXPECT_EQ(view().waitCount(), before + 1); // or the next test could not fail
+    EXPECT_EQ(view().frames().waitCount(), before + 1); // or the next test could not fail
 }
 
 TEST_P(FrozenEffectss, PressAfterPrewarming_WaitsForNothing) {
-    document().prewarm(path(), GetParam().parameterId);
+    Q_EMIT document().valueApproached({path(), GetParam().parameterId});
     EXPECT_EQ(newFrames(), 0);
-    const int before = view().waitCount();
+    const int before = view().frames().waitCount();
     press();
-    EXPECT_EQ(view().waitCount(), before);
+    EXPECT_EQ(view().frames().waitCount(), before);
     EXPECT_TRUE(isInTheShader());
-    EXPECT_EQ(view().report().compiled, 0);
+    EXPECT_EQ(view().frames().report().compiled, 0);
 }
 
 TEST_P(FrozenEffectss, Prewarming_LeavesTheReport) {
-    const std::vector<std::string> before = view().report().effects;
-    document().prewarm(path(), GetParam().parameterId);
+    const std::vector<std::string> before = view().frames().report().effects;
+    Q_EMIT document().valueApproached({path(), GetParam().parameterId});
     newFrames();
-    EXPECT_EQ(view().report().effects, before);
+    EXPECT_EQ(view().frames().report().effects, before);
 }
 
 TEST_P(FrozenEffectss, DragAcrossZero_CompilesNothing) {
@@ -121,8 +123,9 @@ INSTANTIATE_TEST_SUITE_P(
 class HeldValue : public WindowFixture {};
 
 TEST_F(HeldValue, OrdinaryValue_IsNotHeld) {
-    document().beginInteraction(document().currentPath(settings::scene), "background");
-    EXPECT_EQ(document().effects(Side::A), nullptr);
+    document().beginInteraction(
+        ParameterTarget{document().currentPath(settings::scene), "background"});
+    EXPECT_EQ(window().effects().scene(Side::A), nullptr);
     EXPECT_EQ(newFrames(), 0);
 }
 
@@ -143,8 +146,8 @@ class Prewarming : public WindowFixture {
     /// How many states are asked for; waits for `wanted` of them.
     int prewarmedAfter(const std::function<void()>& event, int wanted = 0) {
         int count = 0;
-        const auto connection =
-            QObject::connect(&document(), &Document::effectsPrewarmed, [&count] { ++count; });
+        const auto connection = QObject::connect(&window().effects(), &ProgramEffects::prewarmed,
+                                                 [&count] { ++count; });
         event();
         QTest::qWait(restMs);
         (void)QTest::qWaitFor([&] { return count >= wanted; }, longestMs);
@@ -189,7 +192,7 @@ TEST_F(Prewarming, PointerThatRestsOnAModel_HasItsProgramsMade) {
     const std::string current = document().material(Side::A)->model.id;
     const bool isFirst = grid->keyOf(grid->item(0)).toStdString() == current;
     QListWidgetItem* other = grid->item(isFirst ? 1 : 0);
-    const int waits = view().waitCount();
+    const int waits = view().frames().waitCount();
     const QPoint place = grid->visualItemRect(other).center();
     const int asked = prewarmedAfter([&] { QTest::mouseMove(grid->viewport(), place); }, 1);
     ASSERT_EQ(asked, 1);
@@ -197,17 +200,18 @@ TEST_F(Prewarming, PointerThatRestsOnAModel_HasItsProgramsMade) {
     QTest::mouseClick(grid->viewport(), Qt::LeftButton, Qt::NoModifier, place);
     newFrames();
     EXPECT_EQ(document().material(Side::A)->model.id, grid->keyOf(other).toStdString());
-    EXPECT_EQ(view().report().compiled, 0);
-    EXPECT_EQ(view().waitCount(), waits);
+    EXPECT_EQ(view().frames().report().compiled, 0);
+    EXPECT_EQ(view().frames().waitCount(), waits);
 }
 
 TEST_F(HeldValue, AnotherValueThatChangesMeanwhile_GetsItsEffect) {
     const BlockPath scene = document().currentPath(settings::scene);
     document().setValue(scene, "ambient", glm::dvec3(0.0));
-    document().beginInteraction(document().currentPath(settings::material), "opacity");
+    document().beginInteraction(
+        ParameterTarget{document().currentPath(settings::material), "opacity"});
     document().setValue(scene, "ambient", glm::dvec3(0.5));
     newFrames();
-    const std::vector<std::string>& effects = view().report().effects;
+    const std::vector<std::string>& effects = view().frames().report().effects;
     EXPECT_NE(std::find(effects.begin(), effects.end(), "ambient"), effects.end());
 }
 

@@ -44,17 +44,18 @@ class LargeMesh : public WindowFixture {
     /// Drops the file and waits until its first frame has begun.
     bool dropAndWait() {
         drop();
-        return QTest::qWaitFor([this] { return view().isDrawing(); }, limitMs);
+        return QTest::qWaitFor([this] { return view().frames().isDrawing(); }, limitMs);
     }
 
     bool waitForFrame() {
-        QSignalSpy frames(&view(), &Viewport::frameDrawn);
+        QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
         return frames.wait(limitMs);
     }
 
     /// Waits until nothing more is drawn.
     bool rests() {
-        return QTest::qWaitFor([this] { return newFrames() == 0 && !view().isDrawing(); }, limitMs);
+        return QTest::qWaitFor([this] { return newFrames() == 0 && !view().frames().isDrawing(); },
+                               limitMs);
     }
 
     QToolButton* cancelButton() {
@@ -70,7 +71,7 @@ class LargeMesh : public WindowFixture {
 TEST_F(LargeMesh, Dropped_IsDrawnOverSeveralTurns) {
     ASSERT_TRUE(dropAndWait());
     int turns = 0;
-    while (view().isDrawing() && turns < limitMs) {
+    while (view().frames().isDrawing() && turns < limitMs) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         ++turns;
     }
@@ -82,7 +83,7 @@ TEST_F(LargeMesh, NotYetDrawn_LeavesTheLastPicture) {
     const QImage before = view().grabFramebuffer();
     ASSERT_TRUE(dropAndWait());
     QCoreApplication::processEvents();
-    ASSERT_TRUE(view().isDrawing());
+    ASSERT_TRUE(view().frames().isDrawing());
     EXPECT_EQ(view().grabFramebuffer(), before);
 }
 
@@ -96,11 +97,11 @@ TEST_F(LargeMesh, Drawn_ChangesThePicture) {
 TEST_F(LargeMesh, UndoneWhileItIsDrawn_IsGone) {
     const std::vector<Object> before = document().scene().objects;
     ASSERT_TRUE(dropAndWait());
-    const int frames = view().frameCount();
+    const int frames = view().frames().frameCount();
     document().undoStack().undo();
     ASSERT_TRUE(rests());
     EXPECT_EQ(document().scene().objects, before);
-    EXPECT_GT(view().frameCount(), frames); // of what is there again
+    EXPECT_GT(view().frames().frameCount(), frames); // of what is there again
 }
 
 TEST_F(LargeMesh, CameraMovedWhileItIsDrawn_IsDrawnFromThere) {
@@ -108,7 +109,7 @@ TEST_F(LargeMesh, CameraMovedWhileItIsDrawn_IsDrawnFromThere) {
     ASSERT_TRUE(rests());
     const QImage before = view().grabFramebuffer();
     drag(Qt::LeftButton, Qt::NoModifier, {200, 0});
-    ASSERT_TRUE(QTest::qWaitFor([this] { return view().isDrawing(); }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return view().frames().isDrawing(); }, limitMs));
     drag(Qt::LeftButton, Qt::NoModifier, {-200, 0});
     ASSERT_TRUE(rests());
     EXPECT_EQ(view().grabFramebuffer(), before);
@@ -123,7 +124,7 @@ TEST_F(LargeMesh, ResizedWhileItIsDrawn_IsDrawnInTheNewSize) {
 
 TEST_F(LargeMesh, CancelledWhileItIsRead_ChangesNothing) {
     const Scene before = document().scene();
-    QSignalSpy messages(&document(), &Document::message);
+    QSignalSpy messages(&window().documentFiles(), &DocumentFiles::message);
     drop();
     ASSERT_TRUE(cancelButton() && cancelButton()->isVisible());
     QTest::mouseClick(cancelButton(), Qt::LeftButton);
@@ -136,7 +137,7 @@ class LargeMeshExport : public LargeMesh {
   protected:
     void SetUp() override {
         ASSERT_TRUE(dropAndWait());
-        const auto isShown = [this] { return newFrames() == 0 && view().isUpToDate(); };
+        const auto isShown = [this] { return newFrames() == 0 && view().frames().isUpToDate(); };
         ASSERT_TRUE(QTest::qWaitFor(isShown, limitMs));
     }
 
@@ -151,7 +152,7 @@ class LargeMeshExport : public LargeMesh {
 TEST_F(LargeMeshExport, Picture_IsDrawnOverSeveralTurns) {
     save();
     int turns = 0;
-    while (view().isDrawing() && turns < limitMs) {
+    while (view().frames().isDrawing() && turns < limitMs) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         ++turns;
     }

@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QTest>
 
+#include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::long_names_test {
@@ -56,11 +57,11 @@ TEST_F(LongNames, OfObjectsAndLights_LeaveTheLayout) {
     Object object = document().scene().objects[0];
     object.name = longName;
     object.material.name = longName;
-    document().setObject(0, object);
+    setObject(document(), 0, object);
     Light light = document().scene().lights[0];
     light.name = longName;
-    document().setLight(0, light);
-    document().setComparing(true);
+    setLight(document(), 0, light);
+    window().comparison().setComparing(true);
     expectRoom();
 }
 
@@ -83,18 +84,18 @@ TEST_F(LongNames, OfAModelThatIsNotInstalled_LeaveTheLayout) {
 
 TEST_F(LongNames, OfAFile_LeaveTheLayout) {
     const std::filesystem::path file = home(longName + ".patina-scene.json");
-    ASSERT_TRUE(document().saveScene(file));
+    ASSERT_TRUE(window().documentFiles().saveScene(file));
     window().files().open({QString::fromStdString(file.string())}, Side::A);
     expectRoom();
 }
 
 TEST_F(LongNames, InMenus_AreShortened) {
     const std::filesystem::path file = home(longName + ".patina-scene.json");
-    ASSERT_TRUE(document().saveScene(file));
+    ASSERT_TRUE(window().documentFiles().saveScene(file));
     window().files().open({QString::fromStdString(file.string())}, Side::A);
     Object object = document().scene().objects[0];
     object.name = longName;
-    document().addObject(object);
+    addObject(document(), object);
     for (QAction* action : window().menuBar()->actions()) {
         Q_EMIT action->menu()->aboutToShow();
         EXPECT_LE(action->menu()->sizeHint().width(), widestMenu) << action->text().toStdString();

@@ -17,9 +17,9 @@ class OpenFiles : public WindowFixture {
   protected:
     /// The scene as it stands, under another name.
     QString sceneFile(const std::string& name) {
-        EXPECT_TRUE(document().saveScene(home("a.patina-scene.json")));
+        EXPECT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
         std::filesystem::rename(home("a.patina-scene.json"), home(name));
-        EXPECT_TRUE(document().openTemplate(defaultSceneFile()));
+        EXPECT_TRUE(window().documentFiles().openTemplate(defaultSceneFile()));
         return QString::fromStdString(home(name).string());
     }
 
@@ -31,7 +31,7 @@ class OpenFiles : public WindowFixture {
 TEST_F(OpenFiles, SceneWithAPlainName_IsOpenedByItsFormat) {
     const QString file = sceneFile("plain.json");
     window().files().open({file}, Side::A);
-    EXPECT_EQ(document().file().kind, DocumentFile::Kind::Scene);
+    EXPECT_EQ(window().documentFiles().file().kind, DocumentFile::Kind::Scene);
     EXPECT_EQ(messages(), "");
 }
 
@@ -44,7 +44,7 @@ TEST_F(OpenFiles, TwoPresets_AreTheTwoSides) {
 TEST_F(OpenFiles, SceneBesideAPreset_IsNamedAsNotOpened) {
     const QString scene = sceneFile("b.patina-scene.json");
     window().files().open({presetFile(), scene}, Side::A);
-    EXPECT_EQ(document().file().kind, DocumentFile::Kind::Preset);
+    EXPECT_EQ(window().documentFiles().file().kind, DocumentFile::Kind::Preset);
     EXPECT_NE(messages().find("b.patina-scene.json"), std::string::npos) << messages();
 }
 
@@ -59,7 +59,7 @@ TEST_F(OpenFiles, RelativePath_StaysTheSameFileElsewhere) {
     std::filesystem::current_path(home("."));
     window().files().open({"here.patina-scene.json"}, Side::A);
     std::filesystem::current_path(before);
-    EXPECT_EQ(document().file().path, home("here.patina-scene.json"));
+    EXPECT_EQ(window().documentFiles().file().path, home("here.patina-scene.json"));
 }
 
 TEST_F(OpenFiles, MeshOnItsWayWhenAnotherDocumentCame_IsNotAddedToIt) {

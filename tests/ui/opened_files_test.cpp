@@ -21,8 +21,8 @@ class OpenedFiles : public WindowFixture {
     std::filesystem::path savedScene() {
         const std::filesystem::path file = home("a.patina-scene.json");
         expose(0.5);
-        EXPECT_TRUE(document().saveScene(file));
-        EXPECT_TRUE(document().openTemplate(defaultSceneFile()));
+        EXPECT_TRUE(window().documentFiles().saveScene(file));
+        EXPECT_TRUE(window().documentFiles().openTemplate(defaultSceneFile()));
         return file;
     }
     std::filesystem::path sceneFromTheFuture() {
@@ -62,7 +62,7 @@ TEST_F(OpenedFiles, SceneDroppedOnAView_Opens) {
     const std::filesystem::path file = savedScene();
     drop(file, view());
     EXPECT_EQ(document().scene().exposure, 0.5);
-    EXPECT_EQ(document().file().path, file);
+    EXPECT_EQ(window().documentFiles().file().path, file);
     EXPECT_TRUE(window().windowTitle().contains("a.patina-scene.json"));
 }
 
@@ -135,7 +135,7 @@ TEST_F(OpenedFiles, DamagedFileAtTheFirstStart_ShowsItsMessage) {
     writeFile(file, "{}");
     Theme theme;
     MainWindow first(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
-    first.document().openTemplate(defaultSceneFile());
+    first.documentFiles().openTemplate(defaultSceneFile());
     first.files().open({QString::fromStdString(file.string())}, Side::A);
     first.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&first, waitMs));

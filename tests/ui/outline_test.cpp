@@ -64,15 +64,16 @@ TEST_F(OutlineInTheWindow, OfAnotherModel_Stays) {
 TEST_F(OutlineInTheWindow, WidthDraggedToNothingAndBack_CompilesNothing) {
     view().setFixedSize(160, 120);
     choose("ink-line");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().isUpToDate(); }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().isUpToDate(); }, limitMs));
     int compiled = 0;
-    QObject::connect(&view(), &Viewport::frameDrawn, &view(),
-                     [&] { compiled += view().report().compiled; });
-    const int token = document().beginInteraction(path(), "width");
+    QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(),
+                     [&] { compiled += view().frames().report().compiled; });
+    const int token = document().beginInteraction(ParameterTarget{path(), "width"});
     for (const double width : {3.0, 0.0, 8.0}) {
-        const int frames = view().frameCount();
+        const int frames = view().frames().frameCount();
         document().setValue(path(), "width", width);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view().frameCount() > frames; }, limitMs));
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
     }
     EXPECT_EQ(compiled, 0);
     document().endInteraction(token);

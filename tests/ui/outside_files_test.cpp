@@ -56,7 +56,7 @@ TEST_F(OutsideFilesWindow, SceneWithAMeshOutside_IsOpenedWithItWhenThatIsAllowed
 TEST_F(OutsideFilesWindow, SceneWithAMeshOutside_IsOpenedWithoutItWhenThatIsRefused) {
     const Answer answer(QMessageBox::No);
     openScene();
-    EXPECT_EQ(document().file().path, scene());
+    EXPECT_EQ(window().documentFiles().file().path, scene());
     EXPECT_TRUE(isRefused());
     EXPECT_TRUE(said().contains("Allow Files Outside")) << said().toStdString();
 }
@@ -101,7 +101,7 @@ TEST_F(OutsideFilesWindow, RefusedFiles_CanBeAllowedLater) {
 }
 
 TEST_F(OutsideFilesWindow, PresetOfTheScene_IsReadWhenItIsAllowedLater) {
-    ASSERT_TRUE(document().savePreset(home("secret.patina.json"), Side::A));
+    ASSERT_TRUE(window().documentFiles().savePreset(home("secret.patina.json"), Side::A));
     const std::string name = document().material(Side::A)->name;
     writeFile(scene(), R"({"format": "patina.scene", "version": 1, "objects": [
                            {"mesh": "builtin:cube", "preset": "../secret.patina.json"}]})");
@@ -123,7 +123,7 @@ TEST_F(OutsideFilesWindow, SceneSavedElsewhere_IsOpenedWithItsMeshesUnasked) {
     ASSERT_TRUE(isShown());
     std::filesystem::create_directory(home("elsewhere"));
     const std::filesystem::path file = home("elsewhere/b.patina-scene.json");
-    ASSERT_TRUE(document().saveScene(file));
+    ASSERT_TRUE(window().documentFiles().saveScene(file));
     ASSERT_TRUE(window().files().save());
     const Answer again(QMessageBox::No);
     openFile(file);
@@ -138,9 +138,9 @@ TEST_F(OutsideFilesWindow, RecoveredWork_HasWhatWasAllowed) {
     }
     std::filesystem::create_directory(home("copies"));
     const std::filesystem::path copy = home("copies/copy.patina-scene.json");
-    ASSERT_TRUE(writeScene(copy, document().sceneToRecover()));
-    ASSERT_TRUE(document().recover(copy, document().file()));
-    EXPECT_TRUE(document().outside().empty());
+    ASSERT_TRUE(writeScene(copy, window().documentFiles().sceneToRecover()));
+    ASSERT_TRUE(window().documentFiles().recover(copy, window().documentFiles().file()));
+    EXPECT_TRUE(window().documentFiles().withheld().all().empty());
     EXPECT_TRUE(isShown());
 }
 
@@ -151,9 +151,10 @@ TEST_F(OutsideFilesWindow, RecoveredWork_HasNothingThatWasRefused) {
     }
     std::filesystem::create_directory(home("copies"));
     const std::filesystem::path copy = home("copies/copy.patina-scene.json");
-    ASSERT_TRUE(writeScene(copy, document().sceneToRecover()));
-    ASSERT_TRUE(document().openTemplate(defaultSceneFile()));
-    ASSERT_TRUE(document().recover(copy, {DocumentFile::Kind::Scene, scene(), false}));
+    ASSERT_TRUE(writeScene(copy, window().documentFiles().sceneToRecover()));
+    ASSERT_TRUE(window().documentFiles().openTemplate(defaultSceneFile()));
+    ASSERT_TRUE(
+        window().documentFiles().recover(copy, {DocumentFile::Kind::Scene, scene(), false}));
     EXPECT_TRUE(isRefused());
 }
 

@@ -43,42 +43,42 @@ class ProgramsMadeElsewhere : public WindowFixture {
 };
 
 TEST_F(ProgramsMadeElsewhere, NewModel_CompilesNothingInTheWindow) {
-    const int before = view().waitCount();
+    const int before = view().frames().waitCount();
     changeModel();
     EXPECT_EQ(newFrames(), 1);
-    EXPECT_EQ(view().waitCount(), before + 1);
-    EXPECT_EQ(view().report().compiled, 0);
-    EXPECT_TRUE(view().report().messages.empty());
+    EXPECT_EQ(view().frames().waitCount(), before + 1);
+    EXPECT_EQ(view().frames().report().compiled, 0);
+    EXPECT_TRUE(view().frames().report().messages.empty());
 }
 
 TEST_F(ProgramsMadeElsewhere, WhileTheyAreMade_TheLastPictureStays) {
-    const int frames = view().frameCount();
-    QSignalSpy waited(&view(), &Viewport::frameDrawn);
-    const int before = view().waitCount();
+    const int frames = view().frames().frameCount();
+    QSignalSpy waited(&view().frames(), &FrameLoop::frameDrawn);
+    const int before = view().frames().waitCount();
     changeModel();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, compilingMs));
-    EXPECT_EQ(view().frameCount(), frames);
-    EXPECT_TRUE(view().isDrawing());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().waitCount() > before; }, compilingMs));
+    EXPECT_EQ(view().frames().frameCount(), frames);
+    EXPECT_TRUE(view().frames().isDrawing());
     EXPECT_TRUE(waited.wait(compilingMs));
 }
 
 TEST_F(ProgramsMadeElsewhere, AnotherModelMeanwhile_IsTheOneThatIsShown) {
     const std::string first = document().material(Side::A)->model.id;
-    const int before = view().waitCount();
+    const int before = view().frames().waitCount();
     changeModel();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, compilingMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().waitCount() > before; }, compilingMs));
     document().setModel(Side::A, first);
     newFrames();
-    EXPECT_TRUE(std::ranges::count(view().report().effects, "models/" + first) == 1);
+    EXPECT_TRUE(std::ranges::count(view().frames().report().effects, "models/" + first) == 1);
 }
 
 TEST_F(ProgramsMadeElsewhere, WindowClosedMeanwhile_LeavesNothingBehind) {
-    const int before = view().waitCount();
+    const int before = view().frames().waitCount();
     changeModel();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().waitCount() > before; }, compilingMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().waitCount() > before; }, compilingMs));
     close();
     open();
-    EXPECT_EQ(view().frameCount(), 1);
+    EXPECT_EQ(view().frames().frameCount(), 1);
 }
 
 /// A view that looked for it too early would compile it again, in the window.

@@ -53,15 +53,16 @@ TEST_F(RefractionInTheWindow, DraggedToIndexOneAndBack_CompilesNothing) {
     document().setValue(document().currentPath(settings::material), "opacity", 0.2);
     const BlockPath path = document().currentPath(kinds::refraction);
     document().setValue(path, "index.from", std::string("own"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().isUpToDate(); }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().isUpToDate(); }, limitMs));
     int compiled = 0;
-    QObject::connect(&view(), &Viewport::frameDrawn, &view(),
-                     [&] { compiled += view().report().compiled; });
-    const int token = document().beginInteraction(path, "index");
+    QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(),
+                     [&] { compiled += view().frames().report().compiled; });
+    const int token = document().beginInteraction(ParameterTarget{path, "index"});
     for (const double index : {1.8, 1.0, 2.5, 1.2}) {
-        const int frames = view().frameCount();
+        const int frames = view().frames().frameCount();
         document().setValue(path, "index", index);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view().frameCount() > frames; }, limitMs));
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
     }
     EXPECT_EQ(compiled, 0);
     document().endInteraction(token);

@@ -39,7 +39,7 @@ int largestStep(const QImage& a, const QImage& b) {
 
 TEST_F(SamePicture, OfAPreset_InTheEditorAndFromTheCommandLine) {
     const std::filesystem::path preset = otherPreset(document());
-    ASSERT_TRUE(document().openPreset(preset));
+    ASSERT_TRUE(window().documentFiles().openPreset(preset));
     newFrames();
     const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
     EXPECT_LE(largestStep(shown, rendered(preset, shown.size())), 1);

@@ -64,7 +64,7 @@ class Stability : public WindowFixture {
     }
 
     void inspect(bool on) {
-        QSignalSpy frames(&view(), &Viewport::frameDrawn);
+        QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
         window().findChild<QAction*>("inspect")->setChecked(on);
         EXPECT_TRUE(frames.wait(sweepMs));
     }

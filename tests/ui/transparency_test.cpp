@@ -54,15 +54,16 @@ TEST_F(TransparencyInTheWindow, OpacityDraggedToOneAndBack_CompilesNothing) {
     document().setBlock(pathOf(kinds::transparency), "peeled");
     const BlockPath path = document().currentPath(settings::material);
     document().setValue(path, "opacity", 0.5);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().isUpToDate(); }, limitMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().isUpToDate(); }, limitMs));
     int compiled = 0;
-    QObject::connect(&view(), &Viewport::frameDrawn, &view(),
-                     [&] { compiled += view().report().compiled; });
-    const int token = document().beginInteraction(path, "opacity");
+    QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(),
+                     [&] { compiled += view().frames().report().compiled; });
+    const int token = document().beginInteraction(ParameterTarget{path, "opacity"});
     for (const double opacity : {0.8, 1.0, 0.0, 0.3}) {
-        const int frames = view().frameCount();
+        const int frames = view().frames().frameCount();
         document().setValue(path, "opacity", opacity);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view().frameCount() > frames; }, limitMs));
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
     }
     EXPECT_EQ(compiled, 0);
     document().endInteraction(token);

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QTest>
 
+#include "document/scene_edits.h"
 #include "parameters/number_box.h"
 #include "parameters/parameter_row.h"
 #include "ui/window_fixture.h"
@@ -41,14 +42,14 @@ const std::vector<Edit> edits{
          d.setBlock(pathOf(kinds::specular), "phong");
      }},
     {"Opacity", [](Document& d) { set(d, settings::material, "opacity", 0.5); }},
-    {"LightAdded", [](Document& d) { d.addLight("point"); }},
-    {"LightRemoved", [](Document& d) { d.removeLight(0); }},
+    {"LightAdded", [](Document& d) { addLight(d, "point"); }},
+    {"LightRemoved", [](Document& d) { removeLight(d, 0); }},
     {"LightKind", [](Document& d) { d.setBlock(pathOf(kinds::lights), "head"); }},
     {"LightSwitched",
      [](Document& d) {
          Light light = d.scene().lights[0];
          light.enabled = false;
-         d.setLight(0, light);
+         setLight(d, 0, light);
      }},
     {"LightValue", [](Document& d) { set(d, kinds::lights, "intensity", 0.0); }},
     {"Fog", [](Document& d) { d.setBlock(pathOf(kinds::fog), "exponential"); }},
@@ -67,18 +68,22 @@ const std::vector<Edit> edits{
          Object object = d.scene().objects[0];
          object.mesh = "builtin:cube";
          object.translation = {1.0, 0.5, 0.0};
-         d.addObject(object);
+         addObject(d, object);
      }},
-    {"ObjectRemoved", [](Document& d) { d.removeObject(0); }},
+    {"ObjectRemoved", [](Document& d) { removeObject(d, 0); }},
     {"ObjectMesh",
      [](Document& d) {
          Object object = d.scene().objects[0];
          object.mesh = "builtin:torus";
-         d.setObject(0, object);
+         setObject(d, 0, object);
      }},
     {"ObjectHidden", [](Document& d) { set(d, settings::object, "visible", false); }},
     {"ObjectTurned", [](Document& d) { set(d, settings::object, "rotation", glm::dvec3(40.0)); }},
-    {"Preset", [](Document& d) { ASSERT_TRUE(d.applyPreset(otherPreset(d), Side::A)); }},
+    {"Preset",
+     [](Document& d) {
+         DocumentFiles files(d);
+         ASSERT_TRUE(files.applyPreset(otherPreset(d), Side::A));
+     }},
 };
 
 class UndoneEdit : public WindowFixture, public testing::WithParamInterface<Edit> {

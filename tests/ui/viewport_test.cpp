@@ -36,11 +36,11 @@ TEST_F(Viewports, ManyChangesInOneTurn_DrawOneFrame) {
 }
 
 TEST_F(Viewports, OnceShown_HaveDrawnOneFrame) {
-    EXPECT_EQ(view().frameCount(), 1);
+    EXPECT_EQ(view().frames().frameCount(), 1);
 }
 
 TEST_F(Viewports, Resized_DrawOneFrameInTheNewSize) {
-    QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
     window().resize(window().size() - QSize(60, 40));
     ASSERT_TRUE(frames.wait());
     newFrames();
@@ -60,11 +60,11 @@ QColor middleOf(Viewport& view) {
 }
 
 TEST_F(Viewports, Resized_ShowTheirLastPictureUntilTheNextFrame) {
-    const int frames = view().frameCount();
+    const int frames = view().frames().frameCount();
     const QColor before = middleOf(view());
     view().resize(view().size() - QSize(0, 100));
     const QColor after = middleOf(view());
-    EXPECT_EQ(view().frameCount(), frames);
+    EXPECT_EQ(view().frames().frameCount(), frames);
     EXPECT_GT(before.lightness(), 30);
     EXPECT_LT(std::abs(after.lightness() - before.lightness()), 30);
 }
@@ -82,10 +82,10 @@ double difference(const QImage& a, const QImage& b) {
 
 TEST_F(Viewports, NewSceneOnASlowDevice_ShowASketchBeforeTheWholeFrame) {
     const QImage whole = view().grabFramebuffer();
-    QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
     QImage sketch;
     int framesBefore = -1;
-    QObject::connect(&view(), &Viewport::sketchDrawn, &view(), [&] {
+    QObject::connect(&view().frames(), &FrameLoop::sketchDrawn, &view(), [&] {
         framesBefore = int(frames.count());
         const QSize size = view().size() * view().devicePixelRatioF();
         sketch = QImage(size, QImage::Format_RGBA8888);
@@ -93,12 +93,12 @@ TEST_F(Viewports, NewSceneOnASlowDevice_ShowASketchBeforeTheWholeFrame) {
                                                     GL_UNSIGNED_BYTE, sketch.bits());
         sketch = sketch.mirrored();
     });
-    view().announceScene();
+    view().frames().announceScene();
     ASSERT_TRUE(frames.wait());
     newFrames();
     EXPECT_EQ(view().grabFramebuffer(), whole);
     if (sketch.isNull()) { // a device that takes next to nothing for a whole frame
-        EXPECT_LT(view().frameTime().split(' ').first().toDouble(), 50.0);
+        EXPECT_LT(view().frames().stopwatch().text().split(' ').first().toDouble(), 50.0);
         return;
     }
     EXPECT_EQ(framesBefore, 0);
@@ -210,13 +210,13 @@ TEST_F(Viewports, NumpadSeven_LooksFromAbove) {
 }
 
 TEST_F(Viewports, WhileComparing_MoveTogether) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
     EXPECT_EQ(secondView().camera(), camera());
 }
 
 TEST_F(Viewports, ViewsBesideEachOther_AreOfOneSize) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     QTest::qWait(200); // layouts that were put off
     ASSERT_TRUE(secondView().isVisible());
     EXPECT_EQ(view().height(), secondView().height());
@@ -224,7 +224,7 @@ TEST_F(Viewports, ViewsBesideEachOther_AreOfOneSize) {
 }
 
 TEST_F(Viewports, Unlinked_MoveAlone) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     window().views().setCamerasLinked(false);
     const Camera before = secondView().camera();
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
@@ -232,7 +232,7 @@ TEST_F(Viewports, Unlinked_MoveAlone) {
 }
 
 TEST_F(Viewports, Realigned_LookFromTheSamePlace) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     window().views().setCamerasLinked(false);
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
     window().views().realignCameras();
@@ -240,13 +240,13 @@ TEST_F(Viewports, Realigned_LookFromTheSamePlace) {
 }
 
 TEST_F(Viewports, ClickOnB_MakesItActive) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     QTest::mouseClick(&secondView(), Qt::LeftButton);
     EXPECT_EQ(document().activeSide(), Side::B);
 }
 
 TEST_F(Viewports, PresetDroppedOnB_ChangesOnlyB) {
-    document().setComparing(true);
+    window().comparison().setComparing(true);
     QTest::qWait(0);
     const Material before = *document().material(Side::A);
     const std::filesystem::path preset = otherPreset(document());

@@ -187,7 +187,7 @@ TEST_F(WatchedFolders, FileThatIsNoPartOfABlock_ChangesNothing) {
     writeModel("First");
     ASSERT_TRUE(isShown("First"));
     int changes = 0;
-    QObject::connect(&document(), &Document::catalogChanged, [&] { ++changes; });
+    onChange(document(), DocumentChange::Catalog, &document(), [&] { ++changes; });
     writeFile(shaders() / "models/notes.txt", "x");
     QTest::qWait(1000);
     EXPECT_EQ(changes, 0);

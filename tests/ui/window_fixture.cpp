@@ -40,11 +40,11 @@ void WindowFixture::open() {
     theme_ = std::make_unique<Theme>();
     window_ = std::make_unique<MainWindow>(
         std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), *theme_);
-    ASSERT_TRUE(document().openTemplate(defaultSceneFile()));
+    ASSERT_TRUE(window().documentFiles().openTemplate(defaultSceneFile()));
     if (size_ == Size::Small && Session().windowGeometry().isEmpty()) {
         window_->resize(smallWindow);
     }
-    QSignalSpy frames(&view(), &Viewport::frameDrawn);
+    QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
     QCursor::setPos(window_->screen()->geometry().bottomRight()); // where it rests on nothing
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), frameLimitMs));
@@ -59,10 +59,11 @@ void WindowFixture::close() {
 
 int WindowFixture::newFrames() {
     QTest::qWait(settleMs);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return view().isUpToDate() && !view().isPrewarming(); },
-                                frameLimitMs));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [this] { return view().frames().isUpToDate() && !view().prewarmer().isBusy(); },
+        frameLimitMs));
     const int before = framesBefore_;
-    framesBefore_ = view().frameCount();
+    framesBefore_ = view().frames().frameCount();
     return framesBefore_ - before;
 }
 
@@ -82,10 +83,10 @@ void WindowFixture::drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers
 }
 
 PictureExport::Source pictureOf(Viewport& view) {
-    return {[&view](bool display, Viewport::PictureTaken taken) {
-                view.capture(display, std::move(taken));
+    return {[&view](bool display, FrameLoop::PictureTaken taken) {
+                view.frames().capture(display, std::move(taken));
             },
-            [&view] { view.cancelCapture(); }};
+            [&view] { view.frames().cancelCapture(); }};
 }
 
 std::filesystem::path otherPreset(const Document& document) {

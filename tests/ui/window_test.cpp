@@ -15,6 +15,7 @@
 #include <QTimer>
 
 #include "docks/picture_grid.h"
+#include "document/scene_edits.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 #include "window/key_pause.h"
@@ -135,7 +136,7 @@ TEST_F(Window, CloseAnsweredWithDiscard_Closes) {
 
 TEST_F(Window, SaveIntoAFolderThatIsNotThere_SaysSoAndStaysModified) {
     edit(document());
-    EXPECT_FALSE(document().saveScene(home("missing") / "a.patina-scene.json"));
+    EXPECT_FALSE(window().documentFiles().saveScene(home("missing") / "a.patina-scene.json"));
     EXPECT_TRUE(document().isModified());
     EXPECT_TRUE(messagesIn(window()).contains("a.patina-scene.json"));
 }
@@ -181,7 +182,7 @@ TEST_F(Window, DroppedMesh_IsFramed) {
 
 TEST_F(Window, ObjectInAnEmptyScene_LooksLikeANewDocuments) {
     const Material start = document().scene().objects[0].material;
-    document().removeObject(0);
+    removeObject(document(), 0);
     ASSERT_TRUE(document().scene().objects.empty());
     Object sphere;
     sphere.mesh = "builtin:sphere";
@@ -321,7 +322,7 @@ TEST_F(Window, ProgramKilledWithUnsavedWork_OffersItAtTheNextStart) {
 
 TEST_F(Window, RecoveredWork_KnowsItsFileAndIsModified) {
     window().autosave().setIntervals(1, 1);
-    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
     edit(document());
     const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
     ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
@@ -331,7 +332,7 @@ TEST_F(Window, RecoveredWork_KnowsItsFileAndIsModified) {
     auto* question = window().findChild<QMessageBox*>("recovery");
     ASSERT_NE(question, nullptr);
     question->defaultButton()->click();
-    EXPECT_EQ(document().file().path, home("a.patina-scene.json"));
+    EXPECT_EQ(window().documentFiles().file().path, home("a.patina-scene.json"));
     EXPECT_TRUE(window().isWindowModified());
     EXPECT_EQ(document().scene().exposure, 0.5);
 }
@@ -385,7 +386,7 @@ TEST_F(Window, RecoveredWorkThatIsNotSaved_IsOfferedAgain) {
 }
 
 TEST_F(Window, SaveOfAPresetWithMoreThanItsMaterial_OffersAScene) {
-    ASSERT_TRUE(document().openPreset(otherPreset(document())));
+    ASSERT_TRUE(window().documentFiles().openPreset(otherPreset(document())));
     edit(document());
     QString offered;
     QTimer timer;
@@ -409,7 +410,7 @@ TEST_F(Window, AddedBuiltinMesh_StandsBesideTheOthers) {
 }
 
 TEST_F(Window, Save_WritesAMovedCamera) {
-    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
     const std::string before = readFile(home("a.patina-scene.json"));
     drag(Qt::LeftButton, Qt::NoModifier, {60, 20});
     ASSERT_TRUE(window().files().save());
@@ -417,14 +418,14 @@ TEST_F(Window, Save_WritesAMovedCamera) {
 }
 
 TEST_F(Window, CloseAfterAnOrbit_AsksNothing) {
-    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
     drag(Qt::LeftButton, Qt::NoModifier, {60, 20});
     EXPECT_FALSE(window().isWindowModified());
     EXPECT_TRUE(window().QWidget::close());
 }
 
 TEST_F(Window, SaveOfAFileThatIsGone_WritesItAgain) {
-    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
     const std::string saved = readFile(home("a.patina-scene.json"));
     std::filesystem::remove(home("a.patina-scene.json"));
     ASSERT_TRUE(window().files().save());
@@ -441,7 +442,7 @@ TEST_F(Window, RunningProgramsWork_IsNotOffered) {
 
 TEST_F(Window, SavedWork_LeavesNoCopy) {
     window().autosave().setIntervals(1, 1);
-    ASSERT_TRUE(document().saveScene(home("a.patina-scene.json")));
+    ASSERT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
     edit(document());
     const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
     ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));

@@ -25,7 +25,7 @@
 #include "catalog/json_text.h"
 #include "docks/panel.h"
 #include "docks/settling.h"
-#include "document/document.h"
+#include "document/document_files.h"
 #include "measure/cost/cost_table.h"
 #include "viewport/mesh_library.h"
 #include "window/message_log.h"
@@ -46,9 +46,9 @@ const QList<int> partSizes{2000, 3000}; ///< of chart and table, as shares
 
 AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target,
                            std::shared_ptr<MeasureTurn> turn)
-    : document_(context.document), library_(context.meshes), environments_(context.environments),
-      messages_(context.messages), target_(std::move(target)), turn_(std::move(turn)),
-      store_(stateFolder() / "measurements"),
+    : document_(context.document), documentFiles_(context.documentFiles), library_(context.meshes),
+      environments_(context.environments), messages_(context.messages), target_(std::move(target)),
+      turn_(std::move(turn)), store_(stateFolder() / "measurements"),
       start_(textButton(tr("Measure"), target_->measureText(), this)),
       cancel_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
       compare_(textButton(tr("Compare with exact"),
@@ -127,7 +127,7 @@ void AccuracyPage::connectParts() {
     connect(turn_.get(), &MeasureTurn::changed, this, &AccuracyPage::showState);
     connect(&settle_, &QTimer::timeout, this, &AccuracyPage::follow);
     startWhenChanged(settle_, document_, library_);
-    connect(&document_, &Document::fileChanged, &settle_, qOverload<>(&QTimer::start));
+    connect(&documentFiles_, &DocumentFiles::fileChanged, &settle_, qOverload<>(&QTimer::start));
 }
 
 void AccuracyPage::showEvent(QShowEvent* event) {
@@ -156,7 +156,7 @@ void AccuracyPage::follow() {
 }
 
 std::string AccuracyPage::file() const {
-    return document_.file().path.string();
+    return documentFiles_.file().path.string();
 }
 
 void AccuracyPage::showChart(const KeptChart* chart) {

@@ -96,6 +96,7 @@ class AccuracyPage : public QWidget {
     QByteArray bytesFor(const QString& ending) const;
 
     Document& document_;
+    DocumentFiles& documentFiles_;
     MeshLibrary& library_;
     EnvironmentLibrary& environments_;
     MessageLog& messages_;

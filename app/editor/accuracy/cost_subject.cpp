@@ -2,6 +2,7 @@
 #include "accuracy/cost_subject.h"
 
 #include "document/document.h"
+#include "document/scene_edits.h"
 #include "viewport/environment_library.h"
 #include "viewport/mesh_library.h"
 #include "viewport/mesh_snapshot.h"
@@ -19,7 +20,7 @@ CostSweep::Subject costSubject(const Document& document, MeshLibrary& meshes,
             meshSnapshot(scene, meshes),
             document.sharedCatalog(),
             textures != nullptr ? textures->snapshot() : TextureSource(),
-            environments.image(document.environmentPicture())};
+            environments.image(environmentPicture(document))};
 }
 
 } // namespace patina

@@ -5,7 +5,7 @@
 
 #include <QCoreApplication>
 
-#include "document/document.h"
+#include "document/comparison.h"
 #include "measure/cost/measured_scene.h"
 #include "scene/environment.h"
 #include "viewport/compare_area.h"
@@ -78,8 +78,8 @@ MeasuredSubject MaterialTarget::subject() const {
 void MaterialTarget::apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                            const QString& label) {
     if (const Material* held = document_.material(document_.activeSide())) {
-        document_.setLevels(document_.activeSide(), withLevels(*held, choices, levels).accuracy,
-                            label);
+        comparison_.setLevels(document_.activeSide(), withLevels(*held, choices, levels).accuracy,
+                              label);
     }
 }
 
@@ -96,8 +96,8 @@ void MaterialTarget::compare(const std::vector<Choice>& choices, const ChosenLev
     if (isSo) {
         return;
     }
-    document_.look(exact, chosen,
-                   QCoreApplication::translate("MaterialTarget", "Compare with exact"));
+    comparison_.look(exact, chosen,
+                     QCoreApplication::translate("MaterialTarget", "Compare with exact"));
 }
 
 QString MaterialTarget::measureText() const {

@@ -6,14 +6,15 @@
 namespace patina {
 
 class CompareArea;
+class Comparison;
 class Document;
 
 /// The active material of the current object.
 class MaterialTarget : public ChartTarget {
   public:
     /// `views` show what is compared.
-    MaterialTarget(Document& document, CompareArea& views)
-        : document_(document), views_(views) {}
+    MaterialTarget(Document& document, Comparison& comparison, CompareArea& views)
+        : document_(document), comparison_(comparison), views_(views) {}
 
     Choice::Scope scope() const override { return Choice::Scope::Material; }
     std::vector<Choice> choices() const override;
@@ -27,6 +28,7 @@ class MaterialTarget : public ChartTarget {
 
   private:
     Document& document_;
+    Comparison& comparison_;
     CompareArea& views_;
 };
 

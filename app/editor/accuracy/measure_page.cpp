@@ -12,7 +12,7 @@
 #include "accuracy/measure_turn.h"
 #include "catalog/json_text.h"
 #include "docks/settling.h"
-#include "document/document.h"
+#include "document/document_files.h"
 #include "window/message_log.h"
 
 namespace patina {
@@ -24,8 +24,8 @@ constexpr int settleMs = 100;
 
 MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
                          const QString& what, const QStringList& endings)
-    : document_(context.document), meshes_(context.meshes), environments_(context.environments),
-      messages_(context.messages), turn_(std::move(turn)),
+    : document_(context.document), documentFiles_(context.documentFiles), meshes_(context.meshes),
+      environments_(context.environments), messages_(context.messages), turn_(std::move(turn)),
       bar_(new MeasureBar(what, endings, this)) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
@@ -50,7 +50,7 @@ void MeasurePage::connectParts() {
     connect(turn_.get(), &MeasureTurn::changed, this, &MeasurePage::showState);
     connect(&settle_, &QTimer::timeout, this, &MeasurePage::follow);
     startWhenChanged(settle_, document_, meshes_);
-    connect(&document_, &Document::fileChanged, &settle_, qOverload<>(&QTimer::start));
+    connect(&documentFiles_, &DocumentFiles::fileChanged, &settle_, qOverload<>(&QTimer::start));
 }
 
 void MeasurePage::showEvent(QShowEvent* event) {
@@ -72,7 +72,7 @@ MeasuredSubject MeasurePage::subject() const {
 }
 
 std::string MeasurePage::file() const {
-    return document_.file().path.string();
+    return documentFiles_.file().path.string();
 }
 
 /// Nobody sees it in a dock that is not open.

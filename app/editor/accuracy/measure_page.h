@@ -94,6 +94,7 @@ class MeasurePage : public QWidget {
     std::string file() const;
 
     Document& document_;
+    DocumentFiles& documentFiles_;
     MeshLibrary& meshes_;
     EnvironmentLibrary& environments_;
     MessageLog& messages_;

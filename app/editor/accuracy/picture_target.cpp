@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 
 #include "docks/picture_accuracy_form.h"
-#include "document/document.h"
+#include "document/comparison.h"
 #include "viewport/compare_area.h"
 
 namespace patina {
@@ -88,8 +88,8 @@ void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels
 
 void PictureTarget::compare(const std::vector<Choice>& choices, const ChosenLevels& levels) {
     views_.setDifferenceWanted(true);
-    document_.lookAtPictures(withLevels(choices, {}), withLevels(choices, levels),
-                             tr("Compare with exact"));
+    comparison_.lookAtPictures(withLevels(choices, {}), withLevels(choices, levels),
+                               tr("Compare with exact"));
 }
 
 QString PictureTarget::measureText() const {

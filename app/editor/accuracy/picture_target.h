@@ -6,14 +6,15 @@
 namespace patina {
 
 class CompareArea;
+class Comparison;
 class Document;
 
 /// The picture of the scene, whatever its materials.
 class PictureTarget : public ChartTarget {
   public:
     /// `views` show what is compared.
-    PictureTarget(Document& document, CompareArea& views)
-        : document_(document), views_(views) {}
+    PictureTarget(Document& document, Comparison& comparison, CompareArea& views)
+        : document_(document), comparison_(comparison), views_(views) {}
 
     Choice::Scope scope() const override { return Choice::Scope::Picture; }
     std::vector<Choice> choices() const override;
@@ -30,6 +31,7 @@ class PictureTarget : public ChartTarget {
     Scene withLevels(const std::vector<Choice>& choices, const ChosenLevels& levels) const;
 
     Document& document_;
+    Comparison& comparison_;
     CompareArea& views_;
 };
 

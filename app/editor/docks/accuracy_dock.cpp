@@ -16,9 +16,12 @@ AccuracyDock::AccuracyDock(const DockContext& context) {
     setDocumentMode(true);
     const auto turn = std::make_shared<MeasureTurn>();
     auto* material = new AccuracyPage(
-        context, std::make_unique<MaterialTarget>(context.document, context.views), turn);
+        context,
+        std::make_unique<MaterialTarget>(context.document, context.comparison, context.views),
+        turn);
     auto* picture = new AccuracyPage(
-        context, std::make_unique<PictureTarget>(context.document, context.views), turn);
+        context,
+        std::make_unique<PictureTarget>(context.document, context.comparison, context.views), turn);
     material->setObjectName("material");
     picture->setObjectName("picture");
     const auto add = [this](QWidget* page, const QString& title, const QString& what) {

@@ -4,7 +4,9 @@
 namespace patina {
 
 class CompareArea;
+class Comparison;
 class Document;
+class DocumentFiles;
 class EffectSwitches;
 class EnvironmentLibrary;
 class FileActions;
@@ -16,6 +18,8 @@ class ThumbnailMaker;
 /// What docks are made from. Everything in it outlives them.
 struct DockContext {
     Document& document;
+    Comparison& comparison;
+    DocumentFiles& documentFiles;
     FileActions& files;
     MessageLog& messages;
     PresetLibrary& presets;

@@ -7,14 +7,12 @@
 
 namespace patina {
 
-EffectSwitches::EffectSwitches(Document& document, QObject* parent)
-    : QObject(parent), document_(document) {
-    connect(&document, &Document::changed, this, &EffectSwitches::forget);
-    connect(&document, &Document::cameraChanged, this, &EffectSwitches::forget);
-    connect(&document, &Document::effectsChanged, this, &EffectSwitches::forget);
-    connect(&document, &Document::currentChanged, this, &EffectSwitches::forget);
-    connect(&document, &Document::catalogChanged, this, &EffectSwitches::forget);
-    connect(&document, &Document::sceneReplaced, this, &EffectSwitches::switchAllOn);
+EffectSwitches::EffectSwitches(Document& document, ProgramEffects& effects, QObject* parent)
+    : QObject(parent), document_(document), programs_(effects) {
+    onChange(document, DocumentChange::Drawn | DocumentChange::Current, this,
+             &EffectSwitches::forget);
+    connect(&effects, &ProgramEffects::changed, this, &EffectSwitches::forget);
+    onChange(document, DocumentChange::Scene, this, &EffectSwitches::switchAllOn);
 }
 
 bool EffectSwitches::isOff(std::string_view effect) const {
@@ -55,7 +53,7 @@ const Scene& EffectSwitches::scene(Side side) {
 
 /// A value that is dragged changes the held scene too, so this one is made for every frame.
 const Scene* EffectSwitches::effects(Side side) {
-    const Scene* held = document_.effects(side);
+    const Scene* held = programs_.scene(side);
     if (held == nullptr || off_.empty()) {
         return held;
     }

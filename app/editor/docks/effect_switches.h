@@ -9,7 +9,7 @@
 
 #include <QObject>
 
-#include "document/document.h"
+#include "document/program_effects.h"
 
 namespace patina {
 
@@ -20,7 +20,7 @@ class EffectSwitches : public QObject {
     Q_OBJECT
 
   public:
-    explicit EffectSwitches(Document& document, QObject* parent = nullptr);
+    EffectSwitches(Document& document, ProgramEffects& effects, QObject* parent = nullptr);
 
     bool isOff(std::string_view effect) const;
     void setOff(const std::string& effect, bool off);
@@ -28,7 +28,7 @@ class EffectSwitches : public QObject {
 
     /// The document's scene as a view of a side shows it; valid until the document changes.
     const Scene& scene(Side side);
-    /// See Document::effects().
+    /// The same of ProgramEffects::scene().
     const Scene* effects(Side side);
 
   Q_SIGNALS:
@@ -39,6 +39,7 @@ class EffectSwitches : public QObject {
     void switchAllOn();
 
     Document& document_;
+    ProgramEffects& programs_;
     std::vector<std::string> off_;
     std::array<std::optional<Scene>, 2> scenes_; ///< by side; made on demand
     std::array<std::optional<Scene>, 2> effects_;

@@ -21,6 +21,7 @@
 #include "docks/panel.h"
 #include "docks/settling.h"
 #include "document/document.h"
+#include "document/scene_edits.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
 #include "viewport/compare_area.h"
@@ -130,7 +131,7 @@ void EffectsDock::connectParts() {
     connect(&environments_, &EnvironmentLibrary::loaded, this, later);
     connect(&environments_, &EnvironmentLibrary::failed, this, later);
     connect(&switches_, &EffectSwitches::changed, this, &EffectsDock::updateRows);
-    connect(&document_, &Document::sceneReplaced, this, [this] {
+    onChange(document_, DocumentChange::Scene, this, [this] {
         measurement_.cancel();
         measured_.reset(); // of another document
         updateRows();
@@ -172,7 +173,7 @@ void EffectsDock::updateRows() {
 KnownImages EffectsDock::images() const {
     const TextureLibrary* textures = document_.textureLibrary();
     return {textures != nullptr ? textures->snapshot() : TextureSource(),
-            environments_.isMissing(document_.environmentPicture())};
+            environments_.isMissing(environmentPicture(document_))};
 }
 
 double EffectsDock::aspect() const {
@@ -313,7 +314,7 @@ void EffectsDock::measure() {
     progress_->setValue(0);
     const EffectCostMeter::Subject subject{
         scene, scene.camera, meshSnapshot(scene, library_), rows_, measured_->blocks.catalog(),
-        images().textures, environments_.image(document_.environmentPicture())};
+        images().textures, environments_.image(environmentPicture(document_))};
     measurement_.start(withContext(
         [this, subject](BackgroundJob::Control& control) { return meter(subject, control); }));
     fill();

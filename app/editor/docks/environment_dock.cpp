@@ -21,8 +21,8 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(pathOf(kinds::environment), id.toStdString());
     });
-    connect(&document_, &Document::blockReplaced, this, &EnvironmentDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &EnvironmentDock::update);
+    onChange(document_, DocumentChange::Block | DocumentChange::Scene, this,
+             &EnvironmentDock::update);
     update();
 }
 

@@ -15,8 +15,7 @@ FogDock::FogDock(const DockContext& context)
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(pathOf(kinds::fog), id.toStdString());
     });
-    connect(&document_, &Document::blockReplaced, this, &FogDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &FogDock::update);
+    onChange(document_, DocumentChange::Block | DocumentChange::Scene, this, &FogDock::update);
     update();
 }
 

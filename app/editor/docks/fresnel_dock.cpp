@@ -19,9 +19,8 @@ FresnelDock::FresnelDock(const DockContext& context)
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.currentPath(kinds::fresnel), id.toStdString());
     });
-    connect(&document_, &Document::materialChanged, this, &FresnelDock::update);
-    connect(&document_, &Document::currentChanged, this, &FresnelDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &FresnelDock::update);
+    onChange(document_, DocumentChange::Material | DocumentChange::Current | DocumentChange::Scene,
+             this, &FresnelDock::update);
     update();
 }
 

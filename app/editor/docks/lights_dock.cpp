@@ -9,6 +9,7 @@
 #include "docks/block_chooser.h"
 #include "docks/check_list.h"
 #include "docks/panel.h"
+#include "document/scene_edits.h"
 #include "parameters/document_form.h"
 #include "text/short_text.h"
 
@@ -43,10 +44,9 @@ LightsDock::LightsDock(const DockContext& context)
         document_.setBlock(document_.currentPath(kinds::shadows), id.toStdString());
     });
     connect(remove_, &QToolButton::clicked, this,
-            [this] { document_.removeLight(document_.currentLight()); });
-    connect(&document_, &Document::lightsChanged, this, &LightsDock::update);
-    connect(&document_, &Document::currentChanged, this, &LightsDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &LightsDock::update);
+            [this] { removeLight(document_, document_.currentLight()); });
+    onChange(document_, DocumentChange::Lights | DocumentChange::Current | DocumentChange::Scene,
+             this, &LightsDock::update);
     update();
 }
 
@@ -54,7 +54,8 @@ void LightsDock::connectList() {
     connect(list_, &CheckList::chosen, this, [this](int row) { document_.setCurrentLight(row); });
     connect(list_, &CheckList::switched, this, &LightsDock::switchLight, Qt::QueuedConnection);
     connect(list_, &CheckList::renamed, this, &LightsDock::renameLight, Qt::QueuedConnection);
-    connect(list_, &CheckList::removeWished, this, [this](int row) { document_.removeLight(row); });
+    connect(list_, &CheckList::removeWished, this,
+            [this](int row) { removeLight(document_, row); });
 }
 
 void LightsDock::fillMenu() {
@@ -65,7 +66,7 @@ void LightsDock::fillMenu() {
         QAction* action = kinds_->addAction(shortened(QString::fromStdString(light->label)));
         action->setToolTip(blockToolTip(*light));
         connect(action, &QAction::triggered, this, [this, id] {
-            document_.addLight(id);
+            addLight(document_, id);
             document_.setCurrentLight(static_cast<int>(document_.scene().lights.size()) - 1);
         });
     }
@@ -104,13 +105,13 @@ void LightsDock::updateShadow() {
 void LightsDock::switchLight(int index, bool on) {
     Light light = document_.scene().lights.at(static_cast<std::size_t>(index));
     light.enabled = on;
-    document_.setLight(index, light);
+    setLight(document_, index, light);
 }
 
 void LightsDock::renameLight(int index, const QString& name) {
     Light light = document_.scene().lights.at(static_cast<std::size_t>(index));
     light.name = name.toStdString();
-    document_.setLight(index, light);
+    setLight(document_, index, light);
 }
 
 } // namespace patina

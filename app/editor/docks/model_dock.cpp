@@ -32,8 +32,9 @@ ModelDock::ModelDock(const DockContext& context)
     grid_->setMouseTracking(true);
     rest_.setSingleShot(true);
     rest_.setInterval(restMs);
-    connect(&rest_, &QTimer::timeout, this,
-            [this] { document_.prewarmModel(document_.activeSide(), approached_.toStdString()); });
+    connect(&rest_, &QTimer::timeout, this, [this] {
+        Q_EMIT document_.modelApproached(document_.activeSide(), approached_.toStdString());
+    });
     connect(grid_, &QListWidget::itemEntered, this, &ModelDock::approach);
     connect(grid_, &QListWidget::currentItemChanged, this, &ModelDock::approach);
     connect(grid_, &QListWidget::viewportEntered, &rest_, &QTimer::stop);
@@ -44,10 +45,9 @@ ModelDock::ModelDock(const DockContext& context)
                 }
             });
     connect(grid_, &PictureGrid::pictureWished, this, &ModelDock::askForPicture);
-    connect(&document_, &Document::catalogChanged, this, &ModelDock::fill);
-    connect(&document_, &Document::materialChanged, this, &ModelDock::showCurrent);
-    connect(&document_, &Document::currentChanged, this, &ModelDock::showCurrent);
-    connect(&document_, &Document::sceneReplaced, this, &ModelDock::showCurrent);
+    onChange(document_, DocumentChange::Catalog, this, &ModelDock::fill);
+    onChange(document_, DocumentChange::Material | DocumentChange::Current | DocumentChange::Scene,
+             this, &ModelDock::showCurrent);
     fill();
 }
 

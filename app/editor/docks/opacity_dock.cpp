@@ -57,8 +57,7 @@ OpacityDock::OpacityDock(const DockContext& context)
     connect(transparency_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(pathOf(kinds::transparency), id.toStdString());
     });
-    connect(&document_, &Document::blockReplaced, this, &OpacityDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &OpacityDock::update);
+    onChange(document_, DocumentChange::Block | DocumentChange::Scene, this, &OpacityDock::update);
     update();
 }
 

@@ -22,10 +22,10 @@ ParametersDock::ParametersDock(const DockContext& context)
     layout->addWidget(new SlotPanel(document_, kinds::specular, tr("Highlight")));
     layout->addWidget(accuracy_);
     fillPanel(this, {}, both);
-    connect(&document_, &Document::materialChanged, this, &ParametersDock::update);
-    connect(&document_, &Document::currentChanged, this, &ParametersDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &ParametersDock::update);
-    connect(&document_, &Document::catalogChanged, this, &ParametersDock::update);
+    onChange(document_,
+             DocumentChange::Material | DocumentChange::Current | DocumentChange::Scene |
+                 DocumentChange::Catalog,
+             this, &ParametersDock::update);
     update();
 }
 

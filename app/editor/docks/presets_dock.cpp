@@ -96,7 +96,7 @@ PresetsDock::PresetsDock(const DockContext& context)
     connect(grid_, &QWidget::customContextMenuRequested, this, &PresetsDock::showMenu);
     connect(&presets_, &PresetLibrary::changed, this, &PresetsDock::fill);
     connect(&presets_, &PresetLibrary::checked, this, &PresetsDock::applyFilter);
-    connect(&document_, &Document::catalogChanged, grid_, &PictureGrid::wishAnew);
+    onChange(document_, DocumentChange::Catalog, grid_, &PictureGrid::wishAnew);
     connect(grid_, &PictureGrid::pictureWished, this, &PresetsDock::askForPicture);
     connect(&thumbnails_, &ThumbnailMaker::ready, this,
             [this](const QString& name, const QImage& picture) {

@@ -25,11 +25,10 @@ RefractionPanel::RefractionPanel(Document& document, QWidget* parent)
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.currentPath(kinds::refraction), id.toStdString());
     });
-    connect(&document_, &Document::materialChanged, this, &RefractionPanel::update);
-    connect(&document_, &Document::valueChanged, this, &RefractionPanel::update);
-    connect(&document_, &Document::currentChanged, this, &RefractionPanel::update);
-    connect(&document_, &Document::sceneReplaced, this, &RefractionPanel::update);
-    connect(&document_, &Document::catalogChanged, this, &RefractionPanel::update);
+    onChange(document_,
+             DocumentChange::Material | DocumentChange::Value | DocumentChange::Current |
+                 DocumentChange::Scene | DocumentChange::Catalog,
+             this, &RefractionPanel::update);
     update();
 }
 

@@ -10,6 +10,7 @@
 
 #include "docks/check_list.h"
 #include "docks/panel.h"
+#include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "parameters/document_form.h"
 #include "scene/primitives.h"
@@ -55,15 +56,14 @@ SceneDock::SceneDock(const DockContext& context)
     connectList();
     connect(meshes_, &QMenu::aboutToShow, this, &SceneDock::fillMenu);
     connect(remove_, &QToolButton::clicked, this,
-            [this] { document_.removeObject(document_.currentObject()); });
-    connect(&document_, &Document::objectsChanged, this, &SceneDock::update);
-    connect(&document_, &Document::valueChanged, this, [this](const BlockPath& path) {
-        if (path.isAt(settings::object)) {
+            [this] { removeObject(document_, document_.currentObject()); });
+    onChange(document_, DocumentChange::Objects | DocumentChange::Current | DocumentChange::Scene,
+             this, &SceneDock::update);
+    onChange(document_, DocumentChange::Value, this, [this](const DocumentChange& change) {
+        if (change.path.isAt(settings::object)) {
             update();
         }
     });
-    connect(&document_, &Document::currentChanged, this, &SceneDock::update);
-    connect(&document_, &Document::sceneReplaced, this, &SceneDock::update);
     update();
 }
 
@@ -72,7 +72,7 @@ void SceneDock::connectList() {
     connect(list_, &CheckList::switched, this, &SceneDock::switchObject, Qt::QueuedConnection);
     connect(list_, &CheckList::renamed, this, &SceneDock::renameObject, Qt::QueuedConnection);
     connect(list_, &CheckList::removeWished, this,
-            [this](int row) { document_.removeObject(row); });
+            [this](int row) { removeObject(document_, row); });
 }
 
 void SceneDock::fillMenu() {
@@ -103,13 +103,13 @@ void SceneDock::addBuiltin(const std::string& name) {
 void SceneDock::switchObject(int index, bool on) {
     Object object = document_.scene().objects.at(static_cast<std::size_t>(index));
     object.visible = on;
-    document_.setObject(index, object);
+    setObject(document_, index, object);
 }
 
 void SceneDock::renameObject(int index, const QString& name) {
     Object object = document_.scene().objects.at(static_cast<std::size_t>(index));
     object.name = name.toStdString();
-    document_.setObject(index, object);
+    setObject(document_, index, object);
 }
 
 } // namespace patina

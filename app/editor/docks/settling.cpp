@@ -14,10 +14,7 @@ void startWhenChanged(QTimer& settle, const Document& document, const MeshLibrar
             settle.start();
         }
     };
-    QObject::connect(&document, &Document::changed, &settle, later);
-    QObject::connect(&document, &Document::currentChanged, &settle, later);
-    QObject::connect(&document, &Document::cameraChanged, &settle, later);
-    QObject::connect(&document, &Document::catalogChanged, &settle, later);
+    onChange(document, DocumentChange::Drawn | DocumentChange::Current, &settle, later);
     QObject::connect(&meshes, &MeshLibrary::loaded, &settle, later);
 }
 

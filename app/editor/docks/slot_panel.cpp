@@ -22,10 +22,10 @@ SlotPanel::SlotPanel(Document& document, std::string_view kind, const QString& t
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.currentPath(kind_), id.toStdString());
     });
-    connect(&document_, &Document::materialChanged, this, &SlotPanel::update);
-    connect(&document_, &Document::currentChanged, this, &SlotPanel::update);
-    connect(&document_, &Document::sceneReplaced, this, &SlotPanel::update);
-    connect(&document_, &Document::catalogChanged, this, &SlotPanel::update);
+    onChange(document_,
+             DocumentChange::Material | DocumentChange::Current | DocumentChange::Scene |
+                 DocumentChange::Catalog,
+             this, &SlotPanel::update);
     update();
 }
 

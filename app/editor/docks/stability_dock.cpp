@@ -100,9 +100,8 @@ void StabilityDock::connectParts() {
     connect(list_, &QTreeWidget::itemSelectionChanged, this, &StabilityDock::showState);
     connect(&check_, &BackgroundJob::progressed, this, &StabilityDock::showProgress);
     connect(&check_, &BackgroundJob::finished, this, &StabilityDock::showState);
-    connect(&document_, &Document::changed, this, &StabilityDock::showState);
-    connect(&document_, &Document::currentChanged, this, &StabilityDock::showState);
-    connect(&document_, &Document::catalogChanged, this, &StabilityDock::showState);
+    onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this,
+             &StabilityDock::showState);
 }
 
 void StabilityDock::start() {

@@ -2,23 +2,45 @@
 #include "document/document.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "docks/picture_accuracy_form.h"
-#include "document/accuracy_block.h"
+#include "document/block_label.h"
+#include "document/commands/camera_command.h"
+#include "document/commands/compare_command.h"
+#include "document/commands/light_command.h"
+#include "document/commands/model_command.h"
 #include "document/commands/parameter_command.h"
-#include "material/blocks_in_use.h"
+#include "document/commands/part_command.h"
+#include "document/commands/picture_command.h"
+#include "document/commands/scene_block_command.h"
+#include "document/commands/texture_command.h"
+#include "document/swapped_block.h"
+#include "text/short_text.h"
+#include "viewport/texture_library.h"
 
 namespace patina {
+namespace {
+
+/// A light with another block of a kind, or without its shadow (null).
+Light withBlock(Light light, std::string_view kind, const Block* before, const Block* wanted) {
+    if (kind == kinds::shadows) {
+        const BlockValues* held = light.shadow ? &*light.shadow : nullptr;
+        light.shadow = wanted ? std::optional(swappedBlock(held, before, *wanted)) : std::nullopt;
+        return light;
+    }
+    light.block = swappedBlock(&light.block, before, *wanted);
+    if (before && light.name == before->label) {
+        light.name = wanted->label; // a name nobody chose follows the kind
+    }
+    return light;
+}
+
+} // namespace
 
 Document::Document(std::shared_ptr<const Catalog> catalog, QObject* parent)
     : QObject(parent), catalog_(std::move(catalog)) {
-    for (const Descriptor& descriptor : settingsDescriptors()) {
-        settings_.emplace(descriptor.block.id, descriptor.block);
-    }
-    for (const Parameter& parameter : pictureAccuracyParameters()) {
-        settings_.find(settings::scene)->second.parameters.push_back(parameter);
-    }
-    connectSignals();
+    connect(&undoStack_, &QUndoStack::cleanChanged, this,
+            [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
 }
 
 Document::~Document() {
@@ -26,118 +48,58 @@ Document::~Document() {
     undoStack_.disconnect(this);
 }
 
-void Document::connectSignals() {
-    connect(this, &Document::valueChanged, this, &Document::updateShownScenes);
-    const auto forget = [this] { forgetShownScenes(); };
-    connect(this, &Document::materialChanged, this, forget);
-    connect(this, &Document::textureChanged, this, forget);
-    connect(this, &Document::blockReplaced, this, forget);
-    connect(this, &Document::lightsChanged, this, forget);
-    connect(this, &Document::objectsChanged, this, forget);
-    connect(this, &Document::sceneReplaced, this, forget);
-    connect(this, &Document::catalogChanged, this, forget);
-    connect(this, &Document::cameraChanged, this, forget);
-    connect(this, &Document::lightsChanged, this, &Document::keepCurrentInside);
-    connect(this, &Document::objectsChanged, this, &Document::keepCurrentInside);
-    connect(this, &Document::comparingChanged, this, &Document::keepCurrentInside);
-
-    connect(this, &Document::valueChanged, this,
-            [this](const BlockPath& path, const QString& parameterId) {
-                frozenEffects_.follow(state_, path, parameterId.toStdString());
-            });
-    connect(this, &Document::materialChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::textureChanged, this, [this] {
-        if (!isInteracting()) {
-            endFrozenEffects();
-        }
-    });
-    connect(this, &Document::blockReplaced, this, &Document::endFrozenEffects);
-    connect(this, &Document::lightsChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::objectsChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::comparingChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::sceneReplaced, this, &Document::endFrozenEffects);
-    connect(this, &Document::catalogChanged, this, &Document::endFrozenEffects);
-    connect(this, &Document::currentChanged, this, &Document::endFrozenEffects);
-
-    connect(this, &Document::valueChanged, this, &Document::changed);
-    connect(this, &Document::materialChanged, this, &Document::changed);
-    connect(this, &Document::textureChanged, this, &Document::changed);
-    connect(this, &Document::blockReplaced, this, &Document::changed);
-    connect(this, &Document::lightsChanged, this, &Document::changed);
-    connect(this, &Document::objectsChanged, this, &Document::changed);
-    connect(this, &Document::comparingChanged, this, &Document::changed);
-    connect(this, &Document::cameraChanged, this, &Document::changed);
-    connect(this, &Document::sceneReplaced, this, &Document::changed);
-    connect(this, &Document::catalogChanged, this, &Document::changed);
-    connect(&undoStack_, &QUndoStack::cleanChanged, this,
-            [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
+/// The document itself follows first, so that everybody finds it in order.
+void Document::announce(const DocumentChange& change) {
+    if (change.has(DocumentChange::Value)) {
+        shownScenes_.follow(state_, currentObject_, change.path, change.parameterId);
+    } else if (change.has(DocumentChange::Drawn)) {
+        shownScenes_.forget();
+    }
+    if (change.has(DocumentChange::Lights | DocumentChange::Objects | DocumentChange::Comparing)) {
+        keepCurrentInside();
+    }
+    Q_EMIT changed(change);
 }
 
 const Scene& Document::scene(Side side) const {
-    const bool isOwn = side == Side::A && pictureLaidOver(state_, side) == nullptr;
-    if (isOwn || !state_.second || currentObject_ < 0) {
-        return state_.scene;
-    }
-    std::optional<Scene>& shown = shownScenes_[static_cast<std::size_t>(side)];
-    if (!shown) {
-        shown = shownScene(state_, currentObject_, side);
-    }
-    return *shown;
+    return shownScenes_.scene(state_, currentObject_, side);
 }
 
 Scene Document::ownScene(Side side) const {
     return patina::ownScene(state_, currentObject_, side);
 }
 
-/// A slider's tick changes what is shown in place: copying it would cost more than drawing it.
-void Document::updateShownScenes(const BlockPath& path, const QString& parameterId) {
-    updateShownScene(Side::A, path, parameterId.toStdString());
-    updateShownScene(Side::B, path, parameterId.toStdString());
-}
-
-void Document::updateShownScene(Side side, const BlockPath& path, const std::string& id) {
-    std::optional<Scene>& shown = shownScenes_[static_cast<std::size_t>(side)];
-    const std::optional<Value> stored = storedValue(state_, path, id);
-    if (!shown || !stored) {
-        return;
-    }
-    const bool isOfMaterial = path.owner == BlockOwner::Material;
-    const bool isOfB = isOfMaterial && path.side == Side::B;
-    if (isOfB && state_.picture) {
-        shown.reset(); // side B may have its own material from now on
-        return;
-    }
-    const bool isHidden = isOfMaterial && !isOfB && path.index == currentObject_ &&
-                          side == Side::B && hasSecondMaterial(state_);
-    if (isHidden || (isOfB && side == Side::A)) {
-        return;
-    }
-    BlockPath there = path;
-    if (isOfB) {
-        there.side = Side::A;
-        there.index = currentObject_;
-    }
-    DocumentState changed{std::move(*shown), std::nullopt};
-    storeValue(changed, there, id, *stored);
-    if (const SidePicture* picture = pictureLaidOver(state_, side)) {
-        layOver(changed.scene, *picture);
-    }
-    shown = std::move(changed.scene);
-}
-
 const Material* Document::material(Side side) const {
     return currentObject_ < 0 ? nullptr : materialAt(state_, currentObject_, side);
+}
+
+void Document::startFrom(DocumentState state, int object) {
+    undoStack_.clear();
+    interaction_ = 0;
+    dragged_.reset();
+    lastParts_.clear();
+    state_ = std::move(state);
+    currentObject_ = state_.scene.objects.empty() ? -1 : object;
+    currentLight_ = state_.scene.lights.empty() ? -1 : 0;
+    activeSide_ = Side::A;
+    announce({DocumentChange::Scene | DocumentChange::Comparing});
+}
+
+void Document::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    const std::shared_ptr<const Catalog> before = std::exchange(catalog_, std::move(catalog));
+    blocks_.forget();
+    reconcile(state_, *before, *catalog_);
+    announce({DocumentChange::Catalog});
 }
 
 void Document::setCurrentObject(int index) {
     const int inside = std::min(index, static_cast<int>(state_.scene.objects.size()) - 1);
     if (inside != currentObject_) {
         currentObject_ = inside;
-        forgetShownScenes();
-        Q_EMIT currentChanged();
-        if (state_.second) {
-            Q_EMIT changed(); // side B moved to another object
-        }
+        shownScenes_.forget();
+        DocumentChange change{DocumentChange::Current};
+        change.aspects.setFlag(DocumentChange::Material, isComparing()); // B moved to this object
+        announce(change);
     }
 }
 
@@ -145,7 +107,7 @@ void Document::setCurrentLight(int index) {
     const int inside = std::min(index, static_cast<int>(state_.scene.lights.size()) - 1);
     if (inside != currentLight_) {
         currentLight_ = inside;
-        Q_EMIT currentChanged();
+        announce({DocumentChange::Current});
     }
 }
 
@@ -153,7 +115,7 @@ void Document::setActiveSide(Side side) {
     const Side possible = state_.second ? side : Side::A;
     if (possible != activeSide_) {
         activeSide_ = possible;
-        Q_EMIT currentChanged();
+        announce({DocumentChange::Current});
     }
 }
 
@@ -176,22 +138,12 @@ BlockPath Document::currentPath(std::string_view kind) const {
 }
 
 const Block* Document::block(const BlockPath& path) const {
-    if (const auto found = settings_.find(path.kind); found != settings_.end()) {
-        return &found->second;
-    }
-    if (!path.isAt(settings::accuracy)) {
-        const BlockValues* values = blockValuesAt(state_, path);
-        return values ? catalog_->find(path.kind, values->id) : nullptr;
-    }
-    const Material* material = materialAt(state_, path.index, path.side);
-    if (!material || !block(pathOf(kinds::models, path.index, path.side))) {
-        return nullptr;
-    }
-    const std::vector<const Block*> blocks = blocksInUse(*material, *catalog_);
-    const auto known = accuracyBlocks_.find(blocks);
-    return known != accuracyBlocks_.end()
-               ? &known->second
-               : &accuracyBlocks_.emplace(blocks, accuracyBlock(blocks)).first->second;
+    return blocks_.find(state_, path, *catalog_);
+}
+
+const Parameter* Document::parameter(const ParameterTarget& target) const {
+    const Block* described = block(target.path);
+    return described ? described->parameter(target.parameterId) : nullptr;
 }
 
 Value Document::value(const BlockPath& path, const Parameter& parameter) const {
@@ -206,7 +158,7 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
         return;
     }
     if (const auto* file = std::get_if<std::string>(&wanted)) {
-        allow(*file);
+        Q_EMIT fileNamed(*file);
     }
     const Value after = roundedToFloat(conformed(*parameter, wanted));
     if (after == value(path, *parameter)) {
@@ -215,7 +167,7 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
     const auto edit = [&] {
         undoStack_.push(new ParameterCommand(*this, path, *described, *parameter, after));
     };
-    if (!isLaidOver(path, parameterId)) {
+    if (!isLaidOver(state_, path, parameterId)) {
         edit();
         return;
     }
@@ -226,58 +178,152 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
     });
 }
 
-int Document::beginInteraction() {
-    endFrozenEffects();
-    interaction_ = ++lastInteraction_;
-    return interaction_;
-}
-
-void Document::endInteraction(int token) {
-    if (token == 0 || token == interaction_) {
-        interaction_ = 0;
-        endFrozenEffects();
+const TextureUse* Document::texture(const BlockPath& path, std::string_view parameterId) const {
+    const Material* held =
+        takesTextures(path) ? materialAt(state_, path.index, path.side) : nullptr;
+    if (!held) {
+        return nullptr;
     }
+    const auto found = held->textures.find(textureKey(path, parameterId));
+    return found == held->textures.end() ? nullptr : &found->second;
 }
 
-int Document::beginInteraction(const BlockPath& path, std::string_view parameterId) {
-    const int token = beginInteraction();
+void Document::setTexture(const BlockPath& path, std::string_view parameterId,
+                          const std::optional<TextureUse>& use) {
     const Block* described = block(path);
     const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
-    if (parameter) {
-        frozenEffects_.begin(state_, currentObject_, path, *parameter, *catalog_);
-        if (texture(path, parameterId)) {
-            frozenEffects_.keepTexture(state_, currentObject_, path, textureKey(path, parameterId));
-        }
-        if (frozenEffects_.differs(state_, *catalog_)) {
-            Q_EMIT effectsChanged();
-        }
+    const TextureUse* held = texture(path, parameterId);
+    const bool isSame = held ? use && *use == *held : !use;
+    if (!parameter || !takesTextures(path) || isSame ||
+        !materialAt(state_, path.index, path.side)) {
+        return;
     }
-    return token;
+    if (textureLibrary_ && use && (!held || use->file != held->file)) {
+        textureLibrary_->forgetFailures(); // it may be there by now
+    }
+    const QString name = QString::fromStdString(parameter->label);
+    const QString label = !use    ? tr("Remove image of %1").arg(name)
+                          : !held ? tr("Image on %1").arg(name)
+                                  : tr("Change image of %1").arg(name);
+    undoStack_.push(new TextureCommand(*this, {path, std::string(parameterId)}, use, label));
 }
 
-void Document::prewarm(const BlockPath& path, std::string_view parameterId) {
-    const Block* described = block(path);
-    const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
-    if (parameter && !isInteracting()) {
-        for (const DocumentState& state : prewarmed(state_, path, *parameter, *catalog_)) {
-            Q_EMIT effectsPrewarmed(state);
+void Document::setTextureLibrary(TextureLibrary* library) {
+    textureLibrary_ = library;
+    connect(library, &TextureLibrary::loaded, this, &Document::imagesArrived);
+    connect(library, &TextureLibrary::failed, this, &Document::imagesArrived);
+}
+
+void Document::setBlock(const BlockPath& path, std::string_view blockId) {
+    const BlockKind* kind = findKind(path.kind);
+    const Block* wanted = blockId.empty() ? nullptr : catalog_->find(path.kind, blockId);
+    const bool isPossible = wanted || (blockId.empty() && kind && kind->isPart);
+    const BlockValues* held = blockValuesAt(state_, path);
+    if (!isPossible || (held ? held->id : std::string()) == blockId) {
+        return;
+    }
+    if (path.owner == BlockOwner::Scene) {
+        setSceneBlock(path, wanted);
+    } else if (path.owner == BlockOwner::Light) {
+        setLightBlock(path, wanted);
+    } else if (materialAt(state_, path.index, path.side)) {
+        if (path.isAt(kinds::models)) {
+            undoStack_.push(new ModelCommand(*this, {path.index, path.side}, *wanted));
+        } else {
+            undoStack_.push(new PartCommand(*this, path, wanted));
         }
     }
 }
 
-void Document::endFrozenEffects() {
-    const bool differs = frozenEffects_.differs(state_, *catalog_);
-    frozenEffects_.end();
-    if (differs) {
-        Q_EMIT effectsChanged();
+void Document::setLightBlock(const BlockPath& path, const Block* wanted) {
+    if (path.index < 0 || path.index >= std::ssize(state_.scene.lights)) {
+        return;
+    }
+    const Light& held = state_.scene.lights[static_cast<std::size_t>(path.index)];
+    undoStack_.push(new LightCommand(*this, path.index, held,
+                                     withBlock(held, path.kind, block(path), wanted),
+                                     blockLabel(path.kind, wanted)));
+}
+
+void Document::setSceneBlock(const BlockPath& path, const Block* wanted) {
+    if (const BlockValues* held = state_.scene.part(path.kind)) {
+        patina::setPart(lastParts_, path.kind, *held);
+    }
+    std::optional<BlockValues> after;
+    if (wanted) {
+        after = swappedBlock(partOf(lastParts_, path.kind),
+                             blockOf(lastParts_, path.kind, *catalog_), *wanted);
+    }
+    undoStack_.push(
+        new SceneBlockCommand(*this, path, std::move(after), blockLabel(path.kind, wanted)));
+}
+
+void Document::setModel(Side side, std::string_view modelId) {
+    setBlock(pathOf(kinds::models, currentObject_, side), modelId);
+}
+
+void Document::replaceMaterial(Side side, const Material& wanted, const QString& label) {
+    const Material* held = material(side);
+    if (held && !(*held == wanted)) {
+        undoStack_.push(new MaterialCommand(*this, {currentObject_, side}, wanted, label));
+    }
+}
+
+void Document::setSecondMaterial(std::optional<Material> wanted) {
+    if (wanted != state_.second) {
+        undoStack_.push(new CompareCommand(*this, std::move(wanted)));
+    }
+}
+
+void Document::setComparedPicture(std::optional<ComparedPicture> picture) {
+    if (picture != state_.picture) {
+        undoStack_.push(new PictureCommand(*this, std::move(picture)));
+    }
+}
+
+void Document::showOwnPicture() {
+    if (state_.picture && state_.picture->first) {
+        ComparedPicture picture = *state_.picture;
+        picture.first.reset();
+        setComparedPicture(std::move(picture));
     }
 }
 
 void Document::setCamera(const Camera& camera) {
     if (camera != state_.scene.camera) {
         state_.scene.camera = camera;
-        Q_EMIT cameraChanged();
+        announce({DocumentChange::Camera});
     }
+}
+
+void Document::nameScene(const std::string& name) {
+    state_.scene.name = name;
+    shownScenes_.forget(); // they have the name too
+}
+
+int Document::beginInteraction(std::optional<ParameterTarget> dragged) {
+    interaction_ = ++lastInteraction_;
+    dragged_ = std::move(dragged);
+    announce({DocumentChange::Interaction});
+    return interaction_;
+}
+
+void Document::endInteraction(int token) {
+    if (token == 0 || token == interaction_) {
+        interaction_ = 0;
+        dragged_.reset();
+        announce({DocumentChange::Interaction});
+    }
+}
+
+void Document::editAsOneStep(const QString& label, const std::function<void()>& edits) {
+    const Camera before = state_.scene.camera;
+    undoStack_.beginMacro(shortened(label));
+    edits();
+    if (state_.scene.camera != before) {
+        undoStack_.push(new CameraCommand(*this, before, state_.scene.camera));
+    }
+    undoStack_.endMacro();
 }
 
 } // namespace patina

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opening and saving.
+#include "document/document_files.h"
+
 #include <algorithm>
 
 #include "document/commands/material_command.h"
-#include "document/document.h"
+#include "material/preset_file.h"
 #include "scene/scene_file.h"
 
 namespace patina {
@@ -110,14 +111,17 @@ QString titleOf(const std::filesystem::path& path) {
 
 } // namespace
 
-void Document::tell(const Errors& messages) {
+DocumentFiles::DocumentFiles(Document& document, QObject* parent)
+    : QObject(parent), document_(document), withheld_(document) {}
+
+void DocumentFiles::tell(const Errors& messages) {
     for (const Error& error : messages) {
         Q_EMIT message(error);
     }
 }
 
 /// Absolute: what a path means must not depend on the folder that some later program starts in.
-void Document::setFile(DocumentFile file) {
+void DocumentFiles::setFile(DocumentFile file) {
     file_ = std::move(file);
     std::error_code ignored; // it then stays as it is
     if (const auto path = std::filesystem::absolute(file_.path, ignored); !ignored) {
@@ -126,48 +130,41 @@ void Document::setFile(DocumentFile file) {
     Q_EMIT fileChanged();
 }
 
-void Document::replaceState(DocumentState state, DocumentFile file, int object) {
-    undoStack_.clear();
-    interaction_ = 0;
-    lastParts_.clear();
-    lastSecond_.reset();
+/// Everything about the file is known before the document is told of the new state.
+void DocumentFiles::start(DocumentState state, DocumentFile file, int object) {
     isRecovered_ = false;
-    state_ = std::move(state);
-    savedState_ = state_;
-    currentObject_ = state_.scene.objects.empty() ? -1 : object;
-    presetObject_ = currentObject_;
-    currentLight_ = state_.scene.lights.empty() ? -1 : 0;
-    activeSide_ = Side::A;
+    savedState_ = state;
+    presetObject_ = state.scene.objects.empty() ? -1 : object;
     setFile(std::move(file));
-    Q_EMIT sceneReplaced();
-    Q_EMIT comparingChanged(isComparing());
+    document_.startFrom(std::move(state), object);
 }
 
-void Document::startFrom(const Scene& scene) {
-    setOutside({});
-    replaceState({scene, std::nullopt}, {});
+void DocumentFiles::startFrom(const Scene& scene) {
+    withheld_.set({});
+    start({scene, std::nullopt}, {});
 }
 
-bool Document::openScene(const std::filesystem::path& path, const ReadingRights& rights) {
+bool DocumentFiles::openScene(const std::filesystem::path& path, const ReadingRights& rights) {
     const std::optional<Errors> notes = takeScene(path, rights);
     tell(notes.value_or(Errors()));
     return notes.has_value();
 }
 
 /// Gives what there is to say of the scene; nothing, with the errors told, when it cannot be read.
-std::optional<Errors> Document::takeScene(const std::filesystem::path& path,
-                                          const ReadingRights& rights) {
-    Checked<SceneReading> reading = readScene(path, *catalog_, rights);
+std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path,
+                                               const ReadingRights& rights) {
+    Checked<SceneReading> reading = readScene(path, document_.catalog(), rights);
     if (!reading) {
         tell(reading.error());
         return std::nullopt;
     }
-    Checked<std::optional<Material>> second = takeSecond(reading->scene, path, *catalog_, rights);
+    Checked<std::optional<Material>> second =
+        takeSecond(reading->scene, path, document_.catalog(), rights);
     takeWithheld(*reading, second);
-    setOutside(reading->outside);
+    withheld_.set(reading->outside);
     const int object = second && *second ? takeSecondObject(reading->scene) : 0;
-    replaceState({reading->scene, second.value_or(std::nullopt)},
-                 {DocumentFile::Kind::Scene, path, reading->readOnly}, object);
+    start({reading->scene, second.value_or(std::nullopt)},
+          {DocumentFile::Kind::Scene, path, reading->readOnly}, object);
     Errors notes = reading->notes;
     if (!second) {
         notes.insert(notes.end(), second.error().begin(), second.error().end());
@@ -175,8 +172,8 @@ std::optional<Errors> Document::takeScene(const std::filesystem::path& path,
     return notes;
 }
 
-OutsideFiles Document::outsideOf(const std::filesystem::path& path, DocumentFile::Kind kind,
-                                 const Catalog& catalog, const ReadingRights& rights) {
+OutsideFiles DocumentFiles::outsideOf(const std::filesystem::path& path, DocumentFile::Kind kind,
+                                      const Catalog& catalog, const ReadingRights& rights) {
     if (kind == DocumentFile::Kind::Preset) {
         const auto reading = readPreset(path, catalog, rights);
         return reading ? reading->outside : OutsideFiles();
@@ -196,7 +193,7 @@ OutsideFiles Document::outsideOf(const std::filesystem::path& path, DocumentFile
     return reading->outside;
 }
 
-bool Document::openTemplate(const std::filesystem::path& path) {
+bool DocumentFiles::openTemplate(const std::filesystem::path& path) {
     const bool opened = openScene(path);
     if (opened) {
         setFile({});
@@ -204,8 +201,8 @@ bool Document::openTemplate(const std::filesystem::path& path) {
     return opened;
 }
 
-bool Document::recover(const std::filesystem::path& copy, const DocumentFile& origin) {
-    const DocumentState before = state_;
+bool DocumentFiles::recover(const std::filesystem::path& copy, const DocumentFile& origin) {
+    const DocumentState before = document_.state();
     ReadingRights rights;
     rights.everything = true; // but for what the copy says that the user had not agreed to
     const bool opened = takeScene(copy, rights).has_value(); // its notes are on a file nobody knows
@@ -213,18 +210,18 @@ bool Document::recover(const std::filesystem::path& copy, const DocumentFile& or
         savedState_ = before; // a preset that is saved holds no more than its material
         setFile(origin);
         isRecovered_ = true;
-        undoStack_.resetClean();
+        document_.undoStack().resetClean();
     }
     return opened;
 }
 
-bool Document::openPreset(const std::filesystem::path& path, const ReadingRights& rights) {
-    const Checked<PresetReading> reading = readPreset(path, *catalog_, rights);
+bool DocumentFiles::openPreset(const std::filesystem::path& path, const ReadingRights& rights) {
+    const Checked<PresetReading> reading = readPreset(path, document_.catalog(), rights);
     if (!reading) {
         tell(reading.error());
         return false;
     }
-    DocumentState state = state_;
+    DocumentState state = document_.state();
     state.lookedAt.reset();
     if (!hasSecondMaterial(state)) {
         state.second.reset();
@@ -233,56 +230,56 @@ bool Document::openPreset(const std::filesystem::path& path, const ReadingRights
     if (state.scene.objects.empty()) {
         state.scene.objects.emplace_back();
     }
-    const int object = std::max(currentObject_, 0);
+    const int object = std::max(document_.currentObject(), 0);
     *materialAt(state, object, Side::A) = reading->material;
-    replaceState(std::move(state), {DocumentFile::Kind::Preset, path, reading->readOnly}, object);
+    start(std::move(state), {DocumentFile::Kind::Preset, path, reading->readOnly}, object);
     tell(reading->notes);
     return true;
 }
 
-bool Document::applyPreset(const std::filesystem::path& path, Side side,
-                           const ReadingRights& rights) {
-    const Checked<PresetReading> reading = readPreset(path, *catalog_, rights);
+bool DocumentFiles::applyPreset(const std::filesystem::path& path, Side side,
+                                const ReadingRights& rights) {
+    const Checked<PresetReading> reading = readPreset(path, document_.catalog(), rights);
     if (!reading) {
         tell(reading.error());
         return false;
     }
-    if (side == Side::B && !state_.second) {
-        setSecondMaterial(reading->material);
+    if (side == Side::B && !document_.state().second) {
+        document_.setSecondMaterial(reading->material);
     } else {
-        replaceMaterial(side, reading->material, tr("Preset %1").arg(titleOf(path)));
+        document_.replaceMaterial(side, reading->material, tr("Preset %1").arg(titleOf(path)));
     }
     tell(reading->notes);
     return true;
 }
 
-Scene Document::sceneToRecover() const {
+Scene DocumentFiles::sceneToRecover() const {
     Scene scene = sceneToSave();
     nlohmann::json withheld = nlohmann::json::array();
-    for (const OutsideFile& each : outside()) {
+    for (const OutsideFile& each : withheld_.all()) {
         withheld.push_back({{"kind", static_cast<int>(each.kind)}, {"file", each.file}});
     }
     scene.extras[withheldKey] = std::move(withheld);
     return scene;
 }
 
-Scene Document::sceneToSave() const {
-    Scene scene = state_.scene;
-    const int object = state_.lookedAt ? state_.lookedAt->object : -1;
-    if (const std::optional<Material> own = materialAside(state_, object)) {
+Scene DocumentFiles::sceneToSave() const {
+    Scene scene = document_.state().scene;
+    const int object = document_.state().lookedAt ? document_.state().lookedAt->object : -1;
+    if (const std::optional<Material> own = materialAside(document_.state(), object)) {
         scene.objects[static_cast<std::size_t>(object)].material = *own;
     }
-    return hasSecondMaterial(state_)
-               ? withSecond(std::move(scene), state_.second, currentObject_)
+    return hasSecondMaterial(document_.state())
+               ? withSecond(std::move(scene), document_.state().second, document_.currentObject())
                : scene;
 }
 
-bool Document::isOwnFile(const std::filesystem::path& path) const {
+bool DocumentFiles::isOwnFile(const std::filesystem::path& path) const {
     std::error_code ignored; // it is no file yet
     return path == file_.path || std::filesystem::equivalent(path, file_.path, ignored);
 }
 
-bool Document::mayOverwrite(const std::filesystem::path& path) {
+bool DocumentFiles::mayOverwrite(const std::filesystem::path& path) {
     if (file_.readOnly && isOwnFile(path)) {
         Q_EMIT message({path.string(), 0, 0, "the file was written by a newer version of Patina",
                         "another file name, so that nothing in it is lost"});
@@ -291,7 +288,7 @@ bool Document::mayOverwrite(const std::filesystem::path& path) {
     return true;
 }
 
-bool Document::saveScene(const std::filesystem::path& path) {
+bool DocumentFiles::saveScene(const std::filesystem::path& path) {
     if (!mayOverwrite(path)) {
         return false;
     }
@@ -304,40 +301,42 @@ bool Document::saveScene(const std::filesystem::path& path) {
         Q_EMIT message(written.error());
         return false;
     }
-    state_.scene.name = saved.name;
-    forgetShownScenes(); // they have the name too
-    for (const Object& object : state_.scene.objects) {
+    document_.nameScene(saved.name);
+    for (const Object& object : document_.state().scene.objects) {
         tell(imagesOutside(object.material, path));
     }
-    savedState_ = state_;
+    savedState_ = document_.state();
     isRecovered_ = false;
-    undoStack_.setClean();
+    document_.undoStack().setClean();
     setFile({DocumentFile::Kind::Scene, path, false});
     return true;
 }
 
-bool Document::savePreset(const std::filesystem::path& path, Side side) {
-    const Material* held = material(side);
+bool DocumentFiles::savePreset(const std::filesystem::path& path, Side side) {
+    const Material* held = document_.material(side);
     return held && savePreset(path, side, held->name);
 }
 
-bool Document::savePreset(const std::filesystem::path& path, Side side, const std::string& name) {
-    const Material* held = material(side);
+bool DocumentFiles::savePreset(const std::filesystem::path& path, Side side,
+                               const std::string& name) {
+    const Material* held = document_.material(side);
     if (!held) {
         return false;
     }
     Material saved = *held;
     saved.name = name;
-    return savePreset(path, pathOf(settings::material, currentObject_, side), std::move(saved));
+    return savePreset(path, pathOf(settings::material, document_.currentObject(), side),
+                      std::move(saved));
 }
 
 /// Nothing is called otherwise before its file is written.
-bool Document::savePreset(const std::filesystem::path& path, const BlockPath& of, Material saved) {
+bool DocumentFiles::savePreset(const std::filesystem::path& path, const BlockPath& of,
+                               Material saved) {
     if (!mayOverwrite(path)) {
         return false;
     }
     Material kept = saved;
-    if (const auto own = materialAside(state_, of.index); own && of.side == Side::A) {
+    if (const auto own = materialAside(document_.state(), of.index); own && of.side == Side::A) {
         kept = *own;
         kept.name = saved.name;
     }
@@ -348,9 +347,10 @@ bool Document::savePreset(const std::filesystem::path& path, const BlockPath& of
     }
     tell(imagesOutside(saved, path));
     if (file_.kind != DocumentFile::Kind::Scene) {
-        if (!(*materialAt(state_, of.index, of.side) == saved)) {
+        if (!(*materialAt(document_.state(), of.index, of.side) == saved)) {
             const QString label = tr("Name %1").arg(QString::fromStdString(saved.name));
-            undoStack_.push(new MaterialCommand(*this, {of.index, of.side}, saved, label));
+            document_.undoStack().push(
+                new MaterialCommand(document_, {of.index, of.side}, saved, label));
         }
         if (of.side == Side::A) {
             presetObject_ = of.index;
@@ -361,38 +361,38 @@ bool Document::savePreset(const std::filesystem::path& path, const BlockPath& of
     return true;
 }
 
-bool Document::outgrewPreset() const {
+bool DocumentFiles::outgrewPreset() const {
     return file_.kind == DocumentFile::Kind::Preset &&
-           withoutMaterial(state_, presetObject_) != withoutMaterial(savedState_, presetObject_);
+           withoutMaterial(document_.state(), presetObject_) !=
+               withoutMaterial(savedState_, presetObject_);
 }
 
 /// The document is clean only when the preset held everything that changed: lights, fog and
 /// objects belong to a scene file, and closing must still ask about them.
-void Document::markPresetSaved(Side side) {
+void DocumentFiles::markPresetSaved(Side side) {
     if (file_.kind == DocumentFile::Kind::Scene) {
         return; // an export
     }
     if (side == Side::B) {
-        savedState_.second = state_.second;
+        savedState_.second = document_.state().second;
     }
-    const bool everything =
-        withoutMaterial(state_, presetObject_) == withoutMaterial(savedState_, presetObject_);
-    if (everything && (side == Side::A ||
-                       *materialAt(state_, presetObject_, Side::A) ==
-                           *materialAt(savedState_, presetObject_, Side::A))) {
+    const bool everything = withoutMaterial(document_.state(), presetObject_) ==
+                            withoutMaterial(savedState_, presetObject_);
+    if (everything && (side == Side::A || *materialAt(document_.state(), presetObject_, Side::A) ==
+                                              *materialAt(savedState_, presetObject_, Side::A))) {
         isRecovered_ = false;
-        undoStack_.setClean();
+        document_.undoStack().setClean();
     }
     if (Material* savedMaterial = materialAt(savedState_, presetObject_, Side::A);
         savedMaterial && side == Side::A) {
-        *savedMaterial = *materialAt(state_, presetObject_, Side::A);
+        *savedMaterial = *materialAt(document_.state(), presetObject_, Side::A);
     }
 }
 
-bool Document::save() {
+bool DocumentFiles::save() {
     switch (file_.kind) {
     case DocumentFile::Kind::Preset:
-        if (const Material* held = materialAt(state_, presetObject_, Side::A)) {
+        if (const Material* held = materialAt(document_.state(), presetObject_, Side::A)) {
             return savePreset(file_.path, pathOf(settings::material, presetObject_), *held);
         }
         return false;

@@ -3,6 +3,7 @@
 
 #include "docks/picture_accuracy_form.h"
 #include "material/material_settings.h"
+#include "material/reconciled.h"
 #include "scene/scene_settings.h"
 
 namespace patina {
@@ -85,6 +86,25 @@ const SidePicture* pictureLaidOver(const DocumentState& state, Side side) {
     return picture ? &*picture : nullptr;
 }
 
+bool isLaidOver(const DocumentState& state, const BlockPath& path, std::string_view parameterId) {
+    const SidePicture* picture = pictureLaidOver(state, Side::A);
+    if (picture == nullptr) {
+        return false;
+    }
+    if (path.isAt(settings::scene)) {
+        return pictureLevel(state.scene, parameterId).has_value();
+    }
+    if (path.isAt(kinds::transparency)) {
+        return picture->transparency.has_value();
+    }
+    if (path.isAt(kinds::environment)) {
+        return picture->environment.contains(parameterId);
+    }
+    const auto values = picture->shadows.find(static_cast<std::size_t>(path.index));
+    return path.isAt(kinds::shadows) && values != picture->shadows.end() &&
+           values->second.contains(parameterId);
+}
+
 Scene shownScene(const DocumentState& state, int object, Side side) {
     Scene scene = ownScene(state, object, side);
     if (const SidePicture* picture = pictureLaidOver(state, side)) {
@@ -133,6 +153,16 @@ std::optional<Material> materialAside(const DocumentState& state, int object) {
     Material own = *now;
     own.accuracy = looked.own.accuracy;
     return own;
+}
+
+std::string textureKey(const BlockPath& path, std::string_view parameterId) {
+    const BlockKind* kind = findKind(path.kind);
+    return kind && kind->isPart ? path.kind + '.' + std::string(parameterId)
+                                : std::string(parameterId);
+}
+
+bool takesTextures(const BlockPath& path) {
+    return path.owner == BlockOwner::Material && !path.isAt(settings::accuracy);
 }
 
 const BlockValues* blockValuesAt(const DocumentState& state, const BlockPath& path) {
@@ -185,6 +215,27 @@ void storeValue(DocumentState& state, const BlockPath& path, std::string_view pa
         } else if (path.isAt(settings::material)) {
             storeSetting(*material, parameterId, value);
         }
+    }
+}
+
+void reconcile(DocumentState& state, const Catalog& before, const Catalog& after) {
+    for (Object& object : state.scene.objects) {
+        object.material = reconciled(object.material, before, after);
+    }
+    if (state.second) {
+        state.second = reconciled(*state.second, before, after);
+    }
+    if (state.picture) {
+        state.picture->material = reconciled(state.picture->material, before, after);
+    }
+    for (Light& light : state.scene.lights) {
+        light.block = reconciled(light.block, kinds::lights, before, after);
+        if (light.shadow) {
+            light.shadow = reconciled(*light.shadow, kinds::shadows, before, after);
+        }
+    }
+    for (auto& [kind, values] : state.scene.parts) {
+        values = reconciled(values, kind, before, after);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "catalog/catalog.h"
 #include "catalog/settings.h"
 #include "document/compared_picture.h"
 #include "scene/scene.h"
@@ -45,6 +46,14 @@ struct BlockPath {
     friend bool operator==(const BlockPath&, const BlockPath&) = default;
 };
 
+/// Names one value of a document.
+struct ParameterTarget {
+    BlockPath path;
+    std::string parameterId;
+
+    friend bool operator==(const ParameterTarget&, const ParameterTarget&) = default;
+};
+
 /// The path of what is of a kind, or one of `settings`.
 BlockPath pathOf(std::string_view kind, int index = 0, Side side = Side::A);
 
@@ -56,6 +65,9 @@ Scene ownScene(const DocumentState& state, int object, Side side);
 
 /// What is laid over a side's scene while its picture is compared; null: nothing.
 const SidePicture* pictureLaidOver(const DocumentState& state, Side side);
+
+/// Whether side A shows another value than this one, which the scene has.
+bool isLaidOver(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
 
 /// Whether side B has another material than what its object has.
 bool hasSecondMaterial(const DocumentState& state);
@@ -85,5 +97,8 @@ std::optional<Value> storedValue(const DocumentState& state, const BlockPath& pa
 /// Stores a value; nothing happens when the path is not there or the value has the wrong type.
 void storeValue(DocumentState& state, const BlockPath& path, std::string_view parameterId,
                 const Value& value);
+
+/// Brings all values into the ranges of blocks that have changed.
+void reconcile(DocumentState& state, const Catalog& before, const Catalog& after);
 
 } // namespace patina

@@ -96,14 +96,15 @@ QDateTime lastWritten(const QFileInfo& scene) {
 
 } // namespace
 
-Autosave::Autosave(Document& document, std::filesystem::path folder, QObject* parent)
-    : QObject(parent), document_(document), folder_(std::move(folder)) {
+Autosave::Autosave(Document& document, DocumentFiles& files, std::filesystem::path folder,
+                   QObject* parent)
+    : QObject(parent), document_(document), files_(files), folder_(std::move(folder)) {
     quiet_.setSingleShot(true);
     longest_.setSingleShot(true);
     setIntervals(defaultQuietMs, defaultLongestMs);
     connect(&quiet_, &QTimer::timeout, this, &Autosave::save);
     connect(&longest_, &QTimer::timeout, this, &Autosave::save);
-    connect(&document, &Document::changed, this, &Autosave::schedule);
+    onChange(document, DocumentChange::Drawn, this, &Autosave::schedule);
     // The first edit is announced before it makes the document a modified one.
     connect(&document, &Document::modifiedChanged, this, &Autosave::schedule);
 }
@@ -184,7 +185,7 @@ void Autosave::save() {
         return;
     }
     isWriting_ = true;
-    worker_.start([this, scene = document_.sceneToRecover(), file = document_.file()] {
+    worker_.start([this, scene = files_.sceneToRecover(), file = files_.file()] {
         const Result<void> origin = writeOnce(originOf(stem_), textOf(file));
         const Result<void> written = origin ? journal_->write(scene) : origin;
         QMetaObject::invokeMethod(this, [this, written] { noteEnd(written); });

@@ -9,7 +9,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "document/document.h"
+#include "document/document_files.h"
 #include "files/edit_journal.h"
 #include "window/single_thread.h"
 
@@ -30,7 +30,8 @@ class Autosave : public QObject {
     Q_OBJECT
 
   public:
-    Autosave(Document& document, std::filesystem::path folder, QObject* parent = nullptr);
+    Autosave(Document& document, DocumentFiles& files, std::filesystem::path folder,
+             QObject* parent = nullptr);
     ~Autosave() override;
 
     /// How long after the last change, and how long after the first one at most.
@@ -65,6 +66,7 @@ class Autosave : public QObject {
     bool takeStem();
 
     Document& document_;
+    DocumentFiles& files_;
     std::filesystem::path folder_;
     std::filesystem::path stem_;
     std::unique_ptr<QLockFile> lock_;

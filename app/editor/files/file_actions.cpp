@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QRegularExpression>
 
+#include "document/scene_edits.h"
 #include "library/preset_library.h"
 #include "scene/scene_file.h"
 #include "window/details_dialog.h"
@@ -43,31 +44,31 @@ QString withSuffix(QString file, const QString& suffix) {
 
 } // namespace
 
-FileActions::FileActions(Document& document, MeshLibrary& meshes, Session& session,
-                         QWidget* window)
-    : QObject(window), document_(document), meshes_(meshes), session_(session),
+FileActions::FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes,
+                         Session& session, QWidget* window)
+    : QObject(window), document_(document), files_(files), meshes_(meshes), session_(session),
       consent_(session, window), window_(window) {
     connect(&meshes, &MeshLibrary::loaded, this, &FileActions::meshLoaded);
     connect(&meshes, &MeshLibrary::failed, this, &FileActions::meshFailed);
-    connect(&document, &Document::fileChanged, this,
-            [this] { written_ = timeOf(document_.file().path); });
+    connect(&files, &DocumentFiles::fileChanged, this,
+            [this] { written_ = timeOf(files_.file().path); });
 }
 
 void FileActions::newDocument() {
     if (mayLoseDocument()) {
-        document_.openTemplate(defaultSceneFile());
+        files_.openTemplate(defaultSceneFile());
         forgetMeshes();
         Q_EMIT documentReplaced();
     }
 }
 
 bool FileActions::save() {
-    const DocumentFile& file = document_.file();
-    if (file.kind == DocumentFile::Kind::None || file.readOnly || document_.outgrewPreset()) {
+    const DocumentFile& file = files_.file();
+    if (file.kind == DocumentFile::Kind::None || file.readOnly || files_.outgrewPreset()) {
         return saveAs();
     }
     // Also when nothing was edited: the camera is no edit, and the file may be gone or another.
-    const bool isSaved = mayReplaceChanged(file.path) && document_.save();
+    const bool isSaved = mayReplaceChanged(file.path) && files_.save();
     if (isSaved) {
         noteSaved(QString::fromStdString(file.path.string()));
     }
@@ -76,9 +77,9 @@ bool FileActions::save() {
 
 bool FileActions::saveAs() {
     const bool isPreset =
-        document_.file().kind == DocumentFile::Kind::Preset && !document_.outgrewPreset();
+        files_.file().kind == DocumentFile::Kind::Preset && !files_.outgrewPreset();
     QString filter = isPreset ? presetFilter() : sceneFilter();
-    const std::filesystem::path folder = document_.file().path.parent_path();
+    const std::filesystem::path folder = files_.file().path.parent_path();
     const QString start =
         (folder.empty() ? session_.folder("scene") : QString::fromStdString(folder.string())) +
         '/' + suggestedName();
@@ -94,7 +95,7 @@ bool FileActions::saveAs() {
     if (!mayReplace(asked, file)) {
         return false;
     }
-    const bool isSaved = asPreset ? writePreset(file) : document_.saveScene(file.toStdString());
+    const bool isSaved = asPreset ? writePreset(file) : files_.saveScene(file.toStdString());
     if (isSaved) {
         session_.setFolderOf("scene", file);
         noteSaved(file);
@@ -105,10 +106,9 @@ bool FileActions::saveAs() {
 /// A preset may hold less than what was changed.
 void FileActions::noteSaved(const QString& file) {
     session_.addRecentFile(file);
-    consent_.noteSaved(file,
-                       file.endsWith(presetSuffix) ? DocumentFile::Kind::Preset
-                                                   : DocumentFile::Kind::Scene,
-                       document_);
+    consent_.noteSaved(
+        file, file.endsWith(presetSuffix) ? DocumentFile::Kind::Preset : DocumentFile::Kind::Scene,
+        document_.catalog(), files_.withheld().all());
     if (!document_.isModified()) {
         Q_EMIT saved();
         return;
@@ -146,7 +146,8 @@ void FileActions::exportPreset() {
     const QString file = withSuffix(asked, presetSuffix);
     if (!file.isEmpty() && mayReplace(asked, file) && writePreset(file)) {
         session_.addRecentFile(file);
-        consent_.noteSaved(file, DocumentFile::Kind::Preset, document_);
+        consent_.noteSaved(file, DocumentFile::Kind::Preset, document_.catalog(),
+                           files_.withheld().all());
     }
 }
 
@@ -159,11 +160,10 @@ bool FileActions::writePreset(const QString& file) {
     }
     const QString held = QString::fromStdString(material->name);
     const QString name = QFileInfo(file).fileName().chopped(presetSuffix.size());
-    const bool isSameFile = document_.file().path == file.toStdString();
+    const bool isSameFile = files_.file().path == file.toStdString();
     const bool staysCalled = !held.isEmpty() && (isSameFile || name == asFileName(held) ||
                                                  name.compare(held, Qt::CaseInsensitive) == 0);
-    return document_.savePreset(file.toStdString(), side,
-                                (staysCalled ? held : name).toStdString());
+    return files_.savePreset(file.toStdString(), side, (staysCalled ? held : name).toStdString());
 }
 
 void FileActions::editDetails() {
@@ -239,7 +239,8 @@ void FileActions::drop(const QStringList& files, Side side) {
             openDocument(file);
             break;
         case Kind::Panorama:
-            document_.setEnvironmentPicture(QFileInfo(file).absoluteFilePath().toStdString());
+            patina::setEnvironmentPicture(document_,
+                                          QFileInfo(file).absoluteFilePath().toStdString());
             break;
         case Kind::Mesh:
             load(file);
@@ -251,14 +252,14 @@ void FileActions::drop(const QStringList& files, Side side) {
 void FileActions::applyPreset(const QString& file, Side side) {
     const ReadingRights rights =
         consent_.rightsFor(file, DocumentFile::Kind::Preset, document_.catalog());
-    document_.applyPreset(file.toStdString(), side, rights);
+    files_.applyPreset(file.toStdString(), side, rights);
 }
 
 void FileActions::allowOutside() {
-    const OutsideFiles wanted = document_.outside();
-    const QString file = QString::fromStdString(document_.file().path.string());
+    const OutsideFiles wanted = files_.withheld().all();
+    const QString file = QString::fromStdString(files_.file().path.string());
     if (!wanted.empty() && consent_.ask(file, wanted)) {
-        document_.allowOutside();
+        files_.withheld().allowAll(files_.file().path);
     }
 }
 
@@ -268,7 +269,7 @@ bool FileActions::mayLoseDocument() {
     }
     QMessageBox question(QMessageBox::Question, tr("Unsaved changes"), questionText(),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
-    question.setInformativeText(document_.isRecovered()
+    question.setInformativeText(files_.isRecovered()
                                     ? tr("The recovered work is offered again at the next start "
                                          "if you do not save it.")
                                     : tr("They are lost if you do not save them."));
@@ -281,8 +282,8 @@ bool FileActions::mayLoseDocument() {
 }
 
 QString FileActions::questionText() const {
-    const QString file = QString::fromStdString(document_.file().path.filename().string());
-    if (document_.outgrewPreset()) {
+    const QString file = QString::fromStdString(files_.file().path.filename().string());
+    if (files_.outgrewPreset()) {
         return tr("Save the changes as a scene? %1 is a preset, which holds a material and no "
                   "lights, fog, objects or side B.")
             .arg(file);
@@ -325,8 +326,8 @@ void FileActions::openDocument(const QString& file) {
     const ReadingRights rights = consent_.rightsFor(
         file, isScene ? DocumentFile::Kind::Scene : DocumentFile::Kind::Preset,
         document_.catalog());
-    const bool opened = isScene ? document_.openScene(file.toStdString(), rights)
-                                : document_.openPreset(file.toStdString(), rights);
+    const bool opened = isScene ? files_.openScene(file.toStdString(), rights)
+                                : files_.openPreset(file.toStdString(), rights);
     if (opened) {
         forgetMeshes();
         session_.addRecentFile(file);
@@ -336,17 +337,17 @@ void FileActions::openDocument(const QString& file) {
 }
 
 void FileActions::tellOutside(const QString& file) {
-    if (!document_.outside().empty()) {
+    if (!files_.withheld().all().empty()) {
         tell({file.toStdString(), 0, 0, "names files outside its folder, which are not read",
               "File > Allow Files Outside, where you trust it"});
     }
 }
 
 QString FileActions::suggestedName() const {
-    const std::filesystem::path& path = document_.file().path;
+    const std::filesystem::path& path = files_.file().path;
     if (!path.empty()) {
         const QString name = QString::fromStdString(path.filename().string());
-        return document_.outgrewPreset() && name.endsWith(presetSuffix)
+        return files_.outgrewPreset() && name.endsWith(presetSuffix)
                    ? name.chopped(presetSuffix.size()) + sceneSuffix
                    : name;
     }

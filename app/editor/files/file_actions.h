@@ -24,7 +24,8 @@ class FileActions : public QObject {
     /// What a file is, by its name, and where that says no more than JSON, by its "format".
     enum class Kind { Preset, Scene, Panorama, Mesh };
 
-    FileActions(Document& document, MeshLibrary& meshes, Session& session, QWidget* window);
+    FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes, Session& session,
+                QWidget* window);
 
     void newDocument();
     /// True when the document was saved.
@@ -60,7 +61,7 @@ class FileActions : public QObject {
     /// False when the user wants to go back. Saves when the user wants that.
     bool mayLoseDocument();
 
-    void tell(const Error& message) { Q_EMIT document_.message(message); }
+    void tell(const Error& message) { Q_EMIT files_.message(message); }
 
     static Kind kindOf(const QString& file);
 
@@ -92,6 +93,7 @@ class FileActions : public QObject {
     QString suggestedName() const;
 
     Document& document_;
+    DocumentFiles& files_;
     MeshLibrary& meshes_;
     Session& session_;
     OutsideConsent consent_;

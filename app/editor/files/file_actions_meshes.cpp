@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "scene/scene_file.h"
 #include "viewport/place_beside.h"
@@ -25,7 +26,7 @@ void FileActions::addObject(Object object) {
                start && !start->scene.objects.empty()) {
         object.material = start->scene.objects.front().material;
     }
-    document_.addObject(object); // which makes it the current one
+    patina::addObject(document_, object); // which makes it the current one
 }
 
 void FileActions::addBeside(const Object& object) {
@@ -50,7 +51,7 @@ void FileActions::load(const QString& mesh) {
     object.fitUnitBox = true;
     const QString file = QString::fromStdString(object.mesh);
     wanted_[file] = object;
-    document_.allow(object.mesh);
+    files_.withheld().allow(object.mesh);
     meshes_.forgetFailures();
     meshes_.view(object);
     if (meshes_.has(object)) {
@@ -79,7 +80,7 @@ bool FileActions::showsOnlyTheStart() const {
     const auto start = readScene(defaultSceneFile(), document_.catalog());
     Scene shown = document_.scene();
     if (document_.undoStack().count() > 0 || document_.isModified() ||
-        document_.file().kind == DocumentFile::Kind::Scene || !start || shown.objects.size() != 1 ||
+        files_.file().kind == DocumentFile::Kind::Scene || !start || shown.objects.size() != 1 ||
         start->scene.objects.size() != 1) {
         return false;
     }
@@ -91,7 +92,7 @@ bool FileActions::showsOnlyTheStart() const {
 /// Puts an object in place of the only one, with its material.
 void FileActions::replaceObject(Object object) {
     object.material = document_.scene().objects.front().material;
-    document_.setObject(0, object);
+    patina::setObject(document_, 0, object);
     document_.setCurrentObject(0);
 }
 

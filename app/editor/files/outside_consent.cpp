@@ -62,7 +62,7 @@ ReadingRights OutsideConsent::rightsFor(const QString& file, DocumentFile::Kind 
         rights.allowed.insert(other.toStdString());
     }
     while (true) { // what was allowed may name others
-        OutsideFiles wanted = Document::outsideOf(file.toStdString(), kind, catalog, rights);
+        OutsideFiles wanted = DocumentFiles::outsideOf(file.toStdString(), kind, catalog, rights);
         const QStringList refused = session_.outside(fullPath(file), false);
         std::erase_if(wanted, [&](const OutsideFile& each) {
             return refused.contains(QString::fromStdString(each.file));
@@ -96,10 +96,9 @@ bool OutsideConsent::ask(const QString& file, const OutsideFiles& wanted) {
     return allowed;
 }
 
-void OutsideConsent::noteSaved(const QString& file, DocumentFile::Kind kind,
-                               const Document& document) {
-    OutsideFiles own = Document::outsideOf(file.toStdString(), kind, document.catalog(), {});
-    const OutsideFiles refused = document.outside();
+void OutsideConsent::noteSaved(const QString& file, DocumentFile::Kind kind, const Catalog& catalog,
+                               const OutsideFiles& refused) {
+    OutsideFiles own = DocumentFiles::outsideOf(file.toStdString(), kind, catalog, {});
     std::erase_if(own, [&](const OutsideFile& each) {
         return std::ranges::find(refused, each) != refused.end();
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/document.h"
+#include "document/document_files.h"
 #include "window/session.h"
 
 class QWidget;
@@ -22,7 +22,8 @@ class OutsideConsent {
 
     /// The user saved this file himself: what it names outside is his own choice, but for what he
     /// refused.
-    void noteSaved(const QString& file, DocumentFile::Kind kind, const Document& document);
+    void noteSaved(const QString& file, DocumentFile::Kind kind, const Catalog& catalog,
+                   const OutsideFiles& refused);
 
   private:
     Session& session_;

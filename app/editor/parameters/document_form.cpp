@@ -8,26 +8,18 @@ namespace patina {
 DocumentForm::DocumentForm(Document& document, std::string_view kind, QWidget* parent)
     : ParameterForm(parent), document_(document), kind_(kind) {
     follow();
-    connect(&document_, &Document::valueChanged, this,
-            [this](const BlockPath& path, const QString& id) {
-                if (path == path_) {
-                    refresh(id.toStdString());
-                }
-            });
-    connect(&document_, &Document::textureChanged, this,
-            [this](const BlockPath& path, const QString& id) {
-                if (path == path_) {
-                    refresh(id.toStdString());
-                }
-            });
+    onChange(document_, DocumentChange::Value | DocumentChange::Texture, this,
+             [this](const DocumentChange& change) {
+                 if (change.path == path_) {
+                     refresh(change.parameterId);
+                 }
+             });
     connect(&document_, &Document::imagesArrived, this, [this] { refresh(); });
-    connect(&document_, &Document::materialChanged, this, &DocumentForm::follow);
-    connect(&document_, &Document::blockReplaced, this, &DocumentForm::follow);
-    connect(&document_, &Document::lightsChanged, this, &DocumentForm::follow);
-    connect(&document_, &Document::objectsChanged, this, &DocumentForm::follow);
-    connect(&document_, &Document::currentChanged, this, &DocumentForm::follow);
-    connect(&document_, &Document::sceneReplaced, this, &DocumentForm::follow);
-    connect(&document_, &Document::catalogChanged, this, &DocumentForm::follow);
+    onChange(document_,
+             DocumentChange::Material | DocumentChange::Block | DocumentChange::Lights |
+                 DocumentChange::Objects | DocumentChange::Current | DocumentChange::Scene |
+                 DocumentChange::Catalog,
+             this, &DocumentForm::follow);
 }
 
 void DocumentForm::follow() {

@@ -17,9 +17,11 @@ class DocumentSource : public ParameterSource {
     void setValue(std::string_view parameterId, const Value& value) override {
         document_.setValue(path_, parameterId, value);
     }
-    void prewarm(std::string_view parameterId) override { document_.prewarm(path_, parameterId); }
+    void prewarm(std::string_view parameterId) override {
+        Q_EMIT document_.valueApproached({path_, std::string(parameterId)});
+    }
     int beginInteraction(std::string_view parameterId) override {
-        return document_.beginInteraction(path_, parameterId);
+        return document_.beginInteraction(ParameterTarget{path_, std::string(parameterId)});
     }
     void endInteraction(int token) override { document_.endInteraction(token); }
 

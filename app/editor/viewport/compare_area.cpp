@@ -18,9 +18,9 @@ CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path progr
       first_(addView(Side::A)) {
     setChildrenCollapsible(false);
     setHandleWidth(3);
-    connect(&document_, &Document::comparingChanged, this, &CompareArea::showSides);
-    connect(&document_, &Document::cameraChanged, this, &CompareArea::showCamera);
-    connect(&document_, &Document::sceneReplaced, this, [this] {
+    onChange(document_, DocumentChange::Comparing, this, &CompareArea::showSides);
+    onChange(document_, DocumentChange::Camera, this, &CompareArea::showCamera);
+    onChange(document_, DocumentChange::Scene, this, [this] {
         home_ = document_.scene().camera;
         showSides();
         showCamera();

@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <QSlider>
 
+#include "document/scene_edits.h"
 #include "text/display_number.h"
 #include "viewport/mesh_snapshot.h"
 #include "viewport/texture_library.h"
@@ -37,7 +38,7 @@ QString gainText(double gain) {
 DifferenceView::DifferenceView(const ViewSources& sources, const Viewport& first,
                                std::filesystem::path programCache, QWidget* parent)
     : QFrame(parent), document_(sources.document), first_(first), meshes_(sources.meshes),
-      environments_(sources.environments), switches_(sources.switches),
+      environments_(sources.environments), switches_(sources.switches), effects_(sources.effects),
       worker_(std::move(programCache)), head_(new QWidget(this)), title_(new QLabel(head_)),
       mode_(new QComboBox(head_)), slider_(new QSlider(Qt::Horizontal, head_)),
       number_(new QLabel(head_)) {
@@ -90,14 +91,9 @@ void DifferenceView::connectParts() {
     connect(&settle_, &QTimer::timeout, this, &DifferenceView::ask);
     connect(&worker_, &DifferenceWorker::finished, this, &DifferenceView::take);
     const auto soon = [this] { refreshSoon(); };
-    connect(&document_, &Document::changed, this, soon);
-    connect(&document_, &Document::effectsChanged, this, soon);
+    onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this, soon);
+    connect(&effects_, &ProgramEffects::changed, this, soon);
     connect(&document_, &Document::imagesArrived, this, soon);
-    connect(&document_, &Document::cameraChanged, this, soon);
-    connect(&document_, &Document::currentChanged, this, soon);
-    connect(&document_, &Document::sceneReplaced, this, soon);
-    connect(&document_, &Document::catalogChanged, this, soon);
-    connect(&document_, &Document::comparingChanged, this, soon);
     connect(&switches_, &EffectSwitches::changed, this, soon);
     connect(&meshes_, &MeshLibrary::loaded, this, soon);
     connect(&environments_, &EnvironmentLibrary::loaded, this, soon);
@@ -153,7 +149,7 @@ void DifferenceView::ask() {
     view.size = {std::max(1, static_cast<int>(shrink * pixels.width())),
                  std::max(1, static_cast<int>(shrink * pixels.height()))};
     view.camera = first_.camera();
-    view.environmentImage = environments_.image(document_.environmentPicture());
+    view.environmentImage = environments_.image(environmentPicture(document_));
     const TextureLibrary* textures = document_.textureLibrary();
     worker_.ask({sideOf(Side::A), sideOf(Side::B), view,
                  meshSnapshot(document_.scene(), meshes_),

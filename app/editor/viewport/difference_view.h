@@ -62,6 +62,7 @@ class DifferenceView : public QFrame {
     MeshLibrary& meshes_;
     EnvironmentLibrary& environments_;
     EffectSwitches& switches_;
+    ProgramEffects& effects_;
     DifferenceWorker worker_;
     QTimer settle_; ///< changes are gathered
     bool isAskedAgain_ = false; ///< something changed while the worker drew

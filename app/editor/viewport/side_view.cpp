@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "document/scene_edits.h"
 #include "shading/effects/effect_rows.h"
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
@@ -50,7 +51,7 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
                               [this](const Object& object) { return meshes_.view(object); },
                               [this] { return switches_.effects(side_); },
                               [this, &environments = sources.environments] {
-                                  return environments.image(document_.environmentPicture());
+                                  return environments.image(environmentPicture(document_));
                               },
                               programCache, texturesOf(document_), &sources.programs},
                              this)) {
@@ -66,23 +67,26 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
     viewport_->setCatalog(document_.sharedCatalog());
     viewport_->setCamera(document_.scene().camera);
     connectNavigation();
-    connect(&document_, &Document::changed, viewport_, &Viewport::refresh);
-    connect(&document_, &Document::effectsChanged, viewport_, &Viewport::refresh);
-    connect(&document_, &Document::imagesArrived, viewport_, &Viewport::refresh);
-    connect(&document_, &Document::effectsPrewarmed, this, [this](const DocumentState& state) {
-        viewport_->prewarm(withoutEffects(shownScene(state, document_.currentObject(), side_),
-                                          switches_.off(), document_.catalog()));
+    FrameLoop* frames = &viewport_->frames();
+    onChange(document_, DocumentChange::Drawn, frames, &FrameLoop::refresh);
+    connect(&sources.effects, &ProgramEffects::changed, frames, &FrameLoop::refresh);
+    connect(&document_, &Document::imagesArrived, frames, &FrameLoop::refresh);
+    connect(&sources.effects, &ProgramEffects::prewarmed, this, [this](const DocumentState& state) {
+        if (viewport_->isVisible()) {
+            viewport_->prewarmer().add(
+                withoutEffects(shownScene(state, document_.currentObject(), side_), switches_.off(),
+                               document_.catalog()));
+        }
     });
-    connect(&document_, &Document::changed, this, &SideView::updateTitle);
-    connect(&document_, &Document::sceneReplaced, viewport_, &Viewport::announceScene);
-    connect(&document_, &Document::currentChanged, this, &SideView::updateTitle);
-    connect(&document_, &Document::comparingChanged, this, &SideView::updateTitle);
-    connect(&document_, &Document::catalogChanged, this,
-            [this] { viewport_->setCatalog(document_.sharedCatalog()); });
-    connect(&switches_, &EffectSwitches::changed, viewport_, &Viewport::refresh);
-    connect(&meshes_, &MeshLibrary::loaded, viewport_, &Viewport::refresh);
-    connect(&sources.environments, &EnvironmentLibrary::loaded, viewport_, &Viewport::refresh);
-    connect(&sources.environments, &EnvironmentLibrary::failed, viewport_, &Viewport::refresh);
+    onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this,
+             &SideView::updateTitle);
+    onChange(document_, DocumentChange::Scene, frames, &FrameLoop::announceScene);
+    onChange(document_, DocumentChange::Catalog, this,
+             [this] { viewport_->setCatalog(document_.sharedCatalog()); });
+    connect(&switches_, &EffectSwitches::changed, frames, &FrameLoop::refresh);
+    connect(&meshes_, &MeshLibrary::loaded, frames, &FrameLoop::refresh);
+    connect(&sources.environments, &EnvironmentLibrary::loaded, frames, &FrameLoop::refresh);
+    connect(&sources.environments, &EnvironmentLibrary::failed, frames, &FrameLoop::refresh);
     connect(viewport_, &Viewport::filesDropped, this, &SideView::filesDropped);
     connect(viewport_, &Viewport::focusShown, this, [this](bool byKeyboard) {
         focusShown_ = byKeyboard;
@@ -114,7 +118,7 @@ void SideView::setInspecting(bool on) {
         auto* layout = new QVBoxLayout(viewport_);
         layout->setSizeConstraint(QLayout::SetNoConstraint);
         layout->addWidget(inspection_, 0, Qt::AlignLeft | Qt::AlignBottom);
-        connect(viewport_, &Viewport::probed, inspection_,
+        connect(&viewport_->prober(), &PixelProber::probed, inspection_,
                 [this](const std::optional<PixelProbe>& numbers) {
                     inspection_->showNumbers(numbers, document_.scene(side_));
                 });
@@ -170,7 +174,7 @@ void SideView::turnObject(double yaw, double pitch) {
     beginTurn();
     Object object = document_.scene().objects[static_cast<std::size_t>(current)];
     object.rotation = turnedRotation(object.rotation, viewport_->camera(), yaw, pitch);
-    document_.setObject(current, object);
+    setObject(document_, current, object);
 }
 
 void SideView::turnLight(double yaw, double pitch) {

@@ -23,6 +23,7 @@ struct ViewSources {
     MeshLibrary& meshes;
     EnvironmentLibrary& environments;
     EffectSwitches& switches;
+    ProgramEffects& effects;
     ProgramWorker& programs;
 };
 

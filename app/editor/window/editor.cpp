@@ -51,8 +51,8 @@ QString foundOpenGL() {
 
 /// Empty when the view can draw.
 QString whyNothingIsDrawn(const Viewport& viewport) {
-    if (!viewport.failure().isEmpty()) {
-        return viewport.failure();
+    if (!viewport.frames().failure().isEmpty()) {
+        return viewport.frames().failure();
     }
     return viewport.isValid()
                ? QString()
@@ -78,9 +78,9 @@ void tellTime(const char* what) {
 }
 
 /// Once, when what the view has drawn next is on the screen.
-void whenShown(Viewport& viewport, void (Viewport::*drawn)(), const std::function<void()>& then) {
+void whenShown(Viewport& viewport, void (FrameLoop::*drawn)(), const std::function<void()>& then) {
     QObject::connect(
-        &viewport, drawn, &viewport,
+        &viewport.frames(), drawn, &viewport,
         [&viewport, then] {
             QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, &viewport, then,
                              Qt::SingleShotConnection);
@@ -90,8 +90,8 @@ void whenShown(Viewport& viewport, void (Viewport::*drawn)(), const std::functio
 
 /// Leaves the rest of the start to the turn after the first frame is on the screen.
 void afterFirstFrame(MainWindow& window, Viewport& viewport) {
-    whenShown(viewport, &Viewport::sketchDrawn, [] { tellTime("sketch"); });
-    whenShown(viewport, &Viewport::frameDrawn, [&window] {
+    whenShown(viewport, &FrameLoop::sketchDrawn, [] { tellTime("sketch"); });
+    whenShown(viewport, &FrameLoop::frameDrawn, [&window] {
         tellTime("first frame");
         QTimer::singleShot(0, &window, [&window] { window.startRest(); });
     });
@@ -119,7 +119,7 @@ int runEditor(int argc, char** argv) {
 
     Theme theme;
     MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
-    window.document().openTemplate(defaultSceneFile());
+    window.documentFiles().openTemplate(defaultSceneFile());
     window.files().open(files, Side::A);
     Viewport& viewport = window.views().first().viewport();
     afterFirstFrame(window, viewport);

@@ -48,13 +48,14 @@ Qt::DockWidgetArea areaOf(DockPlace place) {
 } // namespace
 
 MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
-    : theme_(theme), document_(catalog), switches_(document_), watcher_(catalog), presets_(catalog),
-      thumbnails_(catalog,
-                  {cacheFolder() / "thumbnails", programCacheFolder(), defaultSceneFile()}),
-      programs_(programCacheFolder()), autosave_(document_, stateFolder() / "autosave"),
-      files_(new FileActions(document_, meshes_, session_, this)),
+    : theme_(theme), document_(catalog), switches_(document_, effects_), watcher_(catalog),
+      presets_(catalog), thumbnails_(catalog, {cacheFolder() / "thumbnails", programCacheFolder(),
+                                               defaultSceneFile()}),
+      programs_(programCacheFolder()),
+      autosave_(document_, documentFiles_, stateFolder() / "autosave"),
+      files_(new FileActions(document_, documentFiles_, meshes_, session_, this)),
       pictures_(new PictureExport(session_, this)),
-      views_(new CompareArea({document_, meshes_, environments_, switches_, programs_},
+      views_(new CompareArea({document_, meshes_, environments_, switches_, effects_, programs_},
                              programCacheFolder(), this)),
       status_(new StatusLine(document_, meshes_, environments_, messages_, this)) {
     document_.setTextureLibrary(&textures_);
@@ -98,12 +99,12 @@ void MainWindow::startRest() {
     thumbnails_.start();
     trials_.run(document_.sharedCatalog());
     theme_.followDesktop();
-    views_->first().viewport().chooseTimer();
+    views_->first().viewport().frames().chooseTimer();
 }
 
 DockContext MainWindow::dockContext() {
-    return {document_, *files_,       messages_, presets_, thumbnails_,
-            meshes_,   environments_, switches_, *views_};
+    return {document_,   comparison_, documentFiles_, *files_,   messages_, presets_,
+            thumbnails_, meshes_,     environments_,  switches_, *views_};
 }
 
 void MainWindow::makeDocks() {
@@ -124,17 +125,17 @@ void MainWindow::makeDocks() {
 }
 
 void MainWindow::connectParts() {
-    connect(&document_, &Document::message, &messages_, &MessageLog::add);
+    connect(&documentFiles_, &DocumentFiles::message, &messages_, &MessageLog::add);
     connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::add);
     connect(&textures_, &TextureLibrary::failed, this,
             [this](const QString&, const Error& why) { messages_.add(why); });
-    connect(&document_, &Document::sceneReplaced, &textures_, &TextureLibrary::forgetFailures);
+    onChange(document_, DocumentChange::Scene, &textures_, &TextureLibrary::forgetFailures);
     connect(&environments_, &EnvironmentLibrary::failed, &messages_, &MessageLog::add);
-    connect(&document_, &Document::sceneReplaced, &environments_,
-            &EnvironmentLibrary::forgetFailure);
-    connect(&document_, &Document::withheldChanged, this, [this] {
-        meshes_.withhold(document_.withheld());
-        environments_.withhold(document_.withheld());
+    onChange(document_, DocumentChange::Scene, &environments_, &EnvironmentLibrary::forgetFailure);
+    connect(&documentFiles_.withheld(), &WithheldFiles::changed, this, [this] {
+        const auto withheld = documentFiles_.withheld().withoutImages();
+        meshes_.withhold(withheld);
+        environments_.withhold(withheld);
     });
     connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
     connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
@@ -144,8 +145,8 @@ void MainWindow::connectParts() {
     connect(&presets_, &PresetLibrary::checked, this,
             [this](const Errors& mistakes) { messages_.setGroup("presets", mistakes); });
     connect(&messages_, &MessageLog::arrived, this, &MainWindow::showMessages);
-    connect(&document_, &Document::fileChanged, this, &MainWindow::updateTitle);
-    connect(&document_, &Document::sceneReplaced, this, &MainWindow::updateTitle);
+    connect(&documentFiles_, &DocumentFiles::fileChanged, this, &MainWindow::updateTitle);
+    onChange(document_, DocumentChange::Scene, this, &MainWindow::updateTitle);
     connect(&document_, &Document::modifiedChanged, this, &QWidget::setWindowModified);
     connect(files_, &FileActions::saved, &autosave_, &Autosave::discard);
     connect(files_, &FileActions::documentReplaced, &autosave_, &Autosave::giveUp);
@@ -159,13 +160,13 @@ void MainWindow::connectParts() {
         const bool inFront = !dock("messages")->visibleRegion().isEmpty();
         inFront ? dock("messages")->hide() : showMessages();
     });
-    connect(&document_, &Document::currentChanged, this,
-            [this] { status_->setViewport(&views_->active().viewport()); });
+    onChange(document_, DocumentChange::Current, this,
+             [this] { status_->setViewport(&views_->active().viewport()); });
     status_->setViewport(&views_->first().viewport());
     status_->watch(textures_);
     const auto listen = [this](SideView* view) {
         const QString group = "view " + letterOf(view->side());
-        connect(&view->viewport(), &Viewport::messagesDrawn, this,
+        connect(&view->viewport().frames(), &FrameLoop::messagesDrawn, this,
                 [this, group](const Errors& errors) { messages_.setGroup(group, errors); });
     };
     listen(&views_->first());
@@ -184,9 +185,10 @@ void MainWindow::connectParts() {
     connect(&trials_, &UserBlockTrials::finished, this, [this](const Errors& mistakes) {
         messages_.setGroup("shaders", mistakes);
         status_->clearMessage();
-        views_->first().viewport().refresh(); // of a block that it could not draw with before
+        // Of a block that it could not draw with before.
+        views_->first().viewport().frames().refresh();
         if (SideView* second = views_->second()) {
-            second->viewport().refresh();
+            second->viewport().frames().refresh();
         }
     });
 }
@@ -250,7 +252,7 @@ bool MainWindow::focusNextPrevChild(bool next) {
 }
 
 void MainWindow::updateTitle() {
-    const DocumentFile& file = document_.file();
+    const DocumentFile& file = documentFiles_.file();
     const QString name =
         file.path.empty() ? tr("Untitled") : QString::fromStdString(file.path.filename().string());
     setWindowTitle(file.readOnly ? tr("%1[*] (read-only) – Patina").arg(name)
@@ -261,12 +263,12 @@ void MainWindow::updateTitle() {
 
 void MainWindow::exportPicture() {
     const QPointer viewport(&views_->active().viewport());
-    const auto capture = [viewport](bool display, Viewport::PictureTaken taken) {
-        viewport ? viewport->capture(display, std::move(taken)) : taken({});
+    const auto capture = [viewport](bool display, FrameLoop::PictureTaken taken) {
+        viewport ? viewport->frames().capture(display, std::move(taken)) : taken({});
     };
     const auto cancel = [viewport] {
         if (viewport) {
-            viewport->cancelCapture();
+            viewport->frames().cancelCapture();
         }
     };
     const Material* material = document_.material(document_.activeSide());
@@ -330,7 +332,7 @@ void MainWindow::recover(const Recovery& recovery) {
         return;
     }
     autosave_.complete(recovery);
-    if (document_.recover(recovery.scene, recovery.original)) {
+    if (documentFiles_.recover(recovery.scene, recovery.original)) {
         autosave_.giveUp();
         autosave_.adopt(recovery);
     }

@@ -8,7 +8,9 @@
 
 #include "docks/dock_list.h"
 #include "docks/effect_switches.h"
-#include "document/document.h"
+#include "document/comparison.h"
+#include "document/document_files.h"
+#include "document/program_effects.h"
 #include "files/autosave.h"
 #include "files/catalog_watcher.h"
 #include "files/file_actions.h"
@@ -39,6 +41,9 @@ class MainWindow : public QMainWindow {
     ~MainWindow() override;
 
     Document& document() { return document_; }
+    DocumentFiles& documentFiles() { return documentFiles_; }
+    Comparison& comparison() { return comparison_; }
+    ProgramEffects& effects() { return effects_; }
     FileActions& files() { return *files_; }
     PictureExport& pictures() { return *pictures_; }
     CompareArea& views() { return *views_; }
@@ -90,6 +95,9 @@ class MainWindow : public QMainWindow {
     Session session_;
     MessageLog messages_;
     Document document_;
+    DocumentFiles documentFiles_{document_};
+    Comparison comparison_{document_};
+    ProgramEffects effects_{document_};
     MeshLibrary meshes_;
     TextureLibrary textures_{[this]() -> AssetClient& { return meshes_.client(); }};
     EnvironmentLibrary environments_;

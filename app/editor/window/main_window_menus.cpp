@@ -41,7 +41,7 @@ void MainWindow::makeFileMenu() {
     QAction* allow = add(menu, tr("Allow Files Ou&tside…"), {}, [this] { files_->allowOutside(); });
     allow->setObjectName("allowOutside");
     connect(menu, &QMenu::aboutToShow, this,
-            [this, allow] { allow->setEnabled(!document_.outside().empty()); });
+            [this, allow] { allow->setEnabled(!documentFiles_.withheld().all().empty()); });
     menu->addSeparator();
     add(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
@@ -81,7 +81,7 @@ void MainWindow::makeEditMenu() {
 void MainWindow::makeViewMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&View"));
     compare_ = add(menu, tr("&Compare A and B"), QKeySequence("Ctrl+B"),
-                   [this] { document_.setComparing(compare_->isChecked()); });
+                   [this] { comparison_.setComparing(compare_->isChecked()); });
     compare_->setCheckable(true);
     compare_->setToolTip(tr("Show two materials side by side (Ctrl+B)"));
     link_ = add(menu, tr("&Link Cameras"), QKeySequence("Ctrl+L"),
@@ -92,7 +92,7 @@ void MainWindow::makeViewMenu() {
     realign_ = add(menu, tr("Re-&align Cameras"), QKeySequence("Ctrl+R"),
                    [this] { views_->realignCameras(); });
     realign_->setToolTip(tr("B looks from where A does (Ctrl+R)"));
-    swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"), [this] { document_.swapSides(); });
+    swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"), [this] { comparison_.swapSides(); });
     swap_->setToolTip(tr("Exchange the two materials (X)"));
     difference_ = add(menu, tr("&Difference in C"), QKeySequence("Ctrl+D"),
                       [this] { views_->setDifferenceWanted(difference_->isChecked()); });
@@ -153,7 +153,7 @@ void MainWindow::makeViewMenu() {
             action->setEnabled(comparing);
         }
     };
-    connect(&document_, &Document::comparingChanged, this, follow);
+    onChange(document_, DocumentChange::Comparing, this, follow);
     connect(views_, &CompareArea::linkChanged, link_, &QAction::setChecked);
     connect(views_, &CompareArea::differenceWantedChanged, difference_, &QAction::setChecked);
     follow();

@@ -52,7 +52,7 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibra
     connect(&settle_, &QTimer::timeout, this, &StatusLine::showFrame);
     connect(badge_, &QToolButton::clicked, this, &StatusLine::messagesWished);
     connect(&messages_, &MessageLog::changed, this, &StatusLine::showBadge);
-    connect(&document_, &Document::currentChanged, &settle_, qOverload<>(&QTimer::start));
+    onChange(document_, DocumentChange::Current, &settle_, qOverload<>(&QTimer::start));
     showBadge();
     setMinimumHeight(sizeHint().height()); // what comes and goes in it does not move the views
 }
@@ -94,10 +94,10 @@ bool StatusLine::isLoading() const {
 
 void StatusLine::setViewport(Viewport* viewport) {
     if (viewport_) {
-        disconnect(viewport_, nullptr, this, nullptr);
+        disconnect(&viewport_->frames(), nullptr, this, nullptr);
     }
     viewport_ = viewport;
-    connect(viewport, &Viewport::frameDrawn, this, [this] {
+    connect(&viewport->frames(), &FrameLoop::frameDrawn, this, [this] {
         if (!settle_.isActive()) {
             settle_.start();
         }
@@ -117,26 +117,27 @@ void StatusLine::showFrame() {
         return;
     }
     QStringList effects;
-    for (const std::string& effect : viewport_->report().effects) {
+    for (const std::string& effect : viewport_->frames().report().effects) {
         effects << effectLabel(effect, material, document_.scene(document_.activeSide()),
                                document_.catalog());
     }
     const QString list = effects.join(tr(", "));
     effects_->setText(tr("In the shader: %1").arg(list));
     effects_->setToolTip(effects.join('\n'));
-    time_->setText(viewport_->frameTime());
+    time_->setText(viewport_->frames().stopwatch().text());
     time_->setToolTip(tr("Time of the last frame of this view and how it was measured"));
     showSamples();
 }
 
 /// How far the environment's light has settled.
 void StatusLine::showSamples() {
-    const int samples = viewport_->samples();
+    const int samples = viewport_->frames().samples();
     samples_->setVisible(samples > 0);
-    samples_->setText(
-        samples < viewport_->wantedSamples()
-            ? tr("Environment: %1 of %2 samples").arg(samples).arg(viewport_->wantedSamples())
-            : tr("Environment: %1 samples").arg(samples));
+    samples_->setText(samples < viewport_->viewed().wantedSamples()
+                          ? tr("Environment: %1 of %2 samples")
+                                .arg(samples)
+                                .arg(viewport_->viewed().wantedSamples())
+                          : tr("Environment: %1 samples").arg(samples));
 }
 
 void StatusLine::showLoading(const QString& file, float share) {

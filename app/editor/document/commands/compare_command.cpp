@@ -9,13 +9,12 @@ CompareCommand::CompareCommand(Document& document, std::optional<Material> after
                     document.currentObject(), document.state().second, std::move(after)) {}
 
 void CompareCommand::apply(const std::optional<Material>& second) {
-    const bool was = state().second.has_value();
+    const bool isSame = state().second.has_value() == second.has_value();
     state().second = second;
     showSecondOn(target());
-    if (was != second.has_value()) {
-        Q_EMIT document().comparingChanged(second.has_value());
-    }
-    Q_EMIT document().materialChanged(document().currentObject(), Side::B);
+    DocumentChange change{DocumentChange::Material};
+    change.aspects.setFlag(DocumentChange::Comparing, !isSame);
+    document().announce(change);
 }
 
 } // namespace patina

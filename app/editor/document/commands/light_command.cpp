@@ -13,7 +13,7 @@ std::vector<Light>& LightCommand::list() const {
 }
 
 void LightCommand::announce() const {
-    Q_EMIT document().lightsChanged();
+    document().announce({DocumentChange::Lights});
 }
 
 void LightCommand::setCurrent(int index) const {

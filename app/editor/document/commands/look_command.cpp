@@ -9,7 +9,7 @@ LookCommand::LookCommand(Document& document, std::optional<LookedAt> after)
 
 void LookCommand::apply(const std::optional<LookedAt>& lookedAt) {
     state().lookedAt = lookedAt;
-    Q_EMIT document().materialChanged(target(), Side::A);
+    document().announce({DocumentChange::Material});
 }
 
 } // namespace patina

@@ -14,7 +14,7 @@ void MaterialCommand::apply(const Material& material) {
         if (target().side == Side::B) {
             showSecondOn(target().object);
         }
-        Q_EMIT document().materialChanged(target().object, target().side);
+        document().announce({DocumentChange::Material});
     }
 }
 

@@ -13,7 +13,7 @@ std::vector<Object>& ObjectCommand::list() const {
 }
 
 void ObjectCommand::announce() const {
-    Q_EMIT document().objectsChanged();
+    document().announce({DocumentChange::Objects});
 }
 
 void ObjectCommand::setCurrent(int index) const {

@@ -46,7 +46,7 @@ void ParameterCommand::apply(const Values& values) {
         showSecondOn(target().path.index);
     }
     for (const auto& [id, value] : values) {
-        Q_EMIT document().valueChanged(target().path, QString::fromStdString(id));
+        document().announce({DocumentChange::Value, target().path, id});
     }
 }
 

@@ -5,14 +5,6 @@
 
 namespace patina {
 
-/// Which value a parameter edit changes.
-struct ParameterTarget {
-    BlockPath path;
-    std::string parameterId;
-
-    friend bool operator==(const ParameterTarget&, const ParameterTarget&) = default;
-};
-
 /// Changes one value of a model, Fresnel block, light, fog, object or of the scene, and those that
 /// it decides with it.
 class ParameterCommand : public ChangeCommand<ParameterTarget, Values> {

@@ -9,8 +9,7 @@ PictureCommand::PictureCommand(Document& document, std::optional<ComparedPicture
 
 void PictureCommand::apply(const std::optional<ComparedPicture>& picture) {
     state().picture = picture;
-    Q_EMIT document().materialChanged(target(), Side::A);
-    Q_EMIT document().materialChanged(target(), Side::B);
+    document().announce({DocumentChange::Material});
 }
 
 } // namespace patina

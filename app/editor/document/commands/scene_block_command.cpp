@@ -18,7 +18,7 @@ SceneBlockCommand::SceneBlockCommand(Document& document, const BlockPath& path,
 
 void SceneBlockCommand::apply(const std::optional<BlockValues>& values) {
     state().scene.setPart(target().kind, values);
-    Q_EMIT document().blockReplaced(target());
+    document().announce({DocumentChange::Block, target()});
 }
 
 } // namespace patina

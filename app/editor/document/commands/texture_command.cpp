@@ -27,7 +27,7 @@ void TextureCommand::apply(const std::optional<TextureUse>& use) {
     } else {
         material->textures.erase(key);
     }
-    Q_EMIT document().textureChanged(path, QString::fromStdString(target().parameterId));
+    document().announce({DocumentChange::Texture, path, target().parameterId});
 }
 
 } // namespace patina

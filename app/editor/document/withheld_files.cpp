@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that the document names outside the folder of its file.
+#include "document/withheld_files.h"
+
 #include <algorithm>
+#include <utility>
 
 #include "document/commands/material_command.h"
-#include "document/document.h"
 #include "material/preset_file.h"
 
 namespace patina {
@@ -31,71 +32,79 @@ bool hasOutsideImages(const Material& material) {
 
 } // namespace
 
-OutsideFiles Document::outside() const {
-    OutsideFiles all = outside_;
-    for (const MaterialPlace& place : materialPlaces(state_, currentObject_)) {
-        const Material* material = materialAt(state_, place.object, place.side);
+WithheldFiles::WithheldFiles(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
+    connect(&document, &Document::fileNamed, this, &WithheldFiles::allow);
+}
+
+OutsideFiles WithheldFiles::all() const {
+    OutsideFiles found = files_;
+    for (const MaterialPlace& place :
+         materialPlaces(document_.state(), document_.currentObject())) {
+        const Material* material = materialAt(document_.state(), place.object, place.side);
         if (!material) {
             continue;
         }
         for (const auto& [key, use] : material->textures) {
             const OutsideFile image{OutsideFile::Kind::Image, use.file};
-            if (use.outside && std::ranges::find(all, image) == all.end()) {
-                all.push_back(image);
+            if (use.outside && std::ranges::find(found, image) == found.end()) {
+                found.push_back(image);
             }
         }
     }
-    return all;
+    return found;
 }
 
-std::set<std::string, std::less<>> Document::withheld() const {
+std::set<std::string, std::less<>> WithheldFiles::withoutImages() const {
     std::set<std::string, std::less<>> files;
-    for (const OutsideFile& each : outside_) {
+    for (const OutsideFile& each : files_) {
         files.insert(each.file);
     }
     return files;
 }
 
-void Document::setOutside(OutsideFiles outside) {
-    std::erase_if(outside,
+void WithheldFiles::set(OutsideFiles files) {
+    std::erase_if(files,
                   [](const OutsideFile& each) { return each.kind == OutsideFile::Kind::Image; });
-    if (outside != outside_) {
-        outside_ = std::move(outside);
-        Q_EMIT withheldChanged();
+    if (files != files_) {
+        files_ = std::move(files);
+        Q_EMIT changed();
     }
 }
 
-void Document::allow(const std::filesystem::path& file) {
-    OutsideFiles left = outside_;
+void WithheldFiles::allow(const std::filesystem::path& file) {
+    OutsideFiles left = files_;
     std::erase_if(left, [name = file.generic_string()](const OutsideFile& each) {
         return each.file == name;
     });
-    setOutside(std::move(left));
+    set(std::move(left));
 }
 
-void Document::allowOutside() {
+void WithheldFiles::allowAll(const std::filesystem::path& documentFile) {
     ReadingRights rights;
-    const OutsideFiles all = outside();
-    for (const OutsideFile& each : all) {
+    const OutsideFiles withheld = all();
+    for (const OutsideFile& each : withheld) {
         rights.allowed.insert(each.file);
     }
-    const bool isInMaterials = std::ranges::any_of(all, [](const OutsideFile& each) {
+    const bool isInMaterials = std::ranges::any_of(withheld, [](const OutsideFile& each) {
         return each.kind == OutsideFile::Kind::Image || each.kind == OutsideFile::Kind::Preset;
     });
     if (isInMaterials) {
-        editAsOneStep(tr("Allow files outside"), [&] {
-            for (const MaterialPlace& place : materialPlaces(state_, currentObject_)) {
-                allowIn(place, rights);
+        document_.editAsOneStep(tr("Allow files outside"), [&] {
+            for (const MaterialPlace& place :
+                 materialPlaces(document_.state(), document_.currentObject())) {
+                allowIn(place, documentFile, rights);
             }
         });
     }
-    setOutside({});
-    Q_EMIT changed();
+    set({});
+    document_.announce({DocumentChange::Rights});
 }
 
 /// Reads a material's preset that was not read, and shows its images.
-void Document::allowIn(const MaterialPlace& place, const ReadingRights& rights) {
-    const Material* held = materialAt(state_, place.object, place.side);
+void WithheldFiles::allowIn(const MaterialPlace& place, const std::filesystem::path& documentFile,
+                            const ReadingRights& rights) {
+    const Material* held = materialAt(document_.state(), place.object, place.side);
     if (!held) {
         return;
     }
@@ -103,8 +112,8 @@ void Document::allowIn(const MaterialPlace& place, const ReadingRights& rights) 
     const auto unread = material.extras.find(unreadPreset);
     if (unread != material.extras.end() && unread->is_string()) {
         const std::filesystem::path file =
-            (referenceFolder(file_.path) / unread->get<std::string>()).lexically_normal();
-        const auto reading = readPreset(file, *catalog_, rights);
+            (referenceFolder(documentFile) / unread->get<std::string>()).lexically_normal();
+        const auto reading = readPreset(file, document_.catalog(), rights);
         if (reading && rights.allowed.contains(file.generic_string())) {
             material = reading->material;
         }
@@ -115,7 +124,8 @@ void Document::allowIn(const MaterialPlace& place, const ReadingRights& rights) 
         }
     }
     if (!(material == *held)) {
-        undoStack_.push(new MaterialCommand(*this, place, material, tr("Allow files outside")));
+        document_.undoStack().push(
+            new MaterialCommand(document_, place, material, tr("Allow files outside")));
     }
 }
 

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/comparison.h"
+
+#include <utility>
+
+#include "docks/picture_accuracy_form.h"
+#include "document/commands/look_command.h"
+#include "document/commands/material_command.h"
+
+namespace patina {
+
+Comparison::Comparison(Document& document, QObject* parent) : QObject(parent), document_(document) {
+    onChange(document, DocumentChange::Scene, this, [this] { lastSecond_.reset(); });
+}
+
+void Comparison::setComparing(bool on) {
+    const Material* first = document_.material(Side::A);
+    if (!on && document_.state().second) {
+        if (hasSecondMaterial(document_.state())) {
+            lastSecond_ = document_.state().second;
+            lastSecondObject_ = document_.currentObject();
+        }
+        end();
+    } else if (on && first && !document_.state().second) {
+        const bool returns = lastSecond_ && lastSecondObject_ == document_.currentObject();
+        document_.setSecondMaterial(returns ? *lastSecond_ : *first);
+    }
+}
+
+/// Side A gets its own material back, if another one was there just to be looked at.
+void Comparison::end() {
+    if (!document_.state().lookedAt && !document_.state().picture) {
+        document_.setSecondMaterial(std::nullopt);
+        return;
+    }
+    document_.editAsOneStep(tr("Stop comparing"), [&] {
+        putBack();
+        document_.setComparedPicture(std::nullopt);
+        document_.setSecondMaterial(std::nullopt);
+        setLookedAt(std::nullopt);
+    });
+}
+
+/// Gives the object whose side A shows another material its own one.
+void Comparison::putBack() {
+    const int object = document_.state().lookedAt ? document_.state().lookedAt->object : -1;
+    if (const std::optional<Material> own = materialAside(document_.state(), object)) {
+        document_.undoStack().push(
+            new MaterialCommand(document_, {object, Side::A}, *own, tr("Stop comparing")));
+    }
+}
+
+void Comparison::setLookedAt(std::optional<LookedAt> lookedAt) {
+    if (lookedAt != document_.state().lookedAt) {
+        document_.undoStack().push(new LookCommand(document_, std::move(lookedAt)));
+    }
+}
+
+void Comparison::look(const Material& first, const Material& second, const QString& label) {
+    const Material* held = document_.material(Side::A);
+    if (!held) {
+        return;
+    }
+    document_.editAsOneStep(label, [&] {
+        document_.setComparedPicture(std::nullopt);
+        putBack();
+        const Material own = *document_.material(Side::A);
+        document_.replaceMaterial(Side::A, first, label);
+        document_.setSecondMaterial(second);
+        setLookedAt(own == first ? std::nullopt
+                                 : std::optional(LookedAt{document_.currentObject(), own, first}));
+    });
+}
+
+void Comparison::lookAtPictures(const Scene& first, const Scene& second, const QString& label) {
+    const Material* held = document_.material(document_.activeSide());
+    if (!held) {
+        return;
+    }
+    const std::optional<Material> aside =
+        document_.activeSide() == Side::A
+            ? materialAside(document_.state(), document_.currentObject())
+            : std::nullopt;
+    const Scene& own = document_.state().scene;
+    const ComparedPicture wanted{aside.value_or(*held), pictureOf(first, own),
+                                 pictureOf(second, own)};
+    if (document_.isComparing() && document_.state().picture == wanted) {
+        return;
+    }
+    document_.editAsOneStep(label, [&] {
+        if (!document_.isComparing() || !(*document_.material(Side::A) == wanted.material) ||
+            !(*document_.material(Side::B) == wanted.material)) {
+            look(wanted.material, wanted.material, label);
+        }
+        document_.setComparedPicture(wanted);
+    });
+}
+
+void Comparison::setLevels(Side side, const AccuracyLevels& levels, const QString& label) {
+    const Material* held = document_.material(side);
+    if (!held) {
+        return;
+    }
+    Material wanted = *held;
+    wanted.accuracy = levels;
+    if (side == Side::B || !materialAside(document_.state(), document_.currentObject())) {
+        document_.replaceMaterial(side, wanted, label);
+        return;
+    }
+    document_.editAsOneStep(label, [&] {
+        setLookedAt(std::nullopt);
+        document_.replaceMaterial(side, wanted, label);
+    });
+}
+
+void Comparison::swapSides() {
+    const Material* first = document_.material(Side::A);
+    const bool isAlike = first && document_.state().second && *first == *document_.state().second;
+    if (!first || !document_.state().second || (isAlike && !document_.state().picture)) {
+        return;
+    }
+    const Material formerFirst = *first;
+    document_.undoStack().beginMacro(tr("Swap A and B"));
+    if (document_.state().picture) {
+        ComparedPicture swapped = *document_.state().picture;
+        std::swap(swapped.first, swapped.second);
+        document_.setComparedPicture(std::move(swapped));
+    }
+    document_.replaceMaterial(Side::A, *document_.state().second, tr("Swap A and B"));
+    document_.setSecondMaterial(formerFirst);
+    document_.undoStack().endMacro();
+}
+
+} // namespace patina

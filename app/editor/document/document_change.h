@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <QFlags>
+
+#include "document/document_state.h"
+
+namespace patina {
+
+/// Says what of a document has changed.
+struct DocumentChange {
+    enum Aspect : unsigned {
+        Value = 1 << 0,     ///< a value at `path`
+        Texture = 1 << 1,   ///< the image on a value at `path`
+        Material = 1 << 2,  ///< another model, part or whole material: a form's rows may differ
+        Block = 1 << 3,     ///< another block of the scene at `path`, or none
+        Lights = 1 << 4,    ///< a light was added, removed, renamed, switched or is of another kind
+        Objects = 1 << 5,   ///< an object was added, removed, renamed or has another mesh
+        Comparing = 1 << 6, ///< comparing began or ended
+        Camera = 1 << 7,
+        Scene = 1 << 8, ///< another scene is there
+        Catalog = 1 << 9,
+        Rights = 1 << 10,      ///< files that were not read may be read
+        Current = 1 << 11,     ///< another object, light or side is the current one
+        Interaction = 1 << 12, ///< an interaction began or ended
+        /// Any of what is drawn.
+        Drawn = Value | Texture | Material | Block | Lights | Objects | Comparing | Camera | Scene |
+                Catalog | Rights
+    };
+    Q_DECLARE_FLAGS(Aspects, Aspect)
+
+    Aspects aspects;
+    BlockPath path{};          ///< of a value, an image or a block
+    std::string parameterId{}; ///< of a value or an image
+
+    bool has(Aspects any) const { return aspects.testAnyFlags(any); }
+};
+
+Q_DECLARE_OPERATORS_FOR_FLAGS(DocumentChange::Aspects)
+
+} // namespace patina

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "document/withheld_files.h"
+
+namespace patina {
+
+/// What the document was opened from or saved to last.
+struct DocumentFile {
+    enum class Kind { None, Preset, Scene };
+    Kind kind = Kind::None;
+    std::filesystem::path path;
+    bool readOnly = false; ///< written by a newer version: never saved over
+
+    friend bool operator==(const DocumentFile&, const DocumentFile&) = default;
+};
+
+/// Knows which file a document is and what of it is saved there. What goes wrong, and what the
+/// reader has to tell, comes through message().
+class DocumentFiles : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit DocumentFiles(Document& document, QObject* parent = nullptr);
+
+    const DocumentFile& file() const { return file_; }
+    /// The file is a preset, and more than the material it holds was changed.
+    bool outgrewPreset() const;
+    /// What is shown was recovered and not saved since.
+    bool isRecovered() const { return isRecovered_; }
+
+    /// A new, untitled document that starts as this scene.
+    void startFrom(const Scene& scene);
+    bool openScene(const std::filesystem::path& path, const ReadingRights& rights = {});
+    /// Opens a scene as a new, untitled document (the default scene).
+    bool openTemplate(const std::filesystem::path& path);
+    /// Opens a copy of unsaved work, as the document of the file it came from: it is modified, and
+    /// nothing undoes that.
+    bool recover(const std::filesystem::path& copy, const DocumentFile& origin);
+    /// Opens a preset as the document: the material of side A of the current object.
+    bool openPreset(const std::filesystem::path& path, const ReadingRights& rights = {});
+    /// Puts a preset on a side, as one undoable edit.
+    bool applyPreset(const std::filesystem::path& path, Side side,
+                     const ReadingRights& rights = {});
+
+    /// What a scene file of this document holds: the scene, in its extras side B and its object.
+    Scene sceneToSave() const;
+    /// The same for a copy that is not its file: it says too what is not to be read.
+    Scene sceneToRecover() const;
+    bool saveScene(const std::filesystem::path& path);
+    bool savePreset(const std::filesystem::path& path, Side side);
+    /// Saves under a name: the preset that is the document is then called so itself.
+    bool savePreset(const std::filesystem::path& path, Side side, const std::string& name);
+    /// Saves to file(), by its kind; false when there is none or it is read-only.
+    bool save();
+
+    /// What a scene or preset file names outside its folder and would not read with these rights.
+    static OutsideFiles outsideOf(const std::filesystem::path& path, DocumentFile::Kind kind,
+                                  const Catalog& catalog, const ReadingRights& rights);
+    WithheldFiles& withheld() { return withheld_; }
+
+  Q_SIGNALS:
+    void fileChanged();
+    void message(const patina::Error& message);
+
+  private:
+    void start(DocumentState state, DocumentFile file, int object = 0);
+    std::optional<Errors> takeScene(const std::filesystem::path& path, const ReadingRights& rights);
+    bool savePreset(const std::filesystem::path& path, const BlockPath& of, Material saved);
+    void tell(const Errors& messages);
+    bool isOwnFile(const std::filesystem::path& path) const;
+    bool mayOverwrite(const std::filesystem::path& path);
+    void setFile(DocumentFile file);
+    void markPresetSaved(Side side);
+
+    Document& document_;
+    WithheldFiles withheld_;
+    DocumentFile file_;
+    int presetObject_ = -1; ///< whose material is in file_, when that is a preset
+    bool isRecovered_ = false;
+    DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
+};
+
+} // namespace patina

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/program_effects.h"
+
+#include "material/model_swap.h"
+
+namespace patina {
+
+ProgramEffects::ProgramEffects(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
+    connect(&document, &Document::changed, this, &ProgramEffects::follow);
+    connect(&document, &Document::valueApproached, this, &ProgramEffects::prewarm);
+    connect(&document, &Document::modelApproached, this, &ProgramEffects::prewarmModel);
+}
+
+void ProgramEffects::follow(const DocumentChange& change) {
+    if (change.has(DocumentChange::Value)) {
+        frozen_.follow(document_.state(), change.path, change.parameterId);
+        return;
+    }
+    const bool isDragged = change.has(DocumentChange::Texture) && document_.isInteracting();
+    if (!isDragged && !change.has(DocumentChange::Camera)) {
+        end();
+    }
+    if (change.has(DocumentChange::Interaction) && document_.dragged()) {
+        begin(*document_.dragged());
+    }
+}
+
+void ProgramEffects::begin(const ParameterTarget& dragged) {
+    const auto& [path, parameterId] = dragged;
+    const Parameter* parameter = document_.parameter(dragged);
+    if (!parameter) {
+        return;
+    }
+    const DocumentState& state = document_.state();
+    const int object = document_.currentObject();
+    frozen_.begin(state, object, path, *parameter, document_.catalog());
+    if (document_.texture(path, parameterId)) {
+        frozen_.keepTexture(state, object, path, textureKey(path, parameterId));
+    }
+    if (frozen_.differs(state, document_.catalog())) {
+        Q_EMIT changed();
+    }
+}
+
+void ProgramEffects::end() {
+    const bool differs = frozen_.differs(document_.state(), document_.catalog());
+    frozen_.end();
+    if (differs) {
+        Q_EMIT changed();
+    }
+}
+
+void ProgramEffects::prewarm(const ParameterTarget& approached) {
+    const Parameter* parameter = document_.parameter(approached);
+    if (parameter && !document_.isInteracting()) {
+        for (const DocumentState& state : patina::prewarmed(document_.state(), approached.path,
+                                                            *parameter, document_.catalog())) {
+            Q_EMIT prewarmed(state);
+        }
+    }
+}
+
+void ProgramEffects::prewarmModel(Side side, std::string_view modelId) {
+    const Block* model = document_.catalog().find(kinds::models, modelId);
+    DocumentState ahead = document_.state();
+    Material* held = materialAt(ahead, document_.currentObject(), side);
+    if (held && model && held->model.id != modelId && !document_.isInteracting()) {
+        *held = swappedModel(*held, *model, document_.catalog());
+        Q_EMIT prewarmed(ahead);
+    }
+}
+
+} // namespace patina

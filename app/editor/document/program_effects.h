@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/document.h"
+#include "document/frozen_effects.h"
+
+namespace patina {
+
+/// Knows the effects that the views' programs have where a document alone would not say so: those
+/// of a value that is dragged, and those that what the artist approaches may soon call for.
+class ProgramEffects : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit ProgramEffects(Document& document, QObject* parent = nullptr);
+
+    /// The scene whose effects a side's programs have while a value is dragged; null: its own.
+    const Scene* scene(Side side) const { return frozen_.scene(side); }
+
+  Q_SIGNALS:
+    /// The views need other programs for the same picture: a drag has begun or ended.
+    void changed();
+    /// The views may need the programs of this state soon.
+    void prewarmed(const patina::DocumentState& state);
+
+  private:
+    void follow(const DocumentChange& change);
+    void begin(const ParameterTarget& dragged);
+    void end();
+    void prewarm(const ParameterTarget& approached);
+    void prewarmModel(Side side, std::string_view modelId);
+
+    Document& document_;
+    FrozenEffects frozen_;
+};
+
+} // namespace patina

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "document/document.h"
+#include "material/reading_rights.h"
+
+namespace patina {
+
+struct MaterialPlace;
+
+/// Knows which files that a document names are not read: they lie outside the folder of its file,
+/// and nobody agreed to it.
+class WithheldFiles : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit WithheldFiles(Document& document, QObject* parent = nullptr);
+
+    /// All of them, the images of materials too.
+    OutsideFiles all() const;
+    /// The meshes, the picture and the presets among them.
+    std::set<std::string, std::less<>> withoutImages() const;
+    /// Withholds these alone, beside images, which know it themselves.
+    void set(OutsideFiles files);
+    /// The user named this file himself.
+    void allow(const std::filesystem::path& file);
+    /// Reads them all from now on; images and presets as one undoable step. Paths of presets start
+    /// in the folder of this file.
+    void allowAll(const std::filesystem::path& documentFile);
+
+  Q_SIGNALS:
+    /// There are others, or fewer, beside images.
+    void changed();
+
+  private:
+    void allowIn(const MaterialPlace& place, const std::filesystem::path& documentFile,
+                 const ReadingRights& rights);
+
+    Document& document_;
+    OutsideFiles files_; ///< beside images
+};
+
+} // namespace patina

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/frame_loop.h"
+
+#include <chrono>
+#include <utility>
+
+#include <QLabel>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QOpenGLWidget>
+
+#include "render/frame/frame_job.h"
+#include "render/surfaces/inspection_drawer.h"
+#include "viewport/program_worker.h"
+#include "window/free_memory.h"
+
+namespace patina {
+namespace {
+
+/// How long a step of a frame, or of a picture that is to be kept, may keep the window waiting.
+constexpr std::chrono::milliseconds framePatience{20};
+
+/// So long a frame may take that might be a quick one, with the images it is drawn into. What
+/// shows it in the window takes some 40 ms more on a slow screen.
+constexpr std::chrono::milliseconds firstPatience{40};
+
+/// How long for a sketch. Before the first one there is no window yet that could stand still.
+constexpr std::chrono::milliseconds firstSketchPatience{200};
+constexpr std::chrono::milliseconds sketchPatience{30};
+
+/// What is between two frames that add samples, for the rest of the window.
+constexpr int pauseMs = 5;
+
+} // namespace
+
+FrameLoop::FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed)
+    : widget_(widget), viewed_(viewed), stopwatch_(widget),
+      note_(new QLabel(tr("Drawing the scene …"), &widget)),
+      targets_([this] { return isDrawing() || wantsSamples(); }, [this] { releaseTargets(); }) {
+    note_->setContentsMargins(12, 6, 12, 6);
+    note_->setAutoFillBackground(true);
+    note_->hide();
+    turn_.setSingleShot(true);
+    connect(&turn_, &QTimer::timeout, this, &FrameLoop::proceed);
+    sampleTimer_.setSingleShot(true);
+    connect(&sampleTimer_, &QTimer::timeout, this, &FrameLoop::addSamples);
+    if (const ProgramWorker* programs = viewed.sources().programs) {
+        connect(programs, &ProgramWorker::finished, this, &FrameLoop::takePrograms);
+    }
+}
+
+void FrameLoop::open() {
+    Result<std::unique_ptr<Renderer>> renderer = Renderer::create({viewed_.sources().programCache});
+    if (!renderer) {
+        failure_ = QString::fromStdString(renderer.error().text());
+        Q_EMIT failed(failure_);
+        return;
+    }
+    renderer_ = std::move(*renderer);
+    renderer_->setTextures(viewed_.sources().textures);
+    stopwatch_.open();
+    catalogIsNew_ = viewed_.catalog() != nullptr;
+    stale_ = true;
+}
+
+void FrameLoop::close() {
+    giveUp();
+    if (const auto capture = std::exchange(capture_, std::nullopt)) {
+        capture->taken({});
+    }
+    if (renderer_) {
+        widget_.makeCurrent();
+        stopwatch_.close();
+        renderer_.reset();
+        widget_.doneCurrent();
+    }
+}
+
+void FrameLoop::paint() {
+    if (!renderer_) {
+        return;
+    }
+    if (progress_ == Progress::Drawn) {
+        renderer_->job().show(widget_.defaultFramebufferObject());
+        std::exchange(sketching_, false) ? finishSketch() : finishFrame();
+    } else if (progress_ == Progress::Idle && !capture_ && (stale_ || moreSamples_)) {
+        isContinued_ = !std::exchange(stale_, false);
+        beginFrame();
+    }
+}
+
+void FrameLoop::refresh() {
+    const Scene& drawn = capture_ ? viewed_.sources().whole() : viewed_.sources().scene();
+    if (isDrawing() && (isContinued_ || !renderer_->job().hasMeshesOf(drawn))) {
+        giveUp(); // it only adds to a picture that is gone, or objects have come or gone
+    }
+    stale_ = true;
+    widget_.update();
+}
+
+void FrameLoop::announceScene() {
+    isNew_ = true;
+    refresh();
+}
+
+void FrameLoop::announceCatalog() {
+    catalogIsNew_ = true;
+    refresh();
+}
+
+void FrameLoop::giveUp() {
+    turn_.stop();
+    const Progress progress = std::exchange(progress_, Progress::Idle);
+    if (progress == Progress::Drawing || progress == Progress::Drawn) {
+        widget_.makeCurrent();
+        stopwatch_.end();
+        widget_.doneCurrent();
+    }
+    if (progress == Progress::Capturing && capture_) {
+        QTimer::singleShot(0, this, &FrameLoop::beginCapture); // of what there is now
+    }
+}
+
+void FrameLoop::setInspecting(bool on) {
+    if (on != inspecting_) {
+        giveUp();
+        inspecting_ = on;
+        refresh();
+    }
+}
+
+std::optional<PixelProbe> FrameLoop::probe(glm::ivec2 pixel) {
+    widget_.makeCurrent();
+    auto found = renderer_->inspection().probe(viewed_.sources().scene(), view(),
+                                               viewed_.sources().meshes, pixel);
+    widget_.doneCurrent();
+    return found ? std::move(*found) : std::nullopt;
+}
+
+View FrameLoop::view() const {
+    View view = viewed_.view();
+    view.isContinued = isContinued_;
+    return view;
+}
+
+int FrameLoop::samples() const {
+    return renderer_ ? renderer_->job().environmentSamples() : 0;
+}
+
+const FrameReport& FrameLoop::report() const {
+    static const FrameReport nothing;
+    return renderer_ ? renderer_->report() : nothing;
+}
+
+void FrameLoop::beginFrame() {
+    moreSamples_ = false;
+    if (std::exchange(catalogIsNew_, false)) {
+        renderer_->setCatalog(viewed_.catalog());
+    }
+    if (inspecting_) {
+        stopwatch_.begin();
+        renderer_->inspection().draw(viewed_.sources().scene(), view(), viewed_.sources().meshes,
+                                     widget_.defaultFramebufferObject());
+        finishFrame();
+        return;
+    }
+    const bool isNew = isNew_;
+    FrameJob& job = beginJob(isNew ? FramePurpose::Sketch : FramePurpose::Window);
+    if (waitsForPrograms(job)) {
+        return;
+    }
+    isNew_ = false;
+    stopwatch_.begin();
+    if (isNew && drawSketch(job)) {
+        return;
+    }
+    drawFrame(isNew ? beginJob(FramePurpose::Window) : job);
+    if (isNew && isDrawing()) {
+        showNote();
+    }
+}
+
+FrameJob& FrameLoop::beginJob(FramePurpose purpose) {
+    return renderer_->begin(viewed_.sources().scene(), view(), viewed_.sources().meshes, purpose);
+}
+
+/// Whether the frame to be drawn lacks programs that are made elsewhere meanwhile. The first frame
+/// has no window yet that could stand still. What came and is still lacking was not kept by the
+/// driver or the disk: it is made here.
+bool FrameLoop::waitsForPrograms(FrameJob& job) {
+    if (!viewed_.sources().programs || frameCount_ == 0) {
+        return false;
+    }
+    const std::uint64_t missing = job.missingPrograms();
+    if (missing == 0 || (ordered_.number == 0 && ordered_.missing == missing)) {
+        ordered_ = {};
+        return false;
+    }
+    ordered_ = {viewed_.askForPrograms(viewed_.sources().scene(), view()), missing};
+    ++waitCount_;
+    goOnWith(Progress::Waiting);
+    if (isNew_) {
+        showNote();
+    }
+    return true;
+}
+
+/// Meanwhile; it takes as long as several steps of a frame.
+void FrameLoop::makeTargets() {
+    widget_.makeCurrent();
+    beginJob(FramePurpose::Targets).step(FrameJob::never);
+    widget_.doneCurrent();
+}
+
+void FrameLoop::takePrograms(quint64 number) {
+    if (number != ordered_.number) {
+        return;
+    }
+    ordered_.number = 0;
+    if (progress_ == Progress::Waiting) {
+        turn_.stop();
+        progress_ = Progress::Idle;
+        stale_ = true;
+        widget_.update();
+    }
+}
+
+/// Shows a sketch, now or in later turns. False where the frame is as quick.
+bool FrameLoop::drawSketch(FrameJob& job) {
+    const auto patience = frameCount_ == 0 ? firstSketchPatience : sketchPatience;
+    sketching_ = job.step(patience) == FrameJob::Progress::More;
+    if (job.isNeedless()) {
+        return false;
+    }
+    if (sketching_) {
+        goOnWith(Progress::Drawing);
+        showNote();
+    } else {
+        job.show(widget_.defaultFramebufferObject());
+        finishSketch();
+    }
+    return true;
+}
+
+void FrameLoop::drawFrame(FrameJob& job) {
+    if (job.step(firstPatience) == FrameJob::Progress::More) {
+        goOnWith(Progress::Drawing);
+    } else {
+        job.show(widget_.defaultFramebufferObject());
+        finishFrame();
+    }
+}
+
+void FrameLoop::goOnWith(Progress progress) {
+    progress_ = progress;
+    turn_.start(0);
+}
+
+/// Another turn of a long frame. Where the same objects are seen in another way it is finished
+/// before a newer one begins: dropping it for every move of a drag would show none.
+void FrameLoop::proceed() {
+    if (progress_ == Progress::Capturing) {
+        proceedCapture();
+        return;
+    }
+    if (progress_ == Progress::Waiting) {
+        makeTargets();
+        return;
+    }
+    widget_.makeCurrent();
+    const FrameJob::Progress progress = renderer_->job().step(framePatience);
+    widget_.doneCurrent();
+    if (progress == FrameJob::Progress::Done) {
+        progress_ = Progress::Drawn;
+        widget_.update();
+    } else {
+        turn_.start(0);
+    }
+}
+
+/// The whole frame is the next one.
+void FrameLoop::finishSketch() {
+    stopwatch_.end();
+    progress_ = Progress::Idle;
+    note_->hide();
+    stale_ = true;
+    widget_.update();
+    Q_EMIT sketchDrawn();
+}
+
+void FrameLoop::finishFrame() {
+    stopwatch_.end();
+    if (!inspecting_) {
+        renderer_->job().noteTime(stopwatch_.milliseconds());
+    }
+    progress_ = Progress::Idle;
+    ++frameCount_;
+    note_->hide();
+    const FrameReport& report = renderer_->report();
+    targets_.noteUse();
+    if (report.messages != messages_) {
+        messages_ = report.messages;
+        Q_EMIT messagesDrawn(messages_);
+    }
+    Q_EMIT frameDrawn();
+    stale_ = stale_ || report.isWaiting;
+    if (stale_) {
+        widget_.update();
+    } else {
+        continueSoon();
+    }
+}
+
+/// Before the first frame there is nothing yet that could stay on the screen.
+void FrameLoop::showNote() {
+    if (frameCount_ == 0) {
+        QOpenGLFunctions& gl = *widget_.context()->functions();
+        const QColor empty = widget_.palette().color(QPalette::Dark);
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, widget_.defaultFramebufferObject());
+        gl.glClearColor(empty.redF(), empty.greenF(), empty.blueF(), 1.0f);
+        gl.glClear(GL_COLOR_BUFFER_BIT);
+    }
+    // A note over all of the view would hide it from Qt, which then paints it no more.
+    note_->adjustSize();
+    note_->move(widget_.rect().center() - note_->rect().center());
+    note_->show();
+}
+
+bool FrameLoop::wantsSamples() const {
+    return samples() > 0 && samples() < viewed_.wantedSamples() && !inspecting_;
+}
+
+/// After a frame that shows the scene as it is.
+void FrameLoop::continueSoon() {
+    if (wantsSamples() && !sampleTimer_.isActive()) {
+        sampleTimer_.start(pauseMs);
+    }
+}
+
+void FrameLoop::addSamples() {
+    if (wantsSamples() && !stale_ && !isDrawing()) {
+        moreSamples_ = true;
+        widget_.update();
+    }
+}
+
+Image FrameLoop::linearPicture() {
+    Scene unexposed = viewed_.sources().scene();
+    unexposed.exposure = 0.0;
+    return pictureOf(unexposed, view(), false);
+}
+
+Image FrameLoop::picture(bool display) {
+    const Scene& whole = viewed_.sources().whole();
+    if (&whole == &viewed_.sources().scene()) {
+        return pictureOf(whole, view(), display);
+    }
+    stale_ = true; // what is shown is another picture, to which nothing of this one may be added
+    View wanted = view();
+    wanted.effects = nullptr;
+    Image image = pictureOf(whole, wanted, display);
+    refresh();
+    return image;
+}
+
+Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
+    if (!renderer_) {
+        return {};
+    }
+    wanted.isContinued = !stale_ && (progress_ == Progress::Idle || isContinued_);
+    if (progress_ != Progress::Idle) {
+        giveUp(); // capturing takes its place
+        if (wanted.isContinued) {
+            continueSoon();
+        } else {
+            refresh();
+        }
+    }
+    widget_.makeCurrent();
+    Result<Image> picture = renderer_->capture(scene, wanted, viewed_.sources().meshes, display);
+    widget_.doneCurrent();
+    targets_.noteUse();
+    return picture ? std::move(*picture) : Image();
+}
+
+void FrameLoop::capture(bool display, PictureTaken taken) {
+    if (capture_) {
+        finishCapture({}); // one at a time
+    }
+    capture_ = Capture{display, std::move(taken)};
+    beginCapture();
+}
+
+void FrameLoop::cancelCapture() {
+    if (capture_) {
+        capture_.reset();
+        giveUp();
+        refresh();
+    }
+}
+
+/// Begins, or begins anew where a change has taken the frame's place.
+void FrameLoop::beginCapture() {
+    if (!capture_ || progress_ == Progress::Capturing) {
+        return;
+    }
+    const Scene& whole = viewed_.sources().whole();
+    const bool isWhole = &whole == &viewed_.sources().scene();
+    const bool hasSamples = samples() > 0;
+    if (!renderer_ || (hasSamples && isWhole && isUpToDate())) {
+        finishCapture(picture(capture_->display)); // there is none to draw, or it is there
+        return;
+    }
+    capture_->isAnother = !isWhole || hasSamples || !isUpToDate();
+    giveUp();
+    View wanted = view();
+    wanted.effects = isWhole ? wanted.effects : nullptr;
+    wanted.isContinued = isContinued_ = false;
+    widget_.makeCurrent();
+    renderer_->begin(whole, wanted, viewed_.sources().meshes, FramePurpose::Capture)
+        .step(FrameJob::Clock::now());
+    widget_.doneCurrent();
+    goOnWith(Progress::Capturing);
+}
+
+void FrameLoop::proceedCapture() {
+    widget_.makeCurrent();
+    FrameJob& job = renderer_->job();
+    const bool isDone = job.step(framePatience) == FrameJob::Progress::Done;
+    Result<Image> picture = isDone ? job.read(capture_->display) : Image();
+    widget_.doneCurrent();
+    if (isDone) {
+        finishCapture(picture ? std::move(*picture) : Image());
+    } else {
+        turn_.start(0);
+    }
+}
+
+void FrameLoop::finishCapture(Image picture) {
+    const Capture done = std::move(*capture_);
+    capture_.reset();
+    turn_.stop();
+    progress_ = Progress::Idle;
+    if (renderer_) {
+        targets_.noteUse();
+    }
+    if (done.isAnother) {
+        refresh();
+    }
+    if (stale_) {
+        widget_.update();
+    }
+    done.taken(std::move(picture));
+}
+
+void FrameLoop::drawUnseen(const Scene& scene, const View& view) {
+    widget_.makeCurrent();
+    renderer_->begin(scene, view, viewed_.sources().meshes, FramePurpose::Prewarm)
+        .step(FrameJob::never);
+    widget_.doneCurrent();
+    targets_.noteUse();
+}
+
+/// The picture that is shown is the widget's; what it was made in is a third of the editor's
+/// memory.
+void FrameLoop::releaseTargets() {
+    if (renderer_) {
+        widget_.makeCurrent();
+        renderer_->job().releaseTargets();
+        widget_.doneCurrent();
+        returnFreeMemory();
+    }
+}
+
+} // namespace patina

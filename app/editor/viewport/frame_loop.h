@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QTimer>
+
+#include "render/renderer.h"
+#include "render/surfaces/pixel_probe.h"
+#include "viewport/frame_stopwatch.h"
+#include "viewport/idle_release.h"
+#include "viewport/viewed_scene.h"
+
+class QLabel;
+class QOpenGLWidget;
+
+namespace patina {
+
+/// Draws what a widget shows with a Renderer of its own. A frame is drawn only after refresh(),
+/// once however often that was called. One that takes long is drawn over several turns of the event
+/// loop with the last picture on the screen, or a sketch where the scene is a new one; what changes
+/// meanwhile is in the next one. While nothing changes it adds samples of an environment's light.
+class FrameLoop : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Both outlive it.
+    FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed);
+
+    // The widget's context, which is current in open() and paint().
+    void open();
+    void close();
+    void paint();
+
+    /// Something can be drawn: there is a context, and it offers what a Renderer needs.
+    bool canDraw() const { return renderer_ != nullptr; }
+
+    /// Why nothing is drawn; empty when all is well.
+    const QString& failure() const { return failure_; }
+
+    /// Something that is drawn has changed.
+    void refresh();
+
+    /// Another scene is shown. While its first picture takes several turns a sketch of it is on the
+    /// screen, or a note that says so.
+    void announceScene();
+
+    /// The blocks have changed.
+    void announceCatalog();
+
+    /// Drops the frame that is being drawn.
+    void giveUp();
+
+    /// Shows the numerical check in place of the picture.
+    void setInspecting(bool on);
+    bool isInspecting() const { return inspecting_; }
+
+    /// The numbers of a pixel; nothing where there is no surface.
+    std::optional<PixelProbe> probe(glm::ivec2 pixel);
+
+    /// A frame is being drawn that takes several turns.
+    bool isDrawing() const { return progress_ != Progress::Idle; }
+
+    /// Whether the picture shows what would be drawn now.
+    bool isUpToDate() const { return !stale_ && !isDrawing(); }
+
+    /// How the scene is drawn now.
+    View view() const;
+
+    /// Samples that the picture has; 0 without an environment.
+    int samples() const;
+
+    int frameCount() const { return frameCount_; }
+
+    /// Frames so far that had to wait for programs.
+    int waitCount() const { return waitCount_; }
+
+    const FrameReport& report() const;
+
+    /// Finds out how frames are best timed here; see FrameStopwatch::choose().
+    void chooseTimer() { stopwatch_.choose(isDrawing()); }
+    FrameStopwatch& stopwatch() { return stopwatch_; }
+
+    /// The picture before exposure and tone mapping.
+    Image linearPicture();
+
+    /// The picture as it is shown, divided by 255, or as linear floats with the exposure in them;
+    /// empty when none can be drawn.
+    Image picture(bool display);
+
+    using PictureTaken = std::function<void(Image)>;
+
+    /// As picture(), over as many turns of the event loop as it takes, with what is shown staying
+    /// on the screen; one at a time. What changes meanwhile may or may not be in it.
+    void capture(bool display, PictureTaken taken);
+
+    /// Ends that without a picture.
+    void cancelCapture();
+
+    /// Draws a scene once where nothing shows, which loads what it needs.
+    void drawUnseen(const Scene& scene, const View& view);
+
+  Q_SIGNALS:
+    void sketchDrawn(); ///< something of a new scene is to be seen while its frame is drawn
+    void frameDrawn();
+    void failed(QString why);
+    void messagesDrawn(patina::Errors messages); ///< what the last frame has to say
+
+  private:
+    enum class Progress {
+        Idle,
+        Waiting, ///< for programs, with the last picture on the screen
+        Drawing,
+        Drawn,
+        Capturing ///< a picture that is to be kept
+    };
+
+    /// A picture that is asked for and not there yet.
+    struct Capture {
+        bool display = true;
+        PictureTaken taken;
+        bool isAnother = false; ///< than the one on the screen, to which more may be added
+    };
+
+    /// What a ProgramWorker was asked for.
+    struct Order {
+        quint64 number = 0; ///< 0: nothing, or it came
+        std::uint64_t missing = 0;
+    };
+
+    void beginFrame();
+    FrameJob& beginJob(FramePurpose purpose);
+    bool waitsForPrograms(FrameJob& job);
+    void takePrograms(quint64 number);
+    void makeTargets();
+    bool drawSketch(FrameJob& job);
+    void drawFrame(FrameJob& job);
+    void goOnWith(Progress progress);
+    void proceed();
+    void finishSketch();
+    void finishFrame();
+    void showNote();
+    bool wantsSamples() const;
+    void continueSoon();
+    void addSamples();
+    Image pictureOf(const Scene& scene, View wanted, bool display);
+    void beginCapture();
+    void proceedCapture();
+    void finishCapture(Image picture);
+    void releaseTargets();
+
+    QOpenGLWidget& widget_;
+    const ViewedScene& viewed_;
+    bool catalogIsNew_ = false;
+    std::unique_ptr<Renderer> renderer_;
+    QString failure_;
+    Errors messages_; ///< of the last frame
+    FrameStopwatch stopwatch_;
+    int frameCount_ = 0;
+    int waitCount_ = 0;
+    Progress progress_ = Progress::Idle; ///< of a frame that takes several turns
+    bool sketching_ = false;             ///< that frame is a sketch
+    QTimer turn_;                        ///< its next one
+    Order ordered_;                      ///< for the next frame
+    QLabel* note_;                       ///< that a picture is on its way
+    bool stale_ = true;                  ///< the picture is not of what would be drawn now
+    bool isNew_ = true;                  ///< no frame of this scene has been begun yet
+    bool inspecting_ = false;
+    QTimer sampleTimer_;       ///< the next frame that adds samples
+    bool moreSamples_ = false; ///< that frame is asked for
+    bool isContinued_ = false; ///< the frame that is drawn, or was drawn last, adds samples
+    std::optional<Capture> capture_;
+    IdleRelease targets_;
+};
+
+} // namespace patina

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/frame_stopwatch.h"
+
+#include <QObject>
+#include <QOpenGLWidget>
+
+namespace patina {
+
+QString FrameStopwatch::text() {
+    if (!timer_) {
+        return {};
+    }
+    widget_.makeCurrent();
+    timer_->collect();
+    widget_.doneCurrent();
+    if (timer_->milliseconds() > 0.0) {
+        const std::string_view method = timer_->methodText();
+        text_ = QObject::tr("%1 ms (%2)")
+                    .arg(timer_->milliseconds(), 0, 'f', 2)
+                    .arg(QString::fromUtf8(method.data(), qsizetype(method.size())));
+    }
+    return text_;
+}
+
+void FrameStopwatch::choose(bool isOpen) {
+    if (!timer_) {
+        return;
+    }
+    text(); // of the frames so far
+    widget_.makeCurrent();
+    const FrameTimer::Method method = trustedMethod();
+    if (method != timer_->method() && !isOpen) {
+        timer_.emplace(method);
+    }
+    widget_.doneCurrent();
+}
+
+} // namespace patina

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QObject>
+#include <QPoint>
+#include <QTimer>
+
+#include "viewport/frame_loop.h"
+
+namespace patina {
+
+/// Reads the numbers of the pixel under the pointer while a view shows the numerical check. Moves
+/// are gathered.
+class PixelProber : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Both outlive it; `widget` shows the frames.
+    PixelProber(FrameLoop& frames, const QWidget& widget);
+
+    /// Where the pointer is; nothing when it is not over the view.
+    void setPointer(std::optional<QPoint> pointer);
+
+  Q_SIGNALS:
+    /// The numbers under the pointer; nothing where there is no surface.
+    void probed(const std::optional<patina::PixelProbe>& numbers);
+
+  private:
+    void probeSoon();
+    void probe();
+
+    FrameLoop& frames_;
+    const QWidget& widget_;
+    std::optional<QPoint> pointer_;
+    QTimer timer_;
+};
+
+} // namespace patina
