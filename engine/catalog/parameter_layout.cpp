@@ -15,14 +15,32 @@ std::size_t roundedUp(std::size_t floats) {
     return (floats + floatsPerVec4 - 1) / floatsPerVec4 * floatsPerVec4;
 }
 
-void append(ParameterLayout& layout, ParameterField field) {
-    const auto size = static_cast<std::size_t>(field.components);
-    if (layout.floats % floatsPerVec4 + size > floatsPerVec4) {
-        layout.floats = roundedUp(layout.floats);
+/// The place of the next field.
+std::size_t placed(std::size_t& floats, int components) {
+    const auto size = static_cast<std::size_t>(components);
+    if (floats % floatsPerVec4 + size > floatsPerVec4) {
+        floats = roundedUp(floats);
     }
-    field.offset = layout.floats;
-    layout.floats += size;
-    layout.fields.push_back(std::move(field));
+    const std::size_t offset = floats;
+    floats += size;
+    return offset;
+}
+
+/// Calls `ofParameter` and `ofChoice` for the fields in their order, with the place and size of
+/// each, and gives the size of all.
+template <class OfParameter, class OfChoice>
+std::size_t eachField(const Block& block, OfParameter ofParameter, OfChoice ofChoice) {
+    std::size_t floats = 0;
+    for (const Parameter& parameter : block.parameters) {
+        const int components = componentCount(parameter.type);
+        if (components > 0 && !isShorthand(parameter)) {
+            ofParameter(parameter, placed(floats, components), components);
+        }
+    }
+    for (const AccuracyChoice& choice : block.accuracy) {
+        ofChoice(choice, placed(floats, 1));
+    }
+    return roundedUp(floats);
 }
 
 /// Writes a value, the default where none is given; directions are made unit.
@@ -44,30 +62,33 @@ double levelOf(const AccuracyChoice& choice, const AccuracyLevels& levels) {
 
 ParameterLayout layoutOf(const Block& block) {
     ParameterLayout layout;
-    for (const Parameter& parameter : block.parameters) {
-        const int components = componentCount(parameter.type);
-        if (components > 0 && !isShorthand(parameter)) {
-            append(layout, {&parameter, nullptr, fieldName(parameter.id), 0, components});
-        }
-    }
-    for (const AccuracyChoice& choice : block.accuracy) {
-        append(layout, {nullptr, &choice, fieldName(choice.id), 0, 1});
-    }
-    layout.floats = roundedUp(layout.floats);
+    layout.floats = eachField(
+        block,
+        [&layout](const Parameter& parameter, std::size_t offset, int components) {
+            layout.fields.push_back(
+                {&parameter, nullptr, fieldName(parameter.id), offset, components});
+        },
+        [&layout](const AccuracyChoice& choice, std::size_t offset) {
+            layout.fields.push_back({nullptr, &choice, fieldName(choice.id), offset, 1});
+        });
     return layout;
 }
 
 std::vector<double> packed(const Block& block, const Values& values, const AccuracyLevels& levels) {
-    const ParameterLayout layout = layoutOf(block);
-    std::vector<double> out(layout.floats, 0.0);
-    for (const ParameterField& field : layout.fields) {
-        double* place = out.data() + field.offset;
-        if (field.parameter != nullptr) {
-            pack(*field.parameter, values, place);
-        } else {
-            *place = levelOf(*field.choice, levels);
-        }
-    }
+    std::vector<double> out;
+    const auto at = [&out](std::size_t offset, int components) {
+        out.resize(offset + static_cast<std::size_t>(components));
+        return out.data() + offset;
+    };
+    const std::size_t size = eachField(
+        block,
+        [&](const Parameter& parameter, std::size_t offset, int components) {
+            pack(parameter, values, at(offset, components));
+        },
+        [&](const AccuracyChoice& choice, std::size_t offset) {
+            *at(offset, 1) = levelOf(choice, levels);
+        });
+    out.resize(size);
     return out;
 }
 

@@ -20,6 +20,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Options options) {
         return tl::unexpected(checked.error());
     }
     auto shared = std::make_shared<RenderResources>(std::move(options.programCache));
+    shared->shadows.setMaxTexels(options.shadowTexels);
     return std::unique_ptr<Renderer>(new Renderer(std::move(shared)));
 }
 

@@ -15,6 +15,8 @@ class InspectionDrawer;
 class SurfaceBufferDrawer;
 struct RenderResources;
 
+inline constexpr int largestShadowTexels = 2048;
+
 /// Draws the frames of one view with OpenGL 4.1 core, on programs, meshes, images and shadow maps
 /// that other views of the same context may share. Made, used and destroyed with that context
 /// current.
@@ -22,6 +24,8 @@ class Renderer {
   public:
     struct Options {
         std::filesystem::path programCache; ///< folder for program binaries; empty: none on disk
+        /// The most texels of a shadow map per side, a power of two.
+        int shadowTexels = largestShadowTexels;
     };
 
     static Result<std::unique_ptr<Renderer>> create(Options options);

@@ -64,11 +64,12 @@ vec3 burnTest(Directions d, BurnTest p) {
         scene_.camera.distance = 2.5;
     }
 
-    /// So much work to a pixel that what a model takes beside it, a hundredth, does not count.
-    CostChart measured(bool combinations, int pairs = 25) {
+    /// So much work to a pixel that what a model takes beside it, a hundredth, does not count. So
+    /// few pixels still take tens of times as long as an empty frame.
+    CostChart measured(bool combinations) {
         CostSweep::Options options;
-        options.size = {32, 32};
-        options.pairs.most = pairs;
+        options.size = {20, 20};
+        options.pairs.most = 25;
         options.combinations = combinations;
         return measured(options);
     }
@@ -198,7 +199,7 @@ vec3 burnTwiceTest(Directions d, BurnTwiceTest p) {
     ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
     scene_.objects[0] = object("burn-twice-test");
     CostSweep::Options options;
-    options.size = {48, 48};
+    options.size = {24, 24};
     options.seconds = 1e-3;
     const CostChart chart = measured(options);
     EXPECT_EQ(chart.points.size(), 3u);
@@ -234,13 +235,22 @@ TEST_F(CostTimesTest, OtherMaterial_TakesNoneOfTheTime) {
     scene_.objects[0].translation = glm::dvec3(-1.2, 0.0, 0.0);
     scene_.camera.distance = 4.5;
     // With the other object's time in both frames it would be (0.25 + 0.25) / (1 + 0.25).
-    const CostChart chart = measured(false, 15);
+    CostSweep::Options options;
+    options.size = {32, 32}; // the object is small in it
+    options.pairs.most = 15;
+    options.combinations = false;
+    const CostChart chart = measured(options);
     EXPECT_NEAR(chart.find({{"work", "quarter"}})->cost.ratio.median, 0.25, 0.08);
 }
 
 TEST_F(CostSweepTest, LinesOfAnOutline_AreNoError) {
     scene_.objects[0].material.parts["outline"] = block("outline", "ink-line");
-    EXPECT_EQ(measured(false, 7).find({})->error.max, 0.0);
+    CostSweep::Options options;
+    options.size = {32, 32};
+    options.only = {"nothing"};
+    options.pairs.fewest = 1;
+    options.pairs.most = 1;
+    EXPECT_EQ(measured(options).find({})->error.max, 0.0);
 }
 
 TEST_F(CostSweepTest, NothingInView_IsAnError) {

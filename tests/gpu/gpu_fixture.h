@@ -50,7 +50,11 @@ class GpuTest : public testing::Test {
     }
 
     void makeRenderer(const std::filesystem::path& programCache = {}) {
-        auto made = Renderer::create({programCache});
+        makeRenderer(Renderer::Options{.programCache = programCache});
+    }
+
+    void makeRenderer(const Renderer::Options& options) {
+        auto made = Renderer::create(options);
         ASSERT_TRUE(made) << made.error().text();
         renderer = std::move(*made);
         renderer->setCatalog(catalog);

@@ -144,7 +144,9 @@ class ExaminedFrame : public GpuTest {
         }
         catalog = std::make_shared<const Catalog>(loadCatalog(roots));
         ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
-        makeRenderer();
+        Renderer::Options options;
+        options.shadowTexels = 256; // enough for pictures of 33 pixels
+        makeRenderer(options);
     }
 
     /// A model of the test's own that gives `value`.

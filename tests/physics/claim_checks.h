@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -16,8 +17,14 @@ namespace patina::physics {
 
 using Numbers = std::vector<double>;
 
-/// Evaluates cases and keeps their order. What a model returns is not cut at 0.
-using Evaluate = std::function<std::vector<Numbers>(const std::vector<EvalCase>&)>;
+/// A block with values, and the places that are looked at together.
+struct Trial {
+    EvalCase request;
+    std::vector<EvalPlace> places;
+};
+
+/// Evaluates trials, one place after the other. What a model returns is not cut at 0.
+using Evaluate = std::function<std::vector<Numbers>(const std::vector<Trial>&)>;
 
 /// What a claim allows for: the rounding of what is evaluated, and how often it is tried.
 struct Care {
@@ -25,35 +32,38 @@ struct Care {
     double step = 1e-15;     ///< absolute, that a value may be beyond one that bounds it
     int edgeCaseTrials = 100000;
     int ordinaryTrials = 20000;
+    std::size_t casesAtATime = 1 << 8; ///< few stay in the processor's cache, a device wants many
 };
 
-/// Trials of one claim: each asks for some cases and judges their values.
+/// Trials of one claim, and what judges their values.
 struct Experiment {
     int trials = 0;
-    std::function<std::vector<EvalCase>()> next;
-    std::function<bool(const std::vector<EvalCase>&, const std::vector<Numbers>&)> holds;
+    std::size_t casesAtATime = 1;
+    std::function<Trial()> next;
+    std::function<bool(const Trial&, std::span<const Numbers>)> holds;
 };
 
 /// The first trial that fails, described.
 inline std::optional<std::string> counterexample(const Experiment& experiment,
                                                  const Evaluate& evaluate) {
-    constexpr std::size_t casesAtATime = 1 << 15;
     int done = 0;
     while (done < experiment.trials) {
-        std::vector<std::vector<EvalCase>> trials;
-        std::vector<EvalCase> all;
-        while (done < experiment.trials && all.size() < casesAtATime) {
+        std::vector<Trial> trials;
+        std::size_t cases = 0;
+        while (done < experiment.trials && cases < experiment.casesAtATime) {
             trials.push_back(experiment.next());
-            all.insert(all.end(), trials.back().begin(), trials.back().end());
+            cases += trials.back().places.size();
             ++done;
         }
-        const std::vector<Numbers> answers = evaluate(all);
-        auto from = answers.begin();
-        for (const auto& cases : trials) {
-            const std::vector<Numbers> own(from, from + std::ptrdiff_t(cases.size()));
-            from += std::ptrdiff_t(cases.size());
-            if (!experiment.holds(cases, own)) {
-                return described(cases.front(), own.front(), own.back());
+        const std::vector<Numbers> answers = evaluate(trials);
+        std::span<const Numbers> left = answers;
+        for (const Trial& trial : trials) {
+            const auto own = left.first(trial.places.size());
+            left = left.subspan(own.size());
+            if (!experiment.holds(trial, own)) {
+                EvalCase first = trial.request;
+                static_cast<EvalPlace&>(first) = trial.places.front();
+                return described(first, own.front(), own.back());
             }
         }
     }
@@ -68,9 +78,13 @@ inline std::span<const double> signedPart(const EvalCase& request, const Numbers
 template <class Judge>
 Experiment ofHardCases(const Block& block, const Care& care, Judge judge) {
     auto hard = std::make_shared<HardCases>(block);
-    return {care.edgeCaseTrials, [hard] { return std::vector{hard->next()}; },
-            [judge](const auto& cases, const auto& values) {
-                return judge(cases.front(), values.front());
+    return {care.edgeCaseTrials, care.casesAtATime,
+            [hard] {
+                const EvalCase request = hard->next();
+                return Trial{request, {request}};
+            },
+            [judge](const Trial& trial, const auto& values) {
+                return judge(trial.request, values.front());
             }};
 }
 
@@ -102,16 +116,16 @@ inline Experiment zeroBelowHorizon(const Block& block, const Care& care) {
 /// f(l, v) = f(v, l), with f = value / (n.l).
 inline Experiment reciprocal(const Block& block, const Care& care) {
     auto ordinary = ordinaryCases(block);
-    return {care.ordinaryTrials,
+    return {care.ordinaryTrials, care.casesAtATime,
             [ordinary] {
                 const EvalCase request = ordinary->next();
-                EvalCase exchanged = request;
+                EvalPlace exchanged = request;
                 std::swap(exchanged.l, exchanged.v);
-                return std::vector{request, exchanged};
+                return Trial{request, {request, exchanged}};
             },
-            [care](const auto& cases, const auto& values) {
-                const double there = values[0][0] / glm::normalize(cases[0].l).z;
-                const double back = values[1][0] / glm::normalize(cases[0].v).z;
+            [care](const Trial& trial, const auto& values) {
+                const double there = values[0][0] / glm::normalize(trial.request.l).z;
+                const double back = values[1][0] / glm::normalize(trial.request.v).z;
                 return std::abs(there - back) <= care.rounding * (1.0 + there);
             }};
 }
@@ -125,14 +139,14 @@ inline glm::dvec3 turned(const glm::dvec3& v, double angle) {
 inline Experiment isotropic(const Block& block, const Care& care) {
     auto ordinary = ordinaryCases(block);
     auto turn = std::make_shared<double>(0.7);
-    return {care.ordinaryTrials,
+    return {care.ordinaryTrials, care.casesAtATime,
             [ordinary, turn] {
                 const EvalCase request = ordinary->next();
-                EvalCase rotated = request;
+                EvalPlace rotated = request;
                 rotated.l = turned(request.l, *turn);
                 rotated.v = turned(request.v, *turn);
                 *turn += 1.0;
-                return std::vector{request, rotated};
+                return Trial{request, {request, rotated}};
             },
             [care](const auto&, const auto& values) {
                 return std::abs(values[0][0] - values[1][0]) <=
@@ -156,23 +170,24 @@ inline EvalCase brightest(EvalCase request) {
 inline constexpr HemisphereRuleSize albedoRule{3, 0.5};
 
 /// The case for viewers all over the hemisphere.
-inline std::vector<EvalCase> fromEverywhere(EvalCase request) {
-    std::vector<EvalCase> cases;
+inline Trial fromEverywhere(const EvalCase& request) {
+    Trial trial{request, {}};
+    EvalPlace place = request;
     for (const WeightedDirection& to : hemisphereRule(request.l, albedoRule)) {
-        request.v = to.v;
-        cases.push_back(request);
+        place.v = to.v;
+        trial.places.push_back(place);
     }
-    return cases;
+    return trial;
 }
 
 /// The directional albedo by the values of fromEverywhere().
-inline double albedo(const std::vector<EvalCase>& cases, const std::vector<Numbers>& values) {
-    const auto rule = hemisphereRule(cases.front().l, albedoRule);
+inline double albedo(const Trial& trial, std::span<const Numbers> values) {
+    const auto rule = hemisphereRule(trial.request.l, albedoRule);
     double sum = 0.0;
     for (std::size_t i = 0; i < rule.size(); ++i) {
         sum += rule[i].weight * values[i][0];
     }
-    return sum / glm::normalize(cases.front().l).z;
+    return sum / glm::normalize(trial.request.l).z;
 }
 
 /// No more comes back than arrives: the albedo is at most 1, and so is a share.
@@ -183,27 +198,27 @@ inline Experiment energyConserving(const Block& block, const Care& care) {
     }
     auto ordinary = ordinaryCases(block);
     return {
-        care.ordinaryTrials / 400,
+        care.ordinaryTrials / 400, care.casesAtATime,
         [ordinary] { return fromEverywhere(brightest(ordinary->next())); },
-        [](const auto& cases, const auto& values) { return albedo(cases, values) <= 1.0 + 1e-3; }};
+        [](const Trial& trial, const auto& values) { return albedo(trial, values) <= 1.0 + 1e-3; }};
 }
 
 /// At 1e-7 rad above the horizon at most a thousandth of what the same light gives higher up.
 inline Experiment continuousAtHorizon(const Block& block, const Care& care) {
     auto ordinary = ordinaryCases(block);
     auto turn = std::make_shared<double>(0.0);
-    return {care.ordinaryTrials / 10,
+    return {care.ordinaryTrials / 10, care.casesAtATime,
             [ordinary, turn] {
                 EvalCase request = brightest(ordinary->next());
                 request.v = direction(60.0, 37.0 * *turn);
                 request.l = {std::cos(*turn), std::sin(*turn), 1e-7};
-                std::vector<EvalCase> cases{request};
+                Trial trial{request, {request}};
                 for (const double degrees : {0.0, 20.0, 40.0, 60.0, 80.0}) {
                     request.l = direction(degrees, 37.0 * *turn + 180.0);
-                    cases.push_back(request);
+                    trial.places.push_back(request);
                 }
                 *turn += 1.0;
-                return cases;
+                return trial;
             },
             [](const auto&, const auto& values) {
                 double largest = 0.0;
@@ -217,13 +232,14 @@ inline Experiment continuousAtHorizon(const Block& block, const Care& care) {
 /// Of a Fresnel block: what is reflected does not fall as light gets flatter.
 inline Experiment monotonic(const Block& block, const Care& care) {
     auto hard = std::make_shared<HardCases>(block);
-    return {care.edgeCaseTrials / 100,
+    return {care.edgeCaseTrials / 100, care.casesAtATime,
             [hard] {
-                std::vector<EvalCase> cases(101, hard->next());
-                for (std::size_t i = 0; i < cases.size(); ++i) {
-                    cases[i].number = 1.0 - 0.01 * static_cast<double>(i);
+                const EvalCase request = hard->next();
+                Trial trial{request, std::vector<EvalPlace>(101, request)};
+                for (std::size_t i = 0; i < trial.places.size(); ++i) {
+                    trial.places[i].number = 1.0 - 0.01 * static_cast<double>(i);
                 }
-                return cases;
+                return trial;
             },
             [care](const auto&, const auto& values) {
                 return std::is_sorted(

@@ -1,12 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <random>
 
 #include "measure/eval/eval_case.h"
 #include "physics_cases.h"
 
 namespace patina::physics {
+
+/// Random numbers by seed. What was drawn is kept: making a generator ready takes longer than a
+/// case, and few seeds are used again and again.
+class SeededDraws {
+  public:
+    void seed(std::size_t seed) {
+        current_ = &series_.try_emplace(seed, static_cast<unsigned>(seed)).first->second;
+        next_ = 0;
+    }
+
+    std::size_t operator()() {
+        if (next_ == current_->drawn.size()) {
+            current_->drawn.push_back(current_->random());
+        }
+        return current_->drawn[next_++];
+    }
+
+  private:
+    struct Series {
+        explicit Series(unsigned seed) : random(seed) {}
+
+        std::mt19937 random;
+        std::vector<std::size_t> drawn;
+    };
+
+    std::map<std::size_t, Series> series_;
+    Series* current_ = nullptr;
+    std::size_t next_ = 0;
+};
 
 /// Random values of a block and random geometry, all exact in float.
 class RandomCases {
@@ -16,7 +46,7 @@ class RandomCases {
 
     EvalCase next() {
         EvalCase request;
-        choices_.seed(static_cast<unsigned>(any(programs)));
+        choices_.seed(any(programs));
         request.gpu = true;
         request.block = valuesOf(block_);
         if (!block_.slots.empty()) {
@@ -100,7 +130,7 @@ class RandomCases {
     const Block& block_;
     bool fillsOptionalSlots_ = true;
     std::mt19937 random_{20251121};
-    std::mt19937 choices_;
+    SeededDraws choices_;
 };
 
 /// What artists do: cosines of at least 0.05, one viewer in three near the mirror direction, and

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
+#include <vector>
 
 #include "measure/eval/reference_case.h"
 #include "measure/stability/hemisphere_rule.h"
@@ -16,20 +19,40 @@ inline glm::dvec3 lightAt(double degrees) {
     return {std::sin(theta), 0.0, std::cos(theta)};
 }
 
+/// What a viewer sees of light from one direction, and the viewer's weight.
+struct WeightedGeometry {
+    reference::Geometry geometry;
+    double weight = 0.0;
+};
+
+/// Viewers all over the hemisphere for light from there. They are the same for every model, and
+/// making them takes as long as a simple one.
+inline const std::vector<WeightedGeometry>& viewersFor(double degrees,
+                                                       const HemisphereRuleSize& size) {
+    static std::map<std::tuple<double, int, double>, std::vector<WeightedGeometry>> made;
+    std::vector<WeightedGeometry>& viewers = made[{degrees, size.nodes, size.widestPanel}];
+    if (viewers.empty()) {
+        EvalPlace place;
+        place.l = lightAt(degrees);
+        for (const WeightedDirection& to : hemisphereRule(place.l, size)) {
+            place.v = to.v;
+            viewers.push_back({geometryOf(place), to.weight});
+        }
+    }
+    return viewers;
+}
+
 /// The share of the light from there that comes back in all directions together, by the first
 /// channel in double precision.
 inline double albedo(const EvalCase& request, double degrees, const HemisphereRuleSize& size = {}) {
     const ReferenceCase model(ReferenceCode::find(request).value(), request.block.packedValues(),
                               request.slot.block == nullptr ? std::vector<double>()
                                                             : request.slot.packedValues());
-    EvalPlace place;
-    place.l = lightAt(degrees);
     double sum = 0.0;
-    for (const WeightedDirection& to : hemisphereRule(place.l, size)) {
-        place.v = to.v;
-        sum += to.weight * std::max(model.evaluate(place)[0], 0.0);
+    for (const auto& [geometry, weight] : viewersFor(degrees, size)) {
+        sum += weight * std::max(model.evaluate(geometry)[0], 0.0);
     }
-    return sum / place.l.z;
+    return sum / lightAt(degrees).z;
 }
 
 } // namespace patina::stability

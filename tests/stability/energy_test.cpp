@@ -79,6 +79,9 @@ std::vector<Row> rowsOf(const Block& model) {
         for (const EnumValue& choice : parameter.values) {
             EvalCase variant = base;
             variant.block.values[parameter.id] = choice.id;
+            if (variant.block.values == base.block.values) {
+                continue; // the default, whose rows are there
+            }
             addParts(rows, fmt::format("{}={}, ", parameter.id, choice.id), variant);
         }
     }

@@ -117,21 +117,29 @@ std::vector<double> inFloat(const EvalBlock& block) {
     return values;
 }
 
-/// The errors of all channels over their bounds.
+/// The errors of all channels over their bounds; the cases are whole rows.
 std::vector<double> shares(const std::vector<EvalCase>& cases, EvalGpu& gpu) {
     const auto answers = gpu.evaluate(cases, catalog());
     const auto code = ReferenceCode::find(cases.front());
     std::vector<double> result;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (!answers[i] || !code) {
-            ADD_FAILURE() << (answers[i] ? code.error() : answers[i].error()).text();
-            return result;
-        }
-        const ReferenceCase bound(*code, inFloat(cases[i].block), inFloat(cases[i].slot));
-        const ReferenceNumbers exact = bound.evaluate(cases[i]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double size = std::max(exact[k], smallestOf(cases[i].block));
-            result.push_back(std::abs((*answers[i])[k] - exact[k]) / size / boundOf(cases[i]));
+    if (!code) {
+        ADD_FAILURE() << code.error().text();
+        return result;
+    }
+    for (std::size_t row = 0; row < cases.size(); row += placesPerRow) {
+        const ReferenceCase bound(*code, inFloat(cases[row].block), inFloat(cases[row].slot));
+        const double smallest = smallestOf(cases[row].block);
+        const double allowed = boundOf(cases[row]);
+        for (std::size_t i = row; i < row + placesPerRow; ++i) {
+            if (!answers[i]) {
+                ADD_FAILURE() << answers[i].error().text();
+                return result;
+            }
+            const ReferenceNumbers exact = bound.evaluate(cases[i]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double size = std::max(exact[k], smallest);
+                result.push_back(std::abs((*answers[i])[k] - exact[k]) / size / allowed);
+            }
         }
     }
     return result;

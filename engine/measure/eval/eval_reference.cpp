@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "measure/eval/reference_case.h"
-
 namespace patina {
 namespace {
 
@@ -43,8 +41,12 @@ Result<std::vector<double>> evaluatedInDouble(const EvalCase& request) {
     if (!code) {
         return tl::unexpected(code.error());
     }
+    return evaluatedInDouble(request, *code);
+}
+
+std::vector<double> evaluatedInDouble(const EvalCase& request, const ReferenceCode& code) {
     const bool slotted = request.slot.block != nullptr;
-    const ReferenceCase bound(*code, request.block.packedValues(),
+    const ReferenceCase bound(code, request.block.packedValues(),
                               slotted ? request.slot.packedValues() : std::vector<double>());
     const ReferenceNumbers numbers = bound.evaluate(request);
     std::vector<double> answers;

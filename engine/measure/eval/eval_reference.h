@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/eval/eval_case.h"
+#include "measure/eval/reference_case.h"
 #include "reference/reference.h"
 
 namespace patina {
@@ -15,5 +16,8 @@ Result<const reference::Function*> findEvalFunction(const EvalCase& request);
 /// share that is left, a function what it returns and then its out parameters. Blocks that were
 /// not there when the program was built, or have changed since, are an error.
 Result<std::vector<double>> evaluatedInDouble(const EvalCase& request);
+
+/// The same for a block whose code is at hand.
+std::vector<double> evaluatedInDouble(const EvalCase& request, const ReferenceCode& code);
 
 } // namespace patina

@@ -16,18 +16,8 @@
 namespace patina {
 namespace {
 
-constexpr int maxTexels = 2048;
 constexpr int minTexels = 256;
 constexpr std::int64_t maxBytes = std::int64_t(256) << 20;
-
-/// As many texels per side as all layers have room for.
-int texelsFor(int layers) {
-    int texels = maxTexels;
-    while (texels > minTexels && std::int64_t(4) * texels * texels * layers > maxBytes) {
-        texels /= 2;
-    }
-    return texels;
-}
 
 int maxLayers() {
     GLint most = 0;
@@ -76,7 +66,7 @@ Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
     isBegun_ = false;
     lost_ = 0;
     hasNewImages_ = false;
-    makeViews(scene, effects, cameraToWorld, maxTexels);
+    makeViews(scene, effects, cameraToWorld, maxTexels_);
     if (neededLayers() == 0) {
         layers_.clear();
         texture_ = gl::TextureArray();
@@ -84,7 +74,7 @@ Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
     }
     placeLayers(maxLayers());
     const int texels = texelsFor(neededLayers());
-    if (texels != maxTexels) {
+    if (texels != maxTexels_) {
         makeViews(scene, effects, cameraToWorld, texels);
         placeLayers(maxLayers());
     }
@@ -102,6 +92,15 @@ Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
     }
     planLayers(hasChanged());
     return {};
+}
+
+/// As many texels per side as all layers have room for.
+int ShadowMaps::texelsFor(int layers) const {
+    int texels = maxTexels_;
+    while (texels > minTexels && std::int64_t(4) * texels * texels * layers > maxBytes) {
+        texels /= 2;
+    }
+    return texels;
 }
 
 bool ShadowMaps::hasChanged() const {

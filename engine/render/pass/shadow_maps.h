@@ -22,6 +22,9 @@ namespace patina {
 /// casts shadows or where that stands has changed. Drawing goes on in steps where that is wished.
 class ShadowMaps {
   public:
+    /// The most texels of a map per side, a power of two.
+    void setMaxTexels(int texels) { maxTexels_ = texels; }
+
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
     /// Begins a frame: first what casts shadows, then plan().
@@ -61,6 +64,7 @@ class ShadowMaps {
         bool isDrawn = false;
     };
 
+    int texelsFor(int layers) const;
     bool hasChanged() const;
     void makeViews(const Scene& scene, const Scene& effects, const glm::dmat4& cameraToWorld,
                    int texels);
@@ -74,6 +78,7 @@ class ShadowMaps {
     void beginRun(const Layer& layer, FrameTextures& textures);
     bool isSeen(const glm::dmat4& worldToMap, std::size_t caster) const;
 
+    int maxTexels_ = 0;
     std::shared_ptr<const Catalog> catalog_;
     std::shared_ptr<const gl::Program> program_;
     gl::TextureArray texture_;
