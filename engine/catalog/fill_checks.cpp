@@ -48,7 +48,7 @@ class FillChecker : DescriptorChecker {
         for (const auto& [id, json] : document_.value.at(place).items()) {
             isFilling_ = true;
             all_.insert(id);
-            checkFill(id, json, pointer + '/' + id);
+            checkFill(id, json, fmt::format("{}/{}", pointer, id));
         }
     }
 

@@ -2,6 +2,7 @@
 #include "core/srgb_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/color.h"
@@ -12,7 +13,7 @@ namespace {
 
 /// NaN gives 0.
 std::uint8_t alphaCode(float alpha) {
-    return alpha > 0.0f ? static_cast<std::uint8_t>(std::min(alpha, 1.0f) * 255.0f + 0.5f) : 0;
+    return alpha > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(alpha, 1.0f) * 255.0f)) : 0;
 }
 
 } // namespace
