@@ -65,10 +65,10 @@ vec3 burnTest(Directions d, BurnTest p) {
     }
 
     /// So much work to a pixel that what a model takes beside it, a hundredth, does not count.
-    CostChart measured(bool combinations, int pairs = 25) {
+    CostChart measured(bool combinations) {
         CostSweep::Options options;
-        options.size = {32, 32};
-        options.pairs.most = pairs;
+        options.size = {24, 24};
+        options.pairs.most = 25;
         options.combinations = combinations;
         return measured(options);
     }
@@ -87,8 +87,16 @@ vec3 burnTest(Directions d, BurnTest p) {
     Scene scene_;
 };
 
-/// What depends on how long frames take is tested while no other test runs.
-class CostTimesTest : public CostSweepTest {};
+/// What depends on how long frames take is tested while no other test runs. A plate's two triangles
+/// are shaded once per pixel; of a ball's thousands each shades whole groups of pixels.
+class CostTimesTest : public CostSweepTest {
+  protected:
+    void SetUp() override {
+        CostSweepTest::SetUp();
+        scene_.objects[0].mesh = "builtin:plane";
+        scene_.objects[0].rotation = {90.0, 0.0, 0.0}; // faces the camera
+    }
+};
 
 /// The block's work is known, its times are the machine's: whoever else is busy on it may spoil one
 /// measurement. What is wrong with the instrument would spoil all of them.
@@ -198,7 +206,7 @@ vec3 burnTwiceTest(Directions d, BurnTwiceTest p) {
     ASSERT_TRUE(catalog->errors.empty()) << text(catalog->errors);
     scene_.objects[0] = object("burn-twice-test");
     CostSweep::Options options;
-    options.size = {48, 48};
+    options.size = {24, 24};
     options.seconds = 1e-3;
     const CostChart chart = measured(options);
     EXPECT_EQ(chart.points.size(), 3u);
@@ -227,20 +235,29 @@ TEST_F(CostSweepTest, LevelsThatChangeNothing_AreFolded) {
 }
 
 TEST_F(CostTimesTest, OtherMaterial_TakesNoneOfTheTime) {
-    Object beside = object("burn-test");
+    Object beside = scene_.objects[0];
     beside.material.accuracy["work"] = "quarter";
     beside.translation = glm::dvec3(1.2, 0.0, 0.0);
     scene_.objects.push_back(beside);
     scene_.objects[0].translation = glm::dvec3(-1.2, 0.0, 0.0);
     scene_.camera.distance = 4.5;
     // With the other object's time in both frames it would be (0.25 + 0.25) / (1 + 0.25).
-    const CostChart chart = measured(false, 15);
+    CostSweep::Options options;
+    options.size = {32, 32};
+    options.pairs.most = 15;
+    options.combinations = false;
+    const CostChart chart = measured(options);
     EXPECT_NEAR(chart.find({{"work", "quarter"}})->cost.ratio.median, 0.25, 0.08);
 }
 
 TEST_F(CostSweepTest, LinesOfAnOutline_AreNoError) {
     scene_.objects[0].material.parts["outline"] = block("outline", "ink-line");
-    EXPECT_EQ(measured(false, 7).find({})->error.max, 0.0);
+    CostSweep::Options options;
+    options.size = {32, 32};
+    options.only = {"nothing"};
+    options.pairs.fewest = 1;
+    options.pairs.most = 1;
+    EXPECT_EQ(measured(options).find({})->error.max, 0.0);
 }
 
 TEST_F(CostSweepTest, NothingInView_IsAnError) {
