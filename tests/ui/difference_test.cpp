@@ -13,6 +13,12 @@ namespace {
 
 class Difference : public AccuracyPanel {
   protected:
+    /// Views so tall that half their width is too narrow for the object.
+    Difference() {
+        window().resize(1000, 680);
+        newFrames();
+    }
+
     /// The exact way in A and one that is off by a tenth in B, without measuring that.
     void compareWithFar() {
         window().comparison().setComparing(true);

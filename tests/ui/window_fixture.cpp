@@ -15,7 +15,7 @@
 namespace patina::tests {
 namespace {
 
-constexpr QSize smallWindow{1000, 680};
+constexpr QSize smallWindow{1000, 490};
 constexpr int settleMs = 60;
 constexpr int panelsMs = 200;
 constexpr int frameLimitMs = 20000;
