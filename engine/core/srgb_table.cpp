@@ -13,7 +13,8 @@ namespace {
 
 /// NaN gives 0.
 std::uint8_t alphaCode(float alpha) {
-    return alpha > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(alpha, 1.0f) * 255.0f)) : 0;
+    return alpha > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(alpha, 1.0f) * 255.0f))
+                        : 0;
 }
 
 } // namespace
