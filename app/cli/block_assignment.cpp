@@ -17,7 +17,7 @@ std::string Assignment::inside(std::string_view word) const {
 Result<Assignment> assignmentFrom(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-        return failure(fmt::format("--set {}: this sets nothing", text), "id=value");
+        return failure(std::string("this sets nothing"), "id=value");
     }
     return Assignment{text.substr(0, equals), text.substr(equals + 1)};
 }

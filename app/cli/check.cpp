@@ -48,6 +48,14 @@ Checked<std::vector<EvalCase>> variantsOfBlocks(const Catalog& catalog, const st
         for (const Block* model : catalog.ofKind(kinds::models)) {
             ids.push_back(model->id);
         }
+        for (const Block& block : catalog.blocks) {
+            if (block.id == name || block.kind + '/' + block.id == name) {
+                return tl::unexpected(oneError(
+                    failure(fmt::format("\"{}\" gives no single values to check", name),
+                            "a preset, or a block of a kind that `patina eval` takes")
+                        .value()));
+            }
+        }
         return tl::unexpected(oneError(
             failure(fmt::format("\"{}\" is neither a preset nor a block", name), oneOf(name, ids))
                 .value()));

@@ -20,7 +20,7 @@ Result<void> choose(Scene& scene, std::string_view assignment) {
         for (const PictureChoiceText& each : pictureChoiceTexts()) {
             known.emplace_back(each.id);
         }
-        return failure(fmt::format("--set {}: the picture has no such choice", assignment),
+        return failure(std::string("the picture has no such choice"),
                        oneOf(id, known));
     }
     const std::string_view word = assignment.substr(equals + 1);

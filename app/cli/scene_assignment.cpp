@@ -34,21 +34,13 @@ bool isSettings(std::string_view word) {
     return word == settings::scene || word == settings::camera || word == settings::object;
 }
 
-const BlockKind* kindCalled(std::string_view singular) {
-    const auto all = blockKinds();
-    const auto found = std::ranges::find(all, singular, &BlockKind::singular);
-    return found == all.end() ? nullptr : &*found;
-}
-
 bool isOfScene(const BlockKind& kind) {
     return kind.owner == BlockOwner::Scene || kind.folder == kinds::lights;
 }
 
 tl::unexpected<Error> unknownId(const Assignment& assignment, const std::string& what,
                                 const std::vector<std::string>& known) {
-    return failure(
-        fmt::format("--set {}={}: {} has no such parameter", assignment.id, assignment.text, what),
-        oneOf(assignment.id, known));
+    return failure(what + " has no such parameter", oneOf(assignment.id, known));
 }
 
 template <class Owner>
@@ -71,7 +63,7 @@ Result<void> assignSettings(Scene& scene, std::string_view word, const Assignmen
         return assignSetting(scene, word, inner);
     }
     if (scene.objects.empty()) {
-        return failure(fmt::format("--set object.{}: the scene has no object", inner.id));
+        return failure("the scene has no object");
     }
     return assignSetting(scene.objects.front(), word, inner);
 }
@@ -80,9 +72,7 @@ Result<void> assignSettings(Scene& scene, std::string_view word, const Assignmen
 Result<void> assignInBlock(const Block* block, BlockValues* values, const Assignment& inner,
                            const std::string& what, const std::string& option) {
     if (block == nullptr || values == nullptr) {
-        return failure(
-            fmt::format("--set {}={}: {} has no such parameter", inner.id, inner.text, what),
-            option);
+        return failure(what + " is not there", option);
     }
     const auto done = assignIn(*block, values->parameters, inner);
     if (!done) {
@@ -103,11 +93,15 @@ Result<void> assignInLight(Scene& scene, const Assignment& inner, const Catalog&
     std::vector<std::string> names;
     for (Light& light : scene.lights) {
         names.push_back(lowered(light.name));
+        const std::string what = fmt::format("the light \"{}\"", light.name);
+        if (const Block* block = catalog.find(kinds::lights, light.block.id);
+            block != nullptr && lowered(inner.id) == names.back()) {
+            return failure(what + " is no value", oneOf(inner.id, parameterIds(*block)));
+        }
         const Assignment own{inner.inside(inner.id.substr(0, light.name.size())), inner.text};
         if (own.id.empty() || lowered(inner.id.substr(0, light.name.size())) != names.back()) {
             continue;
         }
-        const std::string what = fmt::format("the light \"{}\"", light.name);
         const BlockKind& shadows = *findKind(kinds::shadows);
         if (const std::string id = own.inside(shadows.singular); !id.empty()) {
             BlockValues* values = light.shadow ? &*light.shadow : nullptr;
@@ -119,11 +113,17 @@ Result<void> assignInLight(Scene& scene, const Assignment& inner, const Catalog&
                              "--light");
     }
     const std::string name = firstWord(inner.id);
-    return failure(fmt::format("--set light.{}: there is no light \"{}\"", inner.id, name),
-                   oneOf(lowered(name), names));
+    return failure(fmt::format("there is no light \"{}\"", name),
+                   names.empty() ? "a light, as --light adds it" : oneOf(lowered(name), names));
 }
 
 } // namespace
+
+const BlockKind* kindCalled(std::string_view singular) {
+    const auto all = blockKinds();
+    const auto found = std::ranges::find(all, singular, &BlockKind::singular);
+    return found == all.end() ? nullptr : &*found;
+}
 
 Light* lightNamed(Scene& scene, std::string_view name) {
     const auto found = std::ranges::find_if(

@@ -16,6 +16,9 @@ bool isForScene(const std::string& assignment);
 /// Sets the value in the scene, or in its first object.
 Result<void> assignInScene(Scene& scene, const std::string& assignment, const Catalog& catalog);
 
+/// The kind that files call so; null where there is none.
+const BlockKind* kindCalled(std::string_view singular);
+
 /// The light of a name, in capitals or not; null where there is none.
 Light* lightNamed(Scene& scene, std::string_view name);
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene_choices.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "catalog/suggestion.h"
 #include "cli/block_assignment.h"
 #include "cli/environment_setup.h"
 #include "cli/scene_assignment.h"
@@ -27,6 +30,7 @@ Result<void> choosePart(Scene& scene, std::string_view kind, const std::string& 
 
 /// "NAME=ID" names one light, "ID" all of them.
 struct LightChoice {
+    std::string text; ///< as it was typed
     std::string name;
     const Block* block = nullptr; ///< null: none
 };
@@ -36,7 +40,11 @@ Result<LightChoice> lightChoice(const BlockKind& kind, const std::string& text,
     const std::size_t equals = text.find('=');
     const bool isNamed = equals != std::string::npos;
     const std::string id = isNamed ? text.substr(equals + 1) : text;
-    LightChoice choice{isNamed ? text.substr(0, equals) : std::string(), nullptr};
+    LightChoice choice{text, text.substr(0, isNamed ? equals : 0)};
+    if (isNamed && choice.name.empty()) {
+        return failure(fmt::format("--{} {}: there is no name before the =", kind.singular, text),
+                       fmt::format("the name of a light, or {} for all of them", id));
+    }
     if (id == kind.noneWord) {
         return choice;
     }
@@ -53,24 +61,34 @@ void giveKind(Light& light, const Block& block, const Catalog& catalog) {
         carriedOver(light.block, catalog.find(kinds::lights, light.block.id), block, left);
 }
 
-/// The light of the name gets another kind, goes or comes; without a name all are replaced.
-void chooseLight(Scene& scene, const LightChoice& choice, bool isFirst, const Catalog& catalog) {
+tl::unexpected<Error> noSuchLight(const Scene& scene, const BlockKind& kind,
+                                  const LightChoice& choice) {
+    std::vector<std::string> names;
+    for (const Light& light : scene.lights) {
+        names.push_back(light.name);
+    }
+    return failure(fmt::format("--{} {}: there is no light \"{}\"", kind.singular, choice.text,
+                               choice.name),
+                   names.empty() ? "a scene that has lights" : oneOf(choice.name, names));
+}
+
+/// The light of the name gets another kind, goes or comes; without a name one more comes, or all go.
+Result<void> chooseLight(Scene& scene, const BlockKind& kind, const LightChoice& choice,
+                         const Catalog& catalog) {
     Light* named = choice.name.empty() ? nullptr : lightNamed(scene, choice.name);
-    if (named != nullptr && choice.block != nullptr) {
-        giveKind(*named, *choice.block, catalog);
-        return;
-    }
-    if (named != nullptr) {
-        scene.lights.erase(scene.lights.begin() + (named - scene.lights.data()));
-        return;
-    }
-    if (choice.name.empty() && isFirst) {
+    if (choice.block == nullptr && choice.name.empty()) {
         scene.lights.clear();
-    }
-    if (choice.block != nullptr) {
+    } else if (choice.block == nullptr && named == nullptr) {
+        return noSuchLight(scene, kind, choice);
+    } else if (choice.block == nullptr) {
+        scene.lights.erase(scene.lights.begin() + (named - scene.lights.data()));
+    } else if (named != nullptr) {
+        giveKind(*named, *choice.block, catalog);
+    } else {
         const std::string& name = choice.name.empty() ? choice.block->label : choice.name;
         scene.lights.push_back({name, true, defaultBlockValues(*choice.block)});
     }
+    return {};
 }
 
 bool mayCast(const Light& light, const Catalog& catalog) {
@@ -78,8 +96,12 @@ bool mayCast(const Light& light, const Catalog& catalog) {
     return block != nullptr && block->shadowProjection != ShadowProjection::None;
 }
 
-void chooseShadow(Scene& scene, const LightChoice& choice, const Catalog& catalog) {
+Result<void> chooseShadow(Scene& scene, const BlockKind& kind, const LightChoice& choice,
+                          const Catalog& catalog) {
     const Light* named = lightNamed(scene, choice.name);
+    if (named == nullptr && !choice.name.empty()) {
+        return noSuchLight(scene, kind, choice);
+    }
     for (Light& light : scene.lights) {
         const bool isMeant = choice.name.empty() || &light == named;
         if (isMeant && choice.block == nullptr) {
@@ -88,24 +110,34 @@ void chooseShadow(Scene& scene, const LightChoice& choice, const Catalog& catalo
             light.shadow = defaultBlockValues(*choice.block);
         }
     }
+    return {};
 }
 
+/// Lights without a name stand in place of those that the scene has.
 Result<void> chooseInLights(Scene& scene, const BlockKind& kind,
                             const std::vector<std::string>& texts, const Catalog& catalog) {
-    bool isFirst = true;
+    std::vector<LightChoice> choices;
     for (const std::string& text : texts) {
         const auto choice = lightChoice(kind, text, catalog);
         if (!choice) {
             return tl::unexpected(choice.error());
         }
-        if (kind.folder == kinds::lights) {
-            chooseLight(scene, *choice, isFirst, catalog);
-        } else {
-            chooseShadow(scene, *choice, catalog);
-        }
-        isFirst = false;
+        choices.push_back(*choice);
     }
-    return {};
+    const bool isOfLights = kind.folder == kinds::lights;
+    if (isOfLights && std::ranges::any_of(choices, [](const LightChoice& choice) {
+            return choice.name.empty();
+        })) {
+        scene.lights.clear();
+    }
+    Result<void> done;
+    for (const LightChoice& choice : choices) {
+        if (done) {
+            done = isOfLights ? chooseLight(scene, kind, choice, catalog)
+                              : chooseShadow(scene, kind, choice, catalog);
+        }
+    }
+    return done;
 }
 
 } // namespace

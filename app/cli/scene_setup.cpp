@@ -206,12 +206,21 @@ Result<void> applySet(Material& material, const std::string& text, const Catalog
     if (!done) {
         return tl::unexpected(done.error());
     }
-    if (!*done) {
-        return failure(
-            fmt::format("{}: the model \"{}\" has no such parameter", id, material.model.id),
-            oneOf(id, knownIds(material, catalog)) + "; `patina models` lists all");
+    if (*done) {
+        return {};
     }
-    return {};
+    if (const BlockKind* kind = kindCalled(id)) {
+        return failure(fmt::format("a {} is chosen by an option of its own", kind->singular),
+                       fmt::format("--{} {}", kind->singular, assignment->text));
+    }
+    return failure(fmt::format("the model \"{}\" has no such parameter", material.model.id),
+                   oneOf(id, knownIds(material, catalog)) + "; `patina models` lists all");
+}
+
+/// An error of an assignment, with what was typed before it.
+Error namingSet(Error error, const std::string& assignment) {
+    error.problem = fmt::format("--set {}: {}", assignment, error.problem);
+    return error;
 }
 
 bool isShorthandIn(const Block* block, std::string_view id) {
@@ -260,7 +269,7 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
             continue;
         }
         if (auto applied = applySet(object.material, assignment, catalog); !applied) {
-            return tl::unexpected(oneError(applied.error()));
+            return tl::unexpected(Errors{namingSet(applied.error(), assignment)});
         }
     }
     for (const std::string& assignment : options.textures) {
@@ -278,7 +287,8 @@ Result<void> applyToScene(Scene& scene, const PictureOptions& options, const Cat
     Result<void> done = chooseSceneBlocks(scene, options, catalog);
     for (const std::string& assignment : options.sets) {
         if (done && isForScene(assignment)) {
-            done = assignInScene(scene, assignment, catalog);
+            done = assignInScene(scene, assignment, catalog)
+                       .map_error([&](const Error& error) { return namingSet(error, assignment); });
         }
     }
     return done;

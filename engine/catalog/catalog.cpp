@@ -155,7 +155,8 @@ class Loader {
             return;
         }
         descriptor->block.shipped = shipped;
-        if (isUnique(*descriptor) && (shipped || leavesNames(*descriptor))) {
+        if (isUnique(*descriptor) && leavesIds(*descriptor) &&
+            (shipped || leavesNames(*descriptor))) {
             descriptors_.push_back(std::move(*descriptor));
         }
     }
@@ -169,6 +170,21 @@ class Loader {
                     fmt::format("the {} block \"{}\" is already there", other.block.kind,
                                 other.block.id),
                     "an id that " + other.block.descriptorFile.string() + " leaves free"));
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// A former id is of a block that is gone.
+    bool leavesIds(const Descriptor& descriptor) {
+        std::vector<std::string> taken = idsOfKind(descriptor.block.kind);
+        taken.push_back(descriptor.block.id);
+        for (const std::string& former : descriptor.block.formerIds) {
+            if (std::ranges::find(taken, former) != taken.end()) {
+                catalog_.errors.push_back(descriptor.document.error(
+                    "/formerIds", fmt::format("\"{}\" is the id of a block", former),
+                    "ids that no block of the kind has any more"));
                 return false;
             }
         }

@@ -18,7 +18,8 @@ vec3 lightTentEnvironment(Outlook o, LightTentEnvironment p) {
     vec3 light = mix(cloth, p.floorColor, ground);
 
     float edge = 0.02 + 0.4 * p.softness;
-    float across = abs(atan(o.d.x, o.d.z));
+    float level = abs(o.d.x) + abs(o.d.z); // straight up and down there is no angle
+    float across = abs(atan(o.d.x, level > 1e-6 ? o.d.z : 1.0));
     float halfWidth = 0.5 * p.openingWidth;
     float open = 1.0 - smoothstep(halfWidth - edge, halfWidth + edge, across);
     float shut = smoothstep(0.0, edge, p.openingWidth); // an opening of no width lets none in

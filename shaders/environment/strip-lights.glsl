@@ -5,11 +5,14 @@
 // strip overhead from front to back.
 vec3 stripLightsEnvironment(Outlook o, StripLightsEnvironment p) {
     float soft = 0.01 + 0.3 * p.softness;
-    float around = atan(o.d.x, o.d.z);
+    float level = abs(o.d.x) + abs(o.d.z); // straight up and down there is no angle
+    float around = atan(o.d.x, level > 1e-6 ? o.d.z : 1.0);
     float height = asin(clamp(o.d.y, -1.0, 1.0));
-    float share = 0.0;
+    float share = smoothstep(0.0, 0.02, p.stripWidth) * smoothstep(0.0, 0.02, p.stripHeight);
     float count = float(p.strips);
-    if (count > 0.5) {
+    if (count < 0.5) {
+        share = 0.0;
+    } else {
         float gap = 2.0 * PI / count;
         float turned = (around - 0.35 * gap) / gap;
         float across = abs(turned - floor(turned + 0.5)) * gap;
@@ -17,8 +20,8 @@ vec3 stripLightsEnvironment(Outlook o, StripLightsEnvironment p) {
         float halfHeight = 0.5 * p.stripHeight;
         float edge = min(soft, halfWidth + 1e-3);
         float up = abs(height - p.stripMiddle);
-        share = (1.0 - smoothstep(halfWidth - edge, halfWidth + edge, across)) *
-                (1.0 - smoothstep(halfHeight - soft, halfHeight + soft, up));
+        share *= (1.0 - smoothstep(halfWidth - edge, halfWidth + edge, across)) *
+                 (1.0 - smoothstep(halfHeight - soft, halfHeight + soft, up));
     }
     float over = o.d.y > 0.0 ? 1.0 : 0.0;
     float aside = abs(o.d.x) / max(o.d.y, 1e-3);

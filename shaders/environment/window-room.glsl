@@ -13,8 +13,9 @@ float windowShare(vec3 d, vec3 c, float w, float h, float bars, float edge) {
     float soft = 0.004 + 0.5 * edge;
     float upright = smoothstep(bars - soft, bars + soft, abs(x));
     float level = smoothstep(bars - soft, bars + soft, abs(abs(y) - h / 3.0));
-    float open = bars > 0.0 ? upright * level : 1.0;
-    return lampShare(d, c, w, h, edge) * open;
+    float open = mix(1.0, upright * level, smoothstep(0.0, 0.01, bars));
+    float size = smoothstep(0.0, 0.02, w) * smoothstep(0.0, 0.02, h); // of no size: none
+    return size * lampShare(d, c, w, h, edge) * open;
 }
 
 // Walls between a light ceiling and the floor, two windows on the left and a doorway on the right.

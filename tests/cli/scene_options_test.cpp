@@ -105,6 +105,33 @@ TEST(SceneOptions, EverySetting_IsSet) {
     }
 }
 
+TEST(SceneOptions, LightsWithoutANameAmongOthers_StandInPlaceOfTheScenes) {
+    const Scene scene = sceneWith({"--light", "key=point", "--light", "spot"});
+    ASSERT_EQ(scene.lights.size(), 2u);
+    EXPECT_EQ(scene.lights[0].name, "key");
+    EXPECT_EQ(scene.lights[1].block.id, "spot");
+    EXPECT_TRUE(sceneWith({"--light", "point", "--light", "none"}).lights.empty());
+}
+
+TEST(SceneOptions, NamesOfNoLight_AreErrorsWithThoseThereAre) {
+    EXPECT_NE(errorWith({"--light", "kye=none"}).find("'Key'"), std::string::npos);
+    EXPECT_NE(errorWith({"--shadow", "kye=hard"}).find("'Key'"), std::string::npos);
+    EXPECT_NE(errorWith({"--light", "=point"}).find("before the ="), std::string::npos);
+    EXPECT_NE(errorWith({"--shadow", "=hard"}).find("before the ="), std::string::npos);
+}
+
+TEST(SceneOptions, ErrorsOfAnAssignment_RepeatWhatWasTyped) {
+    for (const char* wrong :
+         {"fog.density=1", "light.key.intensit=2", "light.key=2", "camera.yaw=abc", "fog=linear",
+          "picture.nothing=1", "fresnel.f=0"}) {
+        EXPECT_NE(errorWith({"--set", wrong}).find(std::string("--set ") + wrong + ": "),
+                  std::string::npos)
+            << errorWith({"--set", wrong});
+    }
+    EXPECT_NE(errorWith({"--set", "fog=linear"}).find("--fog linear"), std::string::npos);
+    EXPECT_NE(errorWith({"--set", "light.key=2"}).find("is no value"), std::string::npos);
+}
+
 TEST(SceneOptions, Misspelt_AreErrorsWithTheNearestName) {
     EXPECT_NE(errorWith({"--fog", "linaer"}).find("'linear'"), std::string::npos);
     EXPECT_NE(errorWith({"--light", "pont"}).find("'point'"), std::string::npos);

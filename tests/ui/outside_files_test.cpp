@@ -61,6 +61,24 @@ TEST_F(OutsideFilesWindow, SceneWithAMeshOutside_IsOpenedWithoutItWhenThatIsRefu
     EXPECT_TRUE(said().contains("Allow Files Outside")) << said().toStdString();
 }
 
+TEST_F(OutsideFilesWindow, KeyTypedWhileTheQuestionOpens_DoesNotAnswerIt) {
+    bool wasOpenAfterKeys = false;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            timer.stop();
+            QTest::keyClick(box, Qt::Key_A); // Allow, had it been a click
+            QTest::keyClick(box->defaultButton(), Qt::Key_Return);
+            wasOpenAfterKeys = box->isVisible();
+            box->button(QMessageBox::No)->click();
+        }
+    });
+    timer.start(0);
+    openScene();
+    EXPECT_TRUE(wasOpenAfterKeys);
+    EXPECT_TRUE(isRefused());
+}
+
 TEST_F(OutsideFilesWindow, Answer_IsRememberedAcrossSessions) {
     {
         const Answer answer(QMessageBox::Yes);

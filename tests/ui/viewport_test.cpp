@@ -114,6 +114,17 @@ TEST_F(Viewports, Repainted_KeepTheirPictureWithoutAFrame) {
     EXPECT_EQ(view().grabFramebuffer(), before);
 }
 
+TEST_F(Viewports, ComparedForTheFirstTime_NameWhatTheyShow) {
+    window().comparison().setComparing(true);
+    settle();
+    const auto views = window().findChildren<SideView*>();
+    ASSERT_EQ(views.size(), 2);
+    for (SideView* each : views) {
+        const QLabel& title = *each->findChild<QLabel*>("title");
+        EXPECT_TRUE(title.text().contains(title.toolTip().left(4))) << title.text().toStdString();
+    }
+}
+
 TEST_F(Viewports, LeftDrag_Orbits) {
     const Camera before = camera();
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});

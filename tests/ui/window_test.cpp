@@ -350,6 +350,16 @@ TEST_F(Window, EveryEdit_IsRecoveredWithoutAnotherOne) {
     EXPECT_EQ(document().scene().exposure, -0.5);
 }
 
+TEST_F(Window, EditsThatAreUndone_LeaveNoUnsavedWork) {
+    const std::filesystem::path folder = home("XDG_STATE_HOME") / "patina/autosave";
+    edit(document());
+    ASSERT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
+    document().undoStack().undo();
+    EXPECT_TRUE(waitUntil([&] { return copiesIn(folder) == 0; }));
+    document().undoStack().redo();
+    EXPECT_TRUE(waitUntil([&] { return copiesIn(folder) == 1; }));
+}
+
 TEST_F(Window, KeyTypedWhileTheQuestionOpens_DoesNotAnswerIt) {
     window().autosave().setIntervals(1, 1);
     edit(document());

@@ -36,6 +36,19 @@ TEST(Catalog, FormerId_GivesWayToABlockThatHasItNow) {
     EXPECT_EQ(catalog.find("models", "haze"), nullptr);
 }
 
+TEST(Catalog, FormerIdThatABlockHas_IsAMistakeAtItsPlace) {
+    BlockFolder folder;
+    folder.add("fog", plainDescriptor("haze"));
+    auto renamed = plainDescriptor("mist");
+    renamed["formerIds"] = {"haze"};
+    folder.add("fog", renamed);
+    const Catalog catalog = folder.load();
+    ASSERT_EQ(catalog.errors.size(), 1u);
+    EXPECT_NE(catalog.errors[0].problem.find("\"haze\""), std::string::npos);
+    EXPECT_GT(catalog.errors[0].line, 1);
+    EXPECT_EQ(catalog.find("fog", "mist"), nullptr);
+}
+
 TEST(Catalog, Blocks_AreSortedByLabelWithinAKind) {
     BlockFolder folder;
     auto first = plainDescriptor("zz");

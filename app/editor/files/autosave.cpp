@@ -142,12 +142,18 @@ void Autosave::discard() {
     }
 }
 
-void Autosave::giveUp() {
-    if (!isAdopted_) {
+void Autosave::giveUpOwn() {
+    if (!isAdopted_ && lock_) {
         discard();
+    }
+}
+
+void Autosave::giveUp() {
+    giveUpOwn();
+    stop();
+    if (!isAdopted_) {
         return;
     }
-    stop();
     isAdopted_ = false;
     lock_.reset(); // as a program that is gone leaves it
 }
@@ -158,8 +164,10 @@ void Autosave::stop() {
     worker_.waitForDone();
 }
 
+/// What was undone as far as the file is no unsaved work any more.
 void Autosave::schedule() {
     if (!document_.isModified()) {
+        giveUpOwn();
         return;
     }
     quiet_.start();

@@ -60,6 +60,7 @@ class Autosave : public QObject {
 
   private:
     void stop();
+    void giveUpOwn();
     void schedule();
     void save();
     void noteEnd(const Result<void>& written);

@@ -7,6 +7,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "window/key_pause.h"
+
 namespace patina {
 namespace {
 
@@ -89,6 +91,7 @@ bool OutsideConsent::ask(const QString& file, const OutsideFiles& wanted) {
     question.button(QMessageBox::Yes)->setText(text("&Allow"));
     question.button(QMessageBox::No)->setText(text("&Leave out"));
     question.setDefaultButton(QMessageBox::No);
+    new KeyPause(question);
     const bool allowed = question.exec() == QMessageBox::Yes;
     if (!file.isEmpty()) {
         session_.addOutside(fullPath(file), allowed, pathsOf(wanted));

@@ -110,6 +110,8 @@ void SideView::resizeEvent(QResizeEvent* event) {
 
 void SideView::setTitleVisible(bool visible) {
     title_->setVisible(visible);
+    layout()->activate(); // it has its width only now
+    updateTitle();
 }
 
 void SideView::setInspecting(bool on) {
