@@ -113,6 +113,53 @@ TEST_F(EnvironmentTest, SkyAtItsZenith_HasTheLuminanceOfThePaper) {
     EXPECT_GT(zenith.b, zenith.r);
 }
 
+TEST_F(EnvironmentTest, SunOfAnySize_GivesTheSameLight) {
+    size_ = 9;
+    Scene scene = square("lambert");
+    makeWhite(scene);
+    scene.setPart(kinds::environment, block("environment", "sky"));
+    Values& sky = scene.part(kinds::environment)->parameters;
+    sky["sun.height"] = 0.0; // the square faces it
+    sky["sun.azimuth"] = 0.0;
+    sky["sun.color"] = glm::dvec3(1.0);
+    const auto light = [&](double intensity, double radius) {
+        sky["sun.intensity"] = intensity;
+        sky["sun.size"] = radius;
+        float sum = 0.0f;
+        const Image image = settled(scene, 1024);
+        for (int i = 0; i < 9; ++i) {
+            sum += pixel(image, 3 + i % 3, 3 + i / 3).g / 9.0f;
+        }
+        return sum;
+    };
+    const float skyAlone = light(0.0, 5.0);
+    for (const double radius : {1.5, 5.0, 12.0}) { // half of the disc is below the horizon
+        EXPECT_NEAR(light(4.0, radius) - skyAlone, 2.0f, 0.15f) << radius;
+    }
+}
+
+TEST_F(EnvironmentTest, GroundOfTheSky_IsAboutAsBrightAsWhatItReceives) {
+    Scene scene = square("lambert");
+    makeWhite(scene);
+    scene.objects[0].mesh = "builtin:plane"; // faces up
+    scene.camera.pitch = 90.0;
+    scene.camera.distance = 10.0;
+    scene.setPart(kinds::environment, block("environment", "sky"));
+    Values& sky = scene.part(kinds::environment)->parameters;
+    sky["sun.intensity"] = 0.0;
+    sky["ground.color"] = glm::dvec3(1.0);
+    sky["background"] = std::string("sharp");
+    for (const double height : {10.0, 35.0, 60.0, 90.0}) {
+        sky["sun.height"] = height;
+        const Image image = settled(scene, 1024);
+        const glm::vec3 received = middle(image);
+        const glm::vec3 ground = pixel(image, 0, 0);
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_NEAR(ground[i] / received[i], 1.0f, 0.25f) << height << ' ' << i;
+        }
+    }
+}
+
 /// Every number at each end of its range, by itself and all of them together.
 TEST_F(EnvironmentTest, EveryBlockAtItsLimits_GivesFiniteLight) {
     size_ = 9;

@@ -7,6 +7,7 @@
 
 #include <QAbstractItemView>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMimeData>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -14,6 +15,7 @@
 #include <QTest>
 
 #include "ui/window_fixture.h"
+#include "viewport/side_view.h"
 
 namespace patina::tests::viewport_test {
 namespace {
