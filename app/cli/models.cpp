@@ -12,6 +12,7 @@
 #include "catalog/descriptor.h"
 #include "catalog/settings.h"
 #include "catalog/value_json.h"
+#include "scene/picture_choice_text.h"
 
 namespace patina {
 namespace {
@@ -69,6 +70,36 @@ std::vector<std::string> kindsOf(const Catalog& catalog) {
     return kinds;
 }
 
+/// How exactly a scene's picture is drawn, as settings of its own.
+Block pictureSettings() {
+    Block picture;
+    picture.kind = settingsDescriptors().front().block.kind;
+    picture.id = "picture";
+    picture.label = "Picture";
+    for (const PictureChoiceText& text : pictureChoiceTexts()) {
+        AccuracyChoice choice{text.id, text.label, text.doc, {}};
+        for (const PictureChoiceText::Level& level : text.levels) {
+            EnumValue value;
+            value.id = level.id;
+            value.label = level.label;
+            value.doc = level.doc;
+            value.exact = choice.values.empty();
+            choice.values.push_back(value);
+        }
+        picture.accuracy.push_back(choice);
+    }
+    return picture;
+}
+
+std::vector<Block> allSettings() {
+    std::vector<Block> all;
+    for (const Descriptor& descriptor : settingsDescriptors()) {
+        all.push_back(descriptor.block);
+    }
+    all.push_back(pictureSettings());
+    return all;
+}
+
 void printTable(const Catalog& catalog) {
     for (const std::string& kind : kindsOf(catalog)) {
         std::cout << kind << "\n\n";
@@ -77,8 +108,8 @@ void printTable(const Catalog& catalog) {
         }
     }
     std::cout << "settings\n\n";
-    for (const Descriptor& descriptor : settingsDescriptors()) {
-        printBlock(descriptor.block);
+    for (const Block& block : allSettings()) {
+        printBlock(block);
     }
 }
 
@@ -87,8 +118,8 @@ void printJson(const Catalog& catalog) {
     for (const Block& block : catalog.blocks) {
         array.push_back(toJson(block));
     }
-    for (const Descriptor& descriptor : settingsDescriptors()) {
-        array.push_back(toJson(descriptor.block));
+    for (const Block& block : allSettings()) {
+        array.push_back(toJson(block));
     }
     std::cout << writeJson(array);
 }

@@ -31,9 +31,11 @@ TEST(ModelsCommand, Text_LeavesStandardErrorEmpty) {
     EXPECT_EQ(patina({"models"}).err, "");
 }
 
-TEST(ModelsCommand, Json_HasOneObjectPerShippedBlock) {
+TEST(ModelsCommand, Json_HasOneObjectPerShippedBlockAndThePicture) {
     const auto list = nlohmann::json::parse(patina({"models", "--json"}).out);
-    EXPECT_EQ(list.size(), shippedDescriptors().size());
+    EXPECT_EQ(list.size(), shippedDescriptors().size() + 1);
+    EXPECT_EQ(list.back()["id"], "picture");
+    EXPECT_EQ(list.back()["accuracy"][0]["id"], "samples");
 }
 
 TEST(ModelsCommand, Json_HasTheDescriptorFieldsAndTheKind) {
@@ -82,7 +84,7 @@ TEST(ModelsCommand, BrokenUserBlock_LeavesTheShippedOnes) {
     const Outcome outcome = patina(Start{.arguments = {"models", "--json"},
                                          .environment = {{"XDG_DATA_HOME", data.path()}},
                                          .input = {}});
-    EXPECT_EQ(nlohmann::json::parse(outcome.out).size(), shippedDescriptors().size());
+    EXPECT_EQ(nlohmann::json::parse(outcome.out).size(), shippedDescriptors().size() + 1);
 }
 
 } // namespace
