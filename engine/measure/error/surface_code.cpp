@@ -11,7 +11,7 @@
 
 #include "measure/eval/compiled_block.h"
 #include "shading/effects/effect_set.h"
-#include "shading/effects/surface_buffer.h"
+#include "shading/effects/surface_buffer_layout.h"
 
 namespace patina {
 namespace {

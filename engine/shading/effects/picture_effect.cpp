@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/effects/picture.h"
+#include "shading/effects/picture_effect.h"
 
 #include <algorithm>
 

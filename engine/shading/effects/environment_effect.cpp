@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/effects/environment.h"
+#include "shading/effects/environment_effect.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/effects/transparency.h"
+#include "shading/effects/transparency_effect.h"
 
 #include <algorithm>
 
