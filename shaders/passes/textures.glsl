@@ -14,7 +14,7 @@ float imageFront(Surface s) {
 // number, as images may have it.
 vec3 seenDirection(vec3 n, vec3 v, vec3 fallback) {
     float length2 = dot(n, n);
-    vec3 seen = n + max(LEAST_NV * sqrt(length2) - dot(n, v), 0.0) * v;
+    vec3 seen = n + max(MIN_NV * sqrt(length2) - dot(n, v), 0.0) * v;
     vec3 unit = seen * inversesqrt(dot(seen, seen));
     return length2 < 1e30 ? unit : fallback;
 }
