@@ -23,9 +23,9 @@ float offWhole(float x) {
 }
 
 // How dark and how bright a surface is drawn, together 1: all dark where n.l is at most `dark`, all
-// bright where it is at least `light`. Both at one place is a hard edge, 0.001 wide. What n.l lacks
-// to `light` and what it has more than `dark` comes from 1 - n.l where that is the small one: a
-// narrow edge multiplies what is lost.
+// bright where it is at least `light`. Both at one place is a hard edge, 0.001 wide. How far n.l is
+// below `light` and above `dark` comes from 1 - n.l where that is the small one: a narrow edge
+// multiplies what is lost.
 vec2 tones(Directions d, float dark, float light) {
     float width = max(light - dark, 1e-3);
     bool facing = d.versineL < 0.5;
@@ -36,8 +36,8 @@ vec2 tones(Directions d, float dark, float light) {
 }
 
 // Ink with the strength f of a mark, where 1 - f is given too so that it is no difference.
-vec2 faded(vec2 mark, float strength, float lack) {
-    return vec2(strength * mark.x, lack + strength * mark.y);
+vec2 faded(vec2 mark, float strength, float missing) {
+    return vec2(strength * mark.x, missing + strength * mark.y);
 }
 
 // A line of any width whose middle is `aside` away. The ramps of its edges make a line of w < 1

@@ -5,7 +5,7 @@
 
 // The versine of the narrowest outer cone, 4.5e-7 rad: below that the rounding of a unit vector
 // decides what is inside.
-const float LEAST_CONE = 1e-13;
+const float MIN_CONE = 1e-13;
 
 // The share of a spot light that leaves it towards -l.
 // With u = 1 - cos of the angle to the axis and ui, uo those of the inner and outer angle:
@@ -16,7 +16,7 @@ float spotCone(vec3 l, SpotLight p) {
     vec3 forward = l + p.direction;
     vec3 behind = l - p.direction;
     float u = 0.5 * dot(forward, forward);
-    float uo = max(versineOf(p.angleOuter), LEAST_CONE);
+    float uo = max(versineOf(p.angleOuter), MIN_CONE);
     float ui = p.angleInner < p.angleOuter ? min(versineOf(p.angleInner), uo) : uo;
     float inside = uo - u;
     if (u > 1.0) {

@@ -27,8 +27,8 @@ vec2 hatchingStrokes(vec2 place, float spacing, float shift, float width, float 
 // (layer + 1) / 6 on.
 vec2 hatchingLayer(vec2 drawn, float dark, float layer, vec2 stroke) {
     float share = clamp(6.0 * dark - layer, 0.0, 1.0);
-    float lack = clamp(layer + 1.0 - 6.0 * dark, 0.0, 1.0);
-    vec2 added = faded(stroke, share, lack);
+    float missing = clamp(layer + 1.0 - 6.0 * dark, 0.0, 1.0);
+    vec2 added = faded(stroke, share, missing);
     return vec2(drawn.x + drawn.y * added.x, drawn.y * added.y);
 }
 

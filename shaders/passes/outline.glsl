@@ -19,7 +19,7 @@ const vec2 ROUND[4] = vec2[4](vec2(0.0, 1.0), vec2(0.5, 0.8660254), vec2(0.86602
                               vec2(1.0, 0.0));
 
 // Faces that are thinner than this in proportion have no direction of their own.
-const float LEAST_FACE = 1e-4;
+const float MIN_FACE = 1e-4;
 
 // A line on a surface lies half a pixel's width in front of it; one outside as far behind its edge,
 // so that whatever part of the shape lies beside it hides it.
@@ -29,7 +29,7 @@ const float LIFT = 0.5;
 const float STEEPEST = 8.0;
 
 // Square pixels: a face that covers less is seen edge-on.
-const float LEAST_AREA = 1e-6;
+const float MIN_AREA = 1e-6;
 
 // A plane in which a face lies, as depth over the picture.
 struct FacePlane {
@@ -64,7 +64,7 @@ vec3 faceDirection(vec3 edge, vec3 beside) {
 }
 
 bool areFaces(vec3 a, vec3 b) {
-    return length(a) > LEAST_FACE && length(b) > LEAST_FACE;
+    return length(a) > MIN_FACE && length(b) > MIN_FACE;
 }
 
 // The angle between the directions of the faces, which see the edge from opposite ends.
@@ -109,7 +109,7 @@ FacePlane planeOf(vec4 corner) {
     float du = edgeTo.z / edgeTo.w - edgeFrom.z / edgeFrom.w;
     float dv = corner.z / corner.w - edgeFrom.z / edgeFrom.w;
     float area = u.x * v.y - u.y * v.x;
-    if (abs(area) > LEAST_AREA) {
+    if (abs(area) > MIN_AREA) {
         plane.slope = vec2(du * v.y - dv * u.y, dv * u.x - du * v.x) / area;
         plane.reach = max(abs(dv), abs(dv - du));
     }

@@ -53,7 +53,7 @@ struct ShadowPoint {
 };
 
 // Light that comes in flatter is taken as this: what is left of it is too little to see.
-const float LEAST_SHADOWED_NL = 0.002;
+const float MIN_SHADOWED_NL = 0.002;
 
 // A number in 0 .. 1 for each pixel, as different as can be from its neighbours' (J. Jimenez, Next
 // Generation Post Processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014).
@@ -102,8 +102,8 @@ ShadowPoint shadowPoint(Surface s, vec3 l, ShadowView view, bool isParallel) {
     ShadowPoint p;
     p.view = view;
     p.isParallel = isParallel;
-    float lack = LEAST_SHADOWED_NL - dot(shadowFace, l);
-    p.n = lack > 0.0 ? normalize(shadowFace + lack * l) : shadowFace;
+    float missing = MIN_SHADOWED_NL - dot(shadowFace, l);
+    p.n = missing > 0.0 ? normalize(shadowFace + missing * l) : shadowFace;
     p.l = l;
     p.across = isParallel ? view.window.x * view.right : tangentAlong(l, vec3(1.0, 0.0, 0.0));
     p.along = isParallel ? view.window.x * view.up : cross(l, p.across);
@@ -111,7 +111,7 @@ ShadowPoint shadowPoint(Surface s, vec3 l, ShadowView view, bool isParallel) {
     float range = max(length(way), 1e-6);
     p.inverseRange = isParallel ? 0.0 : 1.0 / range;
     p.texel = isParallel ? view.texel : view.texel * range;
-    float nl = max(dot(shadowFace, l), LEAST_SHADOWED_NL);
+    float nl = max(dot(shadowFace, l), MIN_SHADOWED_NL);
     float slant = safeSqrt(1.0 - sqr(nl));
     float lift = isParallel ? slant : max(slant, shadowFaceSlant(shadowFace, way, view));
     p.x = s.x + shadowLift * (p.texel * (0.25 + 1.5 * lift));

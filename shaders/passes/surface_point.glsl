@@ -9,9 +9,9 @@ layout(std140) uniform SceneBlock {
 };
 
 // The smallest n.v that is shaded. Interpolated normals of a coarse mesh point away from the
-// viewer near its outline, where every model is 0 and black pixels would line it; they are bent
+// viewer near its outline, where every model is 0 and black pixels would line it; they are turned
 // towards the viewer to 0.6 degrees above the horizon.
-const float LEAST_NV = 0.01;
+const float MIN_NV = 0.01;
 
 struct Surface {
     vec3 x;         // in world space
@@ -24,18 +24,18 @@ struct Surface {
 };
 
 vec3 towardsViewer(vec3 n, vec3 v) {
-    float lack = LEAST_NV - dot(n, v);
-    return lack > 0.0 ? normalize(n + lack * v) : n;
+    float missing = MIN_NV - dot(n, v);
+    return missing > 0.0 ? normalize(n + missing * v) : n;
 }
 
-// The same for an n of at most length 1, blended of unit ones, made unit by one root. LEAST_NV is
+// The same for an n of at most length 1, blended of unit ones, made unit by one root. MIN_NV is
 // kept towards the viewer whatever the length of n is, which is no less than that share of it, and
 // enough for nothing to cancel where n is -v or zero, which gives v. Only on slivers, thinner than
 // the 1/256 pixel to which devices place vertices, n may be somewhat longer, and the share less.
 // 1e-36 is there for a v of zero, at the eye itself.
 vec3 unitTowardsViewer(vec3 n, vec3 v) {
-    vec3 bent = n + max(LEAST_NV - dot(n, v), 0.0) * v;
-    return bent * inversesqrt(dot(bent, bent) + 1e-36);
+    vec3 turned = n + max(MIN_NV - dot(n, v), 0.0) * v;
+    return turned * inversesqrt(dot(turned, turned) + 1e-36);
 }
 
 // The unit tangent along t, at most of length 1, perpendicular to the unit normal n: t - (t.n) n,

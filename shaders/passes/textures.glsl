@@ -14,13 +14,13 @@ float imageFront(Surface s) {
 // number, as images may have it.
 vec3 seenDirection(vec3 n, vec3 v, vec3 fallback) {
     float length2 = dot(n, n);
-    vec3 seen = n + max(LEAST_NV * sqrt(length2) - dot(n, v), 0.0) * v;
+    vec3 seen = n + max(MIN_NV * sqrt(length2) - dot(n, v), 0.0) * v;
     vec3 unit = seen * inversesqrt(dot(seen, seen));
     return length2 < 1e30 ? unit : fallback;
 }
 
-// The surface with another normal, longer than 1e-9.
-Surface bent(Surface s, vec3 n) {
+// The surface with a perturbed normal, longer than 1e-9.
+Surface perturbed(Surface s, vec3 n) {
     s.n = seenDirection(n, s.v, s.n);
     s.t = tangentBeside(s.n, worldTangent);
     s.b = cross(s.n, s.t);

@@ -2,7 +2,9 @@
 // What holds for every file: a licence, a size that reads well, no test that is switched off.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <regex>
+#include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
@@ -102,6 +104,17 @@ TEST(Files, Lines_HaveAtMost100Columns) {
             const auto columns =
                 std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; });
             EXPECT_LE(columns, 100) << file.path << ":" << number;
+        }
+    }
+}
+
+/// Two files of one name are told apart by their folder only: in a search, a tab, an error message.
+TEST(Files, SourcesOfTheProgram_AreNamedApart) {
+    std::map<std::string, std::string> folders;
+    for (const SourceFile& file : filesUnder({"app", "engine"}, {".cpp", ".h"})) {
+        if (file.name() != "main.cpp") {
+            const auto& [stem, folder] = *folders.try_emplace(file.stem(), file.folder()).first;
+            EXPECT_EQ(file.folder(), folder) << stem;
         }
     }
 }

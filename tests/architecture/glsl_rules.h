@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "shading/glsl/declarations.h"
+#include "shading/glsl/glsl_declarations.h"
 
 namespace patina::tests {
 

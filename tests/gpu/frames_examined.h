@@ -15,7 +15,7 @@ class ExaminedShaders {
     enum class Stage {
         Surface, ///< red: a colour that is not finite, green: a negative one, blue: a point or a
                  ///< light that is not finite, or a normal that is not unit or does not face
-                 ///< the eye by half of LEAST_NV: slivers blend normals to more than length 1
+                 ///< the eye by half of MIN_NV: slivers blend normals to more than length 1
         Display  ///< white: what the tone mapping gives is not finite or negative
     };
 
@@ -57,7 +57,7 @@ bool negative(vec3 x) {
         replace("passes/surface.glsl", "    return s;\n",
                 "    unsound = !(finite(s.x) && finite(s.v) && finite(s.range) && finite(s.n)\n"
                 "        && finite(s.t) && finite(s.b)) || !(abs(dot(s.n, s.n) - 1.0) < 1e-5)\n"
-                "        || !(dot(s.n, s.v) > 0.5 * LEAST_NV);\n    return s;\n");
+                "        || !(dot(s.n, s.v) > 0.5 * MIN_NV);\n    return s;\n");
         replace("passes/surface.glsl", "void store(vec3 color, float alpha) {", R"(
 void store(vec3 color, float alpha) {
     storedColor = vec4(float(!finite(color)), float(negative(color)), float(unsound), 1.0);

@@ -2,7 +2,7 @@
 #include "measure/cost/sweep_size.h"
 
 #include "gl/driver.h"
-#include "shading/effects/environment.h"
+#include "shading/effects/environment_effect.h"
 
 namespace patina {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "shading/glsl/declarations.h"
+#include "shading/glsl/glsl_declarations.h"
 
 namespace patina {
 namespace {

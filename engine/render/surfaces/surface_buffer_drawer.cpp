@@ -7,7 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "gl/framebuffer.h"
-#include "shading/effects/surface_buffer.h"
+#include "shading/effects/surface_buffer_layout.h"
 
 namespace patina {
 namespace {

@@ -25,7 +25,7 @@ void addHoles(SourceBuilder& out, const OpacityPart& holes) {
     }
     out.addFile("passes/shadow_holes.glsl");
     out.add("void main() {\n" + decided +
-            "    if (there < LEAST_SHADOWING) {\n        discard;\n    }\n}\n");
+            "    if (there < MIN_SHADOWING) {\n        discard;\n    }\n}\n");
 }
 
 } // namespace

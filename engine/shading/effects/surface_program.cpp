@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "shading/effects/surface_buffer.h"
+#include "shading/effects/surface_buffer_layout.h"
 #include "shading/effects/surface_text.h"
 #include "shading/program/table_writer.h"
 

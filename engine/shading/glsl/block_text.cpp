@@ -10,8 +10,8 @@
 
 #include "catalog/suggestion.h"
 #include "catalog/table_source.h"
-#include "shading/glsl/declarations.h"
 #include "shading/glsl/entry_text.h"
+#include "shading/glsl/glsl_declarations.h"
 #include "shading/glsl/tokens.h"
 
 namespace patina {

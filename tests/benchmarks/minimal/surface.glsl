@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A surface that is seen from either side, whatever the winding of its triangles; near the outline
-// its normal is bent as everywhere.
+// its normal is turned as everywhere.
 #include "lib/math.glsl"
 
 in vec3 worldPosition;
@@ -9,8 +9,8 @@ centroid in vec3 worldNormal;
 layout(location = 0) out vec4 color;
 
 vec3 towardsViewer(vec3 n, vec3 v) {
-    float lack = 0.01 - dot(n, v);
-    return lack > 0.0 ? normalize(n + lack * v) : n;
+    float missing = 0.01 - dot(n, v);
+    return missing > 0.0 ? normalize(n + missing * v) : n;
 }
 
 // Between normals that oppose there is none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/glsl/declarations.h"
+#include "shading/glsl/glsl_declarations.h"
 
 #include <span>
 

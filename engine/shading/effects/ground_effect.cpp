@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/effects/ground.h"
+#include "shading/effects/ground_effect.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shading/effects/surface_buffer.h"
+#include "shading/effects/surface_buffer_layout.h"
 
 #include <fmt/format.h>
 
