@@ -17,7 +17,7 @@ Result<void> chooseEnvironment(Scene& scene, const std::string& choice, const Ca
 
 /// The picture that the scene's environment is made of; null where it needs none. One that cannot
 /// be read is an error where the options name it; where a scene does, a warning on standard error,
-/// and a placeholder stands in for it.
+/// and a placeholder takes its place.
 Result<std::shared_ptr<const EnvironmentImage>>
 environmentPicture(const Scene& scene, const PictureOptions& options, const Catalog& catalog,
                    AssetClient& client);

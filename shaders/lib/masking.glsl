@@ -18,7 +18,7 @@ float beckmannUnmasked(float c, float s2, float alpha) {
     return c + 0.5 * width * ierfc(c / max(width, 1e-30));
 }
 
-// Schlick's rational stand-in: S = c (1 - k) + k, 0 <= k <= 1.
+// Schlick's rational approximation: S = c (1 - k) + k, 0 <= k <= 1.
 // Schlick, An Inexpensive BRDF Model for Physically-based Rendering, CGF 13(3), 1994; k = alpha
 // sqrt(2 / pi) for Beckmann, alpha / 2 for GGX (Karis, Real Shading in Unreal Engine 4, SIGGRAPH
 // 2013 course).

@@ -151,7 +151,7 @@ TEST_F(CostSweepTest, WhatIsDone_IsToldFromTheStart) {
     double before = 0.0;
     while (!(*sweep)->finished()) {
         const SweepStep step = (*sweep)->doing();
-        EXPECT_EQ(step.of, 6u); // the right frame, the empty one, the exact one, three levels
+        EXPECT_EQ(step.of, 6u); // the ground truth, the empty one, the exact one, three levels
         EXPECT_GE(step.progress(), before);
         numbers.insert(step.number);
         before = step.progress();

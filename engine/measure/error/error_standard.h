@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// What the errors of a sweep are measured against: the right frame and, where points differ in
+/// What the errors of a sweep are measured against: the ground truth and, where points differ in
 /// their directions of an environment, a converged one. Made, used and destroyed with one context
 /// current.
 class ErrorStandard {
@@ -35,7 +35,7 @@ class ErrorStandard {
     GroundTruthFrame::Wish wish_;
     std::string directions_;
     GroundTruthFrame groundTruth_;
-    std::optional<ConvergedFrame> converged_; ///< from when the right frame is done
+    std::optional<ConvergedFrame> converged_; ///< from when the ground truth is done
 };
 
 } // namespace patina

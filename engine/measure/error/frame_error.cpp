@@ -78,8 +78,8 @@ std::vector<double> ofCounted(const std::vector<double>& all,
 
 } // namespace
 
-ErrorMeter::ErrorMeter(LinearFrame right, const DisplayCurve& curve, ParallelJob& work)
-    : groundTruth_(std::move(right)), curve_(curve), shown_(groundTruth_.colors.size()),
+ErrorMeter::ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve, ParallelJob& work)
+    : groundTruth_(std::move(groundTruth)), curve_(curve), shown_(groundTruth_.colors.size()),
       floor_(minShownLight / curve.factor()) {
     work.add(shown_.size(), [this](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -89,8 +89,8 @@ ErrorMeter::ErrorMeter(LinearFrame right, const DisplayCurve& curve, ParallelJob
     flip_.emplace(groundTruth_.size, shown_, work);
 }
 
-ErrorMeter::ErrorMeter(LinearFrame right, const DisplayCurve& curve)
-    : groundTruth_(std::move(right)), curve_(curve), floor_(minShownLight / curve.factor()) {
+ErrorMeter::ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve)
+    : groundTruth_(std::move(groundTruth)), curve_(curve), floor_(minShownLight / curve.factor()) {
     shown_.reserve(groundTruth_.colors.size());
     for (const glm::dvec3& color : groundTruth_.colors) {
         shown_.push_back(curve_.shown(color));

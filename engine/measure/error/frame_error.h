@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// How far a frame is from the right one, over the pixels that count. Relative errors are those of
-/// a pixel's channel that is off by most, in linear light, relative to the pixel's brightest
+/// How far a frame is from the ground truth, over the pixels that count. Relative errors are those
+/// of a pixel's channel that is off by most, in linear light, relative to the pixel's brightest
 /// channel; where that is too dark for half of an 8-bit step, relative to that.
 struct FrameError {
     double max = 0.0;
@@ -28,13 +28,13 @@ struct FrameError {
     friend bool operator==(const FrameError&, const FrameError&) = default;
 };
 
-/// Compares frames with a right one.
+/// Compares frames with a ground truth.
 class ErrorMeter {
   public:
-    ErrorMeter(LinearFrame right, const DisplayCurve& curve);
+    ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve);
 
     /// The same, ready when `work` is done. Until then it must stay where it is.
-    ErrorMeter(LinearFrame right, const DisplayCurve& curve, ParallelJob& work);
+    ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve, ParallelJob& work);
 
     /// `frame` is of the same size; its own counts say nothing, and its pixels that do not count
     /// are taken for right.
@@ -53,7 +53,7 @@ class ErrorMeter {
 
     LinearFrame groundTruth_;
     DisplayCurve curve_;
-    std::vector<glm::dvec3> shown_; ///< the right frame on the display
+    std::vector<glm::dvec3> shown_; ///< the ground truth on the display
     double floor_ = 0.0;            ///< light that is taken for no darker
     std::optional<Flip> flip_;
 };

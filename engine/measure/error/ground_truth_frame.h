@@ -23,7 +23,7 @@ class GroundTruthFrame {
         ChosenFrame exact;         ///< with every choice exact
         ChosenFrame drawn;         ///< the same as it is captured
         std::vector<bool> counted; ///< by object: whose pixels count
-        bool inDoubles = true;     ///< false: the device's frame is the right one
+        bool inDoubles = true;     ///< false: the device's frame is the ground truth
     };
     explicit GroundTruthFrame(Wish wish);
     GroundTruthFrame(const GroundTruthFrame&) = delete;

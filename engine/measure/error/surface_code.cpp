@@ -89,13 +89,13 @@ class Collector {
   private:
     Result<void> checkWhole() const {
         if (!layout_.model) {
-            return failure("an object has a plain stand-in for its model");
+            return failure("an object has a plain fallback for its model");
         }
         if (effects_.refraction) {
-            return failure("the object bends what is seen through it");
+            return failure("the object refracts what is seen through it");
         }
         if (isVisiblyTransparent(effects_)) {
-            return failure("what is behind the object shines through");
+            return failure("the object is transparent");
         }
         return {};
     }

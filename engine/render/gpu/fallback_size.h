@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// A size near `small`, and not below it, that stands in for `size` where nothing is to be seen: a
+/// A size near `small`, and not below it, that replaces `size` where nothing is to be seen: a
 /// software driver compiles programs anew for images whose sides are powers of two, or are not. The
 /// same holds for what is `scale` times as large (see PictureAccuracy::scale()). Sides are at least
 /// 1 and grow by at most 64.

@@ -30,7 +30,7 @@ std::shared_ptr<const TexturePicture> checker(const Texel& light, const Texel& d
     return std::make_shared<const TexturePicture>(madeTexture(image, TextureDecoding::Linear));
 }
 
-/// What stands in for an image that cannot be had: colours; fields that lean to the left and to the
+/// The placeholder of an image that cannot be had: colours; fields that lean to the left and to the
 /// right; steps; and holes in half of the fields.
 const std::shared_ptr<const TexturePicture>& placeholder(TextureRole role) {
     static const auto colors = checker({1.0f, 0.0f, 1.0f, 1.0f}, {0.1f, 0.1f, 0.1f, 1.0f});

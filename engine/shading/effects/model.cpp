@@ -95,7 +95,7 @@ void ModelEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
         return;
     }
     if (listing.subject().catalog.find(kinds::models, material->model.id) == nullptr) {
-        listing.add("the model", fmt::format("No model \"{}\" is known; a plain stand-in is drawn.",
+        listing.add("the model", fmt::format("No model \"{}\" is known; a plain fallback is drawn.",
                                              material->model.id));
     }
     if (!model) {
