@@ -176,8 +176,8 @@ void addCheck(CLI::App& program, int& status) {
         ->add_option("--cases", options->cases,
                      "About how many cases to evaluate, shared out among the block's compiled\n"
                      "choices. A case is one pair of directions with one set of values, evaluated\n"
-                     "in both precisions and counted once. Every hard pair, and 16 with each set\n"
-                     "of hard values, are always evaluated")
+                     "in both precisions and counted once. Every edge-case pair, and 16 with each\n"
+                     "set of edge-case values, are always evaluated")
         ->check(CLI::Range(1UL, 100000000UL))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON");
