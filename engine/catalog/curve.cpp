@@ -263,7 +263,7 @@ void packCurve(const Parameter& parameter, const Value& value, double* out) {
 }
 
 /// Presets; edges at both ends, upside down; as many turns as there can be; no curve at all.
-std::vector<Value> hardCurves(const Parameter& parameter, std::span<const double> numbers) {
+std::vector<Value> edgeCaseCurves(const Parameter& parameter, std::span<const double> numbers) {
     std::vector<Value> values;
     for (const CurvePreset& preset : curvePresets()) {
         values.push_back(curveValue(preset.points));
@@ -319,7 +319,7 @@ ParameterTypeInfo curveInfo() {
     row.summary = &curveSummary;
     row.conformed = &conformedCurve;
     row.pack = &packCurve;
-    row.edgeCases = &hardCurves;
+    row.edgeCases = &edgeCaseCurves;
     row.ordinary = &ordinaryCurve;
     row.states = [](const Parameter&) {
         return std::vector<Value>{curveValue(curvePresets()[0].points),

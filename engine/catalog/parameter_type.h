@@ -73,7 +73,7 @@ struct ParameterTypeInfo {
     Value (*conformed)(const Parameter&, const Value&) = nullptr;
     void (*pack)(const Parameter&, const Value&, double* out) = nullptr;
 
-    /// Hard values of the type, made of hard numbers of the parameter's range.
+    /// Edge-case values of the type, made of edge-case numbers of the parameter's range.
     std::vector<Value> (*edgeCases)(const Parameter&, std::span<const double>) = nullptr;
     /// A value made of numbers of the slider's range, which `next` gives.
     Value (*ordinary)(const Parameter&, const std::function<double()>& next) = nullptr;

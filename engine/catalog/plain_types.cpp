@@ -85,7 +85,7 @@ void packAngle(const Parameter& parameter, const Value& value, double* out) {
     *out = glm::radians(clampedNumber(parameter, std::get<double>(value)));
 }
 
-std::vector<Value> hardNumbers(const Parameter&, Numbers numbers) {
+std::vector<Value> edgeCaseNumbers(const Parameter&, Numbers numbers) {
     return {numbers.begin(), numbers.end()};
 }
 
@@ -101,7 +101,7 @@ ParameterTypeInfo numberInfo() {
     info.range = &listedRange;
     info.conformed = &conformedNumber;
     info.pack = &packNumber;
-    info.edgeCases = &hardNumbers;
+    info.edgeCases = &edgeCaseNumbers;
     info.ordinary = &ordinaryNumber;
     return info;
 }
@@ -141,7 +141,7 @@ void packWhole(const Parameter& parameter, const Value& value, double* out) {
     *out = clampedWhole(parameter, value);
 }
 
-std::vector<Value> hardWholes(const Parameter&, Numbers numbers) {
+std::vector<Value> edgeCaseWholes(const Parameter&, Numbers numbers) {
     std::vector<Value> values;
     for (const double number : numbers) {
         values.emplace_back(static_cast<int>(std::ceil(number)));
@@ -244,7 +244,7 @@ Value conformedVector(const Parameter& parameter, const Value& value) {
 
 /// Equal components, and mixtures of the ends with what is between.
 template <class Vector>
-std::vector<Value> hardVectors(const Parameter&, Numbers numbers) {
+std::vector<Value> edgeCaseVectors(const Parameter&, Numbers numbers) {
     std::vector<Value> values;
     for (const double number : numbers) {
         values.emplace_back(Vector(number));
@@ -277,7 +277,7 @@ ParameterTypeInfo vectorInfo(std::string_view word) {
     info.range = &listedRange;
     info.conformed = &conformedVector<Vector>;
     info.pack = &packVector<Vector>;
-    info.edgeCases = &hardVectors<Vector>;
+    info.edgeCases = &edgeCaseVectors<Vector>;
     info.ordinary = &ordinaryVector<Vector>;
     return info;
 }
@@ -383,7 +383,7 @@ const ParameterTypeInfo& infoOfInt() {
         row.expected = &expectedWhole;
         row.conformed = &conformedWhole;
         row.pack = &packWhole;
-        row.edgeCases = &hardWholes;
+        row.edgeCases = &edgeCaseWholes;
         row.ordinary = &ordinaryWhole;
         return row;
     }();

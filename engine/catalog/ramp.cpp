@@ -279,7 +279,7 @@ void packRamp(const Parameter& parameter, const Value& value, double* out) {
 }
 
 /// One colour, both ends, edges and as many stops as there can be, in every interpolation.
-std::vector<Value> hardRamps(const Parameter& parameter, std::span<const double> numbers) {
+std::vector<Value> edgeCaseRamps(const Parameter& parameter, std::span<const double> numbers) {
     const glm::dvec3 low(parameter.min);
     const glm::dvec3 high(parameter.max);
     std::vector<RampStop> turns;
@@ -329,7 +329,7 @@ ParameterTypeInfo rampInfo() {
     row.summary = &rampSummary;
     row.conformed = &conformedRamp;
     row.pack = &packRamp;
-    row.edgeCases = &hardRamps;
+    row.edgeCases = &edgeCaseRamps;
     row.ordinary = &ordinaryRamp;
     row.function = &function;
     return row;

@@ -35,7 +35,7 @@ std::string nameOf(const testing::TestParamInfo<fs::path>& info) {
 class ShippedPreset : public testing::TestWithParam<fs::path> {};
 
 /// The whole sweep that a user gets: fewer cases miss combinations that break.
-TEST_P(ShippedPreset, IsCheckedAtItsHardPlaces_NothingBreaks) {
+TEST_P(ShippedPreset, IsCheckedInItsEdgeCases_NothingBreaks) {
     const Outcome outcome = patina({"check", GetParam().string()});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
 }

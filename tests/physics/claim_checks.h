@@ -76,11 +76,11 @@ inline std::span<const double> signedPart(const EvalCase& request, const Numbers
 }
 
 template <class Judge>
-Experiment ofHardCases(const Block& block, const Care& care, Judge judge) {
-    auto hard = std::make_shared<HardCases>(block);
+Experiment ofEdgeCases(const Block& block, const Care& care, Judge judge) {
+    auto cases = std::make_shared<EdgeCases>(block);
     return {care.edgeCaseTrials, care.casesAtATime,
-            [hard] {
-                const EvalCase request = hard->next();
+            [cases] {
+                const EvalCase request = cases->next();
                 return Trial{request, {request}};
             },
             [judge](const Trial& trial, const auto& values) {
@@ -95,20 +95,20 @@ inline std::shared_ptr<OrdinaryCases> ordinaryCases(const Block& block) {
 }
 
 inline Experiment finite(const Block& block, const Care& care) {
-    return ofHardCases(block, care, [](const EvalCase&, const Numbers& values) {
+    return ofEdgeCases(block, care, [](const EvalCase&, const Numbers& values) {
         return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
     });
 }
 
 inline Experiment nonNegative(const Block& block, const Care& care) {
-    return ofHardCases(block, care, [](const EvalCase& request, const Numbers& values) {
+    return ofEdgeCases(block, care, [](const EvalCase& request, const Numbers& values) {
         const auto part = signedPart(request, values);
         return std::all_of(part.begin(), part.end(), [](double x) { return x >= 0.0; });
     });
 }
 
 inline Experiment zeroBelowHorizon(const Block& block, const Care& care) {
-    return ofHardCases(block, care, [](const EvalCase& request, const Numbers& values) {
+    return ofEdgeCases(block, care, [](const EvalCase& request, const Numbers& values) {
         return (request.l.z > 0.0 && request.v.z > 0.0) || values[0] == 0.0;
     });
 }
@@ -193,7 +193,7 @@ inline double albedo(const Trial& trial, std::span<const Numbers> values) {
 /// No more comes back than arrives: the albedo is at most 1, and so is a share.
 inline Experiment energyConserving(const Block& block, const Care& care) {
     if (block.kind != "models" && block.kind != "specular") {
-        return ofHardCases(block, care,
+        return ofEdgeCases(block, care,
                            [](const EvalCase&, const Numbers& values) { return values[0] <= 1.0; });
     }
     auto ordinary = ordinaryCases(block);
@@ -231,10 +231,10 @@ inline Experiment continuousAtHorizon(const Block& block, const Care& care) {
 
 /// Of a Fresnel block: what is reflected does not fall as light gets flatter.
 inline Experiment monotonic(const Block& block, const Care& care) {
-    auto hard = std::make_shared<HardCases>(block);
+    auto cases = std::make_shared<EdgeCases>(block);
     return {care.edgeCaseTrials / 100, care.casesAtATime,
-            [hard] {
-                const EvalCase request = hard->next();
+            [cases] {
+                const EvalCase request = cases->next();
                 Trial trial{request, std::vector<EvalPlace>(101, request)};
                 for (std::size_t i = 0; i < trial.places.size(); ++i) {
                     trial.places[i].number = 1.0 - 0.01 * static_cast<double>(i);

@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(EveryBlock, Claims,
                          })),
                          nameOf);
 
-/// The sweep of the hard cases looks for what is negative or below the horizon.
+/// The sweep of the edge cases looks for what is negative or below the horizon.
 class ClaimsOnTheGpu : public testing::TestWithParam<Made> {};
 
 TEST_P(ClaimsOnTheGpu, BlockThatMakesIt_KeepsIt) {

@@ -176,7 +176,7 @@ class OrdinaryCases : public RandomCases {
 /// What breaks formulas: cosines down to 1e-8 and up to 1, azimuths and mirror directions that are
 /// off by little or nothing, opposite and parallel directions, and values at the ends of the ranges
 /// that a file may hold.
-class HardCases : public RandomCases {
+class EdgeCases : public RandomCases {
   public:
     using RandomCases::RandomCases;
 

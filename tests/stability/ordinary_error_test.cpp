@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the shader loses against double precision where nothing is hard.
+// What the shader loses against double precision where nothing is an edge case.
 #include <cmath>
 #include <fstream>
 #include <iostream>

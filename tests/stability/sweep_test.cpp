@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every block of the catalogue at every hard case, in double precision and in the real shader.
+// Every block of the catalogue in every edge case, in double precision and in the real shader.
 #include <iostream>
 
 #include <gtest/gtest.h>

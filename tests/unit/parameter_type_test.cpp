@@ -41,22 +41,23 @@ class EveryType : public testing::TestWithParam<ParameterType> {
   protected:
     const ParameterTypeInfo& info_ = infoOf(GetParam());
     Parameter parameter_ = parameterOf(GetParam());
-    std::vector<Value> hard_ = info_.edgeCases(parameter_, std::vector<double>{0.0, 1.0, 0.25});
+    std::vector<Value> edgeCases_ =
+        info_.edgeCases(parameter_, std::vector<double>{0.0, 1.0, 0.25});
 };
 
 TEST_P(EveryType, Word_NamesIt) {
     EXPECT_EQ(parameterTypeOf(info_.word), GetParam());
 }
 
-TEST_P(EveryType, HardValue_IsWhatItIsMadeOf) {
-    for (const Value& value : hard_) {
+TEST_P(EveryType, EdgeCaseValue_IsWhatItIsMadeOf) {
+    for (const Value& value : edgeCases_) {
         EXPECT_EQ(roundedToFloat(conformed(parameter_, value)), roundedToFloat(value))
             << textOf(value);
     }
 }
 
 TEST_P(EveryType, Json_ReadsBack) {
-    for (const Value& value : hard_) {
+    for (const Value& value : edgeCases_) {
         const Result<Value> read = valueFromJson(parameter_, toJson(value));
         ASSERT_TRUE(read) << read.error().text();
         EXPECT_EQ(*read, value) << toJson(value).dump();
@@ -64,7 +65,7 @@ TEST_P(EveryType, Json_ReadsBack) {
 }
 
 TEST_P(EveryType, Text_ReadsBack) {
-    for (const Value& value : hard_) {
+    for (const Value& value : edgeCases_) {
         const std::optional<Value> read = info_.fromText(parameter_, textOf(roundedToFloat(value)));
         ASSERT_TRUE(read) << textOf(value);
         EXPECT_EQ(roundedToFloat(*read), roundedToFloat(value)) << textOf(value);
@@ -73,7 +74,7 @@ TEST_P(EveryType, Text_ReadsBack) {
 
 TEST_P(EveryType, Numbers_AreFinite) {
     std::vector<double> numbers(maxComponents, std::nan(""));
-    for (const Value& value : hard_) {
+    for (const Value& value : edgeCases_) {
         writeNumbers(parameter_, value, numbers.data());
         for (int i = 0; i < info_.components; ++i) {
             EXPECT_TRUE(std::isfinite(numbers[static_cast<std::size_t>(i)])) << textOf(value);

@@ -152,7 +152,7 @@ Places edgeCaseNumbers(std::initializer_list<double> more) {
     return places;
 }
 
-Places hardPoints() {
+Places edgeCasePoints() {
     constexpr double steps[] = {0.0, 1e-35, 1e-20, 1e-6, 1.0, -1.0, -1e6, 1e6};
     Places places;
     for (const double x : steps) {
@@ -166,7 +166,7 @@ Places hardPoints() {
 }
 
 /// Distances, each from some eyes and in some directions, among them along an axis and next to it.
-Places hardRays() {
+Places edgeCaseRays() {
     constexpr glm::dvec3 eyes[] = {{0.0, 0.0, 0.0},  {0.5, -1.0, 2.0},  {2.0, 0.5, 2.0},
                                    {1e3, 1e3, -1e3}, {1e-20, 5.0, 0.0}, {0.0, -1e6, 1e6}};
     const glm::dvec3 slanting = glm::normalize(glm::dvec3(-0.3, -0.8, 0.5));
@@ -245,11 +245,11 @@ Places edgeCaseDirections(Subject subject) {
     case Subject::Model:
         return edgeCaseModelDirections();
     case Subject::Light:
-        return hardPoints();
+        return edgeCasePoints();
     case Subject::Fresnel:
         return edgeCaseNumbers({-1.0, -1e-8, 1.0 + 1e-6, 1e-3, 0.05, 0.2, 0.8});
     default:
-        return hardRays();
+        return edgeCaseRays();
     }
 }
 

@@ -52,7 +52,7 @@ bool hasLostDigits(const EvalPlace& place) {
     return isLost(place.l) || isLost(place.v) || isLost(half);
 }
 
-/// Places between the hard ones, where a formula of its own may break as well; a band of cosines
+/// Places between the edge cases, where a formula of its own may break as well; a band of cosines
 /// that is 1/200 wide meets several.
 constexpr std::size_t ordinaryCount = 2048;
 
@@ -71,14 +71,14 @@ std::size_t strideFor(std::size_t places) {
 } // namespace
 
 /// One program's cases, numbered: every place with the variant's own values, then a few places,
-/// hard and ordinary ones, with every other row of values.
+/// edge cases and ordinary ones, with every other row of values.
 class StabilitySweep::Variant {
   public:
     Variant(const EvalCase& variant, const SweepOptions& options, std::size_t cases)
         : options_(options), variant_(variant), rows_(sweepRows(variant)),
-          places_(edgeCaseDirections(variant.subject)), hard_(places_.size()),
+          places_(edgeCaseDirections(variant.subject)), edgeCaseCount_(places_.size()),
           placesPerRow_(std::clamp<std::size_t>(cases / rows_.size(), 16, places_.size())),
-          stride_(strideFor(hard_)), checks_(variant) {
+          stride_(strideFor(edgeCaseCount_)), checks_(variant) {
         const auto ordinary = ordinaryPlaces(variant.subject, ordinaryCount);
         places_.insert(places_.end(), ordinary.begin(), ordinary.end());
     }
@@ -152,8 +152,9 @@ class StabilitySweep::Variant {
         }
         const std::size_t further = i - places_.size();
         const std::size_t ordinary = further / ordinaryEvery;
-        return further % ordinaryEvery == 0 ? places_[hard_ + ordinary % ordinaryCount]
-                                            : places_[(further - ordinary) * stride_ % hard_];
+        return further % ordinaryEvery == 0
+                   ? places_[edgeCaseCount_ + ordinary % ordinaryCount]
+                   : places_[(further - ordinary) * stride_ % edgeCaseCount_];
     }
 
     EvalCase caseOf(std::size_t i) const {
@@ -259,8 +260,8 @@ class StabilitySweep::Variant {
     SweepOptions options_;
     EvalCase variant_;
     std::vector<EvalCase> rows_;
-    std::vector<EvalPlace> places_; ///< the hard ones, then ordinary ones
-    std::size_t hard_;
+    std::vector<EvalPlace> places_; ///< the edge cases, then ordinary ones
+    std::size_t edgeCaseCount_;
     std::size_t placesPerRow_;
     std::size_t stride_;
     ValueChecks checks_;

@@ -14,15 +14,16 @@ struct SweepOptions {
     bool cpu = true;
     bool gpu = true;   ///< an OpenGL context must be current while the sweep exists
     bool error = true; ///< compare the two where both are evaluated
-    /// About so many cases in all; at least every place once and 16 with each set of hard values.
+    /// About so many cases in all; at least every place once and 16 with each set of edge-case
+    /// values.
     std::size_t cases = 300000;
     std::size_t slice = 1u << 14;  ///< cases of one step
     std::filesystem::path shaders; ///< the folder that holds lib/ and passes/
 };
 
-/// Evaluates programs of blocks at every hard place and at ordinary ones between with their own
-/// values, and at some of both with every set of hard values; looks at each value before it is cut
-/// or clamped, and holds the graphics device against the double-precision code. Where there is
+/// Evaluates programs of blocks in edge-case directions and in ordinary ones between with their own
+/// values, and in some of both with every set of edge-case values; looks at each value before it is
+/// cut or clamped, and holds the graphics device against the double-precision code. Where there is
 /// none, for a block that came after this program was built, what the block claims is tried on the
 /// device. Works in steps, so that a caller can show progress and stop between them.
 class StabilitySweep {

@@ -20,8 +20,8 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material);
 /// A material's Fresnel block alone, where it is blended over a model that has no slot for it.
 std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material);
 
-/// The variant itself and then with hard values of its parameters and of what fills its slot, such
-/// that every two values meet; what is compiled stays.
+/// The variant itself and then with edge-case values of its parameters and of what fills its slot,
+/// such that every two values meet; what is compiled stays.
 std::vector<EvalCase> sweepRows(const EvalCase& variant);
 
 /// The variant with `count` sets of values that a slider reaches, the same for every call.
