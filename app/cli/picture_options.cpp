@@ -42,7 +42,7 @@ std::string helpFor(const BlockKind& kind) {
                "file, or none";
     }
     if (kind.folder == kinds::transparency) {
-        return "How what shines through is put together: sorted by object, or the id of another "
+        return "How what is transparent is put together: sorted by object, or the id of another "
                "way";
     }
     if (kind.folder == kinds::lights) {

@@ -22,8 +22,8 @@ const float LINE_GREEN = 0.55;
 const float LINE_BLUE = 0.45;
 
 // The indices for red, green and blue light of a body whose index for the line d is given, and
-// whose dispersion is 20 over its Abbe number (n_d - 1) / (n_F - n_C); 0 bends all alike. Cauchy's
-// two terms through these: n = n_d + B (1 / lambda^2 - 1 / lambda_d^2). At least 0.01.
+// whose dispersion is 20 over its Abbe number (n_d - 1) / (n_F - n_C); 0 refracts all alike.
+// Cauchy's two terms through these: n = n_d + B (1 / lambda^2 - 1 / lambda_d^2). At least 0.01.
 vec3 dispersedIndices(float index, float dispersion) {
     float spread = 0.05 * dispersion * (index - 1.0);
     float B = spread / (1.0 / (LINE_F * LINE_F) - 1.0 / (LINE_C * LINE_C));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
-// A surface among those that shine through each other.
+// A surface among others that are transparent.
 #include "lib/math.glsl"
 
 struct Layer {
-    float depth;   // 0: the nearest place in the picture that lets something through, 1: the farthest
+    float depth;   // 0: the nearest transparent place in the picture, 1: the farthest
     float opacity; // 0 .. 1
 };

@@ -19,5 +19,5 @@ Surface heightMapped(Surface s, sampler2D image, vec4 channel, int rows) {
     float area = dot(dx, r1);
     float raised = imageFront(s) * objectData[rows].w * (area < 0.0 ? -1.0 : 1.0);
     vec3 n = abs(area) * s.n - raised * ((right - here) * r1 + (above - here) * r2);
-    return bent(s, safeNormalize(n, s.n));
+    return perturbed(s, safeNormalize(n, s.n));
 }

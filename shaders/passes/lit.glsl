@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "lib/illumination.glsl"
 
-// What the model sends to the viewer from one light, wherever that is. A surface's normal is bent
+// What the model sends to the viewer from one light, wherever that is. A surface's normal is turned
 // towards the viewer, who is never below its horizon.
 vec3 litAnyway(Surface s, Illumination light, Model p) {
     Directions d = directionsAt(s, light.l, s.v);

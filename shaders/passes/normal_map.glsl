@@ -19,6 +19,6 @@ Surface normalMapped(Surface s, vec3 texel, int rows) {
         slope.y * inversesqrt(max(dot(up, up), 1e-30)) * up;
     tilt *= objectData[rows].w;
     vec3 t = imageTangent(s.n);
-    return bent(s, imageFront(s) * tilt.x * t + surfaceSide * tilt.y * cross(s.n, t) +
+    return perturbed(s, imageFront(s) * tilt.x * t + surfaceSide * tilt.y * cross(s.n, t) +
         max(slope.z, 1e-6) * s.n);
 }

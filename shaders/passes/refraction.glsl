@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // What a transparent body shows of its surroundings: what passes through it, for each channel with
-// a ray of its own where they bend differently, and what its surface mirrors.
+// a ray of its own where they are refracted differently, and what its surface mirrors.
 
 vec3 shownThrough(Surface s, Refraction p) {
     vec3 r = 2.0 * dot(s.n, s.v) * s.n - s.v;

@@ -9,7 +9,7 @@ layout(std140) uniform SceneBlock {
 };
 
 // The smallest n.v that is shaded. Interpolated normals of a coarse mesh point away from the
-// viewer near its outline, where every model is 0 and black pixels would line it; they are bent
+// viewer near its outline, where every model is 0 and black pixels would line it; they are turned
 // towards the viewer to 0.6 degrees above the horizon.
 const float MIN_NV = 0.01;
 
@@ -34,8 +34,8 @@ vec3 towardsViewer(vec3 n, vec3 v) {
 // the 1/256 pixel to which devices place vertices, n may be somewhat longer, and the share less.
 // 1e-36 is there for a v of zero, at the eye itself.
 vec3 unitTowardsViewer(vec3 n, vec3 v) {
-    vec3 bent = n + max(MIN_NV - dot(n, v), 0.0) * v;
-    return bent * inversesqrt(dot(bent, bent) + 1e-36);
+    vec3 turned = n + max(MIN_NV - dot(n, v), 0.0) * v;
+    return turned * inversesqrt(dot(turned, turned) + 1e-36);
 }
 
 // The unit tangent along t, at most of length 1, perpendicular to the unit normal n: t - (t.n) n,

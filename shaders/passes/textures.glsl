@@ -19,8 +19,8 @@ vec3 seenDirection(vec3 n, vec3 v, vec3 fallback) {
     return length2 < 1e30 ? unit : fallback;
 }
 
-// The surface with another normal, longer than 1e-9.
-Surface bent(Surface s, vec3 n) {
+// The surface with a perturbed normal, longer than 1e-9.
+Surface perturbed(Surface s, vec3 n) {
     s.n = seenDirection(n, s.v, s.n);
     s.t = tangentBeside(s.n, worldTangent);
     s.b = cross(s.n, s.t);

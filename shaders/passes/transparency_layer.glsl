@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// A surface that shines through is added to a sum: colour times opacity and weight, and that weight.
+// A transparent surface is added to a sum: colour times opacity and weight, and that weight.
 // LAYER_RANGE holds the nearest depth and one over the way from there to the farthest.
 #include "passes/surface.glsl"
 #include "lib/layer.glsl"

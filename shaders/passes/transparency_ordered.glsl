@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// Layers in their order over what is behind them: their light, and the share that they let through.
+// Layers in their order over what is behind them: their light, and the share that they transmit.
 
 uniform LAYER_IMAGE layerSum;
 

@@ -6,7 +6,7 @@
 namespace patina::tests::refraction_test {
 namespace {
 
-/// In surroundings that are not the same everywhere: else nothing is bent that could be seen.
+/// In surroundings that are not the same everywhere: else nothing is refracted that could be seen.
 std::vector<std::string> refracting(std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", "--model",     "lambert",       "--size",
                                        "32x32",  "--set",       "opacity=0.1",   "--environment",

@@ -159,7 +159,7 @@ TEST_F(NeutralSceneTest, DarkStudioBehindTheObjects_StaysIn) {
     EXPECT_FALSE(isNeutral(studio, values));
 }
 
-/// What is bent shows the black walls, not the background's colour.
+/// What is refracted shows the black walls, not the background's colour.
 TEST_F(NeutralSceneTest, DarkStudioBehindWhatBendsLight_StaysIn) {
     Scene scene = simpleScene("lambert");
     scene.setPart(kinds::environment, block("environment", "studio"));

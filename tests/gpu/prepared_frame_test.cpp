@@ -24,7 +24,7 @@ constexpr std::int64_t fewTexels = std::int64_t(1) << 18;
 struct Pieces {
     int programs = 0;
     int targets = 0; ///< that a frame is drawn into
-    int layers = 0;  ///< images of what shines through
+    int layers = 0;  ///< images of what is transparent
     int means = 0;   ///< of an environment's frames
     int tables = 0;  ///< of an environment, read back
     int rooms = 0;   ///< for the picture of an environment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the effects say of materials that bend light, and what is in their programs.
+// What the effects say of materials that refract light, and what is in their programs.
 #include "shading/effects/effect_key.h"
 #include "shading/effects/effect_rows.h"
 #include "shading/effects/refraction.h"
@@ -43,20 +43,21 @@ class RefractionRows : public ShadingTest {
     Scene scene_;
 };
 
-TEST_F(RefractionRows, BentLight_SaysHowMuchAndWhatIsSeen) {
+TEST_F(RefractionRows, RefractedLight_SaysHowMuchAndWhatIsSeen) {
     EXPECT_EQ(row("refraction").line.reason,
-              "What passes is bent by an index of 1.5 and shows the background's colour.");
+              "What passes is refracted with an index of 1.5 and shows the background's colour.");
     scene_.setPart(kinds::environment, block("environment", "studio"));
     addAnother();
-    EXPECT_EQ(row("refraction").line.reason,
-              "What passes is bent by an index of 1.5 and shows the scene and the environment.");
+    EXPECT_EQ(
+        row("refraction").line.reason,
+        "What passes is refracted with an index of 1.5 and shows the scene and the environment.");
 }
 
 TEST_F(RefractionRows, WithAWayOfLayers_SaysThatItIsSorted) {
     scene_.setPart(kinds::transparency, block("transparency", "peeled"));
-    EXPECT_TRUE(row("refraction")
-                    .line.reason.ends_with(
-                        "Such objects are sorted, and hide what else lets light through."));
+    EXPECT_TRUE(
+        row("refraction")
+            .line.reason.ends_with("Such objects are sorted, and hide what else is transparent."));
     EXPECT_FALSE(row("transparency").in);
     EXPECT_FALSE(textHas("layerWeight"));
 }

@@ -214,12 +214,12 @@ TEST_F(Refraction, InWhiteSurroundings_IsWhite) {
 TEST_F(Refraction, OfAlmostNone_IsPlainTransparency) {
     scene_.objects = {clear("sphere", "solid-body", 1.0001),
                       glowing({1.0, 0.25, 0.0}, {0.5, 0.0, -2.0})};
-    const Image bent = drawn(65);
+    const Image refracted = drawn(65);
     scene_.objects.erase(scene_.objects.begin());
     const Image plain = drawn(65);
     int different = 0;
-    for (std::size_t i = 0; i < bent.pixels.size(); ++i) {
-        different += std::abs(bent.pixels[i] - plain.pixels[i]) > 2e-2f ? 1 : 0;
+    for (std::size_t i = 0; i < refracted.pixels.size(); ++i) {
+        different += std::abs(refracted.pixels[i] - plain.pixels[i]) > 2e-2f ? 1 : 0;
     }
     EXPECT_LT(different, 65 * 3); // along the square's edge
 }

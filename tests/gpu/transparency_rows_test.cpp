@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the effects say of objects that let something through, and what is in their programs.
+// What the effects say of objects that are transparent, and what is in their programs.
 
 #include "shading/effects/effect_key.h"
 #include "shading/effects/effect_rows.h"
@@ -43,8 +43,8 @@ TEST_F(TransparencyRows, WithoutAChoice_AreSorted) {
     const EffectRow found = row("transparency");
     EXPECT_TRUE(found.in);
     EXPECT_EQ(found.line.detail, "sorted");
-    EXPECT_EQ(found.line.reason, "3 objects let something through: each is blended over what is "
-                                 "behind it, far ones first.");
+    EXPECT_EQ(found.line.reason, "3 objects are transparent: each is blended over what is behind "
+                                 "it, far ones first.");
 }
 
 TEST_F(TransparencyRows, Chosen_SaysHowAndOfHowMany) {
@@ -52,17 +52,17 @@ TEST_F(TransparencyRows, Chosen_SaysHowAndOfHowMany) {
     scene_.objects[1].visible = false;
     EXPECT_EQ(row("transparency").line.effect, "transparency/peeled");
     EXPECT_EQ(row("transparency").line.reason,
-              "2 objects let something through: the layers of each pixel are put in their order.");
+              "2 objects are transparent: the layers of each pixel are put in their order.");
     choose("weighted");
     EXPECT_EQ(row("transparency").line.reason,
-              "2 objects let something through: all layers of a pixel are mixed at once.");
+              "2 objects are transparent: all layers of a pixel are mixed at once.");
 }
 
-TEST_F(TransparencyRows, OfASolidObject_SayThatNothingShinesThrough) {
+TEST_F(TransparencyRows, OfASolidObject_SayThatItIsOpaque) {
     choose("peeled");
     scene_.objects[0].material.opacity = 1.0;
     EXPECT_FALSE(row("transparency").in);
-    EXPECT_EQ(row("transparency").line.reason, "Nothing shines through the object.");
+    EXPECT_EQ(row("transparency").line.reason, "The object is opaque.");
 }
 
 TEST_F(TransparencyRows, WhereAllIsSolid_SayThatTheChoiceIsLeftOut) {
@@ -71,7 +71,7 @@ TEST_F(TransparencyRows, WhereAllIsSolid_SayThatTheChoiceIsLeftOut) {
         object.material.opacity = 1.0;
     }
     EXPECT_FALSE(row("transparency").in);
-    EXPECT_EQ(row("transparency").line.reason, "No object lets anything through.");
+    EXPECT_EQ(row("transparency").line.reason, "No object is transparent.");
 }
 
 TEST_F(TransparencyRows, OfAnUnknownKind_AreSorted) {

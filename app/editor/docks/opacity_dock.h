@@ -9,8 +9,8 @@ namespace patina {
 
 class BlockChooser;
 
-/// The active material's opacity, which every model has, how it bends what shines through, and how
-/// the scene puts that together.
+/// The active material's opacity, which every model has, how it refracts what passes, and how the
+/// scene puts together what is transparent.
 class OpacityDock : public QWidget {
     Q_OBJECT
 

@@ -19,7 +19,7 @@ RefractionPanel::RefractionPanel(Document& document, QWidget* parent)
     chooser_->setAccessibleName(tr("Kind of refraction"));
     hint_->setObjectName(QStringLiteral("hint"));
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(labelled(tr("&Bends light as"), chooser_));
+    layout->addWidget(labelled(tr("Refracts ligh&t as"), chooser_));
     layout->addWidget(hint_);
     layout->addWidget(new DocumentForm(document_, kinds::refraction));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {

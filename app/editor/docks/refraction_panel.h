@@ -10,7 +10,7 @@ namespace patina {
 class BlockChooser;
 class Document;
 
-/// Turns the bending of what shines through the active material on and off, chooses its kind and
+/// Turns the refraction of what passes through the active material on and off, chooses its kind and
 /// edits its values.
 class RefractionPanel : public QGroupBox {
     Q_OBJECT

@@ -39,7 +39,7 @@ Value inside(const Parameter& parameter) {
     return filled(parameter, between(0.5) != 0.0 ? between(0.5) : between(0.75));
 }
 
-/// A Fresnel term with the same index on both sides bends nothing.
+/// A Fresnel term with the same index on both sides refracts nothing.
 void addOtherIndices(std::vector<Value>& edges, const Material* material, const BlockPath& path,
                      const Parameter& parameter, const Catalog& catalog) {
     constexpr std::string_view indices = "index.";

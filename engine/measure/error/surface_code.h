@@ -48,7 +48,7 @@ struct SurfaceCode {
     glm::dvec3 eye{0.0};
 
     /// The error says what of the object cannot be computed so: blocks without code in double
-    /// precision, and what lets something shine through.
+    /// precision, and what is transparent.
     static Result<SurfaceCode> of(const BufferedObject& object, const SurfaceBuffer& buffer);
 };
 

@@ -32,10 +32,10 @@ class BlendedPass : public Pass {
 
     std::size_t batch_ = 0;   ///< of the transparent ones
     bool hasDepths_ = false;  ///< of the batch
-    bool hasBack_ = false;    ///< the farthest surface of the batch, where it bends light
+    bool hasBack_ = false;    ///< the farthest surface of the batch, where it refracts light
     bool hasSurface_ = false; ///< the batch's, while its lines remain
     BatchDrawer drawer_;
-    std::optional<RefractionTargets> refraction_; ///< while something bends light
+    std::optional<RefractionTargets> refraction_; ///< while something refracts light
 };
 
 } // namespace patina

@@ -40,8 +40,8 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
 void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                   const glm::dmat4& cameraToWorld);
 
-/// The values of the block that puts surfaces together which shine through each other, and the
-/// depths between which they lie.
+/// The values of the block that puts transparent surfaces together, and the depths between which
+/// they lie.
 struct LayersToPack {
     const Values& values;
     double nearest = 0.0;

@@ -17,7 +17,7 @@
 
 namespace patina {
 
-/// Puts together what shines through, whatever the order in which it is drawn: layer by layer from
+/// Puts together what is transparent, whatever the order in which it is drawn: layer by layer from
 /// the nearest on, or all at once as a weighted mean. Works on every sample of a pixel by itself.
 /// Its memory (24 bytes for each sample) is there only while it is in use.
 class LayerComposer {
@@ -101,7 +101,7 @@ class LayerComposer {
     Shape shape_;
     bool isBuilt_ = false; ///< all that follows
     gl::TargetTexture sum_;
-    gl::TargetTexture share_; ///< of mixed layers: what they let through
+    gl::TargetTexture share_; ///< of mixed layers: what they transmit
     gl::Framebuffer mixed_;
     std::array<Side, 2> sides_; ///< of layers in order
     gl::VertexArray noVertices_ = gl::VertexArray::create();

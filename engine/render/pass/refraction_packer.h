@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// Adds to the `objectData` of a material that bends light what its program knows of that: the
+/// Adds to the `objectData` of a material that refracts light what its program knows of that: the
 /// block's values with the index that counts, and the colour behind the objects. Allocates nothing.
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                     const glm::dvec3& background);

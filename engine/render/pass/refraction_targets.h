@@ -12,9 +12,9 @@
 
 namespace patina {
 
-/// What objects that bend light need before they are drawn: the farthest surface of each, and the
-/// picture and the depths of what was drawn before. Its memory (at most 24 bytes for each pixel) is
-/// there only while it is in use.
+/// What objects that refract light need before they are drawn: the farthest surface of each, and
+/// the picture and the depths of what was drawn before. Its memory (at most 24 bytes for each
+/// pixel) is there only while it is in use.
 class RefractionTargets {
   public:
     /// What a frame's objects look at.

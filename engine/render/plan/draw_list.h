@@ -45,8 +45,8 @@ struct DrawItem {
     bool isInPicture = true;
 };
 
-/// What is drawn with one call: the same mesh, material and list of lights. Of objects that
-/// something shines through there is one in each.
+/// What is drawn with one call: the same mesh, material and list of lights. Of transparent objects
+/// there is one in each.
 struct DrawBatch {
     std::size_t material = 0;
     GpuMesh* mesh = nullptr; ///< the items'
@@ -59,7 +59,7 @@ struct DrawBatch {
 /// The order in which a frame's objects are drawn. What hides comes first, by program, material and
 /// mesh; of each of these the nearest first, and near objects of a batch before far ones, so that
 /// depth hides what is behind. Then the others, far ones first, each alone, so that each is blended
-/// over what shines through it.
+/// over what is seen through it.
 class DrawList {
   public:
     /// Items that are not in the picture or have no program are left out; all have a mesh.

@@ -41,8 +41,8 @@ void addRefracting(Scene& alone, const Scene& scene, const Catalog& catalog) {
 }
 
 /// The scene with only the object that is looked at, one that casts shadows if any does, and one
-/// that bends light if a dark environment is in for it: which effects one object has depends on no
-/// more.
+/// that refracts light if a dark environment is in for it: which effects one object has depends on
+/// no more.
 Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     Scene alone;
     alone.lights = scene.lights;

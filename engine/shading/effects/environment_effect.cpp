@@ -25,7 +25,7 @@ std::string whyNoEnvironment(const Scene& scene, const Catalog& catalog, const c
 std::string environmentText(const EffectSubject& subject) {
     const BlockValues& values = *subject.scene.part(kinds::environment);
     const Block& block = *subject.catalog.find(kinds::environment, values.id);
-    return isNeutral(block, values.parameters) ? "It is dark, and what an object bends shows it."
+    return isNeutral(block, values.parameters) ? "It is dark, and what an object refracts shows it."
                                                : "The scene has an environment that sends light.";
 }
 

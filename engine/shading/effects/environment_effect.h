@@ -10,16 +10,16 @@
 
 namespace patina {
 
-/// What an environment is made of, when it sends light or an object bends what is behind it, which
-/// shows a dark one as well; else a null block and a sentence why not.
+/// What an environment is made of, when it sends light or an object refracts what is behind it,
+/// which shows a dark one as well; else a null block and a sentence why not.
 struct EnvironmentChoice {
     const Block* block = nullptr;
     const char* whyNot = ""; ///< empty where there is no environment at all
 };
 EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog);
 
-/// The scene's environment. It is left out where it is dark, unless an object bends what is behind
-/// it, and where it lacks its picture.
+/// The scene's environment. It is left out where it is dark, unless an object refracts what is
+/// behind it, and where it lacks its picture.
 struct EnvironmentEffect {
     std::optional<BlockUse> environment;
 

@@ -21,7 +21,7 @@ std::string opacityText(const EffectSubject& subject) {
     const double passed = saidShare(*subject.material, subject.catalog);
     std::string text = fmt::format("The material's opacity is {:.3g}", subject.material->opacity);
     if (passed > 0.0) {
-        text += fmt::format(", and its model lets {:.3g} % of the light pass", 100.0 * passed);
+        text += fmt::format(", and its model transmits {:.3g} % of the light", 100.0 * passed);
     }
     return text + '.';
 }
@@ -52,7 +52,7 @@ double opacityOf(const Material& material, const Catalog& catalog) {
     return material.opacity * (1.0 - passedShare(material, catalog));
 }
 
-/// A clear body is seen by what it bends and mirrors.
+/// A clear body is seen by what it refracts and mirrors.
 bool canBeSeen(const Material& material) {
     return material.opacity > 0.0 || material.part(kinds::refraction) != nullptr ||
            isTextured("opacity", material);
@@ -77,7 +77,7 @@ void OpacityEffect::list(EffectListing& listing, const EffectSet&) const {
     }
 }
 
-/// A model that lets light pass has taken its share from what it gives back; so does the opacity.
+/// A model that transmits light has taken its share from what it gives back; so does the opacity.
 void OpacityEffect::writeLight(SurfaceText& text) const {
     const auto passes = [](const Parameter& parameter) { return parameter.transparency; };
     if (opacity && text.set.model &&

@@ -23,8 +23,8 @@ bool canBeSeen(const Material& material);
 /// Whether a frame has anything of the object.
 bool isDrawn(const Object& object);
 
-/// Whether something behind the material may shine through: by its opacity, or by an image of it
-/// that does not only cut out, or by its model.
+/// Whether the material may be transparent: by its opacity, or by an image of it that does not only
+/// cut out, or by its model.
 bool isTransparent(const Material& material, const Catalog& catalog);
 
 /// The material hides less than everything.

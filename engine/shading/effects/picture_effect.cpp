@@ -29,7 +29,7 @@ const char* whyPerPixel(const EffectSet& set) {
 /// Null: nothing needs normals of length 1.
 const char* whyUnitNormals(const EffectSet& set) {
     if (set.refraction) {
-        return "They have length 1 in a material that bends light.";
+        return "They have length 1 in a material that refracts light.";
     }
     return set.environment ? "They have length 1 under an environment." : nullptr;
 }

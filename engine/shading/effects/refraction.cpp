@@ -83,14 +83,14 @@ const char* whatIsBehind(const EffectSet& set) {
 std::string refractionText(const EffectSubject& subject, const EffectSet& set) {
     const RefractionChoice choice = refractionChoice(*subject.material, subject.catalog);
     const char* order = subject.scene.part(kinds::transparency)
-                            ? " Such objects are sorted, and hide what else lets light through."
+                            ? " Such objects are sorted, and hide what else is transparent."
                             : "";
-    return fmt::format("What passes is bent by an index of {:.4g} and shows {}.{}",
+    return fmt::format("What passes is refracted with an index of {:.4g} and shows {}.{}",
                        bodyIndex(*subject.material, choice, subject.catalog), whatIsBehind(set),
                        order);
 }
 
-/// One ray stands for all colours where they bend alike: green.
+/// One ray stands for all colours where they are refracted alike: green.
 const char* channelSource(const BlockUse& use) {
     for (const CompiledValue& value : use.compiled()) {
         if (value.id == "dispersion" && value.value == "nonzero") {

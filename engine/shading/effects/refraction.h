@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// What bends the light that a material lets through; a null block: nothing does, and why.
+/// What refracts the light that a material transmits; a null block: nothing does, and why.
 struct RefractionChoice {
     const Block* block = nullptr;
     const Values* values = nullptr;
@@ -27,13 +27,14 @@ double bodyIndex(const Material& material, const RefractionChoice& choice, const
 /// Whether light leaves it in its old direction: a pane, which has a `thickness`.
 bool isSheet(const Block& refraction);
 
-/// Whether an object that is seen bends what is behind it. Allocates nothing.
+/// Whether an object that is seen refracts what is behind it. Allocates nothing.
 bool hasRefraction(const Scene& scene, const Catalog& catalog);
 
-/// Whether an object bends what is behind it and there is something of the scene to be behind it.
+/// Whether an object refracts what is behind it and there is something of the scene to be behind
+/// it.
 bool showsSceneRefracted(const Scene& scene, const Catalog& catalog);
 
-/// What bends the light that the material lets through.
+/// What refracts the light that the material transmits.
 struct RefractionEffect {
     std::optional<BlockUse> refraction;
 
@@ -42,7 +43,7 @@ struct RefractionEffect {
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     EffectLine absent(const EffectSet&) const {
-        return {"refraction", {}, "The material bends no light."};
+        return {"refraction", {}, "The material refracts no light."};
     }
     void place(ObjectLayout& layout, const EffectSet& set) const;
     void write(SurfaceText& text) const;
@@ -51,7 +52,7 @@ struct RefractionEffect {
     friend bool operator==(const RefractionEffect&, const RefractionEffect&) = default;
 };
 
-/// What is seen through a body that bends light: the scene, or only what is far behind it.
+/// What is seen through a body that refracts light: the scene, or only what is far behind it.
 struct RefractedSceneEffect {
     bool isShownRefracted = false; ///< see showsSceneRefracted()
 

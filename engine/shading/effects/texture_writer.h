@@ -30,7 +30,7 @@ class TextureWriter {
     /// Those that opacity() needs alone.
     void writeOpacityDeclarations(SourceBuilder& out) const;
 
-    /// Bends the normal of the Surface `s`.
+    /// Perturbs the normal of the Surface `s`.
     std::string relief() const;
 
     /// Changes the fields of a struct that holds the values of a kind: "models" with the slots

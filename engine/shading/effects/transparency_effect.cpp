@@ -15,8 +15,8 @@ namespace patina {
 namespace {
 
 std::string countText(int count) {
-    return count == 1 ? std::string("One object lets something through")
-                      : fmt::format("{} objects let something through", count);
+    return count == 1 ? std::string("One object is transparent")
+                      : fmt::format("{} objects are transparent", count);
 }
 
 /// Says how the layers of transparent surfaces are put together.
@@ -87,7 +87,7 @@ void TransparencyEffect::listMissing(LeftOutListing& listing, const EffectSet&) 
     if (scene.part(kinds::transparency) && !transparency) {
         listing.add(effectName(kinds::transparency, scene.part(kinds::transparency)->id),
                     countTransparent(scene, catalog) == 0
-                        ? "No object lets anything through."
+                        ? "No object is transparent."
                         : "No transparency of this kind is known.");
     }
 }
@@ -95,8 +95,8 @@ void TransparencyEffect::listMissing(LeftOutListing& listing, const EffectSet&) 
 EffectLine TransparencyEffect::absent(const EffectSet& set) const {
     return {std::string(kinds::transparency),
             {},
-            set.refraction ? "What is behind the object is seen bent, in its colour."
-                           : "Nothing shines through the object."};
+            set.refraction ? "What is behind the object is seen refracted, in its colour."
+                           : "The object is opaque."};
 }
 
 void TransparencyEffect::place(ObjectLayout& layout, const EffectSet& set) const {

@@ -7,19 +7,19 @@
 
 namespace patina {
 
-/// Whether something shines through an object that is drawn; how many of a scene's there are.
+/// Whether an object is drawn and transparent; how many of a scene's are.
 bool isVisiblyTransparent(const Object& object, const Catalog& catalog);
 int countTransparent(const Scene& scene, const Catalog& catalog);
 
-/// Whether something may shine through what is drawn with the set.
+/// Whether what is drawn with the set may be transparent.
 bool isVisiblyTransparent(const EffectSet& set);
 
-/// The block that puts together what shines through; null where nothing does, or each object is
+/// The block that puts together what is transparent; null where nothing is, or each object is
 /// blended by itself.
 const Block* transparencyBlock(const Scene& scene, const Catalog& catalog);
 
-/// How what shines through is put together, in programs of what lets something through; without a
-/// block each is blended over what is behind it.
+/// How what is transparent is put together, in the programs that draw it; without a block each
+/// object is blended over what is behind it.
 struct TransparencyEffect {
     std::optional<BlockUse> transparency;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One directional light; something shines through.
+// One directional light; the surface is transparent.
 uniform vec3 light0Direction;
 uniform vec3 light0Color;
 uniform float light0Intensity;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A surface that is seen from either side, whatever the winding of its triangles; near the outline
-// its normal is bent as everywhere.
+// its normal is turned as everywhere.
 #include "lib/math.glsl"
 
 in vec3 worldPosition;
