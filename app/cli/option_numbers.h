@@ -25,7 +25,7 @@ struct OptionNumber {
 /// finite number ("nan", "inf", "1e999") or not as it has to be.
 double optionNumber(const std::string& option, const std::string& text, const OptionNumber& wanted);
 
-/// --seconds: a time above 0.
+/// Adds --seconds, a time above 0.
 void addSecondsOption(CLI::App& command, double& seconds, const std::string& description);
 
 } // namespace patina

@@ -12,7 +12,7 @@ namespace patina {
 /// Whether an assignment of `--set` is about the picture's accuracy: "picture.<choice>=<level>".
 bool isOfPicture(const std::string& assignment);
 
-/// Makes those of the assignments.
+/// Makes such an assignment.
 Result<void> choosePictureAccuracy(Scene& scene, const std::string& assignment);
 
 } // namespace patina

@@ -34,11 +34,11 @@ struct PictureOptions {
     const std::string& part(std::string_view kind) const;
 };
 
-/// --scene, --mesh, --set, --texture, --model, --samples, --exposure, --allow-outside, and an
+/// Adds --scene, --mesh, --set, --texture, --model, --samples, --exposure, --allow-outside, and an
 /// option for every other kind of block.
 void addSceneOptions(CLI::App& command, PictureOptions& options);
 
-/// --size.
+/// Adds --size.
 void addSizeOption(CLI::App& command, PictureOptions& options);
 
 } // namespace patina

@@ -67,7 +67,7 @@ void addDevices(std::vector<EGLDisplay>& displays) {
     }
 }
 
-/// In the order they are tried.
+/// Lists the displays in the order in which they are tried.
 std::vector<EGLDisplay> candidateDisplays() {
     std::vector<EGLDisplay> displays;
     if (clientExtension("EGL_MESA_platform_surfaceless")) {

@@ -22,7 +22,7 @@ class TargetTexture {
     /// GL_TEXTURE_2D, or GL_TEXTURE_2D_MULTISAMPLE where there are several samples.
     unsigned target() const { return target_; }
 
-    /// To a texture unit.
+    /// Binds it to a texture unit.
     void bind(unsigned unit) const;
 
   private:

@@ -29,11 +29,11 @@ class ChartStore {
   public:
     explicit ChartStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// In place of what was written for that key. The oldest of very many files goes.
+    /// Writes in place of what was written for that key. The oldest of very many files goes.
     Result<void> write(const ChartKey& key, const StoredChart& stored) const;
 
-    /// Nothing where none was written. A file that is damaged is put aside, and the error names
-    /// where it is then.
+    /// Reads the chart of a key: nothing where none was written. A file that is damaged is put
+    /// aside, and the error names where it is then.
     Result<std::optional<StoredChart>> read(const ChartKey& key) const;
 
     std::filesystem::path fileOf(const ChartKey& key) const;

@@ -24,7 +24,8 @@ QString wayDescription(const CostPoint& point, const CostChart& chart);
 /// interval that says nothing.
 QString ratioText(const MedianInterval& ratio);
 
-/// The same of a cost; "< 0.02" and "> 3.5" of bounds, "–" where nothing is known of it.
+/// The ratio of a cost in the same way; "< 0.02" and "> 3.5" of bounds, "–" where nothing is known
+/// of it.
 QString costRatioText(const ChoiceCost& cost, RatioBound bound);
 
 /// How sure that is.

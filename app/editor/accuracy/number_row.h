@@ -15,7 +15,7 @@ class NumberRow : public QTreeWidgetItem {
 };
 
 /// Makes the columns from `first` on as wide as what they hold, which is at least their names, and
-/// widens them where another one is sorted by. Once for a table.
+/// widens them where another one is sorted by. Call it once for a table.
 void fitColumns(QTreeWidget& list, int first);
 
 /// Widens the columns from `first` on to what they hold now; narrower ones stay as they are.

@@ -16,7 +16,7 @@ class BlockChooser : public ChoiceBox {
 
     BlockChooser(Document& document, std::string_view kind, Off off, QWidget* parent = nullptr);
 
-    /// With words of its own for what there is without a block.
+    /// Has words of its own for what there is without a block.
     BlockChooser(Document& document, std::string_view kind, const QString& off,
                  QWidget* parent = nullptr);
 

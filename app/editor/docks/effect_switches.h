@@ -28,7 +28,7 @@ class EffectSwitches : public QObject {
 
     /// The document's scene as a view of a side shows it; valid until the document changes.
     const Scene& scene(Side side);
-    /// The same of ProgramEffects::scene().
+    /// ProgramEffects::scene() in the same way.
     const Scene* effects(Side side);
 
   Q_SIGNALS:

@@ -63,7 +63,7 @@ class Document : public QObject {
     // Parameter values, whatever they belong to.
     /// Describes the values at a path; null when nothing is there or its block is not known.
     const Block* block(const BlockPath& path) const;
-    /// The same of one value.
+    /// Describes one value in the same way.
     const Parameter* parameter(const ParameterTarget& target) const;
     /// The value a parameter has, conformed to its descriptor; the default where none is stored.
     Value value(const BlockPath& path, const Parameter& parameter) const;

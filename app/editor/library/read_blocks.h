@@ -19,10 +19,10 @@ struct ReadBlocks {
     friend bool operator==(const ReadBlocks&, const ReadBlocks&) = default;
 };
 
-/// Those that a scene names, or its parts go without.
+/// The blocks that a scene names, or its parts go without.
 ReadBlocks readBlocksOf(const Scene& scene, const Catalog& catalog);
 
-/// All.
+/// All blocks of a catalogue.
 ReadBlocks readBlocks(const Catalog& catalog);
 
 /// What something was found out with: whether the same blocks are still there.

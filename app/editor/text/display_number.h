@@ -16,10 +16,10 @@ inline QLocale numberLocale() {
 /// Three digits that count, and all of those before the point: "23.4", "0.0317", "9346".
 QString digitsText(double number);
 
-/// With as many digits after the point as digitsText() gives another number.
+/// Writes as many digits after the point as digitsText() gives another number.
 QString likeText(double number, double other);
 
-/// As digitsText() without zeros that say nothing: "2", "0.5".
+/// The digits of digitsText() without zeros that say nothing: "2", "0.5".
 QString roundText(double number);
 
 /// Large numbers in short: "2.5 k", "50 k", "1 M"; below a thousand as roundText().

@@ -113,7 +113,7 @@ void CompareArea::showDifference(bool shown) {
     setSizes({1, 1, shown ? 1 : 0});
 }
 
-/// Only now it has its size.
+/// Fits the views again: only now the area has its size.
 void CompareArea::showEvent(QShowEvent* event) {
     QSplitter::showEvent(event);
     if (!event->spontaneous()) {

@@ -51,7 +51,7 @@ class ModelRanking {
     };
     Turn turn() const;
 
-    /// Those that are measured so far, the fastest first.
+    /// The models that are measured so far, the fastest first.
     std::vector<ModelCost> costs() const;
 
     std::string timer() const;

@@ -30,7 +30,7 @@ std::string axisText(ScalingCurve::Axis axis);
 /// has no exponent and no zeros at its end.
 using NumberText = std::function<std::string(double number, char format, int digits)>;
 
-/// As programs write it, with a point.
+/// Writes a number as programs do, with a point.
 std::string plainNumber(double number, char format, int digits);
 
 /// The law in words: "linear: 1.2 ms + 34.5 ms per million pixels, R² 0.998", or "twice the pixels

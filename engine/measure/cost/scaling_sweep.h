@@ -33,7 +33,7 @@ class ScalingSweep {
     static Result<std::unique_ptr<ScalingSweep>> create(CostSweep::Subject subject);
     ~ScalingSweep();
 
-    /// One frame, or two where the first only warms up.
+    /// Times one frame, or two where the first only warms up.
     void step();
     bool finished() const;
     double progress() const; ///< 0 .. 1

@@ -18,13 +18,13 @@ class SweepFrames {
     const CostSweep::Subject& subject() const { return subject_; }
     const std::vector<bool>& counted() const { return counted_; } ///< by object: is measured
 
-    /// As it is timed.
+    /// The frame as it is timed.
     ChosenFrame of(const ChosenLevels& levels) const;
 
-    /// As it is captured: in whole floats; the picture's own choices say otherwise.
+    /// The frame as it is captured, in whole floats; the picture's own choices say otherwise.
     ChosenFrame captured(const ChosenLevels& levels) const;
 
-    /// When nothing of what counts is shaded.
+    /// The frame in which nothing of what counts is shaded.
     ChosenFrame empty() const;
 
   private:

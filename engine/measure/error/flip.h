@@ -24,14 +24,16 @@ class Flip {
     Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right,
          double pixelsPerDegree = usualPixelsPerDegree);
 
-    /// The same, ready when `work` is done. Until then `right` and this must stay where they are.
+    /// Makes the same, ready when `work` is done. Until then `right` and this must stay where they
+    /// are.
     Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right, ParallelJob& work,
          double pixelsPerDegree = usualPixelsPerDegree);
 
     /// The difference of each pixel, 0 .. 1.
     std::vector<double> differences(const std::vector<glm::dvec3>& shown) const;
 
-    /// The same by `work`, into `map`. Until it is done all of them must stay where they are.
+    /// Writes the same into `map`, by `work`. Until it is done all of them must stay where they
+    /// are.
     void addDifferences(ParallelJob& work, const std::vector<glm::dvec3>& shown,
                         std::vector<double>& map) const;
 

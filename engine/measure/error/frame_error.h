@@ -33,14 +33,15 @@ class ErrorMeter {
   public:
     ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve);
 
-    /// The same, ready when `work` is done. Until then it must stay where it is.
+    /// Makes the same, ready when `work` is done. Until then it must stay where it is.
     ErrorMeter(LinearFrame groundTruth, const DisplayCurve& curve, ParallelJob& work);
 
     /// `frame` is of the same size; its own counts say nothing, and its pixels that do not count
     /// are taken for right.
     FrameError errorOf(const LinearFrame& frame) const;
 
-    /// The same by `work`, into `error`. Until it is done all of them must stay where they are.
+    /// Writes the same into `error`, by `work`. Until it is done all of them must stay where they
+    /// are.
     void addErrorOf(ParallelJob& work, const LinearFrame& frame, FrameError& error) const;
 
     /// The relative error of each pixel, rows from the top; 0 where nothing counts.

@@ -23,7 +23,7 @@ class IncrementalCapture {
     /// 0 .. 1, by the samples of an environment, which are what takes long.
     double progress() const;
 
-    /// Before exposure; no pixel of it counts yet.
+    /// The frame before exposure; no pixel of it counts yet.
     Result<LinearFrame> frame() const;
 
   private:

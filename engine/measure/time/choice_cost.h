@@ -48,12 +48,12 @@ class CostPairs {
     CostPairs(const Options& options, const MedianInterval& empty)
         : options_(options), empty_(empty) {}
 
-    /// Milliseconds of a pair.
+    /// Takes in the milliseconds of a pair.
     void add(double exact, double other);
     bool finished() const;
     int runs() const { return static_cast<int>(ratios_.size()); } ///< pairs
 
-    /// Without times: see withTimes().
+    /// The cost without times: see withTimes().
     ChoiceCost cost() const;
 
   private:

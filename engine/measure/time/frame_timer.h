@@ -19,10 +19,10 @@ class FrameTimer {
         WallClock,   ///< a clock around glFinish: waits for the device
     };
 
-    /// Takes some milliseconds.
+    /// Finds out which method works, which takes some milliseconds.
     FrameTimer();
 
-    /// With a method that is already known.
+    /// Uses a method that is already known.
     explicit FrameTimer(Method method);
 
     void begin();
@@ -36,7 +36,7 @@ class FrameTimer {
 
     Method method() const { return method_; }
 
-    /// For people: "GPU timer" or "clock around glFinish".
+    /// The method for people: "GPU timer" or "clock around glFinish".
     std::string_view methodText() const;
 
   private:

@@ -17,7 +17,7 @@ class FrameDescription {
     void write(const FramePlan& plan, FrameGpu& gpu, ProgramPass& programs,
                const std::optional<Error>& shadowError);
 
-    /// Only the error why there is no frame.
+    /// Writes only the error why there is no frame.
     void writeFailure(FrameReport& report, const Error& error);
 
     /// Everything is put into words the next time.

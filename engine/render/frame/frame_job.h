@@ -64,7 +64,7 @@ class FrameJob {
     void show(unsigned framebuffer);
 
     /// The frame as linear floats (RGBA, straight alpha), with the exposure in them, or as the
-    /// 8-bit display values / 255. With another exposure than the scene's, where one is given.
+    /// 8-bit display values / 255. An exposure that is given takes the place of the scene's.
     Result<Image> read(bool display, std::optional<double> exposure = {});
 
     /// Samples per pixel of the environment's light in the picture; 0 where programs look at none.

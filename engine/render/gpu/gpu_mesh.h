@@ -16,7 +16,8 @@ namespace patina {
 /// 3 texture coordinates, 4 on which side the bitangent is; then those of Instance.
 class GpuMesh {
   public:
-    /// Room for this mesh; upload() brings the content. `serial` tells it from every other one.
+    /// Makes room for this mesh; upload() brings the content. `serial` tells it from every other
+    /// one.
     explicit GpuMesh(const MeshView& mesh, std::uint64_t serial = 0);
 
     /// Takes in at most `bytes` more of the mesh it was made for, and at least one.
@@ -25,7 +26,7 @@ class GpuMesh {
 
     /// Draws a complete mesh.
     void draw(const InstanceBuffer& instances, const DrawRange& range) const;
-    /// Once, whole.
+    /// Draws all of it once.
     void draw(const SingleInstance& instance) const { draw(instance.buffer(), {0, triangles_}); }
     int triangles() const { return triangles_; }
     std::uint64_t serial() const { return serial_; }

@@ -12,8 +12,8 @@ namespace patina {
 /// An image in the GPU's memory. Its small versions come first, and are shown until it is whole.
 class GpuTexture {
   public:
-    /// Room for this picture. What is larger than the driver takes is left out. `isOpaque`: its
-    /// alpha is 1 everywhere, whatever stands there.
+    /// Makes room for this picture. What is larger than the driver takes is left out. `isOpaque`:
+    /// its alpha is 1 everywhere, whatever stands there.
     explicit GpuTexture(const TexturePicture& picture, bool isOpaque = false);
 
     /// Takes in about as many bytes more of the picture it was made for; at least those of its

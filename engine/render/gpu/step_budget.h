@@ -18,7 +18,7 @@ class StepBudget {
     using Deadline = Clock::time_point;
     static constexpr Deadline never = Deadline::max();
 
-    /// Without an end, until a step begins with one. `isSoftware`: the device is the CPU itself.
+    /// Has no end until a step begins with one. `isSoftware`: the device is the CPU itself.
     explicit StepBudget(bool isSoftware = false) : isSoftware_(isSoftware) {}
 
     /// Begins a frame, which nothing of the last one is waited for.

@@ -13,7 +13,7 @@ namespace patina {
 /// A uniform block of vec4s that is written to the GPU only when its content changed.
 class UniformBuffer {
   public:
-    /// Room for at least `vec4s`; grows when asked for more, never shrinks.
+    /// Makes room for at least `vec4s`; grows when asked for more, never shrinks.
     void reserve(std::size_t vec4s);
 
     /// Where the next content is put together.

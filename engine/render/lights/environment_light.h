@@ -49,7 +49,7 @@ class EnvironmentLight {
 
     static constexpr int roundSamples = 4; ///< as in shaders/passes/environment_light.glsl
 
-    /// For the programs that are used next.
+    /// Binds it for the programs that are used next.
     void bind() const;
 
     /// The program for what is seen behind the objects; null where the environment is hidden or

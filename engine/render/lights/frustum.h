@@ -31,7 +31,7 @@ class DepthRange {
     double near() const;
     double far() const;
 
-    /// From the eye to the farthest point; 0 for nothing.
+    /// The distance from the eye to the farthest point; 0 for nothing.
     double farthest() const { return farthestPoint_; }
 
   private:

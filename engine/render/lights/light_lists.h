@@ -21,10 +21,10 @@ struct Ball {
     double radius = 0.0;
 };
 
-/// Around a box of object space.
+/// The ball around a box of object space.
 Ball ballAround(const Bounds& bounds, const glm::dmat4& world);
 
-/// Around the ground's square.
+/// The ball around the ground's square.
 Ball ballAround(const GroundPlace& ground);
 
 /// Which of a scene's lights reach which objects, by what the lights' descriptors say of their

@@ -14,7 +14,7 @@ class Accumulation {
     /// Makes its program, where it has none.
     Result<void> prepare(const Catalog& catalog, ProgramCache& cache);
 
-    /// The same, and makes it fit; true when it did already, so that it may hold a mean.
+    /// Prepares it and makes it fit; true when it did already, so that it may hold a mean.
     Result<bool> fit(glm::ivec2 size, const Catalog& catalog, ProgramCache& cache);
 
     /// Takes in a frame, which is `share` of the mean from now on: at 1 the only one.

@@ -19,22 +19,22 @@ namespace patina {
 /// only where it changed.
 class FrameData : public Pass {
   public:
-    /// For the frames of `gpu`, which holds it.
+    /// Serves the frames of `gpu`, which holds it.
     explicit FrameData(FrameGpu& gpu);
 
     /// Orders what is drawn, and finds or writes what does not depend on the scene's own values.
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
-    /// Before a step draws objects: nothing is known of what programs are in use.
+    /// Call it before a step draws objects: nothing is known of what programs are in use.
     void bind();
 
-    /// For the surfaces of a batch, whose program is in use then.
+    /// Feeds the surfaces of a batch, whose program is in use then.
     void feed(const FramePlan& plan, const DrawBatch& batch);
 
-    /// For its lines.
+    /// Feeds the lines of a batch.
     void feedLines(const FramePlan& plan, const DrawBatch& batch);
 
-    /// The lights of a list and what else is around objects.
+    /// Feeds the lights of a list and what else is around objects.
     void feedScene(const FramePlan& plan, const Pipeline& pipeline, std::size_t lights);
 
     /// Another program has come into use than that of the last batch.

@@ -27,13 +27,13 @@ class FrameEnvironment {
     /// What a level white surface that faces up reflects of it, seen from anywhere.
     glm::dvec3 upward() const { return isIn() ? light_.upward() : glm::dvec3(0.0); }
 
-    /// Into the target that is bound, whose viewport is all of it.
+    /// Draws into the target that is bound, whose viewport is all of it.
     void drawBackground(const Camera& camera, const glm::dmat4& cameraToWorld, double aspect) const;
 
-    /// For the objects that are drawn next.
+    /// Binds it for the objects that are drawn next.
     void bind() const;
 
-    /// All of the frame is in this picture: its samples join the mean.
+    /// Call it when all of the frame is in this picture: its samples join the mean.
     void add(const gl::Texture& frame);
 
     /// Uses the program that add() does on a mean of its own, behind prewarm(): drivers compile

@@ -22,7 +22,7 @@ struct FrameGpu {
     /// while there is more to draw.
     Result<bool> fitTarget(const FramePlan& plan, bool isReadBetween);
 
-    /// Before and behind what a step draws of objects.
+    /// Surround what a step draws of objects.
     void beginObjects();
     static void endObjects();
 

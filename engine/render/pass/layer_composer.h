@@ -44,7 +44,7 @@ class LayerComposer {
     /// Whether layers are put in order.
     bool isPeeled() const { return shape_.isPeeled; }
 
-    /// Makes what useDepths() needs of a pipeline. Nothing where layers are not put in order.
+    /// Makes what useDepths() needs of a pipeline. Does nothing where layers are not put in order.
     Result<void> addPipeline(const std::shared_ptr<const Pipeline>& pipeline, ProgramCache& cache);
     void useDepths(const std::shared_ptr<const Pipeline>& pipeline) const;
 

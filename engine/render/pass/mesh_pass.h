@@ -8,10 +8,10 @@ namespace patina {
 /// Brings the meshes of a frame and the edges that have lines into the GPU's memory.
 class MeshPass : public Pass {
   public:
-    /// Room for them.
+    /// Makes room for them.
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
-    /// Their content, some megabytes at a time.
+    /// Brings their content, some megabytes at a time.
     bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
 
   private:

@@ -34,7 +34,7 @@ class RefractionTargets {
     void takeBehind(const HdrTarget& target) const;
     bool looksBehind() const { return built_.behind; }
 
-    /// For a program that draws a body within the ball; it is in use.
+    /// Binds all this for a program that draws a body within the ball and is in use.
     void bind(const gl::Program& program, const Ball& ball, const HdrTarget& target) const;
 
     /// Tells a program that has been linked where it finds all this (binding.h).

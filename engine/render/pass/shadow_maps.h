@@ -50,7 +50,7 @@ class ShadowMaps {
     /// Draws about so many triangles of them; their meshes are complete.
     void drawSome(int triangles, FrameTextures& textures);
 
-    /// By light.
+    /// The view of each light.
     std::span<const ShadowView> views() const { return views_; }
     /// Lights for whose maps there is no room.
     int lost() const { return lost_; }

@@ -20,7 +20,7 @@ namespace patina {
 /// materials that read some have a texture.
 class TableStore {
   public:
-    /// For so many materials; allocates nothing when there were as many.
+    /// Makes room for so many materials; allocates nothing when there were as many.
     void makeRoom(std::size_t materials);
 
     /// Fills the tables of the material of this number, whose pipeline has a program for it, unless
@@ -31,7 +31,7 @@ class TableStore {
     /// The material reads none (any more).
     void drop(std::size_t number);
 
-    /// For the pipeline's sampler.
+    /// Binds the table for the pipeline's sampler.
     void bind(std::size_t number) const;
 
   private:

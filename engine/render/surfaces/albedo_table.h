@@ -13,7 +13,7 @@ class AlbedoTable {
     /// Fills it with a pipeline of SurfaceOutput::AlbedoTable, from the object data that is bound.
     void fill(const Pipeline& pipeline);
 
-    /// For the program's only sampler. A table that was never filled is black.
+    /// Binds it for the program's only sampler. A table that was never filled is black.
     void bind() const;
 
     const Pipeline* filledWith() const { return pipeline_; }

@@ -40,7 +40,7 @@ struct EffectChoices : Effects... {
         (visit(static_cast<Effects&>(*this)), ...);
     }
 
-    /// From the last one to the first.
+    /// Visits all from the last one to the first.
     template <class Visit>
     void eachBackwards(const Visit& visit) const {
         const auto all = std::tie(static_cast<const Effects&>(*this)...);
