@@ -46,7 +46,7 @@ std::vector<int> edgesUpTo(int edge) {
 std::string workText(const SweepStep& step) {
     switch (step.work) {
     case SweepStep::Work::GroundTruthFrame:
-        return "the right picture";
+        return "the ground truth";
     case SweepStep::Work::ConvergedFrame:
         return "a converged picture";
     case SweepStep::Work::EmptyFrame:

@@ -264,7 +264,7 @@ TEST_F(AccuracyPanel, RunningMeasurement_SaysWhichStepItIsAtFromTheStart) {
             return each.startsWith(start);
         });
     };
-    EXPECT_TRUE(said("Measuring, step 1 of 5: the right picture, "));
+    EXPECT_TRUE(said("Measuring, step 1 of 5: the ground truth, "));
     EXPECT_TRUE(said("Measuring, step 3 of 5: Exact, "));
 }
 

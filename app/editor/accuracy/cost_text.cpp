@@ -58,7 +58,7 @@ QString timeLine(const ChoiceCost& cost, RatioBound bound) {
 QString workText(const SweepStep& step, const CostChart& chart) {
     switch (step.work) {
     case SweepStep::Work::GroundTruthFrame:
-        return tr("the right picture");
+        return tr("the ground truth");
     case SweepStep::Work::ConvergedFrame:
         return tr("a converged picture");
     case SweepStep::Work::EmptyFrame:

@@ -7,7 +7,7 @@ class QCustomPlot;
 
 namespace patina {
 
-/// The colour that lies a share of the way from `a` to `b`.
+/// The colour at `share` of the way from `a` to `b`.
 QColor mixed(const QColor& a, const QColor& b, double share);
 
 /// Ground, axes and grid of a plot in the palette's colours; fainter where it is stale.
