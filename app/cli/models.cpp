@@ -135,7 +135,7 @@ bool hasShippedBlocks(const Catalog& catalog) {
 
 void addModels(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
-        "models", "List every block of every kind, and the settings of scenes, with their parameters");
+        "models", "List every block of every kind and the settings of scenes, with parameters");
     auto json = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "Print an array of the descriptors as they were loaded");
     command->callback([json, &status] {

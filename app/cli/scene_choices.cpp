@@ -72,7 +72,7 @@ tl::unexpected<Error> noSuchLight(const Scene& scene, const BlockKind& kind,
                    names.empty() ? "a scene that has lights" : oneOf(choice.name, names));
 }
 
-/// The light of the name gets another kind, goes or comes; without a name one more comes, or all go.
+/// The light of the name gets another kind, goes or comes; without a name one comes, or all go.
 Result<void> chooseLight(Scene& scene, const BlockKind& kind, const LightChoice& choice,
                          const Catalog& catalog) {
     Light* named = choice.name.empty() ? nullptr : lightNamed(scene, choice.name);
