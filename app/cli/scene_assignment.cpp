@@ -90,16 +90,15 @@ std::string lowered(std::string_view text) {
 
 /// "key.intensity": the light's name, and what is set of it.
 Result<void> assignInLight(Scene& scene, const Assignment& inner, const Catalog& catalog) {
-    std::vector<std::string> names;
     for (Light& light : scene.lights) {
-        names.push_back(lowered(light.name));
+        const std::string name = lowered(light.name);
         const std::string what = fmt::format("the light \"{}\"", light.name);
         if (const Block* block = catalog.find(kinds::lights, light.block.id);
-            block != nullptr && lowered(inner.id) == names.back()) {
+            block != nullptr && lowered(inner.id) == name) {
             return failure(what + " is no value", oneOf(inner.id, parameterIds(*block)));
         }
         const Assignment own{inner.inside(inner.id.substr(0, light.name.size())), inner.text};
-        if (own.id.empty() || lowered(inner.id.substr(0, light.name.size())) != names.back()) {
+        if (own.id.empty() || lowered(inner.id.substr(0, light.name.size())) != name) {
             continue;
         }
         const BlockKind& shadows = *findKind(kinds::shadows);
@@ -113,8 +112,7 @@ Result<void> assignInLight(Scene& scene, const Assignment& inner, const Catalog&
                              "--light");
     }
     const std::string name = firstWord(inner.id);
-    return failure(fmt::format("there is no light \"{}\"", name),
-                   names.empty() ? "a light, as --light adds it" : oneOf(lowered(name), names));
+    return failure(fmt::format("there is no light \"{}\"", name), expectedLights(scene, name));
 }
 
 } // namespace
@@ -129,6 +127,14 @@ Light* lightNamed(Scene& scene, std::string_view name) {
     const auto found = std::ranges::find_if(
         scene.lights, [&](const Light& light) { return lowered(light.name) == lowered(name); });
     return found == scene.lights.end() ? nullptr : &*found;
+}
+
+std::string expectedLights(const Scene& scene, std::string_view name) {
+    std::vector<std::string> names;
+    for (const Light& light : scene.lights) {
+        names.push_back(lowered(light.name));
+    }
+    return names.empty() ? "a light, as --light adds it" : oneOf(lowered(name), names);
 }
 
 bool isForScene(const std::string& assignment) {

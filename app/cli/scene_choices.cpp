@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "catalog/suggestion.h"
 #include "cli/block_assignment.h"
 #include "cli/environment_setup.h"
 #include "cli/scene_assignment.h"
@@ -63,13 +62,9 @@ void giveKind(Light& light, const Block& block, const Catalog& catalog) {
 
 tl::unexpected<Error> noSuchLight(const Scene& scene, const BlockKind& kind,
                                   const LightChoice& choice) {
-    std::vector<std::string> names;
-    for (const Light& light : scene.lights) {
-        names.push_back(light.name);
-    }
     return failure(fmt::format("--{} {}: there is no light \"{}\"", kind.singular, choice.text,
                                choice.name),
-                   names.empty() ? "a scene that has lights" : oneOf(choice.name, names));
+                   expectedLights(scene, choice.name));
 }
 
 /// The light of the name gets another kind, goes or comes; without a name one comes, or all go.

@@ -114,8 +114,8 @@ TEST(SceneOptions, LightsWithoutANameAmongOthers_StandInPlaceOfTheScenes) {
 }
 
 TEST(SceneOptions, NamesOfNoLight_AreErrorsWithThoseThereAre) {
-    EXPECT_NE(errorWith({"--light", "kye=none"}).find("'Key'"), std::string::npos);
-    EXPECT_NE(errorWith({"--shadow", "kye=hard"}).find("'Key'"), std::string::npos);
+    EXPECT_NE(errorWith({"--light", "kye=none"}).find("'key'"), std::string::npos);
+    EXPECT_NE(errorWith({"--shadow", "kye=hard"}).find("'key'"), std::string::npos);
     EXPECT_NE(errorWith({"--light", "=point"}).find("before the ="), std::string::npos);
     EXPECT_NE(errorWith({"--shadow", "=hard"}).find("before the ="), std::string::npos);
 }
