@@ -94,11 +94,11 @@ TEST_F(ModelTransparencyTest, EffectSet_NamesIt) {
     const EffectSet set = effectSet(clear.objects[0].material, clear, *catalog);
     EXPECT_TRUE(isVisiblyTransparent(set));
     EXPECT_EQ(opacityReason(clear),
-              "The material's opacity is 1, and its model lets 40 % of the light pass.");
+              "The material's opacity is 1, and its model transmits 40 % of the light.");
     EXPECT_FALSE(isVisiblyTransparent(effectSet(solid.objects[0].material, solid, *catalog)));
     const Scene whole = ball(1.0);
     EXPECT_EQ(opacityReason(whole),
-              "The material's opacity is 1, and its model lets 100 % of the light pass.");
+              "The material's opacity is 1, and its model transmits 100 % of the light.");
     EXPECT_NE(EffectKey::ofMaterial(clear.objects[0].material, *catalog),
               EffectKey::ofMaterial(solid.objects[0].material, *catalog));
     EXPECT_EQ(countTransparent(clear, *catalog), 1);
