@@ -154,16 +154,21 @@ class Document : public QObject {
 template <class Listener, class Function>
 void onChange(const Document& document, DocumentChange::Aspects aspects, Listener* listener,
               Function function) {
-    const auto call = [aspects, listener, function](const DocumentChange& change) {
+    const auto heard = [&] {
+        if constexpr (std::is_member_function_pointer_v<Function>) {
+            return std::bind_front(function, listener);
+        } else {
+            return function;
+        }
+    }();
+    const auto call = [aspects, heard](const DocumentChange& change) {
         if (!change.has(aspects)) {
             return;
         }
-        if constexpr (std::is_member_function_pointer_v<Function>) {
-            std::invoke(function, *listener);
-        } else if constexpr (std::is_invocable_v<Function, const DocumentChange&>) {
-            function(change);
+        if constexpr (std::is_invocable_v<decltype(heard), const DocumentChange&>) {
+            heard(change);
         } else {
-            function();
+            heard();
         }
     };
     QObject::connect(&document, &Document::changed, listener, call);

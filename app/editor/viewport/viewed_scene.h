@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 
+#include <QSize>
+
 #include "render/renderer.h"
 
 class QWidget;
