@@ -8,6 +8,11 @@ float skyDistribution(float up, float toSun, float a, float b, float c, float d,
     return (1.0 + a * exp(b / max(up, 0.01))) * (1.0 + c * exp(d * toSun) + e * cosine * cosine);
 }
 
+// The same as a share of what it is at the zenith, with the sun at the angle `sun` from there.
+float skyShare(float up, float toSun, float sun, float a, float b, float c, float d, float e) {
+    return skyDistribution(up, toSun, a, b, c, d, e) / skyDistribution(1.0, sun, a, b, c, d, e);
+}
+
 // Luminance in kcd/m^2 and chromaticity x and y of the sky: Preetham et al. 1999, A.2. `t` is the
 // turbidity, `sun` the angle of the sun from the zenith.
 vec3 skyYxy(float up, float toSun, float t, float sun) {
@@ -26,22 +31,19 @@ vec3 skyYxy(float up, float toSun, float t, float sun) {
     float c = -0.0227 * t + 5.3251;
     float d = 0.1206 * t - 2.5771;
     float e = -0.0670 * t + 0.3703;
-    float luminance = zenithY * skyDistribution(up, toSun, a, b, c, d, e) /
-                      skyDistribution(1.0, sun, a, b, c, d, e);
+    float luminance = zenithY * skyShare(up, toSun, sun, a, b, c, d, e);
     a = -0.0193 * t - 0.2592;
     b = -0.0665 * t + 0.0008;
     c = -0.0004 * t + 0.2125;
     d = -0.0641 * t - 0.8989;
     e = -0.0033 * t + 0.0452;
-    float x = zenithX * skyDistribution(up, toSun, a, b, c, d, e) /
-              skyDistribution(1.0, sun, a, b, c, d, e);
+    float x = zenithX * skyShare(up, toSun, sun, a, b, c, d, e);
     a = -0.0167 * t - 0.2608;
     b = -0.0950 * t + 0.0092;
     c = -0.0079 * t + 0.2102;
     d = -0.0441 * t - 1.6537;
     e = -0.0109 * t + 0.0529;
-    float y = zenithSmallY * skyDistribution(up, toSun, a, b, c, d, e) /
-              skyDistribution(1.0, sun, a, b, c, d, e);
+    float y = zenithSmallY * skyShare(up, toSun, sun, a, b, c, d, e);
     return vec3(luminance, x, y);
 }
 

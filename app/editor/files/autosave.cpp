@@ -149,13 +149,11 @@ void Autosave::giveUpOwn() {
 }
 
 void Autosave::giveUp() {
-    giveUpOwn();
     stop();
-    if (!isAdopted_) {
-        return;
+    giveUpOwn();
+    if (std::exchange(isAdopted_, false)) {
+        lock_.reset(); // as a program that is gone leaves it
     }
-    isAdopted_ = false;
-    lock_.reset(); // as a program that is gone leaves it
 }
 
 void Autosave::stop() {

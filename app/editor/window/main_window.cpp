@@ -394,7 +394,7 @@ void MainWindow::connectParts() {
     connect(&trials_, &UserBlockTrials::finished, this, [this](const Errors& mistakes) {
         messages_.setGroup("shaders", mistakes);
         status_->clearMessage();
-        // Of a block that it could not draw with before.
+        // A view may wait for a block that it could not draw with before.
         views_->first().viewport().frames().refresh();
         if (SideView* second = views_->second()) {
             second->viewport().frames().refresh();

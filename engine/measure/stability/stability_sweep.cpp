@@ -39,7 +39,7 @@ bool hasLostDigits(const std::vector<double>& values) {
                        [](double x) { return x != 0.0 && std::abs(x) < minExact; });
 }
 
-/// Of directions nearer to the horizon the sweep asks that values are finite and not negative, not
+/// For directions nearer to the horizon the sweep asks that values are finite and not negative, not
 /// that they have all digits: geometry is full of squares of cosines, which a float does not hold.
 constexpr double minExactCosine = 1e-9;
 
