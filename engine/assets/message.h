@@ -32,7 +32,7 @@ struct Message {
 };
 
 /// No encoded message is longer, in bytes.
-inline constexpr std::size_t maxMessageBytes = 64 * 1024;
+inline constexpr std::size_t maxMessageBytes = std::size_t(64) * 1024;
 
 /// The bytes that travel. Texts are cut so that the whole stays within maxMessageBytes.
 std::string encoded(const Message& message);

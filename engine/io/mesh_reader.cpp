@@ -110,7 +110,7 @@ std::string withRefused(std::string remarks, const MeshFolder& folder) {
 }
 
 /// Where files were refused, that is the reason for all that followed.
-Error reasonOf(Error error, const MeshFolder& folder) {
+Error reasonOf(const Error& error, const MeshFolder& folder) {
     const auto& refused = folder.refused();
     const auto missed = std::ranges::find_if(refused, isMissed);
     return missed == refused.end() || error.problem.find(*missed) != std::string::npos

@@ -50,9 +50,9 @@ FaceTangent faceTangent(const RawMesh& mesh, const std::uint32_t* corners) {
 /// Appends a copy of a vertex, on the other side of a mirror seam.
 std::uint32_t twinOf(RawMesh& mesh, std::uint32_t vertex, float side) {
     const auto twin = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.push_back(glm::vec3(mesh.positions[vertex]));
-    mesh.normals.push_back(glm::vec3(mesh.normals[vertex]));
-    mesh.uvs.push_back(glm::vec2(mesh.uvs[vertex]));
+    mesh.positions.emplace_back(mesh.positions[vertex]);
+    mesh.normals.emplace_back(mesh.normals[vertex]);
+    mesh.uvs.emplace_back(mesh.uvs[vertex]);
     mesh.tangents.emplace_back(0.0f, 0.0f, 0.0f, side);
     return twin;
 }

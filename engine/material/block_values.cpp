@@ -78,7 +78,7 @@ class Carrier {
 
     /// The value before it is brought into range, if there is one that fits.
     std::optional<Value> valueFor(const Parameter& parameter) {
-        const std::optional<Value> original = takeParked(parameter);
+        std::optional<Value> original = takeParked(parameter);
         const Value* current = sameMeaning(parameter);
         if (current == nullptr) {
             return original;

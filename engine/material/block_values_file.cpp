@@ -170,7 +170,7 @@ BlockValues BlockReader::read(JsonReader& block, JsonReader& parameters, std::st
     const Json* id = block.find("id");
     if (block.isObject() && id == nullptr) {
         block.addError("id", "the key \"id\" is missing", "the id of a block");
-    } else if (id != nullptr && *id == "") {
+    } else if (id != nullptr && id->is_string() && id->get_ref<const std::string&>().empty()) {
         block.addError("id", "the id is empty", oneOf({}, idsOf(catalog.ofKind(kind))));
     }
     ValuesReader reader(parameters, values, notes, parked);

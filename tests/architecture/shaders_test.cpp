@@ -2,6 +2,7 @@
 // A block is a descriptor and a shader with one stem; its names follow from its folder and id.
 #include <regex>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "catalog/block_kind.h"
@@ -68,7 +69,8 @@ TEST(Blocks, Shader_DefinesTheFunctionItsNameSays) {
         const std::string type = structNameOf(shader);
         std::string function = type;
         function[0] = char(std::tolower(static_cast<unsigned char>(function[0])));
-        const std::regex definition("\\b" + function + R"(\s*\([^)]*\b)" + type + R"(\s+p\s*\))");
+        const std::regex definition(
+            fmt::format(R"(\b{}\s*\([^)]*\b{}\s+p\s*\))", function, type));
         EXPECT_TRUE(std::regex_search(shader.text, definition)) << shader.path << ": " << function;
     }
 }

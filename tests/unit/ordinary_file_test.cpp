@@ -26,7 +26,7 @@ void makeSocket(const std::filesystem::path& file) {
     address.sun_family = AF_UNIX;
     file.string().copy(address.sun_path, sizeof address.sun_path - 1);
     const int descriptor = ::socket(AF_UNIX, SOCK_STREAM, 0);
-    ::bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+    ASSERT_EQ(0, ::bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address));
     ::close(descriptor);
 }
 
@@ -102,7 +102,7 @@ class FileBelow : public testing::Test {
         tests::writeFile(folder_ / "home/maps/b", "hello");
         handle_ = ::open((folder_ / "home").c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
     }
-    ~FileBelow() override { ::close(handle_); }
+    void TearDown() override { ::close(handle_); }
 
     std::string read(const std::filesystem::path& path) const {
         const auto content =

@@ -62,7 +62,7 @@ Result<void> GlslReader::append(const std::filesystem::path& file) {
         if (included.empty()) {
             lines_.push_back({file.generic_string(), number, line});
         } else if (taken_.insert(included).second) {
-            if (const auto done = append(root_ / included); !done) {
+            if (auto done = append(root_ / included); !done) {
                 return done;
             }
         }

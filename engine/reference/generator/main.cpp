@@ -48,7 +48,7 @@ Result<GlslLines> libraryLines(const std::filesystem::path& root) {
             continue;
         }
         GlslReader reader(root, taken);
-        const Result<GlslLines> lines = reader.read(file);
+        Result<GlslLines> lines = reader.read(file);
         if (!lines) {
             return lines;
         }
@@ -95,7 +95,7 @@ Result<void> writeBlocks(Catalog catalog, const std::filesystem::path& target) {
     const auto firstWithout =
         std::stable_partition(catalog.blocks.begin(), catalog.blocks.end(), hasReference);
     for (auto block = firstWithout; block != catalog.blocks.end(); ++block) {
-        if (const auto done = write(target / unitFile(*block), emptyUnit(*block)); !done) {
+        if (auto done = write(target / unitFile(*block), emptyUnit(*block)); !done) {
             return done;
         }
     }
@@ -105,7 +105,7 @@ Result<void> writeBlocks(Catalog catalog, const std::filesystem::path& target) {
         if (!lines) {
             return tl::unexpected(lines.error());
         }
-        if (const auto done = write(target / unitFile(block), blockSource(block, *lines)); !done) {
+        if (auto done = write(target / unitFile(block), blockSource(block, *lines)); !done) {
             return done;
         }
     }

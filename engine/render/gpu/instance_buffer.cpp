@@ -2,7 +2,6 @@
 #include "render/gpu/instance_buffer.h"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 
 #include <epoxy/gl.h>
@@ -11,7 +10,7 @@ namespace patina {
 namespace {
 
 bool isSame(const Instance& a, const Instance& b) {
-    return std::memcmp(&a, &b, sizeof(Instance)) == 0;
+    return a.world == b.world && a.normal == b.normal;
 }
 
 } // namespace

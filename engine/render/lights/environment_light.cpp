@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 3> otherValues{"rotate", "background", "b
 /// In place of a picture that is on its way. A software driver compiles programs anew where one
 /// with coarser versions, or with sides that are powers of two, takes the place of one without.
 const EnvironmentTexels& blackTexels() {
-    static const EnvironmentTexels black{glm::ivec2(4), std::vector<std::uint16_t>(4 * 16)};
+    static const EnvironmentTexels black{glm::ivec2(4), std::vector<std::uint16_t>(64)};
     return black;
 }
 
@@ -178,7 +178,8 @@ void EnvironmentLight::upload() {
 void EnvironmentLight::setSamples(const Samples& samples) {
     glm::vec4& turn = values_.staging()[EnvironmentLayout::turn];
     turn.z = static_cast<float>(samples.firstRound);
-    turn.w = static_cast<float>((samples.count + roundSamples - 1) / roundSamples);
+    const int rounds = (samples.count + roundSamples - 1) / roundSamples;
+    turn.w = static_cast<float>(rounds);
     const glm::ivec2 size = table_.size();
     values_.staging()[EnvironmentLayout::sizes] =
         glm::vec4(size, static_cast<float>(samples.count), static_cast<float>(samples.series));

@@ -75,8 +75,8 @@ void EnvironmentTable::gatherUpward(std::span<const glm::vec4> radiance) {
     upward_ = glm::dvec3(0.0);
     const std::size_t count = std::min(weights_.size(), radiance.size());
     for (std::size_t i = 0; i < count; ++i) {
-        const double row = double(i / std::size_t(size_.x));
-        upward_ += (heightAbove(row + 1.0, size_.y) - heightAbove(row, size_.y)) *
+        const std::size_t row = i / std::size_t(size_.x);
+        upward_ += (heightAbove(double(row) + 1.0, size_.y) - heightAbove(double(row), size_.y)) *
                    glm::dvec3(radiance[i]);
     }
     upward_ /= double(size_.x);

@@ -15,7 +15,7 @@ namespace patina {
 Result<bool> BackgroundPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     isDrawn_ = false;
     const Catalog& catalog = *gpu.shared.catalog;
-    const auto isNew = gpu.fitTarget(plan, showsSceneRefracted(*plan.effects, catalog));
+    auto isNew = gpu.fitTarget(plan, showsSceneRefracted(*plan.effects, catalog));
     if (!isNew || (*isNew && takesLong(gpu.target().drawnSize()))) {
         return isNew;
     }

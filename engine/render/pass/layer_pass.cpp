@@ -31,7 +31,7 @@ Result<bool> LayerPass::prepare(FramePlan& plan, FrameGpu& gpu) {
         composer_.leaveOut();
         return false;
     }
-    const auto isMade = composer_.begin(gpu.target(), layersOf(plan.transparency(), *block),
+    auto isMade = composer_.begin(gpu.target(), layersOf(plan.transparency(), *block),
                                         *gpu.shared.catalog, gpu.shared.programs());
     if (!isMade || *isMade) {
         return isMade;

@@ -22,7 +22,7 @@ constexpr std::int64_t maxBytes = std::int64_t(256) << 20;
 int maxLayers() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
-    return std::min(most, static_cast<int>(maxBytes / (4 * minTexels * minTexels)));
+    return std::min(most, static_cast<int>(maxBytes / (std::int64_t(4) * minTexels * minTexels)));
 }
 
 const Block* shadowedLight(const Light& light, const Catalog& catalog) {

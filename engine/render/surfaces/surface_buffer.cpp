@@ -10,7 +10,8 @@ std::optional<std::size_t> SurfaceBuffer::objectAt(std::size_t pixel) const {
 
 glm::dvec2 SurfaceBuffer::place(std::size_t pixel) const {
     const auto columns = static_cast<std::size_t>(size.x);
-    return {double(pixel % columns) + 0.5, double(size.y) - double(pixel / columns) - 0.5};
+    const std::size_t row = pixel / columns;
+    return {double(pixel % columns) + 0.5, double(size.y) - double(row) - 0.5};
 }
 
 } // namespace patina
