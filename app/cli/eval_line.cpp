@@ -148,7 +148,7 @@ Result<void> readPixel(const Json& json, EvalCase& request) {
 
 Result<void> readFrame(const Json& json, EvalCase& request) {
     for (const auto& [key, target] : {std::pair{"n", &request.n}, {"t", &request.t}}) {
-        const Result<void> done =
+        Result<void> done =
             json.contains(key) ? readDirection(json, key, *target) : Result<void>();
         if (!done) {
             return done;

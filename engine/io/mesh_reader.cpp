@@ -136,7 +136,7 @@ Result<MeshReading> readMesh(const std::filesystem::path& file, const MeshOption
             return MeshReading{withRefused(std::move(remarks), *folder), leftovers};
         })
         .map_error([&](Error error) {
-            error = reasonOf(std::move(error), *folder);
+            error = reasonOf(error, *folder);
             error.file = file.string();
             return error;
         });

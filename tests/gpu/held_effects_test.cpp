@@ -28,7 +28,7 @@ class HeldEffects : public GpuTest, public testing::WithParamInterface<Dragged> 
         scene_.lights.push_back(light("point"));
         scene_.setPart(kinds::fog, block("fog", "exponential"));
         scene_.ambient = glm::dvec3(0.0);
-        for (Dragged other : {intensity(), opacity(), ambient(), density()}) {
+        for (const Dragged& other : {intensity(), opacity(), ambient(), density()}) {
             other.set(scene_, other.name == GetParam().name ? 0.0 : 0.5);
         }
         effects_ = scene_;

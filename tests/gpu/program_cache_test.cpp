@@ -27,7 +27,7 @@ class ProgramCacheTest : public GpuTest {
     std::filesystem::path storedFile() const {
         ProgramCache first(folder_.path());
         first.get(phong());
-        const auto file = ProgramFile(folder_.path(), phong().hash()).path();
+        auto file = ProgramFile(folder_.path(), phong().hash()).path();
         EXPECT_TRUE(std::filesystem::exists(file));
         return file;
     }

@@ -60,7 +60,8 @@ class RefractionTest : public GpuTest {
         Image panorama{2 * height, height, 3, {}};
         for (int i = 0; i < 2 * height * height; ++i) {
             const double across = (i % (2 * height) + 0.5) / height * std::numbers::pi;
-            const double down = (i / (2 * height) + 0.5) / height * std::numbers::pi;
+            const int row = i / (2 * height);
+            const double down = (row + 0.5) / height * std::numbers::pi;
             const glm::dvec3 d(-std::sin(down) * std::sin(across), std::cos(down),
                                std::sin(down) * std::cos(across));
             const glm::dvec3 light = isWhite ? glm::dvec3(1.0) : smooth(d);

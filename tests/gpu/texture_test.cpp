@@ -172,7 +172,7 @@ TEST_F(TextureTest, MissingCutOut_LeavesHalfOfTheFields) {
         const bool isSame = pixel(image, i % 64, i / 64) == pixel(plain, i % 64, i / 64);
         same += isSame ? 1 : 0;
     }
-    EXPECT_NEAR(same, 64 * 64 / 2, 64 * 64 / 16);
+    EXPECT_NEAR(same, 0.5 * 64 * 64, 64.0 * 64.0 / 16.0);
 }
 
 TEST_F(TextureTest, FileThatIsOnItsWay_ShowsTheValue) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "measure/choice/picture_choices.h"
 #include "shading/effects/effect_set.h"
 
@@ -114,8 +116,7 @@ std::optional<ChosenLevels> levelsFromText(const std::string& text) {
 std::string levelsText(const ChosenLevels& levels) {
     std::string text;
     for (const auto& [choice, level] : levels) {
-        text += text.empty() ? "" : " ";
-        text += choice + '=' + level;
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", choice, level);
     }
     return text.empty() ? "exact" : text;
 }

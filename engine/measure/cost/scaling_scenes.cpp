@@ -52,7 +52,8 @@ Scene withCopies(Scene scene, std::size_t object, int count) {
     scene.objects.clear();
     for (int i = 0; i < count; ++i) {
         const double x = (double(i % columns) + 0.5) / columns - 0.5;
-        const double y = (double(i / columns) + 0.5) / columns - 0.5;
+        const int row = i / columns;
+        const double y = (row + 0.5) / columns - 0.5;
         Object copy = original;
         copy.scale /= double(columns);
         copy.translation += width * (x * camera.right - y * camera.up);
