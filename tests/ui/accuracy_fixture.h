@@ -10,12 +10,12 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "accuracy/accuracy_dock.h"
 #include "accuracy/accuracy_page.h"
 #include "accuracy/bound_box.h"
 #include "accuracy/budget_row.h"
 #include "accuracy/cost_list.h"
 #include "accuracy/cost_plot.h"
-#include "docks/accuracy_dock.h"
 #include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What CONTRIBUTING.md shows how to add to the editor, as it stands there.
-#include "docks/lazy_dock.h"
 #include "docks/object_count_dock.h"
 #include "ui/window_fixture.h"
+#include "window/lazy_dock.h"
 
 namespace patina::tests::recipes_test {
 namespace {

@@ -9,8 +9,8 @@
 #include "parameters/form_textures.h"
 #include "parameters/texture_line.h"
 #include "parameters/texture_popup.h"
+#include "resources/texture_library.h"
 #include "ui/form_fixture.h"
-#include "viewport/texture_library.h"
 
 namespace patina::tests::texture_test {
 namespace {

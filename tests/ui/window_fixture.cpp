@@ -10,7 +10,7 @@
 #include <QTimer>
 
 #include "material/preset_file.h"
-#include "window/session.h"
+#include "session/session.h"
 
 namespace patina::tests {
 namespace {

@@ -16,9 +16,9 @@
 
 #include "docks/picture_grid.h"
 #include "document/scene_edits.h"
+#include "files/key_pause.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
-#include "window/key_pause.h"
 
 namespace patina::tests::window_test {
 namespace {

@@ -28,9 +28,9 @@
 #include "document/document.h"
 #include "document/document_files.h"
 #include "measure/cost/cost_table.h"
-#include "viewport/mesh_library.h"
-#include "window/message_log.h"
-#include "window/session.h"
+#include "resources/mesh_library.h"
+#include "session/message_log.h"
+#include "session/session.h"
 
 namespace patina {
 namespace {

@@ -13,9 +13,9 @@
 #include "accuracy/chart_store.h"
 #include "accuracy/chart_target.h"
 #include "accuracy/kept_chart.h"
+#include "background/background_job.h"
 #include "docks/dock_context.h"
 #include "measure/cost/cost_sweep.h"
-#include "window/background_job.h"
 
 class QLabel;
 class QProgressBar;

@@ -15,8 +15,8 @@
 #include "accuracy/cost_text.h"
 #include "accuracy/plot_library.h"
 #include "gl/driver.h"
+#include "session/session.h"
 #include "viewport/viewport.h"
-#include "window/session.h"
 
 namespace patina {
 namespace {

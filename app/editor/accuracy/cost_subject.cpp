@@ -3,10 +3,10 @@
 
 #include "document/document.h"
 #include "document/scene_edits.h"
-#include "viewport/environment_library.h"
-#include "viewport/mesh_library.h"
-#include "viewport/mesh_snapshot.h"
-#include "viewport/texture_library.h"
+#include "resources/environment_library.h"
+#include "resources/mesh_library.h"
+#include "resources/mesh_snapshot.h"
+#include "resources/texture_library.h"
 
 namespace patina {
 

@@ -13,7 +13,7 @@
 #include "catalog/json_text.h"
 #include "docks/settling.h"
 #include "document/document_files.h"
-#include "window/message_log.h"
+#include "session/message_log.h"
 
 namespace patina {
 namespace {

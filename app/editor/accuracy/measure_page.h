@@ -10,9 +10,9 @@
 #include <QWidget>
 
 #include "accuracy/kept_results.h"
+#include "background/background_job.h"
 #include "docks/dock_context.h"
 #include "measure/cost/cost_sweep.h"
-#include "window/background_job.h"
 
 namespace patina {
 

@@ -10,8 +10,8 @@
 #include "catalog/json_text.h"
 #include "document/document.h"
 #include "measure/cost/ranking_table.h"
+#include "session/session.h"
 #include "text/display_number.h"
-#include "window/session.h"
 
 namespace patina {
 

@@ -5,8 +5,8 @@
 
 #include <QCoreApplication>
 
-#include "docks/picture_accuracy_form.h"
 #include "document/comparison.h"
+#include "document/picture_parameters.h"
 #include "viewport/compare_area.h"
 
 namespace patina {

@@ -11,7 +11,7 @@
 #include "accuracy/measure_bar.h"
 #include "catalog/json_text.h"
 #include "document/document.h"
-#include "window/session.h"
+#include "session/session.h"
 
 namespace patina {
 

@@ -17,20 +17,20 @@
 #include <QVBoxLayout>
 
 #include "docks/effect_label.h"
-#include "docks/effect_switches.h"
 #include "docks/panel.h"
 #include "docks/settling.h"
 #include "document/document.h"
 #include "document/scene_edits.h"
+#include "resources/environment_library.h"
+#include "resources/mesh_library.h"
+#include "resources/mesh_snapshot.h"
+#include "resources/texture_library.h"
+#include "session/session.h"
 #include "text/as_text.h"
 #include "text/display_number.h"
 #include "viewport/compare_area.h"
-#include "viewport/environment_library.h"
-#include "viewport/mesh_library.h"
-#include "viewport/mesh_snapshot.h"
-#include "viewport/texture_library.h"
+#include "viewport/effect_switches.h"
 #include "viewport/viewport.h"
-#include "window/session.h"
 
 namespace patina {
 namespace {

@@ -6,12 +6,12 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "background/background_job.h"
 #include "docks/dock_context.h"
 #include "document/document_state.h"
 #include "library/read_blocks.h"
 #include "measure/cost/effect_cost.h"
 #include "render/surfaces/object_rows.h"
-#include "window/background_job.h"
 
 class QLabel;
 class QProgressBar;

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "docks/panel.h"
-#include "window/message_log.h"
+#include "session/message_log.h"
 
 namespace patina {
 

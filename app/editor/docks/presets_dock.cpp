@@ -18,7 +18,7 @@
 #include "files/file_actions.h"
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
-#include "window/message_log.h"
+#include "session/message_log.h"
 
 namespace patina {
 namespace {

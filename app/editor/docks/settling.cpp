@@ -4,7 +4,7 @@
 #include <QTimer>
 
 #include "document/document.h"
-#include "viewport/mesh_library.h"
+#include "resources/mesh_library.h"
 
 namespace patina {
 

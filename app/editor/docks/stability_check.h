@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "background/background_job.h"
 #include "catalog/catalog.h"
 #include "docks/stability_outcome.h"
 #include "material/material.h"
-#include "window/background_job.h"
 
 namespace patina {
 

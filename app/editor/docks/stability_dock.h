@@ -3,10 +3,10 @@
 
 #include <QWidget>
 
+#include "background/background_job.h"
 #include "docks/dock_context.h"
 #include "docks/stability_outcome.h"
 #include "library/read_blocks.h"
-#include "window/background_job.h"
 
 class QLabel;
 class QProgressBar;

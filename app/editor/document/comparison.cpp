@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "docks/picture_accuracy_form.h"
 #include "document/commands/look_command.h"
 #include "document/commands/material_command.h"
+#include "document/picture_parameters.h"
 
 namespace patina {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/described_blocks.h"
 
-#include "docks/picture_accuracy_form.h"
 #include "document/accuracy_block.h"
+#include "document/picture_parameters.h"
 #include "material/blocks_in_use.h"
 
 namespace patina {

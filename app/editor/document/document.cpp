@@ -15,8 +15,8 @@
 #include "document/commands/scene_block_command.h"
 #include "document/commands/texture_command.h"
 #include "document/swapped_block.h"
+#include "resources/texture_library.h"
 #include "text/short_text.h"
-#include "viewport/texture_library.h"
 
 namespace patina {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/document_state.h"
 
-#include "docks/picture_accuracy_form.h"
+#include "document/picture_parameters.h"
 #include "material/material_settings.h"
 #include "material/reconciled.h"
 #include "scene/scene_settings.h"

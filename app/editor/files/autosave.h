@@ -9,9 +9,9 @@
 #include <QObject>
 #include <QTimer>
 
+#include "background/single_thread.h"
 #include "document/document_files.h"
 #include "files/edit_journal.h"
-#include "window/single_thread.h"
 
 class QLockFile;
 

@@ -7,10 +7,10 @@
 #include <QRegularExpression>
 
 #include "document/scene_edits.h"
+#include "files/details_dialog.h"
+#include "files/place_beside.h"
 #include "library/preset_library.h"
 #include "scene/scene_file.h"
-#include "viewport/place_beside.h"
-#include "window/details_dialog.h"
 
 namespace patina {
 namespace {

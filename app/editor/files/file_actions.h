@@ -8,8 +8,8 @@
 
 #include "document/document.h"
 #include "files/outside_consent.h"
-#include "viewport/mesh_library.h"
-#include "window/session.h"
+#include "resources/mesh_library.h"
+#include "session/session.h"
 
 class QWidget;
 

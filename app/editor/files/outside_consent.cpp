@@ -7,7 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "window/key_pause.h"
+#include "files/key_pause.h"
 
 namespace patina {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document_files.h"
-#include "window/session.h"
+#include "session/session.h"
 
 class QWidget;
 

@@ -8,8 +8,8 @@
 #include <QString>
 
 #include "assets/asset_client.h"
-#include "window/single_thread.h"
-#include "window/session.h"
+#include "background/single_thread.h"
+#include "session/session.h"
 
 class QWidget;
 

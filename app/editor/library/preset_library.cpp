@@ -9,7 +9,7 @@
 #include <QFileInfo>
 
 #include "material/preset_file.h"
-#include "window/session.h"
+#include "session/session.h"
 
 namespace patina {
 namespace {

@@ -9,9 +9,9 @@
 #include <QObject>
 #include <QTimer>
 
+#include "background/single_thread.h"
 #include "catalog/catalog.h"
 #include "material/material.h"
-#include "window/single_thread.h"
 
 namespace patina {
 

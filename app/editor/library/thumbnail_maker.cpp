@@ -12,13 +12,13 @@
 #include <QSaveFile>
 #include <QThread>
 
+#include "background/free_memory.h"
 #include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "render/gpu/texture_loader.h"
 #include "render/renderer.h"
 #include "scene/primitives.h"
 #include "scene/scene_file.h"
-#include "window/free_memory.h"
 
 namespace patina {
 namespace {

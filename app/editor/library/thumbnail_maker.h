@@ -10,9 +10,9 @@
 #include <QObject>
 #include <QSet>
 
+#include "background/background_job.h"
 #include "catalog/catalog.h"
 #include "material/material.h"
-#include "window/background_job.h"
 
 namespace patina {
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "background/free_memory.h"
 #include "gl/headless_context.h"
 #include "shading/effects/block_trial.h"
 #include "shading/program/block_gate.h"
-#include "window/free_memory.h"
 
 namespace patina {
 

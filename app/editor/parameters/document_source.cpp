@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/document_source.h"
 
-#include "viewport/texture_library.h"
+#include "resources/texture_library.h"
 
 namespace patina {
 

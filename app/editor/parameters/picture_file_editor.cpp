@@ -8,7 +8,7 @@
 #include <QMimeData>
 #include <QToolButton>
 
-#include "window/session.h"
+#include "session/session.h"
 
 namespace patina {
 namespace {

@@ -12,9 +12,9 @@
 #include <QSlider>
 
 #include "document/scene_edits.h"
+#include "resources/mesh_snapshot.h"
+#include "resources/texture_library.h"
 #include "text/display_number.h"
-#include "viewport/mesh_snapshot.h"
-#include "viewport/texture_library.h"
 
 namespace patina {
 namespace {

@@ -5,10 +5,10 @@
 #include <functional>
 #include <utility>
 
+#include "background/free_memory.h"
 #include "gl/headless_context.h"
 #include "render/frame/frame_job.h"
 #include "scene/environment.h"
-#include "window/free_memory.h"
 
 namespace patina {
 namespace {

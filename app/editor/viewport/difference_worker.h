@@ -9,9 +9,9 @@
 
 #include <QObject>
 
+#include "background/background_job.h"
 #include "measure/error/frame_difference.h"
 #include "render/renderer.h"
-#include "window/background_job.h"
 
 namespace patina {
 

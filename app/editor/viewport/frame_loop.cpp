@@ -9,10 +9,10 @@
 #include <QOpenGLFunctions>
 #include <QOpenGLWidget>
 
+#include "background/free_memory.h"
 #include "render/frame/frame_job.h"
 #include "render/surfaces/inspection_drawer.h"
 #include "viewport/program_worker.h"
-#include "window/free_memory.h"
 
 namespace patina {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "background/free_memory.h"
 #include "gl/headless_context.h"
 #include "render/frame/frame_job.h"
 #include "render/gpu/fallback_size.h"
-#include "window/free_memory.h"
 
 namespace patina {
 namespace {

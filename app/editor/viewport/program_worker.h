@@ -10,10 +10,10 @@
 
 #include <QObject>
 
+#include "background/background_job.h"
 #include "catalog/catalog.h"
 #include "core/mesh.h"
 #include "render/renderer.h"
-#include "window/background_job.h"
 
 namespace patina {
 

@@ -7,8 +7,8 @@
 #include <glm/vec2.hpp>
 
 #include "core/mesh.h"
+#include "resources/pick_mesh.h"
 #include "scene/scene.h"
-#include "viewport/pick_mesh.h"
 
 namespace patina {
 

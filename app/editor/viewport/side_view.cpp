@@ -8,12 +8,12 @@
 #include <QVBoxLayout>
 
 #include "document/scene_edits.h"
+#include "resources/texture_library.h"
 #include "shading/effects/effect_rows.h"
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
 #include "viewport/ray_cast.h"
 #include "viewport/side_accuracy.h"
-#include "viewport/texture_library.h"
 #include "viewport/turning.h"
 
 namespace patina {

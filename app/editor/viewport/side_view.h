@@ -5,9 +5,9 @@
 
 #include <QFrame>
 
-#include "docks/effect_switches.h"
-#include "viewport/environment_library.h"
-#include "viewport/mesh_library.h"
+#include "resources/environment_library.h"
+#include "resources/mesh_library.h"
+#include "viewport/effect_switches.h"
 #include "viewport/viewport.h"
 
 class QLabel;

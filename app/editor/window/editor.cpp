@@ -13,10 +13,10 @@
 #include <QOpenGLContext>
 #include <QTimer>
 
+#include "background/free_memory.h"
 #include "gl/driver.h"
 #include "gl/driver_cache.h"
 #include "shading/program/block_gate.h"
-#include "window/free_memory.h"
 #include "window/main_window.h"
 
 namespace patina {

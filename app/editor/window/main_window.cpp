@@ -20,12 +20,12 @@
 #include <QToolBar>
 #include <QUrl>
 
-#include "docks/lazy_dock.h"
 #include "docks/stability_dock.h"
+#include "files/key_pause.h"
 #include "gl/driver_cache.h"
 #include "text/short_text.h"
 #include "window/focus_order.h"
-#include "window/key_pause.h"
+#include "window/lazy_dock.h"
 
 namespace patina {
 namespace {

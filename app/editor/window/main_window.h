@@ -6,8 +6,6 @@
 
 #include <QMainWindow>
 
-#include "docks/dock_list.h"
-#include "docks/effect_switches.h"
 #include "document/comparison.h"
 #include "document/document_files.h"
 #include "document/program_effects.h"
@@ -18,11 +16,13 @@
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
 #include "library/user_block_trials.h"
+#include "resources/texture_library.h"
+#include "session/message_log.h"
+#include "session/session.h"
 #include "viewport/compare_area.h"
+#include "viewport/effect_switches.h"
 #include "viewport/program_worker.h"
-#include "viewport/texture_library.h"
-#include "window/message_log.h"
-#include "window/session.h"
+#include "window/dock_list.h"
 #include "window/status_line.h"
 #include "window/theme.h"
 

@@ -5,11 +5,11 @@
 #include <QTimer>
 
 #include "document/document.h"
-#include "viewport/environment_library.h"
-#include "viewport/mesh_library.h"
-#include "viewport/texture_library.h"
+#include "resources/environment_library.h"
+#include "resources/mesh_library.h"
+#include "resources/texture_library.h"
+#include "session/message_log.h"
 #include "viewport/viewport.h"
-#include "window/message_log.h"
 
 class QLabel;
 class QProgressBar;

@@ -3,12 +3,11 @@
 
 #include <QObject>
 
+#include "session/session.h"
+
 class QDBusVariant;
 
 namespace patina {
-
-/// Which look the user asked for.
-enum class Look { System, Light, Dark };
 
 /// Gives the application its palette and style, and follows the system while it is asked to.
 class Theme : public QObject {

@@ -9,8 +9,8 @@
 #include <QString>
 #include <QThread>
 
+#include "background/single_thread.h"
 #include "core/error.h"
-#include "window/single_thread.h"
 
 namespace patina {
 

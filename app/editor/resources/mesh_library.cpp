@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/mesh_library.h"
+#include "resources/mesh_library.h"
 
 #include <algorithm>
 #include <utility>

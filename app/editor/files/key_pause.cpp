@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/key_pause.h"
+#include "files/key_pause.h"
 
 #include <QDialog>
 #include <QEvent>

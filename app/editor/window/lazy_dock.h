@@ -3,7 +3,7 @@
 
 #include <QDockWidget>
 
-#include "docks/dock_list.h"
+#include "window/dock_list.h"
 
 namespace patina {
 

@@ -8,11 +8,11 @@
 #include <QObject>
 
 #include "assets/asset_client.h"
+#include "background/single_thread.h"
 #include "core/error.h"
+#include "resources/pick_mesh.h"
 #include "scene/mesh_key.h"
 #include "scene/scene.h"
-#include "window/single_thread.h"
-#include "viewport/pick_mesh.h"
 
 namespace patina {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/texture_library.h"
+#include "resources/texture_library.h"
 
 #include <algorithm>
 #include <cmath>

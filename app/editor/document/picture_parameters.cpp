@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "docks/picture_accuracy_form.h"
+#include "document/picture_parameters.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/background_job.h"
+#include "background/background_job.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "docks/accuracy_dock.h"
+#include "accuracy/accuracy_dock.h"
 
 #include <memory>
 

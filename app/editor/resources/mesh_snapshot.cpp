@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/mesh_snapshot.h"
+#include "resources/mesh_snapshot.h"
 
 #include <map>
 #include <utility>
 
+#include "resources/mesh_library.h"
 #include "scene/mesh_key.h"
-#include "viewport/mesh_library.h"
 
 namespace patina {
 MeshSource meshSnapshot(const Scene& scene, MeshLibrary& library) {

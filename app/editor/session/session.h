@@ -8,9 +8,10 @@
 #include <QString>
 #include <QStringList>
 
-#include "window/theme.h"
-
 namespace patina {
+
+/// Which look the user asked for.
+enum class Look { System, Light, Dark };
 
 /// What is remembered from one start to the next, in $XDG_CONFIG_HOME/patina/patina.ini.
 class Session {

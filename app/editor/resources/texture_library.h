@@ -12,8 +12,8 @@
 #include <QObject>
 
 #include "assets/asset_client.h"
+#include "background/single_thread.h"
 #include "render/gpu/texture_source.h"
-#include "window/single_thread.h"
 
 namespace patina {
 

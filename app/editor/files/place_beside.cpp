@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/place_beside.h"
+#include "files/place_beside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <glm/common.hpp>
 
-#include "viewport/mesh_library.h"
+#include "resources/mesh_library.h"
 
 namespace patina {
 namespace {

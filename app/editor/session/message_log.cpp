@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/message_log.h"
+#include "session/message_log.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "docks/lazy_dock.h"
+#include "window/lazy_dock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/free_memory.h"
+#include "background/free_memory.h"
 
 #include <cstdlib> // defines __GLIBC__ where it is glibc
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "docks/dock_list.h"
+#include "window/dock_list.h"
 
 #include <QCoreApplication>
 
-#include "docks/accuracy_dock.h"
+#include "accuracy/accuracy_dock.h"
 #include "docks/effects_dock.h"
 #include "docks/environment_dock.h"
 #include "docks/fog_dock.h"

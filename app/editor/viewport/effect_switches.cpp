@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "docks/effect_switches.h"
+#include "viewport/effect_switches.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/environment_library.h"
+#include "resources/environment_library.h"
 
 #include <utility>
 

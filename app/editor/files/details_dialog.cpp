@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/details_dialog.h"
+#include "files/details_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>

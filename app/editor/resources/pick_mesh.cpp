@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/pick_mesh.h"
+#include "resources/pick_mesh.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -10,8 +10,8 @@
 #include <QObject>
 
 #include "assets/asset_client.h"
+#include "background/single_thread.h"
 #include "render/lights/environment_image.h"
-#include "window/single_thread.h"
 
 namespace patina {
 
