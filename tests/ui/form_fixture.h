@@ -12,6 +12,7 @@
 #include "parameters/parameter_row.h"
 #include "parameters/scrub_label.h"
 #include "parameters/value_slider.h"
+#include "resources/texture_library.h"
 #include "ui/fixtures.h"
 
 namespace patina::tests {
@@ -20,8 +21,10 @@ namespace patina::tests {
 struct Form : testing::Test {
     FixtureDocument fixture;
     Document& document = fixture.document;
+    AssetClient client;
+    TextureLibrary images{[this]() -> AssetClient& { return client; }};
     QWidget window;
-    DocumentForm* form = new DocumentForm(document, kinds::models, &window);
+    DocumentForm* form = new DocumentForm(document, images, kinds::models, &window);
 
     Form() {
         form->setGeometry(0, 0, 420, 600);

@@ -9,7 +9,6 @@
 #include "parameters/form_textures.h"
 #include "parameters/texture_line.h"
 #include "parameters/texture_popup.h"
-#include "resources/texture_library.h"
 #include "ui/form_fixture.h"
 
 namespace patina::tests::texture_test {
@@ -20,10 +19,6 @@ const char* const color = "diffuse.color";
 
 struct TextureForm : Form {
     TemporaryFolder folder;
-    AssetClient client;
-    TextureLibrary library{[this]() -> AssetClient& { return client; }};
-
-    TextureForm() { document.setTextureLibrary(&library); }
 
     QString image(const std::string& name = "wood.png") const {
         QImage picture(4, 4, QImage::Format_RGB32);
@@ -110,17 +105,17 @@ TEST_F(TextureForm, DraggedSetting_IsOneStep) {
 
 TEST_F(TextureForm, FileThatIsThere_ShowsItsPicture) {
     lay(image());
-    library.find(*use(), TextureDecoding::Color);
-    QSignalSpy arrived(&document, &Document::imagesArrived);
+    images.find(*use(), TextureDecoding::Color);
+    QSignalSpy arrived(&images, &TextureLibrary::arrived);
     ASSERT_TRUE(arrived.wait(waitMs));
-    EXPECT_EQ(library.preview(use()->file).pixelColor(0, 0), QColor(Qt::red));
+    EXPECT_EQ(images.preview(use()->file).pixelColor(0, 0), QColor(Qt::red));
     EXPECT_EQ(line().nameLabel()->text(), "wood.png");
 }
 
 TEST_F(TextureForm, MissingFile_IsMarkedAndKept) {
     lay("/nowhere/gone.png");
-    library.find(*use(), TextureDecoding::Color);
-    QSignalSpy arrived(&document, &Document::imagesArrived);
+    images.find(*use(), TextureDecoding::Color);
+    QSignalSpy arrived(&images, &TextureLibrary::arrived);
     ASSERT_TRUE(arrived.wait(waitMs));
     EXPECT_EQ(use()->file, "/nowhere/gone.png");
     EXPECT_EQ(line().nameLabel()->text(), "⚠ gone.png");
@@ -128,11 +123,11 @@ TEST_F(TextureForm, MissingFile_IsMarkedAndKept) {
 }
 
 TEST_F(TextureForm, MissingFile_IsToldOnce) {
-    QSignalSpy told(&library, &TextureLibrary::failed);
+    QSignalSpy told(&images, &TextureLibrary::failed);
     TextureUse gone = textureUse(color, "/nowhere/gone.png");
-    library.find(gone, TextureDecoding::Color);
-    library.find(gone, TextureDecoding::Linear);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !library.isLoading(); }, waitMs));
+    images.find(gone, TextureDecoding::Color);
+    images.find(gone, TextureDecoding::Linear);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !images.isLoading(); }, waitMs));
     EXPECT_EQ(told.count(), 1);
 }
 
@@ -140,7 +135,7 @@ TEST_F(TextureForm, FileOutsideTheFolder_IsReadWhenItIsAllowed) {
     TextureUse outside = textureUse(color, image().toStdString());
     outside.outside = true;
     document.setTexture(fixture.model(), color, outside);
-    EXPECT_TRUE(library.find(*use(), TextureDecoding::Color).isMissing);
+    EXPECT_TRUE(images.find(*use(), TextureDecoding::Color).isMissing);
     ASSERT_TRUE(line().allowButton()->isVisible());
     line().allowButton()->click();
     EXPECT_FALSE(use()->outside);
@@ -149,17 +144,17 @@ TEST_F(TextureForm, FileOutsideTheFolder_IsReadWhenItIsAllowed) {
 
 TEST_F(TextureForm, CopiesOfAMaterial_ReadAFileOnce) {
     lay(image());
-    QSignalSpy started(&library, &TextureLibrary::loadingStarted);
+    QSignalSpy started(&images, &TextureLibrary::loadingStarted);
     TextureUse other = *use();
     other.rotation = 10.0;
-    library.find(*use(), TextureDecoding::Color);
-    library.find(other, TextureDecoding::Color);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !library.isLoading(); }, waitMs));
+    images.find(*use(), TextureDecoding::Color);
+    images.find(other, TextureDecoding::Color);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !images.isLoading(); }, waitMs));
     EXPECT_EQ(started.count(), 1);
 }
 
 TEST_F(TextureForm, SurfaceForm_TakesNormalAndHeightMaps) {
-    DocumentForm surface(document, settings::material);
+    DocumentForm surface(document, images, settings::material);
     surface.textures().lay(surface.row("normal")->parameter(), image());
     const Material* material = document.material(Side::A);
     ASSERT_TRUE(material->textures.contains("normal"));

@@ -48,8 +48,8 @@ const QList<int> partSizes{2000, 3000}; ///< of chart and table, as shares
 AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target,
                            std::shared_ptr<MeasureTurn> turn)
     : document_(context.document), documentFiles_(context.documentFiles), library_(context.meshes),
-      environments_(context.environments), messages_(context.messages), target_(std::move(target)),
-      turn_(std::move(turn)), store_(stateFolder() / "measurements"),
+      textures_(context.textures), environments_(context.environments), messages_(context.messages),
+      target_(std::move(target)), turn_(std::move(turn)), store_(stateFolder() / "measurements"),
       start_(textButton(tr("Measure"), target_->measureText(), this)),
       cancel_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
       compare_(textButton(tr("Compare with exact"),
@@ -194,9 +194,9 @@ void AccuracyPage::measure(CostSweep::Options options) {
     options.scope = target_->scope();
     options.present = target_->levels(running_->chart.choices);
     progress_->setValue(0);
-    measurement_.start(withContext(
-        [this, subject = costSubject(document_, library_, environments_),
-         options = std::move(options)](BackgroundJob::Control& control) {
+    measurement_.start(
+        withContext([this, subject = costSubject(document_, library_, textures_, environments_),
+                     options = std::move(options)](BackgroundJob::Control& control) {
             return sweep(subject, options, control);
         }));
     select(-1);
@@ -417,9 +417,8 @@ QString AccuracyPage::stateText() const {
 /// What is chosen by an old point is chosen, whatever the numbers are by now.
 QString AccuracyPage::staleStateText() const {
     const QString why = tr("Out of date: the material or the scene has changed since.");
-    const CostPoint* now = shown_->chart.choices == choices_
-                               ? shown_->chart.find(target_->levels(choices_))
-                               : nullptr;
+    const CostPoint* now =
+        shown_->chart.choices == choices_ ? shown_->chart.find(target_->levels(choices_)) : nullptr;
     return now != nullptr ? tr("%1 Chosen now: %2.").arg(why, wayName(*now, shown_->chart)) : why;
 }
 

@@ -98,6 +98,7 @@ class AccuracyPage : public QWidget {
     Document& document_;
     DocumentFiles& documentFiles_;
     MeshLibrary& library_;
+    TextureLibrary& textures_;
     EnvironmentLibrary& environments_;
     MessageLog& messages_;
     std::unique_ptr<ChartTarget> target_;
@@ -105,11 +106,11 @@ class AccuracyPage : public QWidget {
     BackgroundJob measurement_; ///< the last: it ends before what it tells
     KeptResults<KeptChart> charts_;
     ChartStore store_;
-    std::set<ChartKey> stored_;               ///< what was read of the store or written to it
-    std::optional<std::string> device_;       ///< its name, once it was asked for
-    std::map<ChartKey, StoredChart> before_;  ///< what was read, while it is of another subject
-    std::optional<KeptChart> running_; ///< what is being measured
-    SweepStep step_;                   ///< of that
+    std::set<ChartKey> stored_;              ///< what was read of the store or written to it
+    std::optional<std::string> device_;      ///< its name, once it was asked for
+    std::map<ChartKey, StoredChart> before_; ///< what was read, while it is of another subject
+    std::optional<KeptChart> running_;       ///< what is being measured
+    SweepStep step_;                         ///< of that
     const KeptChart* shown_ = nullptr;
     bool stale_ = false;
     std::vector<Choice> choices_; ///< of the target

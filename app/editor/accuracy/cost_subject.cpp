@@ -11,15 +11,14 @@
 namespace patina {
 
 CostSweep::Subject costSubject(const Document& document, MeshLibrary& meshes,
-                               EnvironmentLibrary& environments) {
+                               TextureLibrary& textures, EnvironmentLibrary& environments) {
     const Scene scene = document.ownScene(document.activeSide());
-    const TextureLibrary* textures = document.textureLibrary();
     return {scene,
             static_cast<std::size_t>(document.currentObject()),
             scene.camera,
             meshSnapshot(scene, meshes),
             document.sharedCatalog(),
-            textures != nullptr ? textures->snapshot() : TextureSource(),
+            textures.snapshot(),
             environments.image(environmentPicture(document))};
 }
 

@@ -8,10 +8,11 @@ namespace patina {
 class Document;
 class EnvironmentLibrary;
 class MeshLibrary;
+class TextureLibrary;
 
 /// The active side's scene with its current object, of which there must be one, for a measurement
 /// in another thread: what meshes and images there are now.
 CostSweep::Subject costSubject(const Document& document, MeshLibrary& meshes,
-                               EnvironmentLibrary& environments);
+                               TextureLibrary& textures, EnvironmentLibrary& environments);
 
 } // namespace patina

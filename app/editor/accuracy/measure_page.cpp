@@ -25,8 +25,8 @@ constexpr int settleMs = 100;
 MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
                          const QString& what, const QStringList& endings)
     : document_(context.document), documentFiles_(context.documentFiles), meshes_(context.meshes),
-      environments_(context.environments), messages_(context.messages), turn_(std::move(turn)),
-      bar_(new MeasureBar(what, endings, this)) {
+      textures_(context.textures), environments_(context.environments), messages_(context.messages),
+      turn_(std::move(turn)), bar_(new MeasureBar(what, endings, this)) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     connectParts();
@@ -91,7 +91,7 @@ void MeasurePage::refresh() {
 }
 
 CostSweep::Subject MeasurePage::costSubject() {
-    return patina::costSubject(document_, meshes_, environments_);
+    return patina::costSubject(document_, meshes_, textures_, environments_);
 }
 
 bool MeasurePage::canStart() const {

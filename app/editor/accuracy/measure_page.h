@@ -96,12 +96,13 @@ class MeasurePage : public QWidget {
     Document& document_;
     DocumentFiles& documentFiles_;
     MeshLibrary& meshes_;
+    TextureLibrary& textures_;
     EnvironmentLibrary& environments_;
     MessageLog& messages_;
     std::shared_ptr<MeasureTurn> turn_;
     KeptResults<PageResult> results_;
-    std::optional<PageResult> running_;   ///< what is being measured
-    QString doing_;                       ///< of that
+    std::optional<PageResult> running_; ///< what is being measured
+    QString doing_;                     ///< of that
     const PageResult* shown_ = nullptr;
     bool stale_ = false;
     QTimer settle_; ///< changes of the document are gathered

@@ -13,6 +13,7 @@ class FileActions;
 class MeshLibrary;
 class MessageLog;
 class PresetLibrary;
+class TextureLibrary;
 class ThumbnailMaker;
 
 /// What docks are made from. Everything in it outlives them.
@@ -25,6 +26,7 @@ struct DockContext {
     PresetLibrary& presets;
     ThumbnailMaker& thumbnails;
     MeshLibrary& meshes;
+    TextureLibrary& textures;
     EnvironmentLibrary& environments;
     EffectSwitches& switches;
     CompareArea& views;

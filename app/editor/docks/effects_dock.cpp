@@ -57,8 +57,8 @@ QString intervalText(const MedianInterval& interval) {
 } // namespace
 
 EffectsDock::EffectsDock(const DockContext& context)
-    : document_(context.document), library_(context.meshes), environments_(context.environments),
-      switches_(context.switches), views_(context.views), 
+    : document_(context.document), library_(context.meshes), textures_(context.textures),
+      environments_(context.environments), switches_(context.switches), views_(context.views),
       start_(textButton(tr("Measure costs"),
                         tr("Draw the scene with and without each effect and compare the times"),
                         this)),
@@ -78,9 +78,8 @@ void EffectsDock::watchViews() {
     views_.installEventFilter(this);
     const auto later = [this] { settle_.start(); };
     connect(&views_, &CompareArea::linkChanged, this, later);
-    connect(&views_, &CompareArea::viewAdded, this, [this, later](SideView* view) {
-        connect(view, &SideView::cameraWished, this, later);
-    });
+    connect(&views_, &CompareArea::viewAdded, this,
+            [this, later](SideView* view) { connect(view, &SideView::cameraWished, this, later); });
 }
 
 void EffectsDock::layOut() {
@@ -127,7 +126,7 @@ void EffectsDock::connectParts() {
     connect(&settle_, &QTimer::timeout, this, &EffectsDock::updateRows);
     startWhenChanged(settle_, document_, library_);
     const auto later = [this] { settle_.start(); };
-    connect(&document_, &Document::imagesArrived, this, later);
+    connect(&textures_, &TextureLibrary::arrived, this, later);
     connect(&environments_, &EnvironmentLibrary::loaded, this, later);
     connect(&environments_, &EnvironmentLibrary::failed, this, later);
     connect(&switches_, &EffectSwitches::changed, this, &EffectsDock::updateRows);
@@ -155,10 +154,10 @@ void EffectsDock::updateRows() {
             turned = document_.scene(side);
             turned->camera = shown;
         }
-        rows = objectRows(turned ? *turned : document_.scene(side),
-                          static_cast<std::size_t>(object), document_.catalog(),
-                          [this](const Object& each) { return library_.view(each); }, images(),
-                          aspect());
+        rows = objectRows(
+            turned ? *turned : document_.scene(side), static_cast<std::size_t>(object),
+            document_.catalog(), [this](const Object& each) { return library_.view(each); },
+            images(), aspect());
     }
     const bool isShown =
         rows == rows_ && shownOff_ == switches_.off() && costsAreFresh_ == !isStale();
@@ -171,9 +170,7 @@ void EffectsDock::updateRows() {
 
 /// What the views have of the images now; none is read for the list.
 KnownImages EffectsDock::images() const {
-    const TextureLibrary* textures = document_.textureLibrary();
-    return {textures != nullptr ? textures->snapshot() : TextureSource(),
-            environments_.isMissing(environmentPicture(document_))};
+    return {textures_.snapshot(), environments_.isMissing(environmentPicture(document_))};
 }
 
 double EffectsDock::aspect() const {
@@ -234,8 +231,8 @@ void EffectsDock::fillRow(QTreeWidgetItem* item, const EffectRow& row) {
     item->setText(Effect, row.in ? label : tr("not in: %1").arg(label));
     item->setToolTip(Effect, label);
     item->setData(Effect, effectRole, asText(row.line.effect));
-    const QString why = off ? tr("Switched off in the views. %1").arg(asText(row.line.reason))
-                            : whyOf(row);
+    const QString why =
+        off ? tr("Switched off in the views. %1").arg(asText(row.line.reason)) : whyOf(row);
     item->setText(Why, why);
     item->setToolTip(Why, why);
     for (const Column column : {Time, Share}) {
@@ -266,15 +263,13 @@ QString EffectsDock::whyOf(const EffectRow& row) const {
     if (!row.in || row.removable) {
         return why;
     }
-    return row.within.empty()
-               ? tr("%1 It cannot be switched off.").arg(why)
-               : tr("%1 It goes only with %2.").arg(why, labelOf(row.within));
+    return row.within.empty() ? tr("%1 It cannot be switched off.").arg(why)
+                              : tr("%1 It goes only with %2.").arg(why, labelOf(row.within));
 }
 
 void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
     const bool isOfObject = measured_ && measured_->object == document_.currentObject();
-    const EffectCost* cost =
-        isOfObject && row.in ? measured_->costs.of(row.line.effect) : nullptr;
+    const EffectCost* cost = isOfObject && row.in ? measured_->costs.of(row.line.effect) : nullptr;
     if (cost == nullptr) {
         return;
     }
@@ -289,10 +284,9 @@ void EffectsDock::fillCost(QTreeWidgetItem* item, const EffectRow& row) {
                              : tr("%1 ms").arg(numberText(cost->milliseconds.median, 3));
     item->setText(Time, cost->isSure() ? time : tr("%1 !").arg(time));
     item->setText(Share, cost->belowNoise() ? QString() : tr("%1 %").arg(numberText(share, 1)));
-    item->setToolTip(Time, cost->isSure()
-                               ? intervalText(cost->milliseconds)
-                               : tr("By too few pairs of frames to be certain: %1")
-                                     .arg(cost->pairs));
+    item->setToolTip(
+        Time, cost->isSure() ? intervalText(cost->milliseconds)
+                             : tr("By too few pairs of frames to be certain: %1").arg(cost->pairs));
 }
 
 void EffectsDock::toggle(QTreeWidgetItem* item) {
@@ -312,9 +306,13 @@ void EffectsDock::measure() {
     measured_ = Measured{scene, document_.currentObject(), document_.activeSide(),
                          KnownBlocks(document_.sharedCatalog(), scene)};
     progress_->setValue(0);
-    const EffectCostMeter::Subject subject{
-        scene, scene.camera, meshSnapshot(scene, library_), rows_, measured_->blocks.catalog(),
-        images().textures, environments_.image(environmentPicture(document_))};
+    const EffectCostMeter::Subject subject{scene,
+                                           scene.camera,
+                                           meshSnapshot(scene, library_),
+                                           rows_,
+                                           measured_->blocks.catalog(),
+                                           images().textures,
+                                           environments_.image(environmentPicture(document_))};
     measurement_.start(withContext(
         [this, subject](BackgroundJob::Control& control) { return meter(subject, control); }));
     fill();
@@ -359,8 +357,8 @@ bool EffectsDock::isStale() const {
 }
 
 QString EffectsDock::whyStale() const {
-    const bool hasSameObjects = measured_->scene.objects.size() ==
-                                document_.scene(document_.activeSide()).objects.size();
+    const bool hasSameObjects =
+        measured_->scene.objects.size() == document_.scene(document_.activeSide()).objects.size();
     if (hasSameObjects && measured_->object != document_.currentObject()) {
         return tr("Out of date: the costs were measured of another object.");
     }
@@ -373,11 +371,12 @@ QString EffectsDock::whyStale() const {
 QString EffectsDock::totalText() const {
     const EffectCosts& costs = measured_->costs;
     const double sum = sumOf(costs, rows_);
-    const QString text = tr("%1 ms a frame: effects %2 ms, the rest %3 ms. %4 × %5 pixels, %6.")
-        .arg(numberText(costs.frame.median, 2), numberText(sum, 2), numberText(costs.rest, 2))
-        .arg(costs.size.x)
-        .arg(costs.size.y)
-        .arg(asText(costs.method));
+    const QString text =
+        tr("%1 ms a frame: effects %2 ms, the rest %3 ms. %4 × %5 pixels, %6.")
+            .arg(numberText(costs.frame.median, 2), numberText(sum, 2), numberText(costs.rest, 2))
+            .arg(costs.size.x)
+            .arg(costs.size.y)
+            .arg(asText(costs.method));
     return measured_->end.complete && costs.secondsNeeded > 0.0
                ? tr("%1 Frames are slow: ! has too few to be certain.").arg(text)
                : text;
@@ -399,7 +398,7 @@ void EffectsDock::showState() {
         total_->setText(whyStale());
     } else {
         total_->setText(measured_->end.complete ? totalText()
-                                                    : tr("Stopped. So far: %1").arg(totalText()));
+                                                : tr("Stopped. So far: %1").arg(totalText()));
     }
     total_->setToolTip(total_->text());
 }

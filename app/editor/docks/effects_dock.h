@@ -73,15 +73,16 @@ class EffectsDock : public QWidget {
 
     Document& document_;
     MeshLibrary& library_;
+    TextureLibrary& textures_;
     EnvironmentLibrary& environments_;
     EffectSwitches& switches_;
     CompareArea& views_;
     BackgroundJob measurement_; ///< the last: it ends before what it tells
     std::vector<EffectRow> rows_;
-    std::optional<Measured> measured_; ///< the last costs, or what they are being measured of
-    bool costsAreFresh_ = false;       ///< as of the last fill()
+    std::optional<Measured> measured_;  ///< the last costs, or what they are being measured of
+    bool costsAreFresh_ = false;        ///< as of the last fill()
     std::vector<std::string> shownOff_; ///< effects that were off then
-    QTimer settle_;                    ///< changes of the document are gathered
+    QTimer settle_;                     ///< changes of the document are gathered
     QToolButton* start_;
     QToolButton* cancel_;
     QToolButton* allOn_;

@@ -17,7 +17,7 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
     hint->setText(tr("Drop an .hdr or .exr panorama on the view to light the scene with it. Its "
                      "light adds to that of the lights."));
     fillPanel(this, {labelled(tr("&Kind"), chooser_), hint},
-              new DocumentForm(document_, kinds::environment));
+              new DocumentForm(document_, context.textures, kinds::environment));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(pathOf(kinds::environment), id.toStdString());
     });

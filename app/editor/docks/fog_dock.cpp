@@ -11,7 +11,8 @@ FogDock::FogDock(const DockContext& context)
     : document_(context.document),
       chooser_(new BlockChooser(document_, kinds::fog, BlockChooser::Off::Offered, this)) {
     chooser_->setAccessibleName(tr("Kind of fog"));
-    fillPanel(this, {labelled(tr("&Kind"), chooser_)}, new DocumentForm(document_, kinds::fog));
+    fillPanel(this, {labelled(tr("&Kind"), chooser_)},
+              new DocumentForm(document_, context.textures, kinds::fog));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(pathOf(kinds::fog), id.toStdString());
     });

@@ -15,7 +15,7 @@ FresnelDock::FresnelDock(const DockContext& context)
       hint_(hintLabel(this)) {
     chooser_->setAccessibleName(tr("Kind of Fresnel term"));
     fillPanel(this, {labelled(tr("&Kind"), chooser_), hint_},
-              new DocumentForm(document_, kinds::fresnel));
+              new DocumentForm(document_, context.textures, kinds::fresnel));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.currentPath(kinds::fresnel), id.toStdString());
     });

@@ -31,9 +31,9 @@ LightsDock::LightsDock(const DockContext& context)
     auto* forms = new QWidget;
     auto* layout = new QVBoxLayout(forms);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(new DocumentForm(document_, kinds::lights));
+    layout->addWidget(new DocumentForm(document_, context.textures, kinds::lights));
     layout->addWidget(labelled(tr("&Shadows"), shadow_));
-    layout->addWidget(new DocumentForm(document_, kinds::shadows));
+    layout->addWidget(new DocumentForm(document_, context.textures, kinds::shadows));
     fillPanel(this, {list_, rowOf({kind_, add_, remove_})}, forms);
     connectList();
     connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);

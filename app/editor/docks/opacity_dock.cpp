@@ -37,17 +37,17 @@ OpacityDock::OpacityDock(const DockContext& context)
     auto* scene = new QGroupBox(tr("Transparent objects of the scene"), this);
     auto* inScene = new QVBoxLayout(scene);
     inScene->addWidget(labelled(tr("&Order"), transparency_));
-    inScene->addWidget(new DocumentForm(document_, kinds::transparency));
+    inScene->addWidget(new DocumentForm(document_, context.textures, kinds::transparency));
     auto* forms = new QWidget;
     auto* layout = new QVBoxLayout(forms);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(new DocumentForm(document_, settings::material));
-    layout->addWidget(new RefractionPanel(document_, forms));
+    layout->addWidget(new DocumentForm(document_, context.textures, settings::material));
+    layout->addWidget(new RefractionPanel(document_, context.textures, forms));
     for (const std::string_view kind : partKinds(BlockOwner::Material)) {
         if (!hasPlaceElsewhere(kind)) {
             const std::string_view label = findKind(kind)->label;
             layout->addWidget(new SlotPanel(
-                document_, kind,
+                document_, context.textures, kind,
                 QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size()))));
         }
     }

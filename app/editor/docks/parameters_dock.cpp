@@ -4,9 +4,9 @@
 #include <QGroupBox>
 #include <QVBoxLayout>
 
-#include "parameters/document_form.h"
 #include "docks/panel.h"
 #include "docks/slot_panel.h"
+#include "parameters/document_form.h"
 
 namespace patina {
 
@@ -14,12 +14,12 @@ ParametersDock::ParametersDock(const DockContext& context)
     : document_(context.document), accuracy_(new QGroupBox(tr("Accuracy"))) {
     accuracy_->setToolTip(tr("The same look, computed exactly or more cheaply"));
     auto* inside = new QVBoxLayout(accuracy_);
-    inside->addWidget(new DocumentForm(document_, settings::accuracy));
+    inside->addWidget(new DocumentForm(document_, context.textures, settings::accuracy));
     auto* both = new QWidget;
     auto* layout = new QVBoxLayout(both);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(new DocumentForm(document_, kinds::models));
-    layout->addWidget(new SlotPanel(document_, kinds::specular, tr("Highlight")));
+    layout->addWidget(new DocumentForm(document_, context.textures, kinds::models));
+    layout->addWidget(new SlotPanel(document_, context.textures, kinds::specular, tr("Highlight")));
     layout->addWidget(accuracy_);
     fillPanel(this, {}, both);
     onChange(document_,

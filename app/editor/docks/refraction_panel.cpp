@@ -12,7 +12,7 @@
 
 namespace patina {
 
-RefractionPanel::RefractionPanel(Document& document, QWidget* parent)
+RefractionPanel::RefractionPanel(Document& document, TextureLibrary& textures, QWidget* parent)
     : QGroupBox(tr("Refraction"), parent), document_(document),
       chooser_(new BlockChooser(document, kinds::refraction, tr("None: straight through"), this)),
       hint_(hintLabel(this)) {
@@ -21,7 +21,7 @@ RefractionPanel::RefractionPanel(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(labelled(tr("Refracts ligh&t as"), chooser_));
     layout->addWidget(hint_);
-    layout->addWidget(new DocumentForm(document_, kinds::refraction));
+    layout->addWidget(new DocumentForm(document_, textures, kinds::refraction));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.currentPath(kinds::refraction), id.toStdString());
     });

@@ -9,6 +9,7 @@ namespace patina {
 
 class BlockChooser;
 class Document;
+class TextureLibrary;
 
 /// Turns the refraction of what passes through the active material on and off, chooses its kind and
 /// edits its values.
@@ -16,7 +17,7 @@ class RefractionPanel : public QGroupBox {
     Q_OBJECT
 
   public:
-    explicit RefractionPanel(Document& document, QWidget* parent = nullptr);
+    RefractionPanel(Document& document, TextureLibrary& textures, QWidget* parent = nullptr);
 
   private:
     void update();

@@ -49,8 +49,10 @@ SceneDock::SceneDock(const DockContext& context)
     auto* forms = new QWidget;
     auto* layout = new QVBoxLayout(forms);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(titled(tr("Object"), new DocumentForm(document_, settings::object)));
-    layout->addWidget(titled(tr("Scene"), new DocumentForm(document_, settings::scene)));
+    layout->addWidget(
+        titled(tr("Object"), new DocumentForm(document_, context.textures, settings::object)));
+    layout->addWidget(
+        titled(tr("Scene"), new DocumentForm(document_, context.textures, settings::scene)));
     auto* heading = new QLabel(tr("Objects"), this);
     fillPanel(this, {rowOf({heading, add_, remove_}), list_}, forms);
     connectList();

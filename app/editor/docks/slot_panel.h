@@ -9,6 +9,7 @@ namespace patina {
 
 class BlockChooser;
 class Document;
+class TextureLibrary;
 
 /// Chooses what fills a slot of the active material's model, and edits its values. Hidden where the
 /// model has no such slot; what was chosen is then kept in the material.
@@ -17,8 +18,8 @@ class SlotPanel : public QGroupBox {
 
   public:
     /// `kind` outlives the panel, as those of the table do.
-    SlotPanel(Document& document, std::string_view kind, const QString& title,
-              QWidget* parent = nullptr);
+    SlotPanel(Document& document, TextureLibrary& textures, std::string_view kind,
+              const QString& title, QWidget* parent = nullptr);
 
   private:
     void update();

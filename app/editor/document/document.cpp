@@ -15,7 +15,6 @@
 #include "document/commands/scene_block_command.h"
 #include "document/commands/texture_command.h"
 #include "document/swapped_block.h"
-#include "resources/texture_library.h"
 #include "text/short_text.h"
 
 namespace patina {
@@ -198,20 +197,11 @@ void Document::setTexture(const BlockPath& path, std::string_view parameterId,
         !materialAt(state_, path.index, path.side)) {
         return;
     }
-    if (textureLibrary_ && use && (!held || use->file != held->file)) {
-        textureLibrary_->forgetFailures(); // it may be there by now
-    }
     const QString name = QString::fromStdString(parameter->label);
     const QString label = !use    ? tr("Remove image of %1").arg(name)
                           : !held ? tr("Image on %1").arg(name)
                                   : tr("Change image of %1").arg(name);
     undoStack_.push(new TextureCommand(*this, {path, std::string(parameterId)}, use, label));
-}
-
-void Document::setTextureLibrary(TextureLibrary* library) {
-    textureLibrary_ = library;
-    connect(library, &TextureLibrary::loaded, this, &Document::imagesArrived);
-    connect(library, &TextureLibrary::failed, this, &Document::imagesArrived);
 }
 
 void Document::setBlock(const BlockPath& path, std::string_view blockId) {

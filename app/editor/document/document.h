@@ -19,8 +19,6 @@
 
 namespace patina {
 
-class TextureLibrary;
-
 /// Holds the truth of an editing session as values. Widgets show it and ask it to change; every
 /// change is a command on the undo stack. Which object, light and side are current, and where the
 /// camera stands, is view state: it is kept here and saved, but neither undone nor asked about.
@@ -75,9 +73,6 @@ class Document : public QObject {
     /// Lays an image on a value, changes it, or takes it away (nullopt).
     void setTexture(const BlockPath& path, std::string_view parameterId,
                     const std::optional<TextureUse>& use);
-    /// Where images come from, for whoever shows them; null where nothing reads any.
-    TextureLibrary* textureLibrary() const { return textureLibrary_; }
-    void setTextureLibrary(TextureLibrary* library);
 
     // Blocks and materials. Edits of the scene's lists are in scene_edits.h.
     /// Another block of the path's kind; values with the same id carry over. Empty: none, where the
@@ -118,8 +113,6 @@ class Document : public QObject {
     /// See onChange().
     void changed(const patina::DocumentChange& change);
     void modifiedChanged(bool modified);
-    /// An image that was asked for is there, or will not come.
-    void imagesArrived();
     /// The user named this file, which then may be read.
     void fileNamed(const std::filesystem::path& file);
     /// The artist is about to change this value.
@@ -136,7 +129,6 @@ class Document : public QObject {
 
     std::shared_ptr<const Catalog> catalog_;
     mutable DescribedBlocks blocks_;
-    TextureLibrary* textureLibrary_ = nullptr;
     DocumentState state_;
     mutable ShownScenes shownScenes_;
     int currentObject_ = -1;

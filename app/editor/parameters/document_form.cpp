@@ -2,11 +2,13 @@
 #include "parameters/document_form.h"
 
 #include "parameters/document_source.h"
+#include "resources/texture_library.h"
 
 namespace patina {
 
-DocumentForm::DocumentForm(Document& document, std::string_view kind, QWidget* parent)
-    : ParameterForm(parent), document_(document), kind_(kind) {
+DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, std::string_view kind,
+                           QWidget* parent)
+    : ParameterForm(parent), document_(document), textures_(textures), kind_(kind) {
     follow();
     onChange(document_, DocumentChange::Value | DocumentChange::Texture, this,
              [this](const DocumentChange& change) {
@@ -14,7 +16,7 @@ DocumentForm::DocumentForm(Document& document, std::string_view kind, QWidget* p
                      refresh(change.parameterId);
                  }
              });
-    connect(&document_, &Document::imagesArrived, this, [this] { refresh(); });
+    connect(&textures_, &TextureLibrary::arrived, this, [this] { refresh(); });
     onChange(document_,
              DocumentChange::Material | DocumentChange::Block | DocumentChange::Lights |
                  DocumentChange::Objects | DocumentChange::Current | DocumentChange::Scene |
@@ -24,7 +26,7 @@ DocumentForm::DocumentForm(Document& document, std::string_view kind, QWidget* p
 
 void DocumentForm::follow() {
     path_ = document_.currentPath(kind_);
-    setBlock(document_.block(path_), std::make_unique<DocumentSource>(document_, path_),
+    setBlock(document_.block(path_), std::make_unique<DocumentSource>(document_, textures_, path_),
              emptyText());
     setEnabled(path_.index >= 0);
 }

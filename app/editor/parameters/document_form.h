@@ -6,13 +6,16 @@
 
 namespace patina {
 
+class TextureLibrary;
+
 /// The form of one kind of block, or of settings, of what is current in a document. It follows the
 /// document: values, swapped models, the selected object, light and side.
 class DocumentForm : public ParameterForm {
     Q_OBJECT
 
   public:
-    DocumentForm(Document& document, std::string_view kind, QWidget* parent = nullptr);
+    DocumentForm(Document& document, TextureLibrary& textures, std::string_view kind,
+                 QWidget* parent = nullptr);
 
     const BlockPath& path() const { return path_; }
 
@@ -21,6 +24,7 @@ class DocumentForm : public ParameterForm {
     QString emptyText() const;
 
     Document& document_;
+    TextureLibrary& textures_;
     std::string kind_;
     BlockPath path_;
 };

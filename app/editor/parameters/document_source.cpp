@@ -10,12 +10,17 @@ std::optional<TextureUse> DocumentSource::texture(std::string_view parameterId) 
     return use ? std::optional(*use) : std::nullopt;
 }
 
-TexturePreview DocumentSource::preview(const TextureUse& use) const {
-    const TextureLibrary* library = document_.textureLibrary();
-    if (!library) {
-        return {};
+void DocumentSource::setTexture(std::string_view parameterId,
+                                const std::optional<TextureUse>& use) {
+    const TextureUse* held = document_.texture(path_, parameterId);
+    if (use && (!held || use->file != held->file)) {
+        textures_.forgetFailures(); // it may be there by now
     }
-    return {library->preview(use.file), library->problem(use), library->hasAlpha(use.file)};
+    document_.setTexture(path_, parameterId, use);
+}
+
+TexturePreview DocumentSource::preview(const TextureUse& use) const {
+    return {textures_.preview(use.file), textures_.problem(use), textures_.hasAlpha(use.file)};
 }
 
 } // namespace patina

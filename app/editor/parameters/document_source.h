@@ -6,10 +6,13 @@
 
 namespace patina {
 
+class TextureLibrary;
+
 /// The values at a path of a document.
 class DocumentSource : public ParameterSource {
   public:
-    DocumentSource(Document& document, const BlockPath& path) : document_(document), path_(path) {}
+    DocumentSource(Document& document, TextureLibrary& textures, const BlockPath& path)
+        : document_(document), textures_(textures), path_(path) {}
 
     Value value(const Parameter& parameter) const override {
         return document_.value(path_, parameter);
@@ -27,13 +30,12 @@ class DocumentSource : public ParameterSource {
 
     bool takesTextures() const override { return patina::takesTextures(path_); }
     std::optional<TextureUse> texture(std::string_view parameterId) const override;
-    void setTexture(std::string_view parameterId, const std::optional<TextureUse>& use) override {
-        document_.setTexture(path_, parameterId, use);
-    }
+    void setTexture(std::string_view parameterId, const std::optional<TextureUse>& use) override;
     TexturePreview preview(const TextureUse& use) const override;
 
   private:
     Document& document_;
+    TextureLibrary& textures_;
     BlockPath path_;
 };
 

@@ -141,20 +141,17 @@ void TextureLibrary::load(const Key& key) {
 
 void TextureLibrary::finish(const Key& key, const Answer& answer) {
     loading_.erase(key);
-    const QString file = QString::fromStdString(key.first);
     if (answer) {
         pictures_[key] = *answer;
         known_[key.first] = {previewOf(**answer), (*answer)->hasAlpha};
-        Q_EMIT loaded(file);
-        return;
-    }
-    const bool isNews = problem(textureUse({}, key.first)).isEmpty();
-    failures_.insert_or_assign(key, answer.error());
-    if (isNews) {
-        Q_EMIT failed(file, answer.error());
     } else {
-        Q_EMIT loaded(file); // whoever waits for it may go on
+        const bool isNews = problem(textureUse({}, key.first)).isEmpty();
+        failures_.insert_or_assign(key, answer.error());
+        if (isNews) {
+            Q_EMIT failed(QString::fromStdString(key.first), answer.error());
+        }
     }
+    Q_EMIT arrived();
 }
 
 /// What no view has in its graphics memory any more.

@@ -55,8 +55,8 @@ class TextureLibrary : public QObject {
 
   Q_SIGNALS:
     void loadingStarted(QString file);
-    void loaded(QString file);
     void failed(QString file, patina::Error why); ///< also when it was cancelled
+    void arrived(); ///< an image that was asked for is there, or will not come
 
   private:
     using Key = std::pair<std::string, TextureDecoding>;

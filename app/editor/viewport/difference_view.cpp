@@ -22,7 +22,7 @@ namespace {
 constexpr int restMs = 60;
 constexpr int stepsPerDecade = 20; ///< of the gain
 constexpr double usualGain = 10.0;
-constexpr int longestEdge = 1024;  ///< pixels; what is shown larger is stretched
+constexpr int longestEdge = 1024; ///< pixels; what is shown larger is stretched
 constexpr QSize minSize{160, 120};
 
 int stepOf(double gain) {
@@ -38,10 +38,10 @@ QString gainText(double gain) {
 DifferenceView::DifferenceView(const ViewSources& sources, const Viewport& first,
                                std::filesystem::path programCache, QWidget* parent)
     : QFrame(parent), document_(sources.document), first_(first), meshes_(sources.meshes),
-      environments_(sources.environments), switches_(sources.switches), effects_(sources.effects),
-      worker_(std::move(programCache)), head_(new QWidget(this)), title_(new QLabel(head_)),
-      mode_(new QComboBox(head_)), slider_(new QSlider(Qt::Horizontal, head_)),
-      number_(new QLabel(head_)) {
+      textures_(sources.textures), environments_(sources.environments), switches_(sources.switches),
+      effects_(sources.effects), worker_(std::move(programCache)), head_(new QWidget(this)),
+      title_(new QLabel(head_)), mode_(new QComboBox(head_)),
+      slider_(new QSlider(Qt::Horizontal, head_)), number_(new QLabel(head_)) {
     setMinimumSize(minSize);
     setAccessibleName(tr("View C: the difference of A and B"));
     settle_.setSingleShot(true);
@@ -93,7 +93,7 @@ void DifferenceView::connectParts() {
     const auto soon = [this] { refreshSoon(); };
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this, soon);
     connect(&effects_, &ProgramEffects::changed, this, soon);
-    connect(&document_, &Document::imagesArrived, this, soon);
+    connect(&textures_, &TextureLibrary::arrived, this, soon);
     connect(&switches_, &EffectSwitches::changed, this, soon);
     connect(&meshes_, &MeshLibrary::loaded, this, soon);
     connect(&environments_, &EnvironmentLibrary::loaded, this, soon);
@@ -150,11 +150,8 @@ void DifferenceView::ask() {
                  std::max(1, static_cast<int>(shrink * pixels.height()))};
     view.camera = first_.camera();
     view.environmentImage = environments_.image(environmentPicture(document_));
-    const TextureLibrary* textures = document_.textureLibrary();
-    worker_.ask({sideOf(Side::A), sideOf(Side::B), view,
-                 meshSnapshot(document_.scene(), meshes_),
-                 textures != nullptr ? textures->snapshot() : TextureSource(),
-                 document_.sharedCatalog()});
+    worker_.ask({sideOf(Side::A), sideOf(Side::B), view, meshSnapshot(document_.scene(), meshes_),
+                 textures_.snapshot(), document_.sharedCatalog()});
 }
 
 void DifferenceView::take(std::shared_ptr<const FrameDifference> difference,

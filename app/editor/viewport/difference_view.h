@@ -60,11 +60,12 @@ class DifferenceView : public QFrame {
     Document& document_;
     const Viewport& first_;
     MeshLibrary& meshes_;
+    TextureLibrary& textures_;
     EnvironmentLibrary& environments_;
     EffectSwitches& switches_;
     ProgramEffects& effects_;
     DifferenceWorker worker_;
-    QTimer settle_; ///< changes are gathered
+    QTimer settle_;             ///< changes are gathered
     bool isAskedAgain_ = false; ///< something changed while the worker drew
     std::shared_ptr<const FrameDifference> difference_;
     QString problem_;

@@ -33,28 +33,26 @@ void storeTurned(Document& document, const BlockPath& path, const Values& before
     }
 }
 
-TextureSource texturesOf(const Document& document) {
-    return [&document](const TextureUse& use, TextureDecoding decoding) {
-        TextureLibrary* library = document.textureLibrary();
-        return library ? library->find(use, decoding) : TextureLookup();
-    };
-}
-
 } // namespace
 
 SideView::SideView(const ViewSources& sources, Side side, const std::filesystem::path& programCache,
                    QWidget* parent)
     : QFrame(parent), document_(sources.document), meshes_(sources.meshes),
       switches_(sources.switches), side_(side), title_(new QLabel(this)),
-      viewport_(new Viewport({[this]() -> const Scene& { return switches_.scene(side_); },
-                              [this]() -> const Scene& { return document_.scene(side_); },
-                              [this](const Object& object) { return meshes_.view(object); },
-                              [this] { return switches_.effects(side_); },
-                              [this, &environments = sources.environments] {
-                                  return environments.image(environmentPicture(document_));
-                              },
-                              programCache, texturesOf(document_), &sources.programs},
-                             this)) {
+      viewport_(new Viewport(
+          {[this]() -> const Scene& { return switches_.scene(side_); },
+           [this]() -> const Scene& { return document_.scene(side_); },
+           [this](const Object& object) { return meshes_.view(object); },
+           [this] { return switches_.effects(side_); },
+           [this, &environments = sources.environments] {
+               return environments.image(environmentPicture(document_));
+           },
+           programCache,
+           [&textures = sources.textures](const TextureUse& use, TextureDecoding decoding) {
+               return textures.find(use, decoding);
+           },
+           &sources.programs},
+          this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(edge, edge, edge, edge);
     layout->setSpacing(0);
@@ -70,7 +68,7 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
     FrameLoop* frames = &viewport_->frames();
     onChange(document_, DocumentChange::Drawn, frames, &FrameLoop::refresh);
     connect(&sources.effects, &ProgramEffects::changed, frames, &FrameLoop::refresh);
-    connect(&document_, &Document::imagesArrived, frames, &FrameLoop::refresh);
+    connect(&sources.textures, &TextureLibrary::arrived, frames, &FrameLoop::refresh);
     connect(&sources.effects, &ProgramEffects::prewarmed, this, [this](const DocumentState& state) {
         if (viewport_->isVisible()) {
             viewport_->prewarmer().add(

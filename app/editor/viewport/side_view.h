@@ -7,6 +7,7 @@
 
 #include "resources/environment_library.h"
 #include "resources/mesh_library.h"
+#include "resources/texture_library.h"
 #include "viewport/effect_switches.h"
 #include "viewport/viewport.h"
 
@@ -21,6 +22,7 @@ class ProgramWorker;
 struct ViewSources {
     Document& document;
     MeshLibrary& meshes;
+    TextureLibrary& textures;
     EnvironmentLibrary& environments;
     EffectSwitches& switches;
     ProgramEffects& effects;

@@ -63,10 +63,10 @@ MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
       autosave_(document_, documentFiles_, stateFolder() / "autosave"),
       files_(new FileActions(document_, documentFiles_, meshes_, session_, this)),
       pictures_(new PictureExport(session_, this)),
-      views_(new CompareArea({document_, meshes_, environments_, switches_, effects_, programs_},
-                             programCacheFolder(), this)),
-      status_(new StatusLine(document_, meshes_, environments_, messages_, this)) {
-    document_.setTextureLibrary(&textures_);
+      views_(new CompareArea(
+          {document_, meshes_, textures_, environments_, switches_, effects_, programs_},
+          programCacheFolder(), this)),
+      status_(new StatusLine(document_, meshes_, textures_, environments_, messages_, this)) {
     setAcceptDrops(true);
     setCentralWidget(views_);
     setStatusBar(status_);
@@ -111,8 +111,8 @@ void MainWindow::startRest() {
 }
 
 DockContext MainWindow::dockContext() {
-    return {document_,   comparison_, documentFiles_, *files_,   messages_, presets_,
-            thumbnails_, meshes_,     environments_,  switches_, *views_};
+    return {document_,   comparison_, documentFiles_, *files_,       messages_, presets_,
+            thumbnails_, meshes_,     textures_,      environments_, switches_, *views_};
 }
 
 void MainWindow::makeDocks() {
@@ -168,9 +168,8 @@ void MainWindow::fillRecentFiles() {
         // A single & would underline the letter after it.
         const QString name =
             shortened(QFileInfo(file).fileName()).replace('&', QLatin1String("&&"));
-        QAction* action = recent_->addAction(name, this, [this, file] {
-            files_->open({file}, document_.activeSide());
-        });
+        QAction* action = recent_->addAction(
+            name, this, [this, file] { files_->open({file}, document_.activeSide()); });
         action->setToolTip(file);
     }
     recent_->setToolTipsVisible(true);
@@ -258,9 +257,8 @@ void MainWindow::makeViewMenu() {
         }
         arrangeDocks();
     });
-    QAction* full = add(menu, tr("F&ull Screen"), QKeySequence(Qt::Key_F11), [this] {
-        setWindowState(windowState() ^ Qt::WindowFullScreen);
-    });
+    QAction* full = add(menu, tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
+                        [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     full->setCheckable(true);
     const auto follow = [this] {
         const bool comparing = document_.isComparing();
@@ -316,8 +314,8 @@ void MainWindow::showKeys() {
         row(tr("Ctrl+left drag"), tr("turn the object")) +
         row(tr("L and left drag"), tr("turn the key light")) +
         row(tr("Double click"), tr("turn about that point of the surface")) +
-        row(tr("N"), tr("numerical check of every pixel")) +
-        row(tr("F"), tr("frame the object")) + row(tr("Home"), tr("reset the view")) +
+        row(tr("N"), tr("numerical check of every pixel")) + row(tr("F"), tr("frame the object")) +
+        row(tr("Home"), tr("reset the view")) +
         row(tr("1, 3, 7 of the number pad"), tr("from the front, the right, above")) +
         row(tr("Drag on a slider or a name"), tr("change it; Shift: finer, Ctrl: steps")) +
         row(tr("Arrows, Page Up, Page Down"), tr("one step, ten steps")) +
@@ -372,7 +370,6 @@ void MainWindow::connectParts() {
     onChange(document_, DocumentChange::Current, this,
              [this] { status_->setViewport(&views_->active().viewport()); });
     status_->setViewport(&views_->first().viewport());
-    status_->watch(textures_);
     const auto listen = [this](SideView* view) {
         const QString group = "view " + letterOf(view->side());
         connect(&view->viewport().frames(), &FrameLoop::messagesDrawn, this,

@@ -18,13 +18,13 @@ constexpr int progressWidth = 200;
 
 } // namespace
 
-StatusLine::StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
-                       MessageLog& messages, QWidget* parent)
-    : QStatusBar(parent), document_(document), meshes_(meshes), environments_(environments),
-      messages_(messages), model_(new QLabel(this)), effects_(new QLabel(this)),
-      samples_(new QLabel(this)), time_(new QLabel(this)), progress_(new QProgressBar(this)),
-      cancel_(new QToolButton(this)), badge_(new QToolButton(this)),
-      switched_(new QToolButton(this)) {
+StatusLine::StatusLine(Document& document, MeshLibrary& meshes, TextureLibrary& textures,
+                       EnvironmentLibrary& environments, MessageLog& messages, QWidget* parent)
+    : QStatusBar(parent), document_(document), meshes_(meshes), textures_(textures),
+      environments_(environments), messages_(messages), model_(new QLabel(this)),
+      effects_(new QLabel(this)), samples_(new QLabel(this)), time_(new QLabel(this)),
+      progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
+      badge_(new QToolButton(this)), switched_(new QToolButton(this)) {
     setSizeGripEnabled(false);
     model_->setObjectName("statusModel");
     effects_->setObjectName("statusEffects");
@@ -66,11 +66,15 @@ void StatusLine::makeLoadingRow() {
     addPermanentWidget(cancel_);
     hideLoading();
     connect(cancel_, &QToolButton::clicked, &meshes_, &MeshLibrary::cancelAll);
+    connect(cancel_, &QToolButton::clicked, &textures_, &TextureLibrary::cancelAll);
     connect(cancel_, &QToolButton::clicked, &environments_, &EnvironmentLibrary::cancel);
     connect(&environments_, &EnvironmentLibrary::loadingStarted, this,
             [this](const QString& file) { showLoading(file, 0.0f); });
     connect(&environments_, &EnvironmentLibrary::loaded, this, &StatusLine::hideLoading);
     connect(&environments_, &EnvironmentLibrary::failed, this, &StatusLine::hideLoading);
+    connect(&textures_, &TextureLibrary::loadingStarted, this,
+            [this](const QString& file) { showLoading(file, 0.0f); });
+    connect(&textures_, &TextureLibrary::arrived, this, &StatusLine::hideLoading);
     connect(&meshes_, &MeshLibrary::loadingStarted, this,
             [this](const QString& file) { showLoading(file, 0.0f); });
     connect(&meshes_, &MeshLibrary::progressed, this, &StatusLine::showLoading);
@@ -78,18 +82,8 @@ void StatusLine::makeLoadingRow() {
     connect(&meshes_, &MeshLibrary::failed, this, &StatusLine::hideLoading);
 }
 
-void StatusLine::watch(TextureLibrary& textures) {
-    textures_ = &textures;
-    connect(cancel_, &QToolButton::clicked, &textures, &TextureLibrary::cancelAll);
-    connect(&textures, &TextureLibrary::loadingStarted, this,
-            [this](const QString& file) { showLoading(file, 0.0f); });
-    connect(&textures, &TextureLibrary::loaded, this, &StatusLine::hideLoading);
-    connect(&textures, &TextureLibrary::failed, this, &StatusLine::hideLoading);
-}
-
 bool StatusLine::isLoading() const {
-    return meshes_.isLoading() || environments_.isLoading() ||
-           (textures_ && textures_->isLoading());
+    return meshes_.isLoading() || environments_.isLoading() || textures_.isLoading();
 }
 
 void StatusLine::setViewport(Viewport* viewport) {

@@ -23,11 +23,8 @@ class StatusLine : public QStatusBar {
     Q_OBJECT
 
   public:
-    StatusLine(Document& document, MeshLibrary& meshes, EnvironmentLibrary& environments,
-               MessageLog& messages, QWidget* parent = nullptr);
-
-    /// Tells about what it loads, too.
-    void watch(TextureLibrary& textures);
+    StatusLine(Document& document, MeshLibrary& meshes, TextureLibrary& textures,
+               EnvironmentLibrary& environments, MessageLog& messages, QWidget* parent = nullptr);
 
     /// Whose frames are told about.
     void setViewport(Viewport* viewport);
@@ -50,8 +47,8 @@ class StatusLine : public QStatusBar {
 
     Document& document_;
     MeshLibrary& meshes_;
+    TextureLibrary& textures_;
     EnvironmentLibrary& environments_;
-    TextureLibrary* textures_ = nullptr;
     MessageLog& messages_;
     Viewport* viewport_ = nullptr;
     QTimer settle_;
