@@ -124,7 +124,7 @@ class AccuracyPanel : public WindowFixture {
             if (point < 0) {
                 continue;
             }
-            const CostPoint& found = dock().shown()->chart.points[std::size_t(point)];
+            const CostPoint& found = dock().chart().points[std::size_t(point)];
             if (found.cost.ratio.upper < 1.0) {
                 return true;
             }
@@ -134,7 +134,7 @@ class AccuracyPanel : public WindowFixture {
 
     /// The point with a level; -1: none.
     int pointOf(const std::string& level) {
-        const std::vector<CostPoint>& points = dock().shown()->chart.points;
+        const std::vector<CostPoint>& points = dock().chart().points;
         const auto found = std::find_if(points.begin(), points.end(), [&](const CostPoint& point) {
             return point.levels == ChosenLevels{{"work", level}};
         });
@@ -142,7 +142,7 @@ class AccuracyPanel : public WindowFixture {
     }
 
     int fastest() {
-        const std::vector<CostPoint>& points = dock().shown()->chart.points;
+        const std::vector<CostPoint>& points = dock().chart().points;
         const auto found = std::min_element(
             points.begin(), points.end(), [](const CostPoint& a, const CostPoint& b) {
                 return a.cost.nanosecondsPerPixel < b.cost.nanosecondsPerPixel;
@@ -151,7 +151,7 @@ class AccuracyPanel : public WindowFixture {
     }
 
     double errorOfLevel(const std::string& level) {
-        return errorOf(dock().shown()->chart.points.at(std::size_t(pointOf(level))));
+        return errorOf(dock().chart().points.at(std::size_t(pointOf(level))));
     }
 
     /// What the material has; empty: exact.

@@ -83,7 +83,7 @@ class PicturePanel : public testing::Test {
 
     /// The point that takes these levels alone; -1: none.
     int pointOf(const ChosenLevels& levels) {
-        const std::vector<CostPoint>& points = dock().shown()->chart.points;
+        const std::vector<CostPoint>& points = dock().chart().points;
         const auto found = std::ranges::find(points, levels, &CostPoint::levels);
         return found == points.end() ? -1 : static_cast<int>(found - points.begin());
     }
@@ -110,7 +110,7 @@ class PicturePanel : public testing::Test {
 TEST_F(PicturePanel, Measured_HasEveryLevelAndWhatTheSceneHas) {
     EXPECT_GE(pointOf({{"picture.scale", "half"}}), 0);
     EXPECT_GE(pointOf({{"picture.normals", "interpolated"}}), 0);
-    EXPECT_NE(dock().shown()->chart.find({{"picture.samples", "4"}, {"picture.numbers", "half"}}),
+    EXPECT_NE(dock().chart().find({{"picture.samples", "4"}, {"picture.numbers", "half"}}),
               nullptr);
 }
 
@@ -155,7 +155,7 @@ TEST_F(PicturePanel, ErrorBudget_PicksAWayWithinItAndTheSceneTakesIt) {
     panel().typeInto(panel().bound("share"), "50 %");
     ASSERT_TRUE(budget().answer().has_value());
     ASSERT_TRUE(budget().answer()->fits);
-    const CostPoint& bought = dock().shown()->chart.points[budget().answer()->point];
+    const CostPoint& bought = dock().chart().points[budget().answer()->point];
     press("Use it");
     settle();
     const std::vector<Choice> choices = choicesOfPicture(document().scene(), document().catalog());

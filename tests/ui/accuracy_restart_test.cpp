@@ -42,13 +42,13 @@ class RestartedAccuracy : public AccuracyPanel {
 
 TEST_F(RestartedAccuracy, SameScene_HasItsChartAgain) {
     measureSaved();
-    const CostChart measured = dock().shown()->chart;
+    const CostChart measured = dock().chart();
     startAgain();
     ASSERT_NE(dock().shown(), nullptr);
     EXPECT_FALSE(dock().isStale()) << state().toStdString();
     EXPECT_TRUE(dock().shown()->complete);
     EXPECT_EQ(list().topLevelItemCount(), 3);
-    EXPECT_EQ(dock().shown()->chart.choices, measured.choices);
+    EXPECT_EQ(dock().chart().choices, measured.choices);
     EXPECT_FALSE(state().startsWith("Measured from another view")) << state().toStdString();
     list().select(pointOf("near"));
     QTest::keyClick(&list(), Qt::Key_Return);

@@ -54,25 +54,23 @@ json jsonOf(const ChartKey& key, const StoredChart& stored) {
             {"file", key.file},
             {"object", key.object},
             {"print", stored.hash},
-            {"camera", cameraJson(stored.chart.camera)},
-            {"complete", stored.chart.complete},
-            {"problem", stored.chart.problem},
-            {"chart", costJson(stored.chart.chart)}};
+            {"camera", cameraJson(stored.measured.camera)},
+            {"complete", stored.complete},
+            {"problem", stored.problem},
+            {"chart", costJson(stored.measured.chart)}};
 }
 
-Result<StoredChart> chartFrom(const ChartKey& key, const json& from) {
+Result<StoredChart> chartFrom(const json& from) {
     try {
         auto chart = costFromJson(from.at("chart"));
         if (!chart) {
             return tl::unexpected(chart.error());
         }
         StoredChart stored;
-        stored.chart.subject.object = key.object;
-        stored.chart.file = key.file;
-        stored.chart.camera = cameraFrom(from.at("camera"));
-        stored.chart.complete = from.at("complete").get<bool>();
-        stored.chart.problem = from.at("problem").get<std::string>();
-        stored.chart.chart = std::move(*chart);
+        stored.measured.camera = cameraFrom(from.at("camera"));
+        stored.complete = from.at("complete").get<bool>();
+        stored.problem = from.at("problem").get<std::string>();
+        stored.measured.chart = std::move(*chart);
         stored.hash = from.at("print").get<std::string>();
         return stored;
     } catch (const json::exception& missing) {
@@ -130,7 +128,7 @@ Result<std::optional<StoredChart>> ChartStore::read(const ChartKey& key) const {
     if (!text) {
         return tl::unexpected(putAside(file, text.error()));
     }
-    auto stored = chartFrom(key, text->value);
+    auto stored = chartFrom(text->value);
     if (!stored) {
         return tl::unexpected(putAside(file, stored.error()));
     }

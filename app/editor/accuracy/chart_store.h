@@ -5,7 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "accuracy/kept_chart.h"
+#include "accuracy/measured_chart.h"
+#include "accuracy/measured_subject.h"
+#include "core/error.h"
 
 namespace patina {
 
@@ -18,10 +20,12 @@ struct ChartKey {
     friend auto operator<=>(const ChartKey&, const ChartKey&) = default;
 };
 
-/// A chart that was written: its subject is known by its hash alone.
+/// A chart as it is written: its subject is known by its hash alone.
 struct StoredChart {
-    KeptChart chart;
-    std::string hash; ///< see hashOf()
+    MeasuredChart measured;
+    bool complete = false;
+    std::string problem; ///< why it ended before its time; else empty
+    std::string hash;    ///< of its subject; see hashOf()
 };
 
 /// Charts in files of a folder, one for each key, so that who starts Patina again finds them.

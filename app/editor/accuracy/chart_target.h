@@ -5,7 +5,7 @@
 
 #include <QString>
 
-#include "accuracy/kept_results.h"
+#include "accuracy/measured_subject.h"
 #include "measure/choice/choices.h"
 
 namespace patina {

@@ -20,10 +20,12 @@ constexpr int progressWidth = 200;
 } // namespace
 
 MeasureBar::MeasureBar(const QString& what, const QStringList& endings, QWidget* parent)
-    : QWidget(parent), what_(what), start_(textButton(tr("Measure"), what, this)),
+    : QWidget(parent), what_(what), row_(new QHBoxLayout(this)),
+      start_(textButton(tr("Measure"), what, this)),
       stop_(textButton(tr("Stop"), tr("Stop and keep what was measured so far"), this)),
       progress_(new QProgressBar(this)), text_(new LongLine(this)),
       export_(textButton(tr("Export"), tr("Write what was measured to a file"), this)) {
+    text_->setObjectName("state");
     progress_->setRange(0, progressSteps);
     progress_->setMaximumWidth(progressWidth);
     progress_->setAccessibleName(tr("Progress of the measurement"));
@@ -34,17 +36,25 @@ MeasureBar::MeasureBar(const QString& what, const QStringList& endings, QWidget*
     }
     export_->setMenu(menu);
     export_->setPopupMode(QToolButton::InstantPopup);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    row_->setContentsMargins(0, 0, 0, 0);
     for (QWidget* widget : std::initializer_list<QWidget*>{start_, stop_, progress_}) {
-        row->addWidget(widget);
+        row_->addWidget(widget);
     }
-    row->addWidget(text_, 1);
-    row->addWidget(export_);
+    row_->addWidget(text_, 1);
+    row_->addWidget(export_);
     connect(start_, &QToolButton::clicked, this, &MeasureBar::startWished);
     connect(stop_, &QToolButton::clicked, this, &MeasureBar::stopWished);
     setRunning(false);
     setExportable(false);
+}
+
+void MeasureBar::addButton(QToolButton* button) {
+    row_->insertWidget(row_->indexOf(export_), button);
+}
+
+void MeasureBar::giveTwoLines() {
+    text_->setWordWrap(true);
+    text_->setMinimumHeight(2 * fontMetrics().lineSpacing()); // another text moves nothing
 }
 
 void MeasureBar::setProgress(double share) {

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QHBoxLayout;
 class QProgressBar;
 class QToolButton;
 
@@ -17,6 +18,11 @@ class MeasureBar : public QWidget {
   public:
     /// `what` says what starting measures; `endings` are those of the files it can be exported to.
     MeasureBar(const QString& what, const QStringList& endings, QWidget* parent = nullptr);
+
+    /// A button before that of the export.
+    void addButton(QToolButton* button);
+    /// Long sentences take a second line, for which there is room from now on.
+    void giveTwoLines();
 
     void setProgress(double share); ///< 0 .. 1
     void setRunning(bool running);
@@ -33,6 +39,7 @@ class MeasureBar : public QWidget {
 
   private:
     QString what_; ///< starting measures
+    QHBoxLayout* row_;
     QToolButton* start_;
     QToolButton* stop_;
     QProgressBar* progress_;

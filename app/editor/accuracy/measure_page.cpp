@@ -5,6 +5,7 @@
 
 #include <QEvent>
 #include <QFileInfo>
+#include <QVBoxLayout>
 
 #include "accuracy/chart_export.h"
 #include "accuracy/cost_subject.h"
@@ -23,10 +24,15 @@ constexpr int settleMs = 100;
 } // namespace
 
 MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn,
-                         const QString& what, const QStringList& endings)
+                         const QString& what, const QStringList& endings,
+                         std::unique_ptr<KeptResults> results)
     : document_(context.document), documentFiles_(context.documentFiles), meshes_(context.meshes),
       textures_(context.textures), environments_(context.environments), messages_(context.messages),
-      turn_(std::move(turn)), bar_(new MeasureBar(what, endings, this)) {
+      turn_(std::move(turn)), results_(std::move(results)),
+      bar_(new MeasureBar(what, endings, this)), rows_(new QVBoxLayout(this)) {
+    rows_->setContentsMargins(6, 4, 6, 0);
+    rows_->setSpacing(4);
+    rows_->addWidget(bar_);
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     connectParts();
@@ -65,12 +71,6 @@ void MeasurePage::changeEvent(QEvent* event) {
     }
 }
 
-MeasuredSubject MeasurePage::subject() const {
-    const int object = document_.currentObject();
-    return subjectOf(measuredPart(document_.ownScene(document_.activeSide()), object), object,
-                     document_.catalog(), measuredBlocks());
-}
-
 std::string MeasurePage::file() const {
     return documentFiles_.file().path.string();
 }
@@ -84,7 +84,7 @@ void MeasurePage::follow() {
 
 void MeasurePage::refresh() {
     const MeasuredSubject now = subject();
-    shown_ = running_ ? &*running_ : results_.find(now, file());
+    shown_ = running_ ? &*running_ : results_->find(now, file());
     stale_ = shown_ != nullptr && !(shown_->subject == now);
     showNumbers(stale_);
     showState();
@@ -95,7 +95,7 @@ CostSweep::Subject MeasurePage::costSubject() {
 }
 
 bool MeasurePage::canStart() const {
-    return !isMeasuring() && document_.currentObject() >= 0 && turn_->whyNot(*this).isEmpty();
+    return !isMeasuring() && nothingText().isEmpty() && turn_->whyNot(*this).isEmpty();
 }
 
 void MeasurePage::start(BackgroundJob::Work work) {
@@ -122,7 +122,7 @@ void MeasurePage::finish(bool complete, const QString& problem) {
     if (running_) {
         running_->complete = complete;
         running_->problem = problem;
-        results_.keep(*std::exchange(running_, std::nullopt));
+        results_->keep(*std::exchange(running_, std::nullopt));
     }
     refresh();
 }
@@ -142,29 +142,44 @@ QString MeasurePage::state() const {
     return bar_->text();
 }
 
+QString MeasurePage::nothingText() const {
+    return document_.currentObject() < 0 ? tr("There is no object.") : QString();
+}
+
+QString MeasurePage::outOfDateText() const {
+    return tr("Out of date: the scene has changed since.");
+}
+
+QString MeasurePage::measuredText() const {
+    return shown_->method;
+}
+
 QString MeasurePage::stateText() const {
-    if (document_.currentObject() < 0) {
-        return tr("There is no object.");
-    }
     if (isMeasuring()) {
-        return doing_.isEmpty() ? tr("Measuring …") : tr("Measuring, %1").arg(doing_);
+        return doing_.isEmpty() ? tr("Measuring …") : doing_;
+    }
+    if (const QString nothing = nothingText(); !nothing.isEmpty()) {
+        return nothing;
     }
     if (shown_ != nullptr && !shown_->problem.isEmpty()) {
         return tr("Could not be measured: %1").arg(shown_->problem);
     }
     if (!hasNumbers()) {
         const QString whyNot = turn_->whyNot(*this);
-        return whyNot.isEmpty() ? tr("Nothing is measured yet.") : whyNot;
+        if (!whyNot.isEmpty()) {
+            return whyNot;
+        }
+        return shown_ != nullptr && !stale_ ? tr("Stopped.") : tr("Nothing is measured yet.");
     }
     if (stale_) {
-        return tr("Out of date: the scene has changed since.");
+        return outOfDateText();
     }
-    return shown_->complete ? shown_->method : tr("Stopped. %1").arg(shown_->method);
+    return shown_->complete ? measuredText() : tr("Stopped. %1").arg(measuredText());
 }
 
 void MeasurePage::showState() {
     bar_->setRunning(isMeasuring());
-    bar_->setStartable(document_.currentObject() >= 0, turn_->whyNot(*this));
+    bar_->setStartable(nothingText().isEmpty(), turn_->whyNot(*this));
     bar_->setExportable(hasNumbers());
     bar_->setText(stateText());
 }

@@ -14,20 +14,12 @@
 #include "docks/dock_context.h"
 #include "measure/cost/cost_sweep.h"
 
+class QVBoxLayout;
+
 namespace patina {
 
 class MeasureBar;
 class MeasureTurn;
-
-/// What a page measured, perhaps not to the end.
-struct PageResult {
-    MeasuredSubject subject;
-    std::string file; ///< of the document; empty: it has none yet
-    std::any numbers; ///< of the page's own type; empty: none yet
-    QString method;   ///< how they were measured
-    bool complete = false;
-    QString problem; ///< why it ended before its time; else empty
-};
 
 /// A page that measures the scene when it is asked to, beside what the artist does, keeps that for
 /// the session and says when it is out of date. What is measured and shown is a derived class's.
@@ -36,6 +28,8 @@ class MeasurePage : public QWidget {
 
   public:
     bool isMeasuring() const { return work_.isRunning(); }
+    /// What is shown; null where nothing was measured.
+    const PageResult* shown() const { return shown_; }
     /// What is shown is of another scene than is on the screen; where it is seen from does not
     /// matter.
     bool isStale() const { return stale_; }
@@ -45,19 +39,23 @@ class MeasurePage : public QWidget {
     void exportTo(const QString& file);
 
   protected:
-    /// See MeasureBar.
+    /// `what` and `endings`: see MeasureBar.
     MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn> turn, const QString& what,
-                const QStringList& endings);
+                const QStringList& endings,
+                std::unique_ptr<KeptResults> results = std::make_unique<KeptResults>());
 
     virtual void startMeasuring() = 0;
-    /// The scene without what makes no difference to the numbers.
-    virtual Scene measuredPart(Scene scene, int object) const = 0;
-    /// The blocks that the numbers are of.
-    virtual SubjectBlocks measuredBlocks() const { return SubjectBlocks::OfScene; }
+    /// What numbers of now are of.
+    virtual MeasuredSubject subject() const = 0;
     virtual void showNumbers(bool stale) = 0;
     virtual QByteArray bytesFor(const QString& ending) const = 0;
+    /// That there is nothing to measure; empty where there is.
+    virtual QString nothingText() const;
+    virtual QString outOfDateText() const; ///< said of numbers that are stale
+    virtual QString measuredText() const;  ///< how the numbers were measured
 
-    /// False while that or another page's measurement is going on, or without an object.
+    /// False while that or another page's measurement is going on, or where there is nothing to
+    /// measure.
     bool canStart() const;
     /// Begins with what costSubject() is now, where it can.
     void start(BackgroundJob::Work work);
@@ -78,7 +76,8 @@ class MeasurePage : public QWidget {
     void refresh();
 
     MeasureBar& bar() { return *bar_; }
-    Document& document() { return document_; }
+    QVBoxLayout& rows() { return *rows_; } ///< the bar is the first
+    Document& document() const { return document_; }
 
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -90,7 +89,6 @@ class MeasurePage : public QWidget {
     void showState();
     bool hasNumbers() const { return shown_ != nullptr && shown_->numbers.has_value(); }
     QString stateText() const;
-    MeasuredSubject subject() const;
     std::string file() const;
 
     Document& document_;
@@ -100,13 +98,14 @@ class MeasurePage : public QWidget {
     EnvironmentLibrary& environments_;
     MessageLog& messages_;
     std::shared_ptr<MeasureTurn> turn_;
-    KeptResults<PageResult> results_;
+    std::unique_ptr<KeptResults> results_;
     std::optional<PageResult> running_; ///< what is being measured
     QString doing_;                     ///< of that
     const PageResult* shown_ = nullptr;
     bool stale_ = false;
     QTimer settle_; ///< changes of the document are gathered
     MeasureBar* bar_;
+    QVBoxLayout* rows_;
     BackgroundJob work_; ///< the last: it ends before what it tells
 };
 

@@ -18,7 +18,7 @@ namespace patina {
 namespace {
 
 QString turnText(const ModelRanking::Turn& turn) {
-    return ModelsPage::tr("model %1 of %2: %3")
+    return ModelsPage::tr("Measuring, model %1 of %2: %3")
         .arg(turn.number)
         .arg(turn.of)
         .arg(QString::fromStdString(turn.label));
@@ -36,11 +36,7 @@ ModelsPage::ModelsPage(const DockContext& context, std::shared_ptr<MeasureTurn> 
     : MeasurePage(context, std::move(turn), tr("Measure every model on this scene"),
                   {"csv", "json"}),
       list_(new ModelList(this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 0);
-    layout->setSpacing(4);
-    layout->addWidget(&bar());
-    layout->addWidget(list_, 1);
+    rows().addWidget(list_, 1);
     connect(list_, &ModelList::picked, this, [this](const QString& model) {
         document().setModel(document().activeSide(), model.toStdString());
     });
@@ -92,12 +88,13 @@ BackgroundJob::End ModelsPage::rank(const CostSweep::Subject& subject,
 }
 
 /// Every model comes with its defaults: the object's own material does not matter.
-Scene ModelsPage::measuredPart(Scene scene, int object) const {
-    const auto index = static_cast<std::size_t>(object);
-    if (object >= 0 && index < scene.objects.size()) {
-        scene.objects[index].material = {};
+MeasuredSubject ModelsPage::subject() const {
+    const int object = document().currentObject();
+    Scene scene = document().ownScene(document().activeSide());
+    if (object >= 0) {
+        scene.objects[static_cast<std::size_t>(object)].material = {};
     }
-    return scene;
+    return subjectOf(std::move(scene), object, document().catalog(), SubjectBlocks::All);
 }
 
 void ModelsPage::showNumbers(bool stale) {

@@ -25,8 +25,7 @@ class ModelsPage : public MeasurePage {
 
   protected:
     void startMeasuring() override;
-    Scene measuredPart(Scene scene, int object) const override;
-    SubjectBlocks measuredBlocks() const override { return SubjectBlocks::All; }
+    MeasuredSubject subject() const override;
     void showNumbers(bool stale) override;
     QByteArray bytesFor(const QString& ending) const override;
 

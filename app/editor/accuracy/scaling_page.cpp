@@ -21,7 +21,7 @@ QString turnText(const ScalingSweep::Turn& turn) {
     const QString what = turn.round > 0
                              ? ScalingPage::tr("round %1 of %2").arg(turn.round).arg(turn.rounds)
                              : ScalingPage::tr("making programs");
-    return ScalingPage::tr("%1 of %2: %3, %4")
+    return ScalingPage::tr("Measuring, %1 of %2: %3, %4")
         .arg(turn.number)
         .arg(turn.of)
         .arg(GrowthPlot::nameOf(turn.axis), what);
@@ -48,11 +48,7 @@ ScalingPage::ScalingPage(const DockContext& context, std::shared_ptr<MeasureTurn
         plot_[i] = new GrowthPlot(static_cast<ScalingCurve::Axis>(i), plots_);
         row->addWidget(plot_[i], 1);
     }
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 0);
-    layout->setSpacing(4);
-    layout->addWidget(&bar());
-    layout->addWidget(plots_, 1);
+    rows().addWidget(plots_, 1);
     refresh();
 }
 
@@ -92,8 +88,9 @@ BackgroundJob::End ScalingPage::sweep(const CostSweep::Subject& subject,
     return endOf((*sweep)->finished(), (*sweep)->problems());
 }
 
-Scene ScalingPage::measuredPart(Scene scene, int) const {
-    return scene;
+MeasuredSubject ScalingPage::subject() const {
+    return subjectOf(document().ownScene(document().activeSide()), document().currentObject(),
+                     document().catalog());
 }
 
 void ScalingPage::showNumbers(bool stale) {

@@ -26,7 +26,7 @@ class ScalingPage : public MeasurePage {
 
   protected:
     void startMeasuring() override;
-    Scene measuredPart(Scene scene, int object) const override;
+    MeasuredSubject subject() const override;
     void showNumbers(bool stale) override;
     QByteArray bytesFor(const QString& ending) const override;
 
