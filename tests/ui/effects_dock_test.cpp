@@ -187,9 +187,9 @@ TEST_F(EffectsPanel, Switch_IsNoEdit) {
 
 TEST_F(EffectsPanel, Export_HasWhatIsSwitchedOff) {
     newFrames();
-    const Image before = view().frames().picture(true);
+    const Image before = view().capture().picture(true);
     switchOff("lights/");
-    EXPECT_EQ(view().frames().picture(true).pixels, before.pixels);
+    EXPECT_EQ(view().capture().picture(true).pixels, before.pixels);
 }
 
 TEST_F(EffectsPanel, SwitchedOffEffect_IsSaidInTheStatusLine) {

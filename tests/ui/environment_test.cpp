@@ -110,7 +110,7 @@ TEST_F(EnvironmentInTheWindow, PanoramaThatCannotBeRead_ShowsAPlaceholder) {
     ASSERT_TRUE(waitForSamples(8));
     ASSERT_TRUE(QTest::qWaitFor([&] { return window().messages().count() > 0; }, limitMs));
     ASSERT_TRUE(QTest::qWaitFor([&] { return view().frames().isUpToDate(); }, limitMs));
-    const Image picture = view().frames().linearPicture();
+    const Image picture = view().linearPicture();
     ASSERT_FALSE(picture.pixels.empty());
     int fields = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
@@ -126,7 +126,7 @@ TEST_F(EnvironmentInTheWindow, PictureTakenWhileItSettles_HasTheSamplesThatAreSh
     ASSERT_TRUE(waitForSamples(24));
     const int frames = view().frames().frameCount();
     const int samples = view().frames().samples();
-    ASSERT_FALSE(view().frames().linearPicture().pixels.empty());
+    ASSERT_FALSE(view().linearPicture().pixels.empty());
     EXPECT_EQ(view().frames().frameCount(), frames);
     EXPECT_EQ(view().frames().samples(), samples);
     EXPECT_TRUE(waitForSamples(samples + 8));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/catalog.h"
 #include "ui/window_fixture.h"
+#include "catalog/catalog.h"
 
 #include <QCursor>
 #include <QEventLoop>
@@ -83,10 +83,10 @@ void WindowFixture::drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers
 }
 
 PictureExport::Source pictureOf(Viewport& view) {
-    return {[&view](bool display, FrameLoop::PictureTaken taken) {
-                view.frames().capture(display, std::move(taken));
+    return {[&view](bool display, PictureCapture::Taken taken) {
+                view.capture().start(display, std::move(taken));
             },
-            [&view] { view.frames().cancelCapture(); }};
+            [&view] { view.capture().cancel(); }};
 }
 
 std::filesystem::path otherPreset(const Document& document) {

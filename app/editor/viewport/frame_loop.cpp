@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/frame_loop.h"
 
-#include <chrono>
 #include <utility>
 
 #include <QLabel>
@@ -16,9 +15,6 @@
 
 namespace patina {
 namespace {
-
-/// How long a step of a frame, or of a picture that is to be kept, may keep the window waiting.
-constexpr std::chrono::milliseconds framePatience{20};
 
 /// So long a frame may take that might be a quick one, with the images it is drawn into. What
 /// shows it in the window takes some 40 ms more on a slow screen.
@@ -65,9 +61,7 @@ void FrameLoop::open() {
 
 void FrameLoop::close() {
     giveUp();
-    if (const auto capture = std::exchange(capture_, std::nullopt)) {
-        capture->taken({});
-    }
+    Q_EMIT closing();
     if (renderer_) {
         widget_.makeCurrent();
         stopwatch_.close();
@@ -83,14 +77,15 @@ void FrameLoop::paint() {
     if (progress_ == Progress::Drawn) {
         renderer_->job().show(widget_.defaultFramebufferObject());
         std::exchange(sketching_, false) ? finishSketch() : finishFrame();
-    } else if (progress_ == Progress::Idle && !capture_ && (stale_ || moreSamples_)) {
+    } else if (progress_ == Progress::Idle && (stale_ || moreSamples_)) {
         isContinued_ = !std::exchange(stale_, false);
         beginFrame();
     }
 }
 
 void FrameLoop::refresh() {
-    const Scene& drawn = capture_ ? viewed_.sources().whole() : viewed_.sources().scene();
+    const Scene& drawn =
+        progress_ == Progress::Lent ? viewed_.sources().whole() : viewed_.sources().scene();
     if (isDrawing() && (isContinued_ || !renderer_->job().hasMeshesOf(drawn))) {
         giveUp(); // it only adds to a picture that is gone, or objects have come or gone
     }
@@ -110,14 +105,15 @@ void FrameLoop::announceCatalog() {
 
 void FrameLoop::giveUp() {
     turn_.stop();
+    if (progress_ == Progress::Lent) {
+        Q_EMIT interrupted();
+        return;
+    }
     const Progress progress = std::exchange(progress_, Progress::Idle);
     if (progress == Progress::Drawing || progress == Progress::Drawn) {
         widget_.makeCurrent();
         stopwatch_.end();
         widget_.doneCurrent();
-    }
-    if (progress == Progress::Capturing && capture_) {
-        QTimer::singleShot(0, this, &FrameLoop::beginCapture); // of what there is now
     }
 }
 
@@ -259,16 +255,12 @@ void FrameLoop::goOnWith(Progress progress) {
 /// Another turn of a long frame. Where the same objects are seen in another way it is finished
 /// before a newer one begins: dropping it for every move of a drag would show none.
 void FrameLoop::proceed() {
-    if (progress_ == Progress::Capturing) {
-        proceedCapture();
-        return;
-    }
     if (progress_ == Progress::Waiting) {
         makeTargets();
         return;
     }
     widget_.makeCurrent();
-    const FrameJob::Progress progress = renderer_->job().step(framePatience);
+    const FrameJob::Progress progress = renderer_->job().step(stepPatience);
     widget_.doneCurrent();
     if (progress == FrameJob::Progress::Done) {
         progress_ = Progress::Drawn;
@@ -344,32 +336,13 @@ void FrameLoop::addSamples() {
     }
 }
 
-Image FrameLoop::linearPicture() {
-    Scene unexposed = viewed_.sources().scene();
-    unexposed.exposure = 0.0;
-    return pictureOf(unexposed, view(), false);
-}
-
-Image FrameLoop::picture(bool display) {
-    const Scene& whole = viewed_.sources().whole();
-    if (&whole == &viewed_.sources().scene()) {
-        return pictureOf(whole, view(), display);
-    }
-    stale_ = true; // what is shown is another picture, to which nothing of this one may be added
-    View wanted = view();
-    wanted.effects = nullptr;
-    Image image = pictureOf(whole, wanted, display);
-    refresh();
-    return image;
-}
-
 Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
     if (!renderer_) {
         return {};
     }
     wanted.isContinued = !stale_ && (progress_ == Progress::Idle || isContinued_);
     if (progress_ != Progress::Idle) {
-        giveUp(); // capturing takes its place
+        giveUp(); // the picture takes its place
         if (wanted.isContinued) {
             continueSoon();
         } else {
@@ -383,74 +356,23 @@ Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
     return picture ? std::move(*picture) : Image();
 }
 
-void FrameLoop::capture(bool display, PictureTaken taken) {
-    if (capture_) {
-        finishCapture({}); // one at a time
-    }
-    capture_ = Capture{display, std::move(taken)};
-    beginCapture();
-}
-
-void FrameLoop::cancelCapture() {
-    if (capture_) {
-        capture_.reset();
+Renderer& FrameLoop::lend() {
+    if (progress_ != Progress::Lent) {
         giveUp();
-        refresh();
+        isContinued_ = false;
+        progress_ = Progress::Lent;
     }
+    return *renderer_;
 }
 
-/// Begins, or begins anew where a change has taken the frame's place.
-void FrameLoop::beginCapture() {
-    if (!capture_ || progress_ == Progress::Capturing) {
-        return;
-    }
-    const Scene& whole = viewed_.sources().whole();
-    const bool isWhole = &whole == &viewed_.sources().scene();
-    const bool hasSamples = samples() > 0;
-    if (!renderer_ || (hasSamples && isWhole && isUpToDate())) {
-        finishCapture(picture(capture_->display)); // there is none to draw, or it is there
-        return;
-    }
-    capture_->isAnother = !isWhole || hasSamples || !isUpToDate();
-    giveUp();
-    View wanted = view();
-    wanted.effects = isWhole ? wanted.effects : nullptr;
-    wanted.isContinued = isContinued_ = false;
-    widget_.makeCurrent();
-    renderer_->begin(whole, wanted, viewed_.sources().meshes, FramePurpose::Capture)
-        .step(FrameJob::Clock::now());
-    widget_.doneCurrent();
-    goOnWith(Progress::Capturing);
-}
-
-void FrameLoop::proceedCapture() {
-    widget_.makeCurrent();
-    FrameJob& job = renderer_->job();
-    const bool isDone = job.step(framePatience) == FrameJob::Progress::Done;
-    Result<Image> picture = isDone ? job.read(capture_->display) : Image();
-    widget_.doneCurrent();
-    if (isDone) {
-        finishCapture(picture ? std::move(*picture) : Image());
-    } else {
-        turn_.start(0);
-    }
-}
-
-void FrameLoop::finishCapture(Image picture) {
-    const Capture done = std::move(*capture_);
-    capture_.reset();
-    turn_.stop();
+void FrameLoop::takeBack(bool isAnother) {
     progress_ = Progress::Idle;
-    if (renderer_) {
-        targets_.noteUse();
-    }
-    if (done.isAnother) {
+    targets_.noteUse();
+    if (isAnother) {
         refresh();
-    }
-    if (stale_) {
+    } else if (stale_) {
         widget_.update();
     }
-    done.taken(std::move(picture));
 }
 
 void FrameLoop::drawUnseen(const Scene& scene, const View& view) {

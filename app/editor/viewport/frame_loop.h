@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -27,6 +27,9 @@ class FrameLoop : public QObject {
     Q_OBJECT
 
   public:
+    /// How long a step of a frame, or of another picture, may keep the window waiting.
+    static constexpr std::chrono::milliseconds stepPatience{20};
+
     /// Both outlive it.
     FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed);
 
@@ -61,7 +64,7 @@ class FrameLoop : public QObject {
     /// The numbers of a pixel; nothing where there is no surface.
     std::optional<PixelProbe> probe(glm::ivec2 pixel);
 
-    /// A frame is being drawn that takes several turns.
+    /// A frame is being drawn that takes several turns, or the renderer is lent.
     bool isDrawing() const { return progress_ != Progress::Idle; }
 
     /// Whether the picture shows what would be drawn now.
@@ -84,21 +87,16 @@ class FrameLoop : public QObject {
     void chooseTimer() { stopwatch_.choose(isDrawing()); }
     FrameStopwatch& stopwatch() { return stopwatch_; }
 
-    /// The picture before exposure and tone mapping.
-    Image linearPicture();
+    /// Draws a picture at once where nothing shows, in place of a frame that is being drawn. It is
+    /// taken to be of what the frames show: where they are up to date it has their samples, too.
+    Image pictureOf(const Scene& scene, View view, bool display);
 
-    /// The picture as it is shown, divided by 255, or as linear floats with the exposure in them;
-    /// empty when none can be drawn.
-    Image picture(bool display);
+    /// Lends the renderer for a picture that takes several turns. No frame is drawn until it is
+    /// taken back.
+    Renderer& lend();
 
-    using PictureTaken = std::function<void(Image)>;
-
-    /// As picture(), over as many turns of the event loop as it takes, with what is shown staying
-    /// on the screen; one at a time. What changes meanwhile may or may not be in it.
-    void capture(bool display, PictureTaken taken);
-
-    /// Ends that without a picture.
-    void cancelCapture();
+    /// `isAnother`: what was drawn is another picture than the one on the screen.
+    void takeBack(bool isAnother);
 
     /// Draws a scene once where nothing shows, which loads what it needs.
     void drawUnseen(const Scene& scene, const View& view);
@@ -108,6 +106,8 @@ class FrameLoop : public QObject {
     void frameDrawn();
     void failed(QString why);
     void messagesDrawn(patina::Errors messages); ///< what the last frame has to say
+    void interrupted();                          ///< what is drawn with the lent renderer is gone
+    void closing();                              ///< the renderer goes, lent or not
 
   private:
     enum class Progress {
@@ -115,14 +115,7 @@ class FrameLoop : public QObject {
         Waiting, ///< for programs, with the last picture on the screen
         Drawing,
         Drawn,
-        Capturing ///< a picture that is to be kept
-    };
-
-    /// A picture that is asked for and not there yet.
-    struct Capture {
-        bool display = true;
-        PictureTaken taken;
-        bool isAnother = false; ///< than the one on the screen, to which more may be added
+        Lent ///< until takeBack()
     };
 
     /// What a ProgramWorker was asked for.
@@ -146,10 +139,6 @@ class FrameLoop : public QObject {
     bool wantsSamples() const;
     void continueSoon();
     void addSamples();
-    Image pictureOf(const Scene& scene, View wanted, bool display);
-    void beginCapture();
-    void proceedCapture();
-    void finishCapture(Image picture);
     void releaseTargets();
 
     QOpenGLWidget& widget_;
@@ -172,7 +161,6 @@ class FrameLoop : public QObject {
     QTimer sampleTimer_;       ///< the next frame that adds samples
     bool moreSamples_ = false; ///< that frame is asked for
     bool isContinued_ = false; ///< the frame that is drawn, or was drawn last, adds samples
-    std::optional<Capture> capture_;
     IdleRelease targets_;
 };
 

@@ -8,6 +8,7 @@
 #include "parameters/color_source.h"
 #include "viewport/camera_navigation.h"
 #include "viewport/frame_loop.h"
+#include "viewport/picture_capture.h"
 #include "viewport/pixel_prober.h"
 #include "viewport/prewarmer.h"
 #include "viewport/viewed_scene.h"
@@ -34,6 +35,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Prewarmer& prewarmer() { return prewarmer_; }
     const ViewedScene& viewed() const { return viewed_; }
     PixelProber& prober() { return prober_; }
+    PictureCapture& capture() { return capture_; }
 
     const Camera& camera() const { return viewed_.camera(); }
     void setCamera(const Camera& camera);
@@ -43,10 +45,10 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     /// under the pointer.
     void setInspecting(bool on);
 
-    Image linearPicture() override { return frames_.linearPicture(); }
+    Image linearPicture() override { return capture_.linearPicture(); }
 
   Q_SIGNALS:
-    void activated(); ///< it was clicked
+    void activated();                 ///< it was clicked
     void focusShown(bool byKeyboard); ///< the keyboard brought the focus here, or it went
     void filesDropped(QStringList files);
 
@@ -75,6 +77,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     FrameLoop frames_;
     Prewarmer prewarmer_;
     PixelProber prober_;
+    PictureCapture capture_;
     bool resizing_ = false;
     std::unique_ptr<StretchedPicture> last_; ///< while the size changes
 };

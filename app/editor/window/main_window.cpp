@@ -469,12 +469,12 @@ void MainWindow::updateTitle() {
 
 void MainWindow::exportPicture() {
     const QPointer viewport(&views_->active().viewport());
-    const auto capture = [viewport](bool display, FrameLoop::PictureTaken taken) {
-        viewport ? viewport->frames().capture(display, std::move(taken)) : taken({});
+    const auto capture = [viewport](bool display, PictureCapture::Taken taken) {
+        viewport ? viewport->capture().start(display, std::move(taken)) : taken({});
     };
     const auto cancel = [viewport] {
         if (viewport) {
-            viewport->frames().cancelCapture();
+            viewport->capture().cancel();
         }
     };
     const Material* material = document_.material(document_.activeSide());

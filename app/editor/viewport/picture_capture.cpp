@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/picture_capture.h"
+
+#include <utility>
+
+#include <QOpenGLWidget>
+
+#include "render/frame/frame_job.h"
+
+namespace patina {
+
+PictureCapture::PictureCapture(QOpenGLWidget& widget, FrameLoop& frames, const ViewedScene& viewed)
+    : widget_(widget), frames_(frames), viewed_(viewed) {
+    turn_.setSingleShot(true);
+    connect(&turn_, &QTimer::timeout, this, [this] { isBegun_ ? proceed() : begin(); });
+    connect(&frames, &FrameLoop::interrupted, this, &PictureCapture::beginAnew);
+    connect(&frames, &FrameLoop::closing, this, [this] {
+        if (order_) {
+            finish({});
+        }
+    });
+}
+
+Image PictureCapture::linearPicture() {
+    Scene unexposed = viewed_.sources().scene();
+    unexposed.exposure = 0.0;
+    return frames_.pictureOf(unexposed, frames_.view(), false);
+}
+
+Image PictureCapture::picture(bool display) {
+    const Scene& whole = viewed_.sources().whole();
+    if (&whole == &viewed_.sources().scene()) {
+        return frames_.pictureOf(whole, frames_.view(), display);
+    }
+    frames_
+        .refresh(); // what is shown is another picture, to which nothing of this one may be added
+    View wanted = frames_.view();
+    wanted.effects = nullptr;
+    Image image = frames_.pictureOf(whole, wanted, display);
+    frames_.refresh();
+    return image;
+}
+
+void PictureCapture::start(bool display, Taken taken) {
+    if (order_) {
+        finish({}); // one at a time
+    }
+    order_ = Order{display, std::move(taken)};
+    begin();
+}
+
+void PictureCapture::cancel() {
+    if (order_) {
+        order_->isAnother = true;
+        end();
+    }
+}
+
+void PictureCapture::begin() {
+    const Scene& whole = viewed_.sources().whole();
+    const bool isWhole = &whole == &viewed_.sources().scene();
+    const bool hasSamples = frames_.samples() > 0;
+    if (!frames_.canDraw() || (hasSamples && isWhole && frames_.isUpToDate())) {
+        finish(picture(order_->display)); // there is none to draw, or it is there
+        return;
+    }
+    order_->isAnother = !isWhole || hasSamples || !frames_.isUpToDate();
+    lent_ = &frames_.lend();
+    View wanted = frames_.view();
+    wanted.effects = isWhole ? wanted.effects : nullptr;
+    widget_.makeCurrent();
+    lent_->begin(whole, wanted, viewed_.sources().meshes, FramePurpose::Capture)
+        .step(FrameJob::Clock::now());
+    widget_.doneCurrent();
+    isBegun_ = true;
+    turn_.start(0);
+}
+
+/// Of what there is then.
+void PictureCapture::beginAnew() {
+    isBegun_ = false;
+    turn_.start(0);
+}
+
+void PictureCapture::proceed() {
+    widget_.makeCurrent();
+    FrameJob& job = lent_->job();
+    const bool isDone = job.step(FrameLoop::stepPatience) == FrameJob::Progress::Done;
+    Result<Image> picture = isDone ? job.read(order_->display) : Image();
+    widget_.doneCurrent();
+    if (isDone) {
+        finish(picture ? std::move(*picture) : Image());
+    } else {
+        turn_.start(0);
+    }
+}
+
+void PictureCapture::finish(Image picture) {
+    const Order done = end();
+    done.taken(std::move(picture));
+}
+
+PictureCapture::Order PictureCapture::end() {
+    Order ended = *std::exchange(order_, std::nullopt);
+    turn_.stop();
+    isBegun_ = false;
+    if (std::exchange(lent_, nullptr) != nullptr) {
+        frames_.takeBack(ended.isAnother);
+    }
+    return ended;
+}
+
+} // namespace patina
