@@ -34,6 +34,9 @@ class Autosave : public QObject {
              QObject* parent = nullptr);
     ~Autosave() override;
 
+    /// Where the copies are.
+    const std::filesystem::path& folder() const { return folder_; }
+
     /// How long after the last change, and how long after the first one at most.
     void setIntervals(int quietMs, int longestMs);
 

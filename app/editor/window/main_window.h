@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <memory>
 
 #include <QMainWindow>
@@ -13,6 +12,7 @@
 #include "files/catalog_watcher.h"
 #include "files/file_actions.h"
 #include "files/picture_export.h"
+#include "files/recovery_offer.h"
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
 #include "library/user_block_trials.h"
@@ -22,15 +22,12 @@
 #include "viewport/compare_area.h"
 #include "viewport/effect_switches.h"
 #include "viewport/program_worker.h"
-#include "window/dock_list.h"
+#include "window/menus.h"
 #include "window/status_line.h"
 #include "window/theme.h"
-
-class QMenu;
+#include "window/window_layout.h"
 
 namespace patina {
-
-class LazyDock;
 
 /// The editor's window. It owns the parts and connects them; what they do is theirs.
 class MainWindow : public QMainWindow {
@@ -50,7 +47,7 @@ class MainWindow : public QMainWindow {
     MessageLog& messages() { return messages_; }
     MeshLibrary& meshes() { return meshes_; }
     Autosave& autosave() { return autosave_; }
-    QDockWidget* dock(const QString& name) const;
+    QDockWidget* dock(const QString& name) const { return layout_->dock(name); }
     DockContext dockContext();
 
     /// What can wait until the first frame is on the screen: presets, thumbnails, watching, the
@@ -58,7 +55,7 @@ class MainWindow : public QMainWindow {
     void startRest();
 
     /// Asks about work that an earlier program could not save, the newest first.
-    void offerRecovery();
+    void offerRecovery() { recovery_->ask(); }
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -68,28 +65,8 @@ class MainWindow : public QMainWindow {
     bool focusNextPrevChild(bool next) override;
 
   private:
-    void makeDocks();
-    void makeFileMenu();
-    void makeEditMenu();
-    void makeViewMenu();
-    void makeLookMenu(QMenu* menu);
-    void makeHelpMenu();
-    void makeToolBar();
     void connectParts();
-    void fillRecentFiles();
-    void arrangeDocks();
-    void hideBottom();
-    void restoreWindow();
     void updateTitle();
-    void recover(const Recovery& recovery);
-    void exportPicture();
-    void showMessages();
-    void checkStability();
-    void showEffects();
-    void showKeys();
-    void showAbout();
-    QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,
-                 std::function<void()> what);
 
     Theme& theme_;
     Session session_;
@@ -112,15 +89,9 @@ class MainWindow : public QMainWindow {
     PictureExport* pictures_;
     CompareArea* views_;
     StatusLine* status_;
-    QMenu* recent_ = nullptr;
-    std::map<QString, LazyDock*> docks_;
-    std::map<DockPlace, QDockWidget*> firstDocks_; ///< the one that is on top at each place
-    QAction* compare_ = nullptr;
-    QAction* link_ = nullptr;
-    QAction* realign_ = nullptr;
-    QAction* swap_ = nullptr;
-    QAction* difference_ = nullptr;
-    bool arranged_ = false;
+    std::unique_ptr<WindowLayout> layout_;
+    Menus* menus_ = nullptr;
+    RecoveryOffer* recovery_;
 };
 
 } // namespace patina

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/menus.h"
+
+#include <utility>
+
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QPointer>
+#include <QToolBar>
+
+#include "docks/stability_dock.h"
+#include "document/comparison.h"
+#include "document/document_files.h"
+#include "files/file_actions.h"
+#include "files/picture_export.h"
+#include "session/session.h"
+#include "text/short_text.h"
+#include "viewport/compare_area.h"
+#include "window/help.h"
+#include "window/theme.h"
+#include "window/window_layout.h"
+
+namespace patina {
+
+Menus::Menus(const Parts& parts) : QObject(&parts.window), parts_(parts) {
+    makeFileMenu();
+    makeEditMenu();
+    makeViewMenu();
+    makeHelpMenu();
+    makeToolBar();
+}
+
+QAction* Menus::add(QMenu* menu, const QString& text, const QKeySequence& key,
+                    std::function<void()> what) {
+    QAction* action = menu->addAction(text);
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, std::move(what));
+    return action;
+}
+
+void Menus::makeFileMenu() {
+    QMenu* menu = parts_.window.menuBar()->addMenu(tr("&File"));
+    add(menu, tr("&New"), QKeySequence::New, [this] { parts_.files.newDocument(); });
+    add(menu, tr("&Open…"), QKeySequence::Open, [this] { parts_.files.askAndOpen(); });
+    recent_ = menu->addMenu(tr("Open &Recent"));
+    connect(recent_, &QMenu::aboutToShow, this, &Menus::fillRecentFiles);
+    menu->addSeparator();
+    add(menu, tr("&Save"), QKeySequence::Save, [this] { parts_.files.save(); });
+    add(menu, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [this] { parts_.files.saveAs(); });
+    add(menu, tr("&Export Material as Preset…"), QKeySequence("Ctrl+E"),
+        [this] { parts_.files.exportPreset(); });
+    add(menu, tr("Export Pict&ure…"), QKeySequence("Ctrl+Shift+E"), [this] { exportPicture(); });
+    menu->addSeparator();
+    add(menu, tr("&Import Mesh…"), QKeySequence("Ctrl+I"), [this] { parts_.files.importMesh(); });
+    QAction* allow =
+        add(menu, tr("Allow Files Ou&tside…"), {}, [this] { parts_.files.allowOutside(); });
+    allow->setObjectName("allowOutside");
+    connect(menu, &QMenu::aboutToShow, this,
+            [this, allow] { allow->setEnabled(!parts_.documentFiles.withheld().all().empty()); });
+    menu->addSeparator();
+    add(menu, tr("&Quit"), QKeySequence::Quit, [this] { parts_.window.close(); });
+}
+
+void Menus::fillRecentFiles() {
+    recent_->clear();
+    for (const QString& file : parts_.session.recentFiles()) {
+        // A single & would underline the letter after it.
+        const QString name =
+            shortened(QFileInfo(file).fileName()).replace('&', QLatin1String("&&"));
+        QAction* action = recent_->addAction(
+            name, this, [this, file] { parts_.files.open({file}, parts_.document.activeSide()); });
+        action->setToolTip(file);
+    }
+    recent_->setToolTipsVisible(true);
+    if (recent_->isEmpty()) {
+        recent_->addAction(tr("No files yet"))->setEnabled(false);
+        return;
+    }
+    recent_->addSeparator();
+    recent_->addAction(tr("Clear this list"), this, [this] { parts_.session.clearRecentFiles(); });
+}
+
+void Menus::makeEditMenu() {
+    QMenu* menu = parts_.window.menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = parts_.document.undoStack().createUndoAction(this, tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    QAction* redo = parts_.document.undoStack().createRedoAction(this, tr("&Redo"));
+    redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+    menu->addActions({undo, redo});
+    menu->addSeparator();
+    add(menu, tr("Material &Details…"), QKeySequence("Alt+Return"),
+        [this] { parts_.files.editDetails(); });
+}
+
+void Menus::makeViewMenu() {
+    QMenu* menu = parts_.window.menuBar()->addMenu(tr("&View"));
+    compare_ = add(menu, tr("&Compare A and B"), QKeySequence("Ctrl+B"),
+                   [this] { parts_.comparison.setComparing(compare_->isChecked()); });
+    compare_->setCheckable(true);
+    compare_->setToolTip(tr("Show two materials side by side (Ctrl+B)"));
+    link_ = add(menu, tr("&Link Cameras"), QKeySequence("Ctrl+L"),
+                [this] { parts_.views.setCamerasLinked(link_->isChecked()); });
+    link_->setCheckable(true);
+    link_->setChecked(true);
+    link_->setToolTip(tr("Both views move together (Ctrl+L)"));
+    realign_ = add(menu, tr("Re-&align Cameras"), QKeySequence("Ctrl+R"),
+                   [this] { parts_.views.realignCameras(); });
+    realign_->setToolTip(tr("B looks from where A does (Ctrl+R)"));
+    swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"),
+                [this] { parts_.comparison.swapSides(); });
+    swap_->setToolTip(tr("Exchange the two materials (X)"));
+    difference_ = add(menu, tr("&Difference in C"), QKeySequence("Ctrl+D"),
+                      [this] { parts_.views.setDifferenceWanted(difference_->isChecked()); });
+    difference_->setCheckable(true);
+    difference_->setToolTip(tr("Show how far A and B are apart beside them (Ctrl+D)"));
+    menu->addSeparator();
+    QAction* inspect = menu->addAction(tr("&Numerical Check"));
+    inspect->setObjectName("inspect");
+    inspect->setShortcut(QKeySequence("N"));
+    inspect->setCheckable(true);
+    inspect->setToolTip(tr("Mark pixels whose numbers are wrong, and read those under the "
+                           "pointer (N)"));
+    connect(inspect, &QAction::toggled, &parts_.views, &CompareArea::setInspecting);
+    add(menu, tr("Check &Stability"), QKeySequence("Ctrl+K"), [this] { checkStability(); });
+    add(menu, tr("&Effects and Their Costs"), QKeySequence("E"),
+        [this] { parts_.layout.bringToFront("effects"); });
+    add(menu, tr("Acc&uracy and Its Cost"), QKeySequence("A"),
+        [this] { parts_.layout.bringToFront("accuracy"); });
+    menu->addSeparator();
+    add(menu, tr("&Frame Object"), QKeySequence("F"),
+        [this] { parts_.views.active().frameCurrentObject(); });
+    QAction* reset = add(menu, tr("&Reset View"), QKeySequence(Qt::Key_Home),
+                         [this] { parts_.views.resetCamera(parts_.document.activeSide()); });
+    // Home means something else in number boxes and lists.
+    reset->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    menu->removeAction(reset);
+    parts_.views.addAction(reset);
+    menu->addAction(reset);
+    menu->addSeparator();
+    makeLookMenu(menu->addMenu(tr("L&ook")));
+    QMenu* panels = menu->addMenu(tr("&Panels"));
+    for (QAction* dock : parts_.layout.dockActions()) {
+        panels->addAction(dock);
+    }
+    panels->addSeparator();
+    add(panels, tr("Reset Layout"), {}, [this] { parts_.layout.reset(); });
+    QAction* full = add(menu, tr("F&ull Screen"), QKeySequence(Qt::Key_F11), [this] {
+        parts_.window.setWindowState(parts_.window.windowState() ^ Qt::WindowFullScreen);
+    });
+    full->setCheckable(true);
+    const auto follow = [this] {
+        const bool comparing = parts_.document.isComparing();
+        compare_->setChecked(comparing);
+        for (QAction* action : {link_, realign_, swap_, difference_}) {
+            action->setEnabled(comparing);
+        }
+    };
+    onChange(parts_.document, DocumentChange::Comparing, this, follow);
+    connect(&parts_.views, &CompareArea::linkChanged, link_, &QAction::setChecked);
+    connect(&parts_.views, &CompareArea::differenceWantedChanged, difference_,
+            &QAction::setChecked);
+    follow();
+}
+
+void Menus::makeLookMenu(QMenu* menu) {
+    auto* group = new QActionGroup(this);
+    const std::pair<QString, Look> looks[] = {{tr("As the &System"), Look::System},
+                                              {tr("&Dark"), Look::Dark},
+                                              {tr("&Light"), Look::Light}};
+    for (const auto& [text, look] : looks) {
+        QAction* action = add(menu, text, {}, [this, look = look] {
+            parts_.theme.setLook(look);
+            parts_.session.setLook(look);
+        });
+        action->setCheckable(true);
+        action->setChecked(parts_.session.look() == look);
+        group->addAction(action);
+    }
+}
+
+void Menus::makeHelpMenu() {
+    QMenu* menu = parts_.window.menuBar()->addMenu(tr("&Help"));
+    add(menu, tr("&Mouse and Keys"), QKeySequence(Qt::Key_F1),
+        [this] { showKeys(&parts_.window); });
+    add(menu, tr("&About Patina"), {}, [this] { showAbout(&parts_.window); });
+}
+
+void Menus::makeToolBar() {
+    QToolBar* bar = parts_.window.addToolBar(tr("Tools"));
+    bar->setObjectName("tools");
+    bar->setMovable(false);
+    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->addActions({compare_, link_, realign_, swap_, difference_});
+}
+
+void Menus::exportPicture() {
+    const QPointer viewport(&parts_.views.active().viewport());
+    const auto capture = [viewport](bool display, PictureCapture::Taken taken) {
+        viewport ? viewport->capture().start(display, std::move(taken)) : taken({});
+    };
+    const auto cancel = [viewport] {
+        if (viewport) {
+            viewport->capture().cancel();
+        }
+    };
+    const Material* material = parts_.document.material(parts_.document.activeSide());
+    parts_.pictures.ask(
+        FileActions::asFileName(material ? QString::fromStdString(material->name) : QString()),
+        {capture, cancel});
+}
+
+void Menus::checkStability() {
+    parts_.layout.bringToFront("stability");
+    if (auto* check = parts_.layout.dock("stability")->findChild<StabilityDock*>()) {
+        check->start();
+    }
+}
+
+} // namespace patina

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QObject>
+
+class QAction;
+class QKeySequence;
+class QMainWindow;
+class QMenu;
+
+namespace patina {
+
+class CompareArea;
+class Comparison;
+class Document;
+class DocumentFiles;
+class FileActions;
+class PictureExport;
+class Session;
+class Theme;
+class WindowLayout;
+
+/// The menus and the tool bar of the window: what can be asked for, under which name and key.
+class Menus : public QObject {
+    Q_OBJECT
+
+  public:
+    /// What is asked. Everything in it outlives the menus.
+    struct Parts {
+        QMainWindow& window;
+        WindowLayout& layout;
+        Document& document;
+        DocumentFiles& documentFiles;
+        Comparison& comparison;
+        FileActions& files;
+        PictureExport& pictures;
+        CompareArea& views;
+        Session& session;
+        Theme& theme;
+    };
+
+    explicit Menus(const Parts& parts);
+
+  private:
+    void makeFileMenu();
+    void makeEditMenu();
+    void makeViewMenu();
+    void makeLookMenu(QMenu* menu);
+    void makeHelpMenu();
+    void makeToolBar();
+    void fillRecentFiles();
+    void exportPicture();
+    void checkStability();
+    QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,
+                 std::function<void()> what);
+
+    Parts parts_;
+    QMenu* recent_ = nullptr;
+    QAction* compare_ = nullptr;
+    QAction* link_ = nullptr;
+    QAction* realign_ = nullptr;
+    QAction* swap_ = nullptr;
+    QAction* difference_ = nullptr;
+};
+
+} // namespace patina

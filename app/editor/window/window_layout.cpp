@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/window_layout.h"
+
+#include <QMainWindow>
+#include <QScreen>
+
+#include "session/message_log.h"
+#include "session/session.h"
+#include "window/lazy_dock.h"
+
+namespace patina {
+namespace {
+
+/// Goes up when docks come, go or move, so that an older layout is not forced upon them.
+constexpr int layoutVersion = 5;
+
+constexpr QSize preferredSize{1600, 1000};
+constexpr int narrowWindow = 1400;
+
+Qt::DockWidgetArea areaOf(DockPlace place) {
+    switch (place) {
+    case DockPlace::LeftTop:
+    case DockPlace::LeftBottom:
+        return Qt::LeftDockWidgetArea;
+    case DockPlace::Bottom:
+        return Qt::BottomDockWidgetArea;
+    default:
+        return Qt::RightDockWidgetArea;
+    }
+}
+
+} // namespace
+
+WindowLayout::WindowLayout(QMainWindow& window, const DockContext& context)
+    : window_(window), messages_(context.messages) {
+    window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    window.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    for (const DockEntry& entry : entries_) {
+        auto* dock = new LazyDock(entry, context, &window);
+        docks_[entry.name] = dock;
+        const auto [first, isFirst] = firstDocks_.try_emplace(entry.place, dock);
+        window.addDockWidget(areaOf(entry.place), dock);
+        if (!isFirst) {
+            window.tabifyDockWidget(first->second, dock);
+        }
+    }
+}
+
+WindowLayout::~WindowLayout() {
+    for (const auto& [name, dock] : docks_) {
+        delete dock;
+    }
+}
+
+QDockWidget* WindowLayout::dock(const QString& name) const {
+    const auto found = docks_.find(name);
+    return found == docks_.end() ? nullptr : found->second;
+}
+
+std::vector<QAction*> WindowLayout::dockActions() const {
+    std::vector<QAction*> actions;
+    for (const DockEntry& entry : entries_) {
+        actions.push_back(dock(entry.name)->toggleViewAction());
+    }
+    return actions;
+}
+
+void WindowLayout::bringToFront(const QString& name) const {
+    dock(name)->show();
+    dock(name)->raise();
+}
+
+/// The layout of a first start: the material's look on the left, its values on the right, the
+/// picture large in the middle.
+void WindowLayout::arrange() {
+    for (const auto& [place, dock] : firstDocks_) {
+        dock->show();
+        dock->raise();
+    }
+    hideBottom();
+    if (messages_.count() > 0) { // of the files that were opened before the window came
+        bringToFront("messages");
+    }
+    const bool narrow = window_.width() < narrowWindow;
+    const int left = narrow ? 212 : 276;
+    const int right = narrow ? 384 : 440;
+    window_.resizeDocks({dock("models"), dock("parameters")}, {left, right}, Qt::Horizontal);
+    window_.resizeDocks({dock("models"), dock("presets")}, {10, 11}, Qt::Vertical);
+    window_.resizeDocks({dock("parameters"), dock("lights")}, {11, 10}, Qt::Vertical);
+}
+
+/// Messages and checks come when there is something to say.
+void WindowLayout::hideBottom() {
+    for (const DockEntry& entry : entries_) {
+        if (entry.place == DockPlace::Bottom) {
+            dock(entry.name)->hide();
+        }
+    }
+}
+
+void WindowLayout::arrangeOnce() {
+    if (!isArranged_) {
+        isArranged_ = true;
+        arrange();
+    }
+}
+
+void WindowLayout::reset() {
+    for (const auto& [place, first] : firstDocks_) {
+        for (const DockEntry& entry : entries_) {
+            QDockWidget* each = dock(entry.name);
+            each->setFloating(false);
+            if (entry.place == place && each != first) {
+                each->show();
+                window_.tabifyDockWidget(first, each);
+            }
+        }
+    }
+    arrange();
+}
+
+void WindowLayout::restore(const Session& session) {
+    const QSize available = window_.screen()->availableSize();
+    window_.resize(preferredSize.boundedTo(available));
+    const bool known = window_.restoreGeometry(session.windowGeometry());
+    if (!known && available.width() < preferredSize.width()) {
+        window_.setWindowState(Qt::WindowMaximized);
+    }
+    hideBottom();
+    isArranged_ = window_.restoreState(session.windowLayout(), layoutVersion);
+    const QStringList opened = session.openedDocks();
+    for (const auto& [name, dock] : docks_) {
+        if (isArranged_ && opened.contains(name)) {
+            dock->keepHeight();
+        }
+    }
+}
+
+void WindowLayout::store(Session& session) const {
+    session.setWindow(window_.saveGeometry(), window_.saveState(layoutVersion));
+    QStringList opened = session.openedDocks();
+    for (const auto& [name, dock] : docks_) {
+        if (dock->isBuilt() && !opened.contains(name)) {
+            opened << name;
+        }
+    }
+    session.setOpenedDocks(opened);
+}
+
+} // namespace patina
