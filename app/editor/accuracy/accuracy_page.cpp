@@ -109,7 +109,7 @@ void AccuracyPage::measure(CostSweep::Options options) {
     if (!canStart()) {
         return;
     }
-    options.programCache = cacheFolder() / "programs";
+    options.programCache = programFolder();
     options.scope = target_->scope();
     options.present = target_->levels(target_->choices());
     select(-1);

@@ -51,7 +51,7 @@ void ModelsPage::measure(CostSweep::Options options) {
     if (!canStart()) {
         return;
     }
-    options.programCache = cacheFolder() / "programs";
+    options.programCache = programFolder();
     start(withContext([this, subject = costSubject(),
                        options = std::move(options)](BackgroundJob::Control& control) {
         return rank(subject, options, control);

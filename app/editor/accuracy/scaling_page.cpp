@@ -60,7 +60,7 @@ void ScalingPage::measure(ScalingSweep::Options options) {
     if (!canStart()) {
         return;
     }
-    options.programCache = cacheFolder() / "programs";
+    options.programCache = programFolder();
     start(withContext([this, subject = costSubject(),
                        options = std::move(options)](BackgroundJob::Control& control) {
         return sweep(subject, options, control);

@@ -323,7 +323,7 @@ void EffectsDock::measure() {
 BackgroundJob::End EffectsDock::meter(const EffectCostMeter::Subject& subject,
                                       BackgroundJob::Control& control) {
     EffectCostMeter::Options options;
-    options.programCache = cacheFolder() / "programs";
+    options.programCache = programFolder();
     options.mayShrink = true;
     const auto meter = EffectCostMeter::create(subject, options);
     if (!meter) {

@@ -144,4 +144,8 @@ std::filesystem::path userDataFolder() {
     return xdgFolder("XDG_DATA_HOME", ".local/share");
 }
 
+std::filesystem::path programFolder() {
+    return cacheFolder() / "programs";
+}
+
 } // namespace patina

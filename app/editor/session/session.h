@@ -51,4 +51,7 @@ std::filesystem::path cacheFolder();
 std::filesystem::path stateFolder();
 std::filesystem::path userDataFolder();
 
+/// Where compiled programs are kept.
+std::filesystem::path programFolder();
+
 } // namespace patina

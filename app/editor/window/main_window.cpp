@@ -16,23 +16,18 @@ namespace {
 
 constexpr int saidMs = 4000; ///< so long the status line says what was done
 
-std::filesystem::path programCacheFolder() {
-    return cacheFolder() / "programs";
-}
-
 } // namespace
 
 MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
     : theme_(theme), document_(catalog), switches_(document_, effects_), watcher_(catalog),
-      presets_(catalog), thumbnails_(catalog, {cacheFolder() / "thumbnails", programCacheFolder(),
-                                               defaultSceneFile()}),
-      programs_(programCacheFolder()),
-      autosave_(document_, documentFiles_, stateFolder() / "autosave"),
+      presets_(catalog),
+      thumbnails_(catalog, {cacheFolder() / "thumbnails", programFolder(), defaultSceneFile()}),
+      programs_(programFolder()), autosave_(document_, documentFiles_, stateFolder() / "autosave"),
       files_(new FileActions(document_, documentFiles_, meshes_, session_, this)),
       pictures_(new PictureExport(session_, this)),
       views_(new CompareArea(
           {document_, meshes_, textures_, environments_, switches_, effects_, programs_},
-          programCacheFolder(), this)),
+          programFolder(), this)),
       status_(new StatusLine(document_, meshes_, textures_, environments_, messages_, this)),
       recovery_(new RecoveryOffer(autosave_, documentFiles_, *files_, this)) {
     setAcceptDrops(true);
