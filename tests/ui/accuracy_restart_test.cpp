@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Charts that are there again after the editor was started anew.
+#include "accuracy/chart_store.h"
 #include "scene/scene_file.h"
 #include "ui/accuracy_fixture.h"
 
