@@ -146,32 +146,36 @@ constexpr std::string_view curveBody = R"(    x = clamp(x, 0.0, 1.0);
 
 // The row
 
-Result<glm::dvec2> pointFromJson(const Json& json) {
+ValuePart curvePart(std::size_t index) {
+    const std::size_t point = index / 2;
+    return {fmt::format("point {}", point + 1), fmt::format("/points/{}", point)};
+}
+
+tl::expected<glm::dvec2, ValueError> pointFromJson(const CurvePoints& before, const Json& json) {
+    const auto [number, pointer] = curvePart(2 * before.size());
+    const std::string name = number + " of the curve";
     const bool isPoint = json.is_array() && json.size() == 2 && json[0].is_number() &&
                          json[1].is_number() && std::isfinite(json[0].get<double>()) &&
                          std::isfinite(json[1].get<double>());
     if (!isPoint) {
-        return failure(described(json) + " stands among a curve's points",
-                       "a point: an array of 2 numbers");
+        return failureWithin(pointer, fmt::format("{} stands for {}", described(json), name),
+                             "a point: an array of 2 numbers");
     }
-    return glm::dvec2(json[0].get<double>(), json[1].get<double>());
-}
-
-Result<void> checkPlace(const CurvePoints& before, const glm::dvec2& point) {
+    const glm::dvec2 point(json[0].get<double>(), json[1].get<double>());
+    const std::string x = shortestFloatText(point.x);
     if (point.x < 0.0 || point.x > 1.0) {
-        return failure(fmt::format("the curve's point {} has x = {}", before.size() + 1,
-                                   shortestFloatText(point.x)),
-                       "an x from 0 to 1");
+        return failureWithin(pointer, fmt::format("{} has x = {}", name, x), "an x from 0 to 1");
     }
     if (!before.empty() && Points::isTooNear(before.back().x, point.x, minCurveGap)) {
-        return failure(fmt::format("the curve's point {} has x = {} after {}", before.size() + 1,
-                                   shortestFloatText(point.x), shortestFloatText(before.back().x)),
-                       fmt::format("an x that is {} larger or more", minCurveGap));
+        return failureWithin(
+            pointer,
+            fmt::format("{} has x = {} after {}", name, x, shortestFloatText(before.back().x)),
+            fmt::format("an x that is {} larger or more", minCurveGap));
     }
-    return {};
+    return point;
 }
 
-Result<Value> curveFromJson(const Parameter&, const Json& json) {
+ValueReading curveFromJson(const Parameter&, const Json& json) {
     const auto list = json.is_object() && json.size() == 1 ? json.find("points") : json.end();
     if (!json.is_object() || list == json.end() || !list->is_array()) {
         return failure(described(json) + " stands here", fmt::format("a curve: {}", curveForm));
@@ -182,12 +186,9 @@ Result<Value> curveFromJson(const Parameter&, const Json& json) {
     }
     CurvePoints points;
     for (const Json& element : *list) {
-        const Result<glm::dvec2> point = pointFromJson(element);
+        const auto point = pointFromJson(points, element);
         if (!point) {
             return tl::unexpected(point.error());
-        }
-        if (const auto place = checkPlace(points, *point); !place) {
-            return tl::unexpected(place.error());
         }
         points.push_back(*point);
     }
@@ -211,7 +212,7 @@ std::optional<Value> curveFromText(const Parameter& parameter, std::string_view 
     if (text.starts_with('{')) {
         const Json json = Json::parse(text, nullptr, false);
         const auto value =
-            json.is_discarded() ? Result<Value>(failure("")) : curveFromJson(parameter, json);
+            json.is_discarded() ? ValueReading(failure("")) : curveFromJson(parameter, json);
         return value ? std::optional(*value) : std::nullopt;
     }
     const auto numbers = numbersIn(text);
@@ -317,6 +318,7 @@ ParameterTypeInfo curveInfo() {
     row.toJson = &curveJson;
     row.toText = &curveText;
     row.summary = &curveSummary;
+    row.part = &curvePart;
     row.conformed = &conformedCurve;
     row.pack = &packCurve;
     row.edgeCases = &edgeCaseCurves;

@@ -289,7 +289,7 @@ Values fillsFrom(const Block& block, const Json& choice) {
     for (const auto& [id, value] : json->items()) {
         const Parameter* filled = block.parameter(id);
         if (const auto read =
-                filled == nullptr ? Result<Value>(failure("")) : valueFromJson(*filled, value)) {
+                filled == nullptr ? ValueReading(failure("")) : valueFromJson(*filled, value)) {
             fills.emplace(id, *read);
         }
     }

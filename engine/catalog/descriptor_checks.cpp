@@ -257,11 +257,18 @@ class Checker : DescriptorChecker {
         if (json == nullptr || !has(pointer + "/type") || (isChosen && parameter.values.empty())) {
             return;
         }
-        const Result<Value> value = valueFromJson(parameter, *json);
+        const ValueReading value = valueFromJson(parameter, *json);
         if (!value) {
-            add(pointer + "/default", value.error().problem, value.error().expected);
-        } else if (parameter.min <= parameter.max && conformed(parameter, *value) != *value) {
-            add(pointer + "/default", "the default is outside the hard range",
+            add(pointer + "/default" + value.error().within, value.error().problem,
+                value.error().expected);
+            return;
+        }
+        const Value inRange = conformed(parameter, *value);
+        if (parameter.min <= parameter.max && inRange != *value) {
+            const ValuePart part = broughtIn(*value, inRange);
+            add(pointer + "/default" + part.pointer,
+                part.name + (part.name.empty() ? "" : " of ") +
+                    "the default is outside the hard range",
                 fmt::format("{} to {}", shortestFloatText(parameter.min),
                             shortestFloatText(parameter.max)));
         }

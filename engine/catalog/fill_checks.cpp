@@ -64,11 +64,17 @@ class FillChecker : DescriptorChecker {
                 "a parameter that the shader has");
             return;
         }
-        const Result<Value> value = valueFromJson(*filled, json);
+        const ValueReading value = valueFromJson(*filled, json);
         if (!value) {
-            add(pointer, value.error().problem, value.error().expected);
-        } else if (conformed(*filled, *value) != *value) {
-            add(pointer, fmt::format("the value is outside the range of '{}'", id),
+            add(pointer + value.error().within, value.error().problem, value.error().expected);
+            return;
+        }
+        const Value inRange = conformed(*filled, *value);
+        if (inRange != *value) {
+            const ValuePart part = broughtIn(*value, inRange);
+            add(pointer + part.pointer,
+                fmt::format("{} is outside the range of '{}'",
+                            part.name.empty() ? "the value" : part.name, id),
                 fmt::format("{} to {}", filled->min, filled->max));
         }
     }

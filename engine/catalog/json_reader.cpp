@@ -89,6 +89,10 @@ void JsonReader::addError(std::string_view key, std::string problem, std::string
     errors_.push_back(document_.error(pointer(key), std::move(problem), std::move(expected)));
 }
 
+void JsonReader::addError(std::string_view key, const ValueError& error) {
+    errors_.push_back(document_.error(pointer(key) + error.within, error.problem, error.expected));
+}
+
 void JsonReader::addWrongType(std::string_view key, const Json& found, std::string expected) {
     addError(key, fmt::format("{} stands at \"{}\"", described(found), key), std::move(expected));
 }

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "catalog/json_text.h"
+#include "catalog/value_error.h"
 
 namespace patina {
 
@@ -50,6 +51,8 @@ class JsonReader {
     nlohmann::json unknown() const;
 
     void addError(std::string_view key, std::string problem, std::string expected = {});
+    /// Adds a mistake in the value of a member, at its place within.
+    void addError(std::string_view key, const ValueError& error);
 
   private:
     struct Missing {};

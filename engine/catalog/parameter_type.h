@@ -11,7 +11,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/error.h"
+#include "catalog/value_error.h"
 #include "core/value.h"
 
 namespace patina {
@@ -59,7 +59,7 @@ struct ParameterTypeInfo {
     int decimals = 3;
     std::string_view unit{};
 
-    Result<Value> (*fromJson)(const Parameter&, const nlohmann::json&) = nullptr;
+    ValueReading (*fromJson)(const Parameter&, const nlohmann::json&) = nullptr;
     /// What a person typed or pasted, as it stands; nothing where it is no value of the type.
     std::optional<Value> (*fromText)(const Parameter&, std::string_view) = nullptr;
     std::string (*expected)(const Parameter&) = nullptr; ///< what may be typed
@@ -68,6 +68,8 @@ struct ParameterTypeInfo {
     nlohmann::json (*toJson)(const NumberList&) = nullptr;
     std::string (*toText)(const NumberList&) = nullptr;
     std::string (*summary)(const NumberList&) = nullptr; ///< in a word or two
+    /// The part of a list that its number at an index belongs to.
+    ValuePart (*part)(std::size_t index) = nullptr;
 
     /// See conformed() and writeNumbers(); the value holds the alternative of the default.
     Value (*conformed)(const Parameter&, const Value&) = nullptr;

@@ -57,7 +57,7 @@ std::string listedRange(const Parameter& parameter) {
 
 // Float and angle
 
-Result<Value> numberFromJson(const Parameter&, const Json& json) {
+ValueReading numberFromJson(const Parameter&, const Json& json) {
     if (!json.is_number() || !std::isfinite(json.get<double>())) {
         return wrong(json, "a number");
     }
@@ -108,7 +108,7 @@ ParameterTypeInfo numberInfo() {
 
 // Int
 
-Result<Value> wholeFromJson(const Parameter&, const Json& json) {
+ValueReading wholeFromJson(const Parameter&, const Json& json) {
     constexpr double largest = std::numeric_limits<int>::max();
     if (!json.is_number() || json.get<double>() != std::floor(json.get<double>())) {
         return wrong(json, "a whole number");
@@ -155,7 +155,7 @@ Value ordinaryWhole(const Parameter& parameter, const Next& next) {
 
 // Bool
 
-Result<Value> truthFromJson(const Parameter&, const Json& json) {
+ValueReading truthFromJson(const Parameter&, const Json& json) {
     if (!json.is_boolean()) {
         return wrong(json, "true or false");
     }
@@ -195,7 +195,7 @@ Vector vectorOf(Numbers numbers) {
 }
 
 template <class Vector>
-Result<Value> vectorFromJson(const Parameter& parameter, const Json& json) {
+ValueReading vectorFromJson(const Parameter& parameter, const Json& json) {
     if (!areNumbers(json, sizeOf<Vector>)) {
         return wrong(json, parameter.type == ParameterType::Color
                                ? "a colour: an array of 3 numbers, linear red, green and blue"
@@ -292,7 +292,7 @@ std::vector<std::string> idsOf(const Parameter& parameter) {
     return ids;
 }
 
-Result<Value> choiceFromJson(const Parameter& parameter, const Json& json) {
+ValueReading choiceFromJson(const Parameter& parameter, const Json& json) {
     const std::vector<std::string> ids = idsOf(parameter);
     const std::string word = json.is_string() ? json.get<std::string>() : std::string();
     if (std::find(ids.begin(), ids.end(), word) == ids.end()) {
@@ -338,7 +338,7 @@ std::vector<Value> allChoices(const Parameter& parameter) {
 
 // Texture
 
-Result<Value> fileFromJson(const Parameter&, const Json& json) {
+ValueReading fileFromJson(const Parameter&, const Json& json) {
     if (!json.is_string()) {
         return wrong(json, "text");
     }

@@ -106,38 +106,49 @@ bool isFiniteNumber(const Json& json) {
     return json.is_number() && std::isfinite(json.get<double>());
 }
 
-Result<RampStop> stopFromJson(const Json& json) {
+ValuePart rampPart(std::size_t index) {
+    if (index == 0) {
+        return {"the interpolation", "/interpolation"};
+    }
+    const std::size_t stop = (index - 1) / numbersPerStop;
+    return {fmt::format("stop {}", stop + 1), fmt::format("/stops/{}", stop)};
+}
+
+tl::expected<RampStop, ValueError> stopFromJson(const std::vector<RampStop>& before,
+                                                const Json& json) {
+    const auto [number, pointer] = rampPart(1 + numbersPerStop * before.size());
+    const std::string name = number + " of the ramp";
     const auto at = json.is_object() && json.size() == 2 ? json.find("at") : json.end();
     const auto color = json.is_object() ? json.find("color") : json.end();
     if (!json.is_object() || at == json.end() || color == json.end() || !isFiniteNumber(*at) ||
         !color->is_array() || color->size() != 3 || !std::ranges::all_of(*color, isFiniteNumber)) {
-        return failure(described(json) + " stands among a ramp's stops",
-                       R"(a stop: {"at": 0.5, "color": [0.8, 0.2, 0.1]}, linear red, green, blue)");
+        return failureWithin(
+            pointer, fmt::format("{} stands for {}", described(json), name),
+            R"(a stop: {"at": 0.5, "color": [0.8, 0.2, 0.1]}, linear red, green, blue)");
     }
-    return RampStop{
+    const RampStop stop{
         at->get<double>(),
         {(*color)[0].get<double>(), (*color)[1].get<double>(), (*color)[2].get<double>()}};
-}
-
-Result<void> checkStop(const std::vector<RampStop>& before, const RampStop& stop) {
+    const std::string place = shortestFloatText(stop.at);
     if (stop.at < 0.0 || stop.at > 1.0) {
-        return failure(fmt::format("the ramp's stop {} is at {}", before.size() + 1,
-                                   shortestFloatText(stop.at)),
-                       "a place from 0 to 1");
+        return failureWithin(pointer, fmt::format("{} is at {}", name, place),
+                             "a place from 0 to 1");
     }
     if (!before.empty() && Stops::isTooNear(before.back().at, stop.at, minRampGap)) {
-        return failure(fmt::format("the ramp's stop {} is at {} after {}", before.size() + 1,
-                                   shortestFloatText(stop.at), shortestFloatText(before.back().at)),
-                       fmt::format("a place that is {} further or more", minRampGap));
+        return failureWithin(
+            pointer,
+            fmt::format("{} is at {} after {}", name, place, shortestFloatText(before.back().at)),
+            fmt::format("a place that is {} further or more", minRampGap));
     }
-    return {};
+    return stop;
 }
 
 /// The members of a ramp, and no others.
-Result<RampInterpolation> interpolationFromJson(const Json& json) {
+tl::expected<RampInterpolation, ValueError> interpolationFromJson(const Json& json) {
     for (const auto& [key, member] : json.items()) {
         if (key != "stops" && key != "interpolation") {
-            return failure(fmt::format("a ramp has no \"{}\"", key), fmt::format("{}", rampForm));
+            return failureWithin('/' + escapedToken(key), fmt::format("a ramp has no \"{}\"", key),
+                                 rampForm);
         }
     }
     const auto given = json.find("interpolation");
@@ -148,18 +159,19 @@ Result<RampInterpolation> interpolationFromJson(const Json& json) {
     const std::string word = given->is_string() ? given->get<std::string>() : std::string();
     const auto found = std::ranges::find(words, word);
     if (found == words.end()) {
-        return failure(described(*given) + " stands for a ramp's interpolation",
-                       oneOf(word, words));
+        return failureWithin("/interpolation",
+                             described(*given) + " stands for a ramp's interpolation",
+                             oneOf(word, words));
     }
     return static_cast<RampInterpolation>(found - words.begin());
 }
 
-Result<Value> rampFromJson(const Parameter&, const Json& json) {
+ValueReading rampFromJson(const Parameter&, const Json& json) {
     const auto list = json.is_object() ? json.find("stops") : json.end();
     if (!json.is_object() || list == json.end() || !list->is_array()) {
         return failure(described(json) + " stands here", fmt::format("a ramp: {}", rampForm));
     }
-    const Result<RampInterpolation> interpolation = interpolationFromJson(json);
+    const auto interpolation = interpolationFromJson(json);
     if (!interpolation) {
         return tl::unexpected(interpolation.error());
     }
@@ -169,12 +181,9 @@ Result<Value> rampFromJson(const Parameter&, const Json& json) {
     }
     Ramp ramp{*interpolation};
     for (const Json& element : *list) {
-        const Result<RampStop> stop = stopFromJson(element);
+        const auto stop = stopFromJson(ramp.stops, element);
         if (!stop) {
             return tl::unexpected(stop.error());
-        }
-        if (const auto place = checkStop(ramp.stops, *stop); !place) {
-            return tl::unexpected(place.error());
         }
         ramp.stops.push_back(*stop);
     }
@@ -235,7 +244,7 @@ std::optional<Value> rampFromText(const Parameter& parameter, std::string_view t
     }
     const Json json = Json::parse(text, nullptr, false);
     const auto value =
-        json.is_discarded() ? Result<Value>(failure("")) : rampFromJson(parameter, json);
+        json.is_discarded() ? ValueReading(failure("")) : rampFromJson(parameter, json);
     return value ? std::optional(*value) : std::nullopt;
 }
 
@@ -327,6 +336,7 @@ ParameterTypeInfo rampInfo() {
     row.toJson = &rampJson;
     row.toText = &rampText;
     row.summary = &rampSummary;
+    row.part = &rampPart;
     row.conformed = &conformedRamp;
     row.pack = &packRamp;
     row.edgeCases = &edgeCaseRamps;

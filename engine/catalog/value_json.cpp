@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/value_json.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/number_text.h"
@@ -43,8 +45,20 @@ struct TextWriter {
 
 } // namespace
 
-Result<Value> valueFromJson(const Parameter& parameter, const nlohmann::json& json) {
+ValueReading valueFromJson(const Parameter& parameter, const nlohmann::json& json) {
     return infoOf(parameter.type).fromJson(parameter, json);
+}
+
+ValuePart broughtIn(const Value& given, const Value& inRange) {
+    const auto* before = std::get_if<NumberList>(&given);
+    const auto* after = std::get_if<NumberList>(&inRange);
+    if (before == nullptr || after == nullptr || infoOf(*before) == nullptr) {
+        return {};
+    }
+    const auto [at, other] = std::ranges::mismatch(before->numbers, after->numbers);
+    return at == before->numbers.end()
+               ? ValuePart()
+               : infoOf(*before)->part(static_cast<std::size_t>(at - before->numbers.begin()));
 }
 
 nlohmann::json toJson(const Value& value) {

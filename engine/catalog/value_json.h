@@ -6,14 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include "catalog/parameter.h"
-#include "core/error.h"
 
 namespace patina {
 
 /// The value that JSON holds for a parameter, as it is written: not brought into range, not
-/// rounded. The error (without a place) says what would have been right; an unknown choice of an
-/// enum is such an error and lists the choices.
-Result<Value> valueFromJson(const Parameter& parameter, const nlohmann::json& json);
+/// rounded. The error says what would have been right; an unknown choice of an enum is such an
+/// error and lists the choices.
+ValueReading valueFromJson(const Parameter& parameter, const nlohmann::json& json);
+
+/// The first part of a value that was brought into its range; the whole where it has no parts.
+ValuePart broughtIn(const Value& given, const Value& inRange);
 
 /// The JSON of a value: a number, true or false, an array of numbers, a string, an object for a
 /// list of numbers.

@@ -61,7 +61,7 @@ class Carrier {
             if (found == parked_.end()) {
                 continue;
             }
-            if (const Result<Value> value = valueFromJson(parameter, *found)) {
+            if (const ValueReading value = valueFromJson(parameter, *found)) {
                 parked_.erase(key);
                 return *value;
             }
@@ -87,7 +87,7 @@ class Carrier {
             used_.insert(parameter.id);
             return original;
         }
-        const Result<Value> fitting = valueFromJson(parameter, toJson(*current));
+        const ValueReading fitting = valueFromJson(parameter, toJson(*current));
         if (!fitting) {
             return original;
         }

@@ -30,7 +30,7 @@ std::optional<Value> guessed(const Json& json) {
     } else if (size == 2 || size == 3) {
         parameter.type = size == 2 ? ParameterType::Vec2 : ParameterType::Vec3;
     }
-    const Result<Value> value = valueFromJson(parameter, json);
+    const ValueReading value = valueFromJson(parameter, json);
     if (!value || toJson(*value) != json) {
         return std::nullopt;
     }
@@ -74,9 +74,10 @@ class ValuesReader {
     }
 
   private:
-    void note(const std::string& id, std::string problem, std::string expected) {
-        notes_.push_back(
-            reader_.document().error(reader_.pointer(id), std::move(problem), std::move(expected)));
+    void note(const std::string& id, std::string problem, std::string expected,
+              const std::string& within = {}) {
+        notes_.push_back(reader_.document().error(reader_.pointer(id) + within, std::move(problem),
+                                                  std::move(expected)));
     }
 
     void keepUnknown(const std::string& id, const Json& json) {
@@ -119,21 +120,25 @@ class ValuesReader {
         if (json == nullptr) {
             return roundedToFloat(parameter.defaultValue);
         }
-        const Result<Value> value = valueFromJson(parameter, *json);
+        const ValueReading value = valueFromJson(parameter, *json);
         if (!value) {
             return refused(parameter, id, *json, value.error());
         }
         const Value inRange = conformed(parameter, *value);
         if (inRange != *value) {
-            note(id, fmt::format("\"{}\" is outside its range and was brought into it", id),
-                 fmt::format("{} to {}", Json(parameter.min).dump(), Json(parameter.max).dump()));
+            const ValuePart part = broughtIn(*value, inRange);
+            note(id,
+                 fmt::format("{}\"{}\" is outside its range and was brought into it",
+                             part.name.empty() ? "" : part.name + " of ", id),
+                 fmt::format("{} to {}", Json(parameter.min).dump(), Json(parameter.max).dump()),
+                 part.pointer);
         }
         return roundedToFloat(inRange);
     }
 
     /// A choice that is not known may be one of a later version: it is parked, the default used.
     Value refused(const Parameter& parameter, const std::string& id, const Json& json,
-                  const Error& why) {
+                  const ValueError& why) {
         if (parameter.type == ParameterType::Enum && json.is_string()) {
             note(id,
                  fmt::format("\"{}\" is no choice of \"{}\"; the default is used",
@@ -141,7 +146,7 @@ class ValuesReader {
                  why.expected);
             parked_[id] = json;
         } else {
-            reader_.addError(id, why.problem, why.expected);
+            reader_.addError(id, why);
         }
         return roundedToFloat(parameter.defaultValue);
     }

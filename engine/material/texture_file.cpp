@@ -55,7 +55,7 @@ class TextureReader {
         if (json == nullptr) {
             return;
         }
-        const Result<Value> value = valueFromJson(setting, *json);
+        const ValueReading value = valueFromJson(setting, *json);
         if (!value && setting.type == ParameterType::Enum && json->is_string()) {
             note(setting.id,
                  fmt::format("\"{}\" is no choice of \"{}\"; the usual one is used",
@@ -63,7 +63,7 @@ class TextureReader {
                  value.error().expected);
             kept[setting.id] = *json;
         } else if (!value) {
-            reader_.addError(setting.id, value.error().problem, value.error().expected);
+            reader_.addError(setting.id, value.error());
         } else {
             store(setting, *value);
         }

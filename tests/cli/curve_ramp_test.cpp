@@ -64,7 +64,7 @@ struct BadValue {
     const char* preset; ///< model's id
     const char* id;
     const char* json;
-    const char* message; ///< with the line and column of the value
+    const char* message; ///< with the column of the value, or of what is wrong in it
 };
 
 void PrintTo(const BadValue& bad, std::ostream* out) {
@@ -96,14 +96,49 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"OnePoint", "gooch", "tone.curve", R"({"points": [[0, 0]]})",
                  "17: 1 points stand here; expected 2 to 16 points"},
         BadValue{"PointsThatGoBack", "gooch", "tone.curve", R"({"points": [[1, 0], [0, 1]]})",
-                 "17: the curve's point 2 has x = 0 after 1"},
+                 "37: point 2 of the curve has x = 0 after 1"},
         BadValue{"NoRamp", "toon", "tone.ramp", "[]",
                  "16: an array of 0 stands here; expected a "
                  "ramp: {\"stops\""},
         BadValue{"UnknownInterpolation", "toon", "tone.ramp",
                  R"({"interpolation": "cubic", "stops": [{"at": 0, "color": [0, 0, 0]}]})",
-                 "16: the text \"cubic\" stands for a ramp's interpolation"}),
+                 "34: the text \"cubic\" stands for a ramp's interpolation"},
+        BadValue{"StopThatGoesBack", "toon", "tone.ramp",
+                 R"({"stops": [{"at": 1, "color": [0, 0, 0]}, {"at": 0, "color": [1, 1, 1]}]})",
+                 "58: stop 2 of the ramp is at 0 after 1"},
+        BadValue{"StopWithoutAColour", "toon", "tone.ramp",
+                 R"({"stops": [{"at": 0, "color": [0, 0, 0]}, {"at": 1}]})",
+                 "58: an object stands for stop 2 of the ramp; expected a stop"}),
     [](const auto& bad) { return std::string(bad.param.name); });
+
+TEST(ValidateCommand, PointOutsideItsRange_IsNamedAtItsPlace) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "p.patina.json").string();
+    writeFile(file, R"({"format": "patina.preset", "version": 1,
+"model": {"id": "gooch", "version": 1},
+"parameters": {"tone.curve": {"points": [
+    [0, 0],
+    [1, 3]]}}})");
+    const Outcome outcome = patina({"validate", file});
+    EXPECT_NE(outcome.err.find("p.patina.json:5:5: point 2 of \"tone.curve\" is outside its range "
+                               "and was brought into it; expected 0.0 to 1.0"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST(ValidateCommand, BadStopOfAnObjectOfAScene_IsNamedAtItsPlace) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "s.patina-scene.json").string();
+    writeFile(file, R"({"format": "patina.scene", "version": 1, "objects": [{
+"preset": {"format": "patina.preset", "version": 1, "model": {"id": "toon", "version": 1},
+"parameters": {"tone.ramp": {"stops": [
+    {"at": 0.5, "color": [0, 0, 0]},
+    {"at": 1.5, "color": [1, 1, 1]}]}}}}]})");
+    const Outcome outcome = patina({"validate", file});
+    EXPECT_NE(outcome.err.find(":5:5: stop 2 of the ramp is at 1.5; expected a place from 0 to 1"),
+              std::string::npos)
+        << outcome.err;
+}
 
 TEST(ModelsCommand, CurveAndRamp_AreListed) {
     const Outcome outcome = patina({"models"});

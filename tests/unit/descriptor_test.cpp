@@ -171,6 +171,24 @@ TEST_F(Mistakes, DefaultOutsideTheHardRange_IsOne) {
               "the default is outside the hard range; expected 1 to 2\n");
 }
 
+TEST_F(Mistakes, PointAndStopOfADefault_AreNamedAtTheirPlaces) {
+    folder_.addText("models", "a", R"({
+  "id": "a", "version": 1, "label": "A",
+  "parameters": [
+    {"id": "x", "label": "X", "type": "curve", "default": {"points": [[0, 0],
+       [0.5, 0], [0.5, 1]]}},
+    {"id": "y", "label": "Y", "type": "ramp", "default": {"stops": [
+       {"at": 0, "color": [2, 0, 0]}]}}
+  ]
+})");
+    const std::string file = folder_.file("models", "a").string();
+    const std::string messages = text(folder_.load().errors);
+    for (const char* message : {":5:18: point 3 of the curve has x = 0.5 after 0.5",
+                                ":7:8: stop 1 of the default is outside the hard range"}) {
+        EXPECT_NE(messages.find(file + message), std::string::npos) << messages;
+    }
+}
+
 TEST_F(Mistakes, SoftRangeOutsideTheHardRange_IsOne) {
     EXPECT_EQ(problem({{"softMax", 2}}), "the soft range is not inside the hard range; expected 0 "
                                          "<= softMin <= softMax <= 1\n");

@@ -58,7 +58,7 @@ TEST_P(EveryType, EdgeCaseValue_IsWhatItIsMadeOf) {
 
 TEST_P(EveryType, Json_ReadsBack) {
     for (const Value& value : edgeCases_) {
-        const Result<Value> read = valueFromJson(parameter_, toJson(value));
+        const ValueReading read = valueFromJson(parameter_, toJson(value));
         ASSERT_TRUE(read) << read.error().text();
         EXPECT_EQ(*read, value) << toJson(value).dump();
     }
@@ -137,19 +137,20 @@ TEST(CurveFromJson, ManyPoints_AreRefused) {
 
 TEST(CurveFromJson, PointsThatGoBack_AreNamed) {
     EXPECT_EQ(errorOf(ParameterType::Curve, R"({"points": [[0, 0], [0.5, 1], [0.25, 1]]})"),
-              "the curve's point 3 has x = 0.25 after 0.5; expected an x that is 0.001 larger or "
+              "point 3 of the curve has x = 0.25 after 0.5; expected an x that is 0.001 larger or "
               "more");
 }
 
 TEST(CurveFromJson, PointBeyondTheEnd_IsNamed) {
     EXPECT_EQ(errorOf(ParameterType::Curve, R"({"points": [[0, 0], [1.5, 1]]})"),
-              "the curve's point 2 has x = 1.5; expected an x from 0 to 1");
+              "point 2 of the curve has x = 1.5; expected an x from 0 to 1");
 }
 
 TEST(CurveFromJson, WhatIsNoPoint_IsNamed) {
     for (const char* json : {R"({"points": [[0, 0], [1]]})", R"({"points": [[0, 0], "x"]})",
                              R"({"points": [[0, 0], [1, null]]})"}) {
-        EXPECT_NE(errorOf(ParameterType::Curve, json).find("an array of 2 numbers"),
+        EXPECT_NE(errorOf(ParameterType::Curve, json)
+                      .find("stands for point 2 of the curve; expected a point: an array of 2"),
                   std::string::npos)
             << json;
     }
@@ -161,6 +162,33 @@ TEST(CurveFromJson, WhatIsNoCurve_SaysWhatOneLooksLike) {
         EXPECT_NE(errorOf(ParameterType::Curve, json).find("\"points\": [["), std::string::npos)
             << json;
     }
+}
+
+/// Where in a value a mistake is, as a JSON pointer.
+std::string placeOfMistake(ParameterType type, const char* json) {
+    const auto value = valueFromJson(parameterOf(type), nlohmann::json::parse(json));
+    return value ? std::string("no error") : value.error().within;
+}
+
+TEST(ValueFromJson, MistakeInAPointOrAStop_IsPlacedThere) {
+    EXPECT_EQ(placeOfMistake(ParameterType::Curve, R"({"points": [[0, 0], [0.5, 1], [0.25, 1]]})"),
+              "/points/2");
+    EXPECT_EQ(placeOfMistake(ParameterType::Curve, R"({"points": [[0, 0], "x"]})"), "/points/1");
+    EXPECT_EQ(placeOfMistake(ParameterType::Ramp,
+                             R"({"stops": [{"at": 0, "color": [0, 0, 0]}, {"at": 1}]})"),
+              "/stops/1");
+    EXPECT_EQ(placeOfMistake(ParameterType::Ramp, R"({"stops": [], "a/b": 1})"), "/a~1b");
+    EXPECT_EQ(placeOfMistake(ParameterType::Curve, "1"), "");
+}
+
+TEST(BroughtIn, FirstPartOutsideItsRange_IsNamedAndPlaced) {
+    const Parameter curve = parameterOf(ParameterType::Curve);
+    const Value given = curveValue(CurvePoints{{0.0, 0.0}, {0.5, 2.0}, {1.0, 3.0}});
+    EXPECT_EQ(broughtIn(given, conformed(curve, given)).name, "point 2");
+    EXPECT_EQ(broughtIn(given, conformed(curve, given)).pointer, "/points/1");
+    const Value stops = rampValue({RampInterpolation::Linear, {{0.0, {}}, {1.0, {0.0, 0.0, 9.0}}}});
+    EXPECT_EQ(broughtIn(stops, conformed(parameterOf(ParameterType::Ramp), stops)).name, "stop 2");
+    EXPECT_EQ(broughtIn(2.0, 1.0).name, "");
 }
 
 TEST(CurveFromText, PresetAndPoints_AreRead) {
@@ -232,15 +260,16 @@ TEST(RampFromJson, Mistakes_AreNamed) {
     EXPECT_EQ(errorOf(ParameterType::Ramp,
                       R"({"stops": [{"at": 0.5, "color": [0, 0, 0]},
                                     {"at": 0.2, "color": [0, 0, 0]}]})"),
-              "the ramp's stop 2 is at 0.2 after 0.5; expected a place that is 0.001 further or "
+              "stop 2 of the ramp is at 0.2 after 0.5; expected a place that is 0.001 further or "
               "more");
     EXPECT_EQ(errorOf(ParameterType::Ramp, R"({"stops": [{"at": 2, "color": [0, 0, 0]}]})"),
-              "the ramp's stop 1 is at 2; expected a place from 0 to 1");
+              "stop 1 of the ramp is at 2; expected a place from 0 to 1");
     EXPECT_NE(errorOf(ParameterType::Ramp,
                       R"({"interpolation": "smoth", "stops": [{"at": 0, "color": [0, 0, 0]}]})")
                   .find("'smooth'"),
               std::string::npos);
-    EXPECT_NE(errorOf(ParameterType::Ramp, R"({"stops": [{"at": 0}]})").find("a stop: {"),
+    EXPECT_NE(errorOf(ParameterType::Ramp, R"({"stops": [{"at": 0}]})")
+                  .find("an object stands for stop 1 of the ramp; expected a stop: {"),
               std::string::npos);
     EXPECT_NE(errorOf(ParameterType::Ramp, "[]").find("a ramp: {"), std::string::npos);
 }

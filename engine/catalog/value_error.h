@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "core/value.h"
+
+namespace patina {
+
+/// Why JSON holds no value of a parameter. Like every Error of a value it has no place in a file.
+struct ValueError : Error {
+    ValueError(Error error, std::string inside = {})
+        : Error(std::move(error)), within(std::move(inside)) {}
+
+    std::string within; ///< JSON pointer from the value to the mistake; empty: the value itself
+};
+
+/// A value as JSON has it, or why there is none.
+using ValueReading = tl::expected<Value, ValueError>;
+
+/// Shorthand for a ValueError within a value.
+inline tl::unexpected<ValueError> failureWithin(std::string pointer, std::string problem,
+                                                std::string expected) {
+    return tl::unexpected(
+        ValueError({{}, 0, 0, std::move(problem), std::move(expected)}, std::move(pointer)));
+}
+
+/// One of the many things that a value is made of: a point, a stop.
+struct ValuePart {
+    std::string name;    ///< "point 3"; empty: the whole value
+    std::string pointer; ///< from the value to it, in JSON
+};
+
+} // namespace patina
