@@ -122,7 +122,36 @@ TEST_F(CurvePopupTest, DragOfAPoint_IsOneStep) {
     EXPECT_EQ(area_->handles()[0].x, 0.0);
 }
 
-TEST_F(CurvePopupTest, PointDraggedPastAnother_StopsBeforeIt) {
+TEST_F(CurvePopupTest, PointDraggedPastAnother_SwapsWithItInOneStepAndStaysChosen) {
+    open("response");
+    drag(pixel(0.5, 0.5), pixel(0.5, 0.5));
+    drag(pixel(0.0, 0.0), pixel(0.75, 0.25));
+    ASSERT_EQ(points().size(), 3u);
+    EXPECT_NEAR(points()[0].x, 0.5, aPixel);
+    EXPECT_NEAR(points()[0].y, 0.5, aPixel);
+    EXPECT_NEAR(points()[1].x, 0.75, aPixel);
+    EXPECT_NEAR(points()[1].y, 0.25, aPixel);
+    EXPECT_EQ(area_->chosen(), 1u);
+    EXPECT_EQ(steps(), 2);
+    document.undoStack().undo();
+    EXPECT_EQ(points()[0], glm::dvec2(0.0));
+}
+
+TEST_F(CurvePopupTest, PointDraggedPastAnotherAndBack_IsWhereItWas) {
+    open("response");
+    drag(pixel(0.4, 0.5), pixel(0.4, 0.5));
+    drag(pixel(0.6, 0.2), pixel(0.6, 0.2));
+    const CurvePoints before = points();
+    press(pixel(0.4, 0.5));
+    moveTo(pixel(0.8, 0.9));
+    ASSERT_EQ(points()[1], before[2]);
+    moveTo(pixel(0.4, 0.5));
+    release(pixel(0.4, 0.5));
+    EXPECT_EQ(points(), before);
+    EXPECT_EQ(area_->chosen(), 1u);
+}
+
+TEST_F(CurvePopupTest, PointDraggedOntoTheLastOne_StopsBeforeIt) {
     open("response");
     drag(pixel(0.5, 0.5), pixel(0.5, 0.5));
     drag(pixel(0.5, 0.5), pixel(1.0, 0.2));
@@ -160,6 +189,18 @@ TEST_F(CurvePopupTest, EscapeDuringADrag_LeavesNoStep) {
     EXPECT_EQ(points()[0], glm::dvec2(0.0));
     EXPECT_EQ(steps(), 0);
     EXPECT_TRUE(area_->isVisible());
+}
+
+TEST_F(CurvePopupTest, EscapeAfterASwap_BringsTheOrderBack) {
+    open("response");
+    drag(pixel(0.5, 0.5), pixel(0.5, 0.5));
+    const CurvePoints before = points();
+    press(pixel(0.0, 0.0));
+    moveTo(pixel(0.75, 0.25));
+    ASSERT_NEAR(points()[0].x, 0.5, aPixel);
+    QTest::keyClick(area_, Qt::Key_Escape);
+    EXPECT_EQ(points(), before);
+    EXPECT_EQ(steps(), 1);
 }
 
 TEST_F(CurvePopupTest, Keys_ChooseMoveAndRemove) {
@@ -232,6 +273,44 @@ TEST_F(RampPopupTest, DragOfAStop_IsOneStepAndKeepsItsColour) {
     EXPECT_NEAR(ramp().stops[1].at, 0.9, aPixel);
     EXPECT_EQ(ramp().stops[1].color, glm::dvec3(1.0));
     EXPECT_EQ(steps(), 1);
+}
+
+TEST_F(RampPopupTest, StopDraggedPastAnother_TakesItsColourAlongInOneStep) {
+    open("tones");
+    drag(pixel(0.25), pixel(0.9));
+    ASSERT_EQ(ramp().stops.size(), 2u);
+    EXPECT_EQ(ramp().stops[0].at, 0.75);
+    EXPECT_EQ(ramp().stops[0].color, glm::dvec3(1.0));
+    EXPECT_NEAR(ramp().stops[1].at, 0.9, aPixel);
+    EXPECT_EQ(ramp().stops[1].color, glm::dvec3(0.0));
+    EXPECT_EQ(area_->chosen(), 1u);
+    EXPECT_NEAR(part<NumberBox>("stopPlace")->value(), 0.9, aPixel);
+    EXPECT_EQ(steps(), 1);
+}
+
+TEST_F(RampPopupTest, StopDraggedOntoAnother_KeepsADistance) {
+    open("tones");
+    press(pixel(0.25));
+    for (int x = pixel(0.74).x(); x <= pixel(0.76).x(); ++x) {
+        moveTo(QPoint(x, pixel(0.25).y()));
+        ASSERT_EQ(ramp().stops.size(), 2u);
+        EXPECT_GE(ramp().stops[1].at - ramp().stops[0].at, minRampGap - 1e-6);
+    }
+    release(pixel(0.76));
+    EXPECT_EQ(area_->chosen(), 1u);
+    EXPECT_EQ(ramp().stops[0].at, 0.75);
+}
+
+TEST_F(RampPopupTest, EscapeAfterASwap_BringsTheOrderBack) {
+    open("tones");
+    press(pixel(0.75));
+    moveTo(pixel(0.1));
+    ASSERT_EQ(ramp().stops[1].at, 0.25);
+    QTest::keyClick(area_, Qt::Key_Escape);
+    EXPECT_EQ(ramp().stops[0].at, 0.25);
+    EXPECT_EQ(ramp().stops[1].at, 0.75);
+    EXPECT_EQ(ramp().stops[1].color, glm::dvec3(1.0));
+    EXPECT_EQ(steps(), 0);
 }
 
 TEST_F(RampPopupTest, StopDraggedOff_IsRemovedInOneStep) {

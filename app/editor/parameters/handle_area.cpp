@@ -2,6 +2,8 @@
 #include "parameters/handle_area.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include <QKeyEvent>
@@ -59,13 +61,37 @@ std::optional<std::size_t> HandleArea::handleNear(const QPointF& pixel) const {
     return nearest;
 }
 
-/// Keeps a handle between its neighbours, wherever it is wanted.
-Handle HandleArea::between(const std::vector<Handle>& others, std::size_t index,
-                           Handle wanted) const {
-    const double low = index == 0 ? 0.0 : others[index - 1].x + limits_.gap;
-    const double high = index + 1 < others.size() ? others[index + 1].x - limits_.gap : 1.0;
-    wanted.x = low <= high ? std::clamp(wanted.x, low, high) : others[index].x;
-    return wanted;
+/// The nearest to x that is between the neighbours of a handle; nothing where they are too close.
+std::optional<double> HandleArea::roomFor(double x, std::size_t index) const {
+    const double low = index == 0 ? 0.0 : handles_[index - 1].x + limits_.gap;
+    const double high = index + 1 < handles_.size() ? handles_[index + 1].x - limits_.gap : 1.0;
+    return low <= high ? std::optional(std::clamp(x, low, high)) : std::nullopt;
+}
+
+/// Puts the dragged handle as near to where it is wanted as the others allow, whichever those are.
+void HandleArea::moveThroughOthers(const Handle& wanted) {
+    handles_ = base_;
+    const auto begin = handles_.begin();
+    std::rotate(begin, begin + static_cast<std::ptrdiff_t>(*dragged_),
+                begin + static_cast<std::ptrdiff_t>(*dragged_) + 1);
+    std::size_t nearest = *dragged_;
+    double x = base_[*dragged_].x;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < handles_.size(); ++i) { // the dragged one stands at i
+        const std::optional<double> room = roomFor(wanted.x, i);
+        if (room && std::abs(*room - wanted.x) < distance) {
+            nearest = i;
+            x = *room;
+            distance = std::abs(*room - wanted.x);
+        }
+        if (i + 1 < handles_.size()) {
+            std::swap(handles_[i], handles_[i + 1]);
+        }
+    }
+    std::rotate(begin + static_cast<std::ptrdiff_t>(nearest), handles_.end() - 1, handles_.end());
+    handles_[nearest] = wanted;
+    handles_[nearest].x = x;
+    setChosen(nearest);
 }
 
 /// Puts a handle among the others; nothing where there is no room for it.
@@ -122,9 +148,7 @@ void HandleArea::mouseMoveEvent(QMouseEvent* event) {
         handles_.erase(handles_.begin() + static_cast<std::ptrdiff_t>(*dragged_));
         setChosen(std::nullopt);
     } else {
-        handles_[*dragged_] =
-            between(base_, *dragged_, dragged(base_[*dragged_], event->position()));
-        setChosen(dragged_);
+        moveThroughOthers(dragged(base_[*dragged_], event->position()));
     }
     Q_EMIT changed();
 }
@@ -180,7 +204,10 @@ void HandleArea::endNudging() {
 
 void HandleArea::replaceChosen(const Handle& wanted) {
     if (chosen_) {
-        handles_[*chosen_] = between(handles_, *chosen_, wanted);
+        Handle& chosen = handles_[*chosen_];
+        const double x = roomFor(wanted.x, *chosen_).value_or(chosen.x);
+        chosen = wanted;
+        chosen.x = x;
         update();
         Q_EMIT changed();
     }

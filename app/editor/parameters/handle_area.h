@@ -20,9 +20,10 @@ struct Handle {
 };
 
 /// A field in which handles are chosen, dragged, added with a click and removed by dragging them
-/// out. Arrows move the chosen one, page keys choose another, Delete removes it, Esc takes a drag
-/// back. Handles keep their order and a distance. What it asks for it shows at once; the document's
-/// answer comes through setHandles().
+/// out. One that is dragged past another takes a place behind it and stays the chosen one. Arrows
+/// move the chosen one between its neighbours, page keys choose another, Delete removes it, Esc
+/// takes a drag back. Handles stand by rising x and keep a distance. What it asks for it shows at
+/// once; the document's answer comes through setHandles().
 class HandleArea : public QWidget {
     Q_OBJECT
 
@@ -75,7 +76,8 @@ class HandleArea : public QWidget {
   private:
     std::optional<std::size_t> handleNear(const QPointF& pixel) const;
     std::optional<std::size_t> insert(const Handle& handle);
-    Handle between(const std::vector<Handle>& others, std::size_t index, Handle wanted) const;
+    std::optional<double> roomFor(double x, std::size_t index) const;
+    void moveThroughOthers(const Handle& wanted);
     bool isFarOutside(const QPointF& pixel) const;
     void setChosen(std::optional<std::size_t> index);
     void chooseNext(int steps);
