@@ -4,7 +4,7 @@
 namespace patina {
 
 CameraCommand::CameraCommand(Document& document, const Camera& before, const Camera& after)
-    : ChangeCommand(document, Kind::Camera, QObject::tr("Camera"), 0, before, after) {}
+    : ChangeCommand(document, QObject::tr("Camera"), 0, before, after) {}
 
 void CameraCommand::apply(const Camera& camera) {
     document().setCamera(camera);

@@ -7,8 +7,9 @@
 
 namespace patina {
 
-/// An edit that replaces one value by another. `Target` says which value of the document it is.
-/// Within one interaction changes of one target merge; one that ends where it began is dropped.
+/// An edit that replaces one value by another. `Target` says which value of the document it is;
+/// edits of different values whose `Held` is the same need targets of different types. Within one
+/// interaction changes of one target merge; one that ends where it began is dropped.
 template <class Target, class Held>
 class ChangeCommand : public DocumentCommand {
   public:
@@ -17,7 +18,7 @@ class ChangeCommand : public DocumentCommand {
 
     bool mergeWith(const QUndoCommand* next) override {
         const auto* other = dynamic_cast<const ChangeCommand*>(next);
-        if (!other || !isSameInteraction(*other) || !(target_ == other->target_)) {
+        if (!other || !(target_ == other->target_)) {
             return false;
         }
         after_ = other->after_;
@@ -26,10 +27,9 @@ class ChangeCommand : public DocumentCommand {
     }
 
   protected:
-    ChangeCommand(Document& document, Kind kind, const QString& label, Target target, Held before,
-                  Held after)
-        : DocumentCommand(document, kind, label), target_(std::move(target)),
-          before_(std::move(before)), after_(std::move(after)) {}
+    ChangeCommand(Document& document, const QString& label, Target target, Held before, Held after)
+        : DocumentCommand(document, label), target_(std::move(target)), before_(std::move(before)),
+          after_(std::move(after)) {}
 
     const Target& target() const { return target_; }
 

@@ -4,8 +4,7 @@
 namespace patina {
 
 CompareCommand::CompareCommand(Document& document, std::optional<Material> after)
-    : ChangeCommand(document, Kind::Compare,
-                    after ? Document::tr("Compare") : Document::tr("Stop comparing"),
+    : ChangeCommand(document, after ? Document::tr("Compare") : Document::tr("Stop comparing"),
                     document.currentObject(), document.state().second, std::move(after)) {}
 
 void CompareCommand::apply(const std::optional<Material>& second) {

@@ -5,7 +5,7 @@ namespace patina {
 
 LightCommand::LightCommand(Document& document, int index, std::optional<Light> before,
                            std::optional<Light> after, const QString& label)
-    : ListCommand(document, Kind::Light, label, index, std::move(before), std::move(after),
+    : ListCommand(document, label, index, std::move(before), std::move(after),
                   document.currentLight()) {}
 
 std::vector<Light>& LightCommand::list() const {

@@ -13,9 +13,9 @@ namespace patina {
 template <class Element>
 class ListCommand : public ChangeCommand<int, std::optional<Element>> {
   protected:
-    ListCommand(Document& document, DocumentCommand::Kind kind, const QString& label, int index,
-                std::optional<Element> before, std::optional<Element> after, int current)
-        : ChangeCommand<int, std::optional<Element>>(document, kind, label, index, before, after),
+    ListCommand(Document& document, const QString& label, int index, std::optional<Element> before,
+                std::optional<Element> after, int current)
+        : ChangeCommand<int, std::optional<Element>>(document, label, index, before, after),
           isReplacement_(before.has_value() && after.has_value()), isAddition_(!before),
           current_(current) {}
 

@@ -4,7 +4,7 @@
 namespace patina {
 
 LookCommand::LookCommand(Document& document, std::optional<LookedAt> after)
-    : ChangeCommand(document, Kind::Compare, Document::tr("Compare"), document.currentObject(),
+    : ChangeCommand(document, Document::tr("Compare"), document.currentObject(),
                     document.state().lookedAt, std::move(after)) {}
 
 void LookCommand::apply(const std::optional<LookedAt>& lookedAt) {

@@ -5,7 +5,7 @@ namespace patina {
 
 MaterialCommand::MaterialCommand(Document& document, const MaterialPlace& target,
                                  const Material& after, const QString& label)
-    : ChangeCommand(document, Kind::Material, label, target,
+    : ChangeCommand(document, label, target,
                     *materialAt(document.state(), target.object, target.side), after) {}
 
 void MaterialCommand::apply(const Material& material) {

@@ -5,7 +5,7 @@ namespace patina {
 
 ObjectCommand::ObjectCommand(Document& document, int index, std::optional<Object> before,
                              std::optional<Object> after, const QString& label)
-    : ListCommand(document, Kind::Object, label, index, std::move(before), std::move(after),
+    : ListCommand(document, label, index, std::move(before), std::move(after),
                   document.currentObject()) {}
 
 std::vector<Object>& ObjectCommand::list() const {

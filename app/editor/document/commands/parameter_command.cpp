@@ -34,7 +34,7 @@ ParameterCommand::ParameterCommand(Document& document, const BlockPath& path, co
 ParameterCommand::ParameterCommand(Document& document, const BlockPath& path,
                                    const Parameter& parameter, const Values& held,
                                    const Values& after)
-    : ChangeCommand(document, Kind::Parameter,
+    : ChangeCommand(document,
                     Document::tr("Change %1").arg(QString::fromStdString(parameter.label)),
                     ParameterTarget{path, parameter.id}, before(held, after), after) {}
 

@@ -13,8 +13,7 @@ std::optional<BlockValues> heldAt(const Document& document, const BlockPath& pat
 
 SceneBlockCommand::SceneBlockCommand(Document& document, const BlockPath& path,
                                      std::optional<BlockValues> after, const QString& label)
-    : ChangeCommand(document, Kind::SceneBlock, label, path, heldAt(document, path),
-                    std::move(after)) {}
+    : ChangeCommand(document, label, path, heldAt(document, path), std::move(after)) {}
 
 void SceneBlockCommand::apply(const std::optional<BlockValues>& values) {
     state().scene.setPart(target().kind, values);

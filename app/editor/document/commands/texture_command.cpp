@@ -13,7 +13,7 @@ std::optional<TextureUse> held(const Document& document, const ParameterTarget& 
 
 TextureCommand::TextureCommand(Document& document, const ParameterTarget& target,
                                const std::optional<TextureUse>& after, const QString& label)
-    : ChangeCommand(document, Kind::Texture, label, target, held(document, target), after) {}
+    : ChangeCommand(document, label, target, held(document, target), after) {}
 
 void TextureCommand::apply(const std::optional<TextureUse>& use) {
     const BlockPath& path = target().path;
