@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What CONTRIBUTING.md shows how to add to the editor, as it stands there.
 #include "docks/object_count_dock.h"
+#include "document/commands/solo_command.h"
+#include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 #include "window/lazy_dock.h"
 
@@ -20,6 +22,78 @@ TEST_F(RecipesTest, DockOfTheGuide_FollowsTheDocument) {
     EXPECT_EQ(label->text(), "1 object(s)");
     window().files().addBeside(Object());
     EXPECT_EQ(label->text(), "2 object(s)");
+}
+
+/// Which of the document's lights are on.
+std::vector<bool> lit(const Document& document) {
+    std::vector<bool> on;
+    for (const Light& light : document.scene().lights) {
+        on.push_back(light.enabled);
+    }
+    return on;
+}
+
+/// A scene of three lights.
+class EditOfTheGuide : public RecipesTest {
+  protected:
+    EditOfTheGuide() {
+        while (document().scene().lights.size() < 3) {
+            addLight(document(), "point");
+        }
+        document().undoStack().clear();
+    }
+    int steps() { return document().undoStack().count(); }
+};
+
+TEST_F(EditOfTheGuide, Edit_IsUndoneAndDoneAgain) {
+    const std::vector<Light> before = document().scene().lights;
+    int heard = 0;
+    onChange(document(), DocumentChange::Lights, &window(), [&heard] { ++heard; });
+    soloLight(document(), 1);
+    EXPECT_EQ(lit(document()), (std::vector{false, true, false}));
+    document().undoStack().undo();
+    EXPECT_EQ(document().scene().lights, before);
+    document().undoStack().redo();
+    EXPECT_EQ(lit(document()), (std::vector{false, true, false}));
+    EXPECT_EQ(heard, 3);
+}
+
+TEST_F(EditOfTheGuide, EditThatChangesNothing_IsNoStep) {
+    soloLight(document(), 1);
+    soloLight(document(), 1);
+    EXPECT_EQ(steps(), 1);
+}
+
+TEST_F(EditOfTheGuide, EditsOfOneInteraction_AreOneStep) {
+    const std::vector<Light> before = document().scene().lights;
+    const int token = document().beginInteraction();
+    for (const std::size_t index : {0u, 1u, 2u}) {
+        soloLight(document(), index);
+    }
+    document().endInteraction(token);
+    EXPECT_EQ(steps(), 1);
+    soloLight(document(), 0);
+    EXPECT_EQ(steps(), 2);
+    document().undoStack().undo();
+    document().undoStack().undo();
+    EXPECT_EQ(document().scene().lights, before);
+}
+
+TEST_F(EditOfTheGuide, EditsOfOtherKindsInOneInteraction_AreStepsOfTheirOwn) {
+    const int token = document().beginInteraction();
+    soloLight(document(), 0);
+    setLight(document(), 1, document().scene().lights[0]);
+    document().endInteraction(token);
+    EXPECT_EQ(steps(), 2);
+}
+
+TEST_F(EditOfTheGuide, InteractionThatEndsWhereItBegan_IsNoStep) {
+    soloLight(document(), 0);
+    const int token = document().beginInteraction();
+    soloLight(document(), 1);
+    soloLight(document(), 0);
+    document().endInteraction(token);
+    EXPECT_EQ(steps(), 1);
 }
 
 } // namespace
