@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/steps.h"
 #include "gl/driver.h"
 #include "measure/stability/white_sky_albedo.h"
 #include "measure/time/surface_instructions.h"
@@ -68,22 +69,12 @@ class ModelRanking::Implementation {
         view_.camera = subject_.camera;
         view_.environmentImage = subject_.environment;
         view_.samples = 1;
+        run_ = run();
     }
 
-    void step() {
-        if (!hasFrame_) {
-            measureFrame();
-        } else if (!finished()) {
-            pairsOfTurn_ == 0 ? beginTurn() : timePair();
-        }
-    }
+    void step() { run_.step(); }
 
-    bool finished() const {
-        return !problems_.empty() ||
-               (hasFrame_ && std::ranges::all_of(ranked_, [this](const Ranked& each) {
-                    return isDone(each);
-                }));
-    }
+    bool finished() const { return run_.isDone(); }
 
     double progress() const {
         double done = 0.0;
@@ -123,6 +114,38 @@ class ModelRanking::Implementation {
         std::optional<double> albedoLoss{};
     };
 
+    /// Model after model, round after round. A step is a pair of frames.
+    Steps run() {
+        measureFrame();
+        for (; !isOver(); model_ = (model_ + 1) % models_.size()) {
+            if (!isDone(ranked_[model_])) {
+                co_yield Steps::Pause();
+                co_await takeTurn();
+            }
+        }
+    }
+
+    bool isOver() const {
+        return !problems_.empty() ||
+               std::ranges::all_of(ranked_, [this](const Ranked& each) { return isDone(each); });
+    }
+
+    /// Times a few pairs of the model.
+    Steps takeTurn() {
+        Ranked& model = ranked_[model_];
+        const Scene scene = sceneOf(*models_[model_]);
+        drawn_->timeOf(first_, view_); // these only warm up
+        drawn_->timeOf(scene, view_);
+        for (int i = 0; i < pairsPerTurn && !(i > 0 && isDone(model)); ++i) {
+            co_yield Steps::Pause();
+            timePair(model, scene);
+            if (!problems_.empty()) {
+                co_return;
+            }
+        }
+        ++model.turns;
+    }
+
     Scene sceneOf(const Block& model) const {
         Scene scene = subject_.scene;
         scene.objects[subject_.object].material = defaultMaterial(model);
@@ -131,10 +154,8 @@ class ModelRanking::Implementation {
 
     /// What is the same for all: how many pixels are shaded, and the frame without them.
     void measureFrame() {
-        hasFrame_ = true;
         first_ = sceneOf(*models_.front());
-        const auto buffer =
-            drawn_->renderer().surfaces().capture(first_, view_, drawn_->meshes());
+        const auto buffer = drawn_->renderer().surfaces().capture(first_, view_, drawn_->meshes());
         if (!buffer) {
             problems_.push_back(buffer.error());
             return;
@@ -165,32 +186,15 @@ class ModelRanking::Implementation {
         return isMeasured || model.pairs.runs() >= options_.pairs.most || isLate(model);
     }
 
-    void beginTurn() {
-        for (std::size_t i = 0; i < models_.size() && isDone(ranked_[model_]); ++i) {
-            model_ = (model_ + 1) % models_.size();
-        }
-        other_ = sceneOf(*models_[model_]);
-        drawn_->timeOf(first_, view_); // these only warm up
-        drawn_->timeOf(other_, view_);
-        pairsOfTurn_ = pairsPerTurn;
-    }
-
-    void timePair() {
-        Ranked& model = ranked_[model_];
+    void timePair(Ranked& model, const Scene& scene) {
         const double first = drawn_->timeOf(first_, view_);
-        model.pairs.add(first, drawn_->timeOf(other_, view_));
+        model.pairs.add(first, drawn_->timeOf(scene, view_));
         firstTimes_.push_back(first);
         problems_ = drawn_->problems();
-        --pairsOfTurn_;
         if (model.pairs.runs() == 1 && problems_.empty()) {
-            model.instructions = surfaceInstructions(other_, subject_.object, view_.camera,
+            model.instructions = surfaceInstructions(scene, subject_.object, view_.camera,
                                                      {subject_.catalog, subject_.meshes});
             model.albedoLoss = lossOf(*subject_.catalog, *models_[model_]);
-        }
-        if (pairsOfTurn_ == 0 || isDone(model)) {
-            pairsOfTurn_ = 0;
-            ++model.turns;
-            model_ = (model_ + 1) % models_.size();
         }
     }
 
@@ -199,17 +203,15 @@ class ModelRanking::Implementation {
     std::unique_ptr<TimedFrames> drawn_;
     std::vector<const Block*> models_;
     View view_;
-    bool hasFrame_ = false;
     Scene first_;
-    Scene other_;
     MedianInterval empty_;
     std::size_t pixels_ = 0;
-    std::vector<Ranked> ranked_;  ///< in the order of the models
-    std::size_t model_ = 0;       ///< whose turn it is
-    int pairsOfTurn_ = 0;         ///< that are left
+    std::vector<Ranked> ranked_; ///< in the order of the models
+    std::size_t model_ = 0;      ///< whose turn it is
     Clock::time_point began_;
     std::vector<double> firstTimes_;
     Errors problems_;
+    Steps run_;
 };
 
 ModelRanking::ModelRanking(std::unique_ptr<Implementation> implementation)

@@ -83,7 +83,32 @@ class StabilitySweep::Variant {
         places_.insert(places_.end(), ordinary.begin(), ordinary.end());
     }
 
-    /// Makes what evaluates: an error when neither the CPU nor the device can.
+    /// Makes what evaluates, evaluates all cases, then tries the claims.
+    Steps run(std::string& withoutReference, SweepReport& report) {
+        ++report.programs;
+        Result<void> done = open(withoutReference, report);
+        while (done && done_ < count()) {
+            co_yield Steps::Pause();
+            done = evaluateSlice(report);
+        }
+        while (done && claims_ && !claims_->finished()) {
+            co_yield Steps::Pause();
+            done = claims_->step(*program_, report);
+        }
+        if (!done) {
+            report.errors.push_back(done.error());
+        }
+    }
+
+    double progress() const {
+        const double values = static_cast<double>(done_) / static_cast<double>(count());
+        return claims_ ? 0.5 * (values + claims_->progress()) : values;
+    }
+
+    std::size_t count() const { return places_.size() + (rows_.size() - 1) * placesPerRow_; }
+
+  private:
+    /// An error when neither the CPU nor the device can evaluate.
     Result<void> open(std::string& withoutReference, SweepReport& report) {
         if (options_.cpu) {
             const auto code = ReferenceCode::find(variant_);
@@ -106,21 +131,7 @@ class StabilitySweep::Variant {
         return {};
     }
 
-    bool finished() const { return done_ >= count() && (!claims_ || claims_->finished()); }
-
-    double progress() const {
-        const double values = static_cast<double>(done_) / static_cast<double>(count());
-        return claims_ ? 0.5 * (values + claims_->progress()) : values;
-    }
-
-    Result<void> step(SweepReport& report) {
-        return done_ < count() ? stepValues(report) : claims_->step(*program_, report);
-    }
-
-    std::size_t count() const { return places_.size() + (rows_.size() - 1) * placesPerRow_; }
-
-  private:
-    Result<void> stepValues(SweepReport& report) {
+    Result<void> evaluateSlice(SweepReport& report) {
         const std::size_t size = std::min(options_.slice, count() - done_);
         std::vector<float> drawn;
         if (program_) {
@@ -272,20 +283,20 @@ class StabilitySweep::Variant {
 };
 
 StabilitySweep::StabilitySweep(std::vector<EvalCase> variants, SweepOptions options)
-    : variants_(std::move(variants)), options_(std::move(options)) {}
+    : variants_(std::move(variants)), options_(std::move(options)) {
+    if (!variants_.empty()) {
+        run_ = run();
+    }
+}
 
 StabilitySweep::~StabilitySweep() = default;
-
-bool StabilitySweep::finished() const {
-    return current_ == nullptr && next_ >= variants_.size();
-}
 
 double StabilitySweep::progress() const {
     if (variants_.empty()) {
         return 1.0;
     }
-    const double within = current_ != nullptr ? current_->progress() - 1.0 : 0.0;
-    return (static_cast<double>(next_) + within) / static_cast<double>(variants_.size());
+    const double within = current_ != nullptr ? current_->progress() : 0.0;
+    return (static_cast<double>(done_) + within) / static_cast<double>(variants_.size());
 }
 
 std::size_t StabilitySweep::plannedCases() const {
@@ -296,29 +307,14 @@ std::size_t StabilitySweep::plannedCases() const {
     return cases;
 }
 
-void StabilitySweep::open() {
-    const EvalCase& variant = variants_[next_++];
-    current_ = std::make_unique<Variant>(variant, options_, casesOfEach());
-    ++report_.programs;
-    if (const auto opened = current_->open(withoutReference_, report_); !opened) {
-        report_.errors.push_back(opened.error());
-        current_.reset();
-    }
-}
-
-void StabilitySweep::step() {
-    if (current_ == nullptr) {
-        if (next_ < variants_.size()) {
-            open();
+/// Program after program. A step makes one, or evaluates a slice of its cases.
+Steps StabilitySweep::run() {
+    for (; done_ < variants_.size(); ++done_) {
+        if (done_ > 0) {
+            co_yield Steps::Pause();
         }
-        return;
-    }
-    if (const auto done = current_->step(report_); !done) {
-        report_.errors.push_back(done.error());
-        current_.reset();
-        return;
-    }
-    if (current_->finished()) {
+        current_ = std::make_unique<Variant>(variants_[done_], options_, casesOfEach());
+        co_await current_->run(withoutReference_, report_);
         current_.reset();
     }
 }

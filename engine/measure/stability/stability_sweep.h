@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/steps.h"
 #include "measure/stability/sweep_report.h"
 
 namespace patina {
@@ -32,7 +33,7 @@ class StabilitySweep {
     StabilitySweep(std::vector<EvalCase> variants, SweepOptions options);
     ~StabilitySweep();
 
-    bool finished() const;
+    bool finished() const { return run_.isDone(); }
 
     /// 0 .. 1.
     double progress() const;
@@ -41,7 +42,7 @@ class StabilitySweep {
     std::size_t plannedCases() const;
 
     /// Does one slice of the work: compiles at most one program.
-    void step();
+    void step() { run_.step(); }
 
     const SweepReport& report() const { return report_; }
 
@@ -52,14 +53,15 @@ class StabilitySweep {
   private:
     class Variant;
     std::size_t casesOfEach() const { return options_.cases / variants_.size(); }
-    void open();
+    Steps run();
 
     std::vector<EvalCase> variants_;
     SweepOptions options_;
-    std::size_t next_ = 0;
-    std::unique_ptr<Variant> current_;
+    std::size_t done_ = 0;             ///< of the variants
+    std::unique_ptr<Variant> current_; ///< null between two of them
     SweepReport report_;
     std::string withoutReference_;
+    Steps run_;
 };
 
 } // namespace patina
