@@ -34,7 +34,7 @@ struct CompareOptions {
 struct Side {
     char letter = 'A';
     Scene scene;
-    std::set<std::string, std::less<>> withheld;
+    FileRights rights;
     Image image;
 
     std::string name() const {
@@ -51,8 +51,10 @@ Checked<std::vector<Side>> sidesFor(const CompareOptions& options, const Catalog
             return tl::unexpected(setup.error());
         }
         report(setup->notes);
-        sides.push_back({static_cast<char>('A' + sides.size()), std::move(setup->scene),
-                         std::move(setup->withheld), {}});
+        sides.push_back({static_cast<char>('A' + sides.size()),
+                         std::move(setup->scene),
+                         std::move(setup->rights),
+                         {}});
     }
     return sides;
 }
@@ -67,7 +69,7 @@ Checked<void> draw(std::vector<Side>& sides, const CompareOptions& options,
     TextureLoader textures(client);
     maker->setTextures(textures, filesIn(options.picture.textures));
     for (Side& side : sides) {
-        client.withhold(side.withheld);
+        client.setRights(side.rights);
         const auto meshes = SceneMeshes::load(side.scene, client);
         if (!meshes) {
             return tl::unexpected(meshes.error());
@@ -79,8 +81,7 @@ Checked<void> draw(std::vector<Side>& sides, const CompareOptions& options,
         if (!environment) {
             return tl::unexpected(oneError(environment.error()));
         }
-        maker->setEnvironment(*environment,
-                              directionsFor(side.scene, options.picture, *catalog));
+        maker->setEnvironment(*environment, directionsFor(side.scene, options.picture, *catalog));
         auto image = maker->draw(
             side.scene, [&meshes](const Object& object) { return meshes->view(object); },
             options.picture.size, true);

@@ -50,7 +50,7 @@ Checked<Prepared> prepared(const std::string& preset, const CostRequest& options
         return tl::unexpected(setup.error());
     }
     report(setup->notes);
-    files.withhold(setup->withheld);
+    files.setRights(setup->rights);
     auto loaded = SceneMeshes::load(setup->scene, files);
     if (!loaded) {
         return tl::unexpected(loaded.error());

@@ -270,7 +270,7 @@ Checked<void> effects(const EffectsOptions& options) {
         return tl::unexpected(oneError(object.error()));
     }
     AssetClient files;
-    files.withhold(setup->withheld);
+    files.setRights(setup->rights);
     const auto loaded = SceneMeshes::load(setup->scene, files);
     if (!loaded) {
         return tl::unexpected(loaded.error());

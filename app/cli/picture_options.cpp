@@ -107,8 +107,8 @@ void addSceneOptions(CLI::App& command, PictureOptions& options) {
         "--exposure", [&options](const std::string& text) { options.exposure = stopsIn(text); },
         "Stops; 1 is twice as bright");
     command.add_flag("--allow-outside", options.allowsOutside,
-                     "Also read what a scene or a preset names outside its own folder: meshes, "
-                     "pictures, presets, images");
+                     "Also read what a scene, a preset or a mesh names outside its own folder: "
+                     "meshes, pictures, presets, images, buffers");
 }
 
 void addSizeOption(CLI::App& command, PictureOptions& options) {

@@ -34,6 +34,9 @@ struct PictureOptions {
     const std::string& part(std::string_view kind) const;
 };
 
+/// What is expected where something outside a folder was not read.
+inline constexpr const char* allowOutsideHint = "--allow-outside, where you trust it";
+
 /// Adds --scene, --mesh, --set, --texture, --model, --samples, --exposure, --allow-outside, and an
 /// option for every other kind of block.
 void addSceneOptions(CLI::App& command, PictureOptions& options);

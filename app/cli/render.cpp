@@ -91,7 +91,7 @@ Checked<void> render(const RenderOptions& options) {
         return tl::unexpected(setup.error());
     }
     report(setup->notes);
-    files.withhold(setup->withheld);
+    files.setRights(setup->rights);
     const auto image = picture(options, catalog, setup->scene, files);
     return image ? write(options.output, *image, files) : tl::unexpected(image.error());
 }

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "cli/picture_options.h"
 #include "core/image_places.h"
 #include "scene/builtin_mesh.h"
 #include "scene/mesh_path.h"
@@ -56,8 +59,17 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
         return {};
     }
     auto mesh = client.loadMesh({object.mesh, object.fitUnitBox, object.flipNormals});
+    const bool lacksLinks = !client.refusedLinks(object.mesh).empty();
     if (!mesh) {
-        return tl::unexpected(mesh.error());
+        Error error = mesh.error();
+        if (lacksLinks) {
+            error.expected +=
+                fmt::format("{}{}", error.expected.empty() ? "" : ", or ", allowOutsideHint);
+        }
+        return tl::unexpected(error);
+    }
+    if (const std::string& remarks = (*mesh)->remarks(); !remarks.empty()) {
+        remarks_.push_back({object.mesh, 0, 0, remarks, lacksLinks ? allowOutsideHint : ""});
     }
     read_.emplace(meshKey(object), std::move(*mesh));
     return {};
@@ -65,11 +77,7 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
 
 Errors SceneMeshes::remarks() const {
     Errors remarks = placeless_;
-    for (const auto& [key, mesh] : read_) {
-        if (!mesh->remarks().empty()) {
-            remarks.push_back({key.mesh, 0, 0, mesh->remarks(), {}});
-        }
-    }
+    remarks.insert(remarks.end(), remarks_.begin(), remarks_.end());
     return remarks;
 }
 

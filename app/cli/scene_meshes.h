@@ -29,6 +29,7 @@ class SceneMeshes {
     void nameMissingPlaces(const Scene& scene);
 
     Errors placeless_;
+    Errors remarks_; ///< of those that were read
     std::map<MeshKey, Mesh> made_;
     std::map<MeshKey, std::shared_ptr<const SharedMesh>> read_;
 };

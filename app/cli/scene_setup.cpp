@@ -41,12 +41,12 @@ bool needsObject(const std::string& preset, const PictureOptions& options) {
 void withhold(SceneSetup& setup, const OutsideFiles& outside, const std::string& by) {
     for (const OutsideFile& each : outside) {
         if (each.kind == OutsideFile::Kind::Mesh || each.kind == OutsideFile::Kind::Picture) {
-            setup.withheld.insert(each.file);
+            setup.rights.withheld.insert(each.file);
         }
     }
     if (!outside.empty()) {
-        setup.notes.push_back({by, 0, 0, "names files outside its folder, which are not read",
-                               "--allow-outside, where you trust it"});
+        setup.notes.push_back(
+            {by, 0, 0, "names files outside its folder, which are not read", allowOutsideHint});
     }
 }
 
@@ -65,7 +65,7 @@ Checked<SceneSetup> startScene(const std::string& preset, const PictureOptions& 
     if (!reading) {
         return tl::unexpected(reading.error());
     }
-    SceneSetup setup{reading->scene, reading->notes, {}};
+    SceneSetup setup{reading->scene, reading->notes, {{}, {}, options.allowsOutside}};
     withhold(setup, reading->outside, file.string());
     if (setup.scene.objects.empty() && needsObject(preset, options)) {
         const auto shipped = readScene(defaultSceneFile(), catalog);
@@ -333,7 +333,7 @@ Checked<SceneSetup> sceneFor(const std::string& preset, const PictureOptions& op
     for (const std::string& named :
          {options.mesh, options.part(kinds::environment)}) { // by the user himself
         std::error_code isEmpty;
-        setup->withheld.erase(std::filesystem::absolute(named, isEmpty).generic_string());
+        setup->rights.withheld.erase(std::filesystem::absolute(named, isEmpty).generic_string());
     }
     noteEmptiness(*setup, options);
     return setup;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <set>
 #include <string>
 
+#include "assets/file_rights.h"
 #include "catalog/catalog.h"
 #include "cli/picture_options.h"
 #include "core/error.h"
@@ -15,7 +15,7 @@ namespace patina {
 struct SceneSetup {
     Scene scene;
     Errors notes;
-    std::set<std::string, std::less<>> withheld; ///< meshes and pictures that are not to be read
+    FileRights rights; ///< to the meshes, pictures and links that it names
 };
 
 /// The scene of the options (or the shipped default scene) with a preset, when `preset` is not

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "assets/mesh_block.h"
 #include "assets/text_block.h"
 #include "io/atomic_write.h"
+#include "io/mesh_folder.h"
 #include "io/mesh_reader.h"
 #include "io/png_writer.h"
 
@@ -75,6 +77,7 @@ int FileServer::run() {
 }
 
 Result<FileServer::Answer> FileServer::guarded(const Channel::Delivery& request) {
+    refusedLinks_.clear();
     const std::string file =
         request.message.texts.empty() ? std::string() : request.message.texts.front();
     try {
@@ -108,8 +111,10 @@ Result<FileServer::Answer> FileServer::answer(const Channel::Delivery& request) 
 
 Result<FileServer::Answer> FileServer::readMesh(const Message& request) {
     MeshOptions options;
-    if (request.numbers.size() == 3) {
+    LinkRights rights;
+    if (request.numbers.size() == 4 && request.texts.size() == 2) {
         options = {request.numbers[0], request.numbers[1] != 0.0, request.numbers[2] != 0.0};
+        rights = {request.numbers[3] != 0.0, splitPaths(request.texts[1])};
     }
     std::optional<SharedBlock> block;
     const MeshStorage storage = [&](std::size_t vertices,
@@ -123,7 +128,9 @@ Result<FileServer::Answer> FileServer::readMesh(const Message& request) {
         const MeshBlock mesh = MeshBlock::format(block->bytes(), vertices, indices);
         return MeshSpans{mesh.vertices, mesh.indices};
     };
-    auto reading = patina::readMesh(request.texts[0], options, storage, Reporter(channel_));
+    const auto folder = std::make_shared<MeshFolder>(request.texts[0], std::move(rights));
+    auto reading = patina::readMesh(folder, options, storage, Reporter(channel_));
+    refusedLinks_ = missedPlaces(*folder);
     if (!reading) {
         return tl::unexpected(reading.error());
     }
@@ -199,13 +206,15 @@ Result<FileServer::Answer> FileServer::encodeImage(const Channel::Delivery& requ
 }
 
 bool FileServer::send(const Result<Answer>& answer) {
+    const std::string refused = joinedPaths(refusedLinks_);
     if (answer) {
-        return channel_.send({MessageKind::done, {}, {answer->remarks}}, answer->block.get());
+        return channel_.send({MessageKind::done, {}, {answer->remarks, refused}},
+                             answer->block.get());
     }
     const Error& error = answer.error();
     return channel_.send({MessageKind::failed,
                           {static_cast<double>(error.line), static_cast<double>(error.column)},
-                          {error.problem, error.expected}});
+                          {error.problem, error.expected, refused}});
 }
 
 } // namespace patina

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "assets/channel.h"
 #include "assets/shared_block.h"
@@ -38,6 +39,7 @@ class FileServer {
 
     Channel channel_;
     ImageModule images_;
+    std::vector<std::string> refusedLinks_; ///< of the mesh that was asked for
 };
 
 } // namespace patina

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assets/asset_client.h"
 
+#include <map>
 #include <mutex>
 #include <optional>
 #include <system_error>
@@ -87,6 +88,10 @@ class AssetClient::Implementation {
             tl::unexpected(Error{request.file.string(), 0, 0, "cancelled before it began", {}});
         const auto work = [&] {
             auto answer = session_.ask(request);
+            if (request.message.kind == MessageKind::readMesh) {
+                const std::scoped_lock lock(mutex_);
+                refusedLinks_[request.file] = session_.refusedLinks();
+            }
             if (!answer) {
                 result = tl::unexpected(answer.error());
                 return;
@@ -99,16 +104,29 @@ class AssetClient::Implementation {
         return result;
     }
 
-    void withhold(std::set<std::string, std::less<>> files) {
+    void setRights(FileRights rights) {
         const std::scoped_lock lock(mutex_);
-        withheld_ = std::move(files);
+        rights_ = std::move(rights);
+    }
+
+    FileRights rights() const {
+        const std::scoped_lock lock(mutex_);
+        return rights_;
+    }
+
+    std::vector<std::string> refusedLinks(const fs::path& mesh) const {
+        const std::scoped_lock lock(mutex_);
+        const auto found = refusedLinks_.find(mesh);
+        return found == refusedLinks_.end() ? std::vector<std::string>() : found->second;
     }
 
     std::optional<Error> reasonNotReadable(const fs::path& file) {
         {
             const std::scoped_lock lock(mutex_);
-            if (withheld_.contains(file.generic_string())) {
-                return Error{file.string(), 0, 0,
+            if (rights_.withheld.contains(file.generic_string())) {
+                return Error{file.string(),
+                             0,
+                             0,
                              "lies outside the folder of the file that names it and is not read",
                              {}};
             }
@@ -122,8 +140,9 @@ class AssetClient::Implementation {
     }
 
   private:
-    std::mutex mutex_; // of what is withheld
-    std::set<std::string, std::less<>> withheld_;
+    mutable std::mutex mutex_; // of the rights and of what was refused
+    FileRights rights_;
+    std::map<fs::path, std::vector<std::string>> refusedLinks_;
     FilesSession session_;
     JobQueue queue_; // last, so that its thread ends before the session does
 };
@@ -133,8 +152,12 @@ AssetClient::AssetClient(Options options)
 AssetClient::AssetClient() : AssetClient(Options{}) {}
 AssetClient::~AssetClient() = default;
 
-void AssetClient::withhold(std::set<std::string, std::less<>> files) {
-    implementation_->withhold(std::move(files));
+void AssetClient::setRights(FileRights rights) {
+    implementation_->setRights(std::move(rights));
+}
+
+std::vector<std::string> AssetClient::refusedLinks(const fs::path& mesh) const {
+    return implementation_->refusedLinks(mesh);
 }
 
 Result<std::shared_ptr<const SharedMesh>> AssetClient::loadMesh(const MeshRequest& mesh,
@@ -142,13 +165,14 @@ Result<std::shared_ptr<const SharedMesh>> AssetClient::loadMesh(const MeshReques
     if (auto reason = implementation_->reasonNotReadable(mesh.file)) {
         return tl::unexpected(std::move(*reason));
     }
+    const FileRights rights = implementation_->rights();
     const std::vector<double> numbers{mesh.scale, mesh.fitUnitBox ? 1.0 : 0.0,
-                                      mesh.flipNormals ? 1.0 : 0.0};
-    const FilesSession::Request request{{MessageKind::readMesh, numbers, {fullPath(mesh.file)}},
-                                        mesh.file,
-                                        "reading",
-                                        {},
-                                        progress};
+                                      mesh.flipNormals ? 1.0 : 0.0,
+                                      rights.allowsEveryLink ? 1.0 : 0.0};
+    const std::vector<std::string> links(rights.links.begin(), rights.links.end());
+    const std::vector<std::string> texts{fullPath(mesh.file), joinedPaths(links)};
+    const FilesSession::Request request{
+        {MessageKind::readMesh, numbers, texts}, mesh.file, "reading", {}, progress};
     using Shared = std::shared_ptr<const SharedMesh>;
     return implementation_->ask<Shared>(request, [](FilesSession::Answer answer) -> Result<Shared> {
         auto block = SharedBlock::open(std::move(answer.attachment));

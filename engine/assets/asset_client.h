@@ -4,9 +4,10 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <string>
+#include <vector>
 
+#include "assets/file_rights.h"
 #include "assets/texture_maker.h"
 #include "core/error.h"
 #include "core/image.h"
@@ -62,9 +63,12 @@ class AssetClient {
     AssetClient(const AssetClient&) = delete;
     AssetClient& operator=(const AssetClient&) = delete;
 
-    /// From now on these files (full paths) are not read: somebody named them who may not. Of
-    /// images on surfaces each says so itself (`TextureUse::outside`).
-    void withhold(std::set<std::string, std::less<>> files);
+    /// What may be read from now on. Before, nothing is withheld and no link is allowed.
+    void setRights(FileRights rights);
+
+    /// Where the links lie that a mesh was last read without: they are outside its folder, and
+    /// nobody allowed them.
+    std::vector<std::string> refusedLinks(const std::filesystem::path& mesh) const;
 
     /// A triangle list of the whole file: node transforms applied, normals and tangents there,
     /// vertices joined and ordered. Errors name the file and what was wrong, also when the process

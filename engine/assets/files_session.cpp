@@ -86,6 +86,7 @@ Result<void> FilesSession::begin(const Request& request) {
 
 Result<FilesSession::Answer> FilesSession::ask(const Request& request) {
     report(request.progress, 0.0);
+    refusedLinks_.clear();
     if (const auto begun = begin(request); !begun) {
         return tl::unexpected(begun.error());
     }
@@ -151,6 +152,10 @@ Result<FilesSession::Answer> FilesSession::await(const Request& request) {
 Result<FilesSession::Answer> FilesSession::interpreted(const Request& request,
                                                        Channel::Delivery delivery) {
     const Message& message = delivery.message;
+    const std::size_t before = message.kind == MessageKind::failed ? 2 : 1;
+    if (message.texts.size() > before) {
+        refusedLinks_ = splitPaths(message.texts[before]);
+    }
     if (message.kind == MessageKind::failed) {
         return tl::unexpected(errorFrom(request, message));
     }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "assets/asset_client.h"
 #include "assets/files_process.h"
@@ -33,6 +34,9 @@ class FilesSession {
 
     Result<Answer> ask(const Request& request);
 
+    /// The links of a mesh that the process did not read in its last answer, an error or not.
+    const std::vector<std::string>& refusedLinks() const { return refusedLinks_; }
+
     /// Starts the process when there is none, and has it load the image formats if told so.
     void warmUp(bool images);
 
@@ -49,6 +53,7 @@ class FilesSession {
 
     AssetClient::Options options_;
     std::optional<FilesProcess> process_;
+    std::vector<std::string> refusedLinks_;
 };
 
 } // namespace patina

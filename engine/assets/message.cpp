@@ -14,6 +14,8 @@ constexpr std::size_t maxTexts = 4;
 /// Longer than any path (4096) or useful sentence.
 constexpr std::size_t maxTextBytes = std::size_t(12) * 1024;
 
+constexpr char pathEnd = '\0';
+
 struct MessageHeader {
     std::uint32_t magic = messageMagic;
     std::uint32_t version = messageVersion;
@@ -70,6 +72,25 @@ bool takeText(ByteReader& reader, std::string& text) {
 }
 
 } // namespace
+
+std::string joinedPaths(std::span<const std::string> paths) {
+    std::string joined;
+    for (const std::string& path : paths) {
+        joined += path;
+        joined += pathEnd;
+    }
+    return joined;
+}
+
+std::vector<std::string> splitPaths(std::string_view joined) {
+    std::vector<std::string> paths;
+    for (std::size_t end = joined.find(pathEnd); end != std::string_view::npos;
+         end = joined.find(pathEnd)) {
+        paths.emplace_back(joined.substr(0, end));
+        joined.remove_prefix(end + 1);
+    }
+    return paths;
+}
 
 std::string encoded(const Message& message) {
     MessageHeader header;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace patina {
@@ -13,13 +14,15 @@ namespace patina {
 /// What a message between the client and the files process says.
 enum class MessageKind : std::uint32_t {
     warmImages = 1, ///< client: load the image formats in the background
-    readMesh,       ///< client: texts {file}; numbers {scale, fitUnitBox, flipNormals}
+    readMesh,       ///< client: texts {file, paths of links that may be read}; numbers {scale,
+                    ///< fitUnitBox, flipNormals, whether every link may}
     readImage,      ///< client: texts {file}; numbers {1}: as it is in the file
     writeImage,     ///< client: texts {file}; an image block is attached
     encodeImage,    ///< client: texts {extension}; an image block is attached
     progress,       ///< process: numbers {done}
-    done,           ///< process: texts {remarks}; the answer's block is attached where there is one
-    failed,         ///< process: texts {problem, expected}; numbers {line, column}
+    done,           ///< process: texts {remarks, paths of links that it was refused}; the
+                    ///< answer's block is attached where there is one
+    failed,         ///< process: texts {problem, expected, the same paths}; numbers {line, column}
 };
 
 /// A small message: a kind, some numbers, some texts. Bulk data travels in a shared block.
@@ -30,6 +33,10 @@ struct Message {
 
     friend bool operator==(const Message&, const Message&) = default;
 };
+
+/// Many paths as one text; where it is cut, whole paths are missing.
+std::string joinedPaths(std::span<const std::string> paths);
+std::vector<std::string> splitPaths(std::string_view joined);
 
 /// No encoded message is longer, in bytes.
 inline constexpr std::size_t maxMessageBytes = std::size_t(64) * 1024;

@@ -124,13 +124,15 @@ Result<OrdinaryFile> OrdinaryFile::open(const fs::path& file, std::uintmax_t max
 }
 
 Result<OrdinaryFile> OrdinaryFile::openBelow(int folder, const fs::path& path,
-                                             std::uintmax_t maxBytes) {
+                                             std::uintmax_t maxBytes, const Decision& mayLeave) {
     const Place place(::openat(folder, path.c_str(), O_PATH | O_CLOEXEC));
     if (place.get() < 0) {
         return tl::unexpected(cannotOpen(path, errno));
     }
     // Both are held open: nobody can put something else there between this and the reading.
-    if (!isBelow(pathOf(place.get()), pathOf(folder))) {
+    const fs::path there = pathOf(place.get());
+    const bool isOutside = !isBelow(there, pathOf(folder));
+    if (isOutside && (there.empty() || !mayLeave || !mayLeave(there))) {
         return tl::unexpected(errorOf(path, leadsOut, "a file in the folder or below it"));
     }
     struct stat facts {};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -22,10 +23,14 @@ class OrdinaryFile {
     /// Errors name the file and say what it is, or by how much it is too large.
     static Result<OrdinaryFile> open(const std::filesystem::path& file, std::uintmax_t maxBytes);
 
+    /// Decides on a file by the full path of where it lies, all links followed.
+    using Decision = std::function<bool(const std::filesystem::path& place)>;
+
     /// Opens a path from an open folder and what lies below it: a path that leads out of the
-    /// folder, be it by "..", as a full path or through a link, is an error (`leadsOutside()`).
+    /// folder, be it by "..", as a full path or through a link, is an error (`leadsOutside()`)
+    /// unless `mayLeave` says of what is there that it may.
     static Result<OrdinaryFile> openBelow(int folder, const std::filesystem::path& path,
-                                          std::uintmax_t maxBytes);
+                                          std::uintmax_t maxBytes, const Decision& mayLeave = {});
 
     OrdinaryFile(OrdinaryFile&& other) noexcept
         : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)),

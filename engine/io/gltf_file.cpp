@@ -134,15 +134,11 @@ bool staysInFolder(const std::string& uri) {
 }
 
 Error outside(const std::string& uri) {
-    return Error{{},
-                 0,
-                 0,
-                 "its buffer \"" + uri + "\" lies outside its folder and is not read",
-                 "a file beside the mesh, or in a folder there"};
+    return refusal("buffer", uri);
 }
 
 /// Whoever sent a mesh does not decide which of the user's files are read.
-Result<void> checkBuffers(const json& document) {
+Result<void> checkBuffers(const json& document, MeshFolder& folder) {
     const auto buffers = document.find("buffers");
     for (std::size_t i = 0; buffers != document.end() && i < buffers->size(); ++i) {
         const json& buffer = (*buffers)[i];
@@ -150,7 +146,8 @@ Result<void> checkBuffers(const json& document) {
             buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string()
                 ? buffer["uri"].get<std::string>()
                 : std::string();
-        if (!uri.empty() && !uri.starts_with("data:") && !staysInFolder(uri)) {
+        const bool isOutside = !uri.empty() && !uri.starts_with("data:") && !staysInFolder(uri);
+        if (isOutside && !folder.rights().everything && !folder.open(withoutEscapes(uri))) {
             return tl::unexpected(outside(uri));
         }
     }
@@ -235,7 +232,7 @@ Result<tinygltf::Model> parsed(const std::string& bytes, bool binary, MeshFolder
                : loader.LoadASCIIFromString(&model, &errors, &warnings, bytes.data(), size,
                                             fromTheFolder);
     if (!loaded && !folder.refused().empty()) {
-        return tl::unexpected(outside(folder.refused().front()));
+        return tl::unexpected(outside(folder.refused().front().path));
     }
     if (!loaded) {
         return failure(firstLine(errors));
@@ -276,7 +273,7 @@ Result<std::optional<tinygltf::Model>> loadGltf(MeshFolder& folder) {
     if (isVersionOne(document)) {
         return std::optional<tinygltf::Model>();
     }
-    if (auto checked = checkBuffers(document); !checked) {
+    if (auto checked = checkBuffers(document, folder); !checked) {
         return tl::unexpected(checked.error());
     }
     if (adaptForLibrary(document, parts->binary)) {

@@ -5,10 +5,13 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace patina {
 namespace {
+
+constexpr std::string_view notRead = "lies outside its folder and is not read";
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
@@ -16,8 +19,8 @@ std::filesystem::path folderOf(const std::filesystem::path& file) {
 
 } // namespace
 
-MeshFolder::MeshFolder(std::filesystem::path file)
-    : file_(std::move(file)),
+MeshFolder::MeshFolder(std::filesystem::path file, LinkRights rights)
+    : file_(std::move(file)), rights_(std::move(rights)),
       folder_(::open(folderOf(file_).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {}
 
 MeshFolder::~MeshFolder() {
@@ -30,20 +33,32 @@ Result<OrdinaryFile> MeshFolder::open(const std::string& path) {
     if (path == file_.string()) { // it may be a link, as the user likes
         return OrdinaryFile::open(file_, maxAssetBytes);
     }
-    auto opened = OrdinaryFile::openBelow(folder_, path, maxAssetBytes);
-    if (!opened && leadsOutside(opened.error()) &&
-        std::ranges::find(refused_, path) == refused_.end()) {
-        refused_.push_back(path);
-    }
-    return opened;
+    return OrdinaryFile::openBelow(
+        folder_, path, maxAssetBytes,
+        [&](const std::filesystem::path& place) { return mayRead(path, place.string()); });
 }
 
-Error refusal(const std::string& path) {
+/// A place outside.
+bool MeshFolder::mayRead(const std::string& path, const std::string& place) {
+    if (rights_.everything || std::ranges::find(rights_.files, place) != rights_.files.end()) {
+        return true;
+    }
+    if (std::ranges::find(refused_, path, &Refused::path) == refused_.end()) {
+        refused_.push_back({path, place});
+    }
+    return false;
+}
+
+Error refusal(std::string_view what, const std::string& path) {
     return Error{{},
                  0,
                  0,
-                 "its file \"" + path + "\" lies outside its folder and is not read",
+                 fmt::format("its {} \"{}\" {}", what, path, notRead),
                  "a file beside the mesh, or in a folder there"};
+}
+
+bool isRefusal(const Error& error) {
+    return error.problem.ends_with(notRead);
 }
 
 } // namespace patina

@@ -3,18 +3,25 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/ordinary_file.h"
 
 namespace patina {
 
+/// What may be read outside a mesh's folder: the user agreed to it.
+struct LinkRights {
+    bool everything = false;
+    std::vector<std::string> files{}; ///< full paths, links followed
+};
+
 /// A mesh file and all that may be read for it: what lies in its folder or below, whatever links
-/// and names the file gives. Whoever sent a mesh does not decide which of the user's files are
-/// read.
+/// and names the file gives, and what the user allowed. Whoever sent a mesh does not decide which
+/// of the user's files are read.
 class MeshFolder {
   public:
-    explicit MeshFolder(std::filesystem::path file);
+    explicit MeshFolder(std::filesystem::path file, LinkRights rights = {});
     MeshFolder(const MeshFolder&) = delete;
     MeshFolder& operator=(const MeshFolder&) = delete;
     ~MeshFolder();
@@ -22,18 +29,27 @@ class MeshFolder {
     /// The mesh file itself, or one that it names: as a full path, or from its folder.
     Result<OrdinaryFile> open(const std::string& path);
 
-    /// What was asked for, is there, and lies outside; each once.
-    const std::vector<std::string>& refused() const { return refused_; }
+    /// A file that was asked for, is there, lies outside and is not allowed.
+    struct Refused {
+        std::string path;  ///< as it was asked for
+        std::string place; ///< the full path, links followed
+    };
+    const std::vector<Refused>& refused() const { return refused_; } ///< each once
 
+    const LinkRights& rights() const { return rights_; }
     const std::filesystem::path& file() const { return file_; }
 
   private:
+    bool mayRead(const std::string& path, const std::string& place);
+
     std::filesystem::path file_;
+    LinkRights rights_;
     int folder_;
-    std::vector<std::string> refused_;
+    std::vector<Refused> refused_;
 };
 
-/// Such a file is not read.
-Error refusal(const std::string& path);
+/// What a mesh names is not read; `what` is a file, a buffer.
+Error refusal(std::string_view what, const std::string& path);
+bool isRefusal(const Error& error);
 
 } // namespace patina

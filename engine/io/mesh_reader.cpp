@@ -10,7 +10,6 @@
 #include "io/assimp_reader.h"
 #include "io/gltf_reader.h"
 #include "io/mesh_finisher.h"
-#include "io/mesh_folder.h"
 #include "io/obj_reader.h"
 #include "io/ply_header.h"
 #include "io/text_file.h"
@@ -91,8 +90,8 @@ Result<RawMesh> readTriangles(const Folder& folder, const ReportProgress& report
 }
 
 /// Materials and images are none of a mesh's business: nobody misses them.
-bool isMissed(const std::string& path) {
-    const std::string format = formatOf(path);
+bool isMissed(const MeshFolder::Refused& file) {
+    const std::string format = formatOf(file.path);
     static constexpr std::array<std::string_view, 13> looks = {
         ".mtl",  ".png", ".jpg", ".jpeg", ".tga",      ".bmp",   ".tif",
         ".webp", ".dds", ".ktx", ".ktx2", ".material", ".shader"};
@@ -101,9 +100,9 @@ bool isMissed(const std::string& path) {
 
 /// The remarks, and which of its files the mesh is without.
 std::string withRefused(std::string remarks, const MeshFolder& folder) {
-    for (const std::string& path : folder.refused()) {
-        if (isMissed(path)) {
-            remarks += (remarks.empty() ? "" : "; ") + refusal(path).problem;
+    for (const MeshFolder::Refused& file : folder.refused()) {
+        if (isMissed(file)) {
+            remarks += (remarks.empty() ? "" : "; ") + refusal("file", file.path).problem;
         }
     }
     return remarks;
@@ -113,19 +112,16 @@ std::string withRefused(std::string remarks, const MeshFolder& folder) {
 Error reasonOf(const Error& error, const MeshFolder& folder) {
     const auto& refused = folder.refused();
     const auto missed = std::ranges::find_if(refused, isMissed);
-    return missed == refused.end() || error.problem.find(*missed) != std::string::npos
-               ? error
-               : refusal(*missed);
+    return missed == refused.end() || isRefusal(error) ? error : refusal("file", missed->path);
 }
 
 } // namespace
 
-Result<MeshReading> readMesh(const std::filesystem::path& file, const MeshOptions& options,
+Result<MeshReading> readMesh(const Folder& folder, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report) {
     const ReportProgress reading = [&](double done) { report(shareOfReading * done); };
     std::shared_ptr<void> leftovers;
-    const auto folder = std::make_shared<MeshFolder>(file);
-    return OrdinaryFile::open(file, maxAssetBytes)
+    return OrdinaryFile::open(folder->file(), maxAssetBytes)
         .and_then([&](const OrdinaryFile&) { return readTriangles(folder, reading); })
         .and_then([&](RawMesh mesh) {
             report(shareOfReading);
@@ -137,9 +133,19 @@ Result<MeshReading> readMesh(const std::filesystem::path& file, const MeshOption
         })
         .map_error([&](Error error) {
             error = reasonOf(error, *folder);
-            error.file = file.string();
+            error.file = folder->file().string();
             return error;
         });
+}
+
+std::vector<std::string> missedPlaces(const MeshFolder& folder) {
+    std::vector<std::string> places;
+    for (const MeshFolder::Refused& file : folder.refused()) {
+        if (isMissed(file) && std::ranges::find(places, file.place) == places.end()) {
+            places.push_back(file.place);
+        }
+    }
+    return places;
 }
 
 } // namespace patina

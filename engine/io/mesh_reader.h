@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
+#include "io/mesh_folder.h"
 #include "io/mesh_options.h"
 #include "io/mesh_storage.h"
 #include "io/report_progress.h"
@@ -18,11 +19,14 @@ struct MeshReading {
     std::shared_ptr<void> leftovers; ///< freeing it may take a while: hand on the mesh first
 };
 
-/// Reads every triangle of a mesh file (glTF and GLB through tinygltf, all else through Assimp)
-/// into the storage: node transforms applied, triangles without area left out, normals and
+/// Reads every triangle of the folder's mesh file (glTF and GLB through tinygltf, all else through
+/// Assimp) into the storage: node transforms applied, triangles without area left out, normals and
 /// tangents completed, vertices joined and ordered for the GPU's caches. Errors name the file; may
 /// throw std::bad_alloc.
-Result<MeshReading> readMesh(const std::filesystem::path& file, const MeshOptions& options,
+Result<MeshReading> readMesh(const std::shared_ptr<MeshFolder>& folder, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report);
+
+/// Where the files lie that were refused and that the mesh is not whole without; each once.
+std::vector<std::string> missedPlaces(const MeshFolder& folder);
 
 } // namespace patina

@@ -20,7 +20,13 @@ struct ReadingRights {
 
 /// A file that a preset or a scene names and that is not read before its user agrees.
 struct OutsideFile {
-    enum class Kind { Mesh, Picture, Preset, Image };
+    enum class Kind {
+        Mesh,
+        Picture,
+        Preset,
+        Image,
+        Link ///< named by a mesh: it is known when the mesh was read
+    };
     Kind kind = Kind::Image;
     std::string file; ///< a full path with forward slashes
 

@@ -79,6 +79,52 @@ TEST_F(MeshFolderRule, GltfBufferBehindALinkOutOfIt_IsRefused) {
     EXPECT_EQ(mesh.error().problem, "its buffer \"a.bin\" lies outside its folder and is not read");
 }
 
+TEST_F(MeshFolderRule, GltfBufferOutside_IsReadWhenEveryLinkIsAllowed) {
+    writeFile(folder_ / "secret.bin", triangle());
+    for (const std::string& buffer :
+         {std::string("../secret.bin"), std::string("%2e%2e/secret.bin"),
+          (folder_ / "secret.bin").string()}) {
+        client_.setRights({});
+        const LoadedMesh refused = load("a.gltf", gltfWith(buffer));
+        ASSERT_FALSE(refused) << buffer;
+        EXPECT_EQ(refused.error().problem,
+                  "its buffer \"" + buffer + "\" lies outside its folder and is not read");
+        client_.setRights({.allowsEveryLink = true});
+        const LoadedMesh mesh = load("a.gltf", gltfWith(buffer));
+        ASSERT_TRUE(mesh) << mesh.error().text();
+        EXPECT_EQ((*mesh)->view().indices.size(), 3u);
+        EXPECT_EQ(client_.refusedLinks(folder_ / "mesh/a.gltf"), std::vector<std::string>());
+    }
+}
+
+TEST_F(MeshFolderRule, RefusedLink_IsNamedByWhereItLiesAndReadWhenThatIsAllowed) {
+    writeFile(folder_ / "secret.bin", triangle());
+    link("../secret.bin", "a.bin");
+    ASSERT_FALSE(load("a.gltf", gltfWith("a.bin")));
+    const std::vector<std::string> refused = client_.refusedLinks(folder_ / "mesh/a.gltf");
+    ASSERT_EQ(refused, std::vector{std::filesystem::canonical(folder_ / "secret.bin").string()});
+    client_.setRights({.links = {refused.begin(), refused.end()}});
+    const LoadedMesh mesh = load("a.gltf", gltfWith("a.bin"));
+    EXPECT_TRUE(mesh) << mesh.error().text();
+}
+
+TEST_F(MeshFolderRule, LinkThatNowLeadsToAnotherFile_IsRefusedAgain) {
+    writeFile(folder_ / "secret.bin", triangle());
+    writeFile(folder_ / "other.bin", triangle());
+    link("../secret.bin", "a.bin");
+    client_.setRights({.links = {std::filesystem::canonical(folder_ / "secret.bin").string()}});
+    ASSERT_TRUE(load("a.gltf", gltfWith("a.bin")));
+    std::filesystem::remove(folder_ / "mesh/a.bin");
+    link("../other.bin", "a.bin");
+    EXPECT_FALSE(load("a.gltf", gltfWith("a.bin")));
+}
+
+TEST_F(MeshFolderRule, AllowedPipe_IsStillRefusedWithoutWaiting) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe.bin").c_str(), 0600), 0);
+    client_.setRights({.allowsEveryLink = true});
+    EXPECT_FALSE(load("a.gltf", gltfWith("../pipe.bin")));
+}
+
 TEST_F(MeshFolderRule, GltfBufferThatIsAPipe_IsRefusedWithoutWaiting) {
     ASSERT_EQ(::mkfifo((folder_ / "mesh/a.bin").c_str(), 0600), 0);
     EXPECT_FALSE(load("a.gltf", gltfWith("a.bin")));
@@ -116,7 +162,25 @@ TEST_F(MeshFolderRule, MeshOfASceneBehindALink_IsLeftOutWithARemark) {
         << (*mesh)->remarks();
 }
 
-TEST_F(MeshFolderRule, FileThatAnX3dSceneTakesInFromOutside_IsNotRead) {
+TEST_F(MeshFolderRule, MeshOfASceneOutside_IsReadWhenThatIsAllowed) {
+    client_.setRights({.allowsEveryLink = true});
+    const LoadedMesh mesh = loadSceneWith("../secret.obj");
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    EXPECT_EQ((*mesh)->view().indices.size(), 12u);
+    EXPECT_EQ((*mesh)->remarks(), "");
+}
+
+/// They would change nothing of the mesh, so nobody is asked about them.
+TEST_F(MeshFolderRule, MaterialsOutside_AreNoLinkThatIsMissed) {
+    writeFile(folder_ / "secret.mtl", "newmtl a\nKd 1 0 0\n");
+    const LoadedMesh mesh = load("a.obj", "mtllib ../secret.mtl\nv 0 0 0\nv 1 0 0\nv 2 1 0\n"
+                                          "v 1 2 0\nv 0 1 0\nusemtl a\nf 1 2 3 4 5\n");
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    EXPECT_EQ((*mesh)->remarks(), "");
+    EXPECT_EQ(client_.refusedLinks(folder_ / "mesh/a.obj"), std::vector<std::string>());
+}
+
+TEST_F(MeshFolderRule, FileThatAnX3dSceneTakesInFromOutside_IsReadWhenThatIsAllowed) {
     const auto x3d = [](const std::string& content) {
         return "<?xml version=\"1.0\" encoding=\"UTF-8\"?><X3D version=\"3.0\"><Scene>" + content +
                "</Scene></X3D>";
@@ -129,6 +193,10 @@ TEST_F(MeshFolderRule, FileThatAnX3dSceneTakesInFromOutside_IsNotRead) {
     const LoadedMesh mesh = load("a.x3d", x3d(triangles + "<Inline url=\"linked.x3d\"/>"));
     ASSERT_FALSE(mesh); // the reader takes all or nothing
     EXPECT_NE(mesh.error().text().find("linked.x3d"), std::string::npos) << mesh.error().text();
+    client_.setRights({.allowsEveryLink = true});
+    const LoadedMesh allowed = client_.loadMesh({folder_ / "mesh/a.x3d"});
+    ASSERT_TRUE(allowed) << allowed.error().text();
+    EXPECT_EQ((*allowed)->view().indices.size(), 6u);
 }
 
 /// Assimp waited for it for ever.

@@ -120,6 +120,43 @@ TEST_F(StrangersScene, MeshOutsideItsFolder_IsReadWhenThatIsAllowed) {
     EXPECT_EQ(allowed.exitCode, 0) << allowed.err;
 }
 
+TEST_F(StrangersScene, BufferThatItsMeshLinksOutsideTheFolder_IsReadWhenThatIsAllowed) {
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    writeFile(folder_ / "secret.bin", {reinterpret_cast<const char*>(corners), sizeof corners});
+    writeFile(folder_ / "home/a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+        "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                       "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}],
+        "buffers": [{"uri": "../secret.bin", "byteLength": 36}]})");
+    const Outcome refused = drawn("a.gltf", preset());
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_NE(
+        refused.err.find("a.gltf: its buffer \"../secret.bin\" lies outside its folder and is "
+                         "not read; expected a file beside the mesh, or in a folder there, or "
+                         "--allow-outside, where you trust it"),
+        std::string::npos)
+        << refused.err;
+    const Outcome allowed = drawn("a.gltf", preset(), {"--allow-outside"});
+    EXPECT_EQ(allowed.exitCode, 0) << allowed.err;
+}
+
+TEST_F(StrangersScene, MeshThatItsSceneOfMeshesLinksOutside_IsNamedWithTheWayToAllowIt) {
+    writeFile(folder_ / "home/own.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    writeFile(folder_ / "home/a.lws", "LWSC\n3\n\nLoadObjectLayer 1 own.obj\n\n"
+                                      "LoadObjectLayer 1 ../secret.obj\n");
+    const Outcome without = drawn("a.lws", preset());
+    EXPECT_EQ(without.exitCode, 0) << without.err;
+    EXPECT_NE(without.err.find("secret.obj\" lies outside its folder and is not read; expected "
+                               "--allow-outside, where you trust it"),
+              std::string::npos)
+        << without.err;
+    const Outcome with = drawn("a.lws", preset(), {"--allow-outside"});
+    EXPECT_EQ(with.exitCode, 0) << with.err;
+    EXPECT_EQ(with.err.find("is not read"), std::string::npos) << with.err;
+}
+
 TEST_F(StrangersScene, MeshThatTheUserNamesHimself_IsRead) {
     const Outcome outcome =
         drawn("../secret.obj", preset(), {"--mesh", folder_ / "secret.obj"});

@@ -118,6 +118,66 @@ TEST_F(OutsideFilesWindow, RefusedFiles_CanBeAllowedLater) {
     EXPECT_FALSE(document().isModified());
 }
 
+/// A scene whose mesh, of LightWave, has a triangle beside it and one outside.
+class LinkedMeshWindow : public OutsideFilesWindow {
+  protected:
+    LinkedMeshWindow() {
+        writeFile(home("scene/own.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        writeFile(home("scene/a.lws"), "LWSC\n3\n\nLoadObjectLayer 1 own.obj\n\n"
+                                       "LoadObjectLayer 1 ../secret.obj\n");
+        writeFile(scene(), R"({"format": "patina.scene", "version": 1, "objects": [
+                               {"mesh": "a.lws", "preset": {"format": "patina.preset",
+                                "version": 1, "model": {"id": "phong", "version": 1}}}]})");
+    }
+
+    bool hasIndices(std::size_t count) {
+        return QTest::qWaitFor(
+            [&] {
+                const Object& object = document().scene().objects.front();
+                return window().meshes().view(object).indices.size() == count;
+            },
+            waitMs);
+    }
+    bool isLinkWithheld() {
+        return QTest::qWaitFor(
+            [this] { return !window().documentFiles().withheld().all().empty(); }, waitMs);
+    }
+};
+
+TEST_F(LinkedMeshWindow, LinkOutsideTheFolder_IsAskedAboutAndReadWhenAllowed) {
+    openScene();
+    ASSERT_TRUE(hasIndices(3));
+    ASSERT_TRUE(isLinkWithheld());
+    EXPECT_TRUE(said().contains("Allow Files Outside")) << said().toStdString();
+    const Answer answer(QMessageBox::Yes);
+    window().files().allowOutside();
+    EXPECT_TRUE(answer.wasAsked());
+    EXPECT_TRUE(hasIndices(6));
+    EXPECT_TRUE(window().documentFiles().withheld().all().empty());
+}
+
+TEST_F(LinkedMeshWindow, AllowedLink_IsReadUnaskedInTheNextSession) {
+    openScene();
+    ASSERT_TRUE(isLinkWithheld());
+    {
+        const Answer answer(QMessageBox::Yes);
+        window().files().allowOutside();
+    }
+    close();
+    open();
+    const Answer again(QMessageBox::No);
+    openScene();
+    EXPECT_TRUE(hasIndices(6));
+    EXPECT_FALSE(again.wasAsked());
+}
+
+TEST_F(LinkedMeshWindow, RefusedLink_IsStillKnownWhenTheSceneIsOpenedAgain) {
+    openScene();
+    ASSERT_TRUE(isLinkWithheld());
+    openScene();
+    EXPECT_TRUE(isLinkWithheld());
+}
+
 TEST_F(OutsideFilesWindow, PresetOfTheScene_IsReadWhenItIsAllowedLater) {
     ASSERT_TRUE(window().documentFiles().savePreset(home("secret.patina.json"), Side::A));
     const std::string name = document().material(Side::A)->name;

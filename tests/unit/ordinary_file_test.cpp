@@ -137,6 +137,17 @@ TEST_F(FileBelow, PathOutOfTheFolder_IsRefused) {
     EXPECT_EQ(read(folder_ / "secret"), refused_);
 }
 
+TEST_F(FileBelow, PathOutOfTheFolder_IsDecidedOnByWhereItLeads) {
+    std::filesystem::create_symlink("../secret", folder_ / "home/link");
+    const auto secret = std::filesystem::canonical(folder_ / "secret");
+    const auto isSecret = [&](const std::filesystem::path& place) { return place == secret; };
+    EXPECT_TRUE(OrdinaryFile::openBelow(handle_, "link", 100, isSecret));
+    const auto isLink = [&](const std::filesystem::path& place) {
+        return place.filename() == "link";
+    };
+    EXPECT_FALSE(OrdinaryFile::openBelow(handle_, "link", 100, isLink));
+}
+
 TEST_F(FileBelow, FolderThatOnlyBeginsAlike_IsOutside) {
     std::filesystem::create_directory(folder_ / "home2");
     tests::writeFile(folder_ / "home2/a", "secret");

@@ -141,6 +141,7 @@ void DocumentFiles::start(DocumentState state, DocumentFile file, int object) {
 
 void DocumentFiles::startFrom(const Scene& scene) {
     withheld_.set({});
+    withheld_.allowLinks({});
     start({scene, std::nullopt}, {});
 }
 
@@ -162,6 +163,7 @@ std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path
         takeSecond(reading->scene, path, document_.catalog(), rights);
     takeWithheld(*reading, second);
     withheld_.set(reading->outside);
+    withheld_.allowLinks(rights.allowed);
     const int object = second && *second ? takeSecondObject(reading->scene) : 0;
     start({reading->scene, second.value_or(std::nullopt)},
           {DocumentFile::Kind::Scene, path, reading->readOnly}, object);

@@ -55,12 +55,14 @@ OutsideFiles WithheldFiles::all() const {
     return found;
 }
 
-std::set<std::string, std::less<>> WithheldFiles::withoutImages() const {
-    std::set<std::string, std::less<>> files;
+FileRights WithheldFiles::rights() const {
+    FileRights rights{{}, links_};
     for (const OutsideFile& each : files_) {
-        files.insert(each.file);
+        if (each.kind != OutsideFile::Kind::Link) {
+            rights.withheld.insert(each.file);
+        }
     }
-    return files;
+    return rights;
 }
 
 void WithheldFiles::set(OutsideFiles files) {
@@ -70,6 +72,24 @@ void WithheldFiles::set(OutsideFiles files) {
         files_ = std::move(files);
         Q_EMIT changed();
     }
+}
+
+void WithheldFiles::allowLinks(FileSet links) {
+    if (links != links_) {
+        links_ = std::move(links);
+        Q_EMIT changed();
+    }
+}
+
+void WithheldFiles::addLinks(const std::vector<std::string>& places) {
+    OutsideFiles files = files_;
+    for (const std::string& place : places) {
+        const OutsideFile link{OutsideFile::Kind::Link, place};
+        if (std::ranges::find(files, link) == files.end()) {
+            files.push_back(link);
+        }
+    }
+    set(std::move(files));
 }
 
 void WithheldFiles::allow(const std::filesystem::path& file) {
@@ -85,6 +105,9 @@ void WithheldFiles::allowAll(const std::filesystem::path& documentFile) {
     const OutsideFiles withheld = all();
     for (const OutsideFile& each : withheld) {
         rights.allowed.insert(each.file);
+        if (each.kind == OutsideFile::Kind::Link) {
+            links_.insert(each.file);
+        }
     }
     const bool isInMaterials = std::ranges::any_of(withheld, [](const OutsideFile& each) {
         return each.kind == OutsideFile::Kind::Image || each.kind == OutsideFile::Kind::Preset;

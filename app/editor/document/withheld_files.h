@@ -2,9 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
+#include <vector>
 
+#include "assets/file_rights.h"
 #include "document/document.h"
 #include "material/reading_rights.h"
 
@@ -22,10 +23,14 @@ class WithheldFiles : public QObject {
 
     /// All of them, the images of materials too.
     OutsideFiles all() const;
-    /// The meshes, the picture and the presets among them.
-    std::set<std::string, std::less<>> withoutImages() const;
+    /// What may be read of meshes, of the picture and of the links of meshes.
+    FileRights rights() const;
     /// Withholds these alone, beside images, which know it themselves.
     void set(OutsideFiles files);
+    /// Allows these links of meshes alone.
+    void allowLinks(FileSet links);
+    /// A mesh was read without these links.
+    void addLinks(const std::vector<std::string>& places);
     /// The user named this file himself.
     void allow(const std::filesystem::path& file);
     /// Reads them all from now on; images and presets as one undoable step. Paths of presets start
@@ -33,7 +38,7 @@ class WithheldFiles : public QObject {
     void allowAll(const std::filesystem::path& documentFile);
 
   Q_SIGNALS:
-    /// There are others, or fewer, beside images.
+    /// There are others, or fewer, beside images, or other rights.
     void changed();
 
   private:
@@ -42,6 +47,7 @@ class WithheldFiles : public QObject {
 
     Document& document_;
     OutsideFiles files_; ///< beside images
+    FileSet links_;      ///< that are allowed
 };
 
 } // namespace patina

@@ -51,6 +51,7 @@ FileActions::FileActions(Document& document, DocumentFiles& files, MeshLibrary& 
       consent_(session, window), window_(window) {
     connect(&meshes, &MeshLibrary::loaded, this, &FileActions::meshLoaded);
     connect(&meshes, &MeshLibrary::failed, this, &FileActions::meshFailed);
+    connect(&meshes, &MeshLibrary::linksRefused, this, &FileActions::noteLinks);
     connect(&files, &DocumentFiles::fileChanged, this,
             [this] { written_ = timeOf(files_.file().path); });
 }
@@ -109,7 +110,7 @@ void FileActions::noteSaved(const QString& file) {
     session_.addRecentFile(file);
     consent_.noteSaved(
         file, file.endsWith(presetSuffix) ? DocumentFile::Kind::Preset : DocumentFile::Kind::Scene,
-        document_.catalog(), files_.withheld().all());
+        document_.catalog(), files_.withheld());
     if (!document_.isModified()) {
         Q_EMIT saved();
         return;
@@ -148,7 +149,7 @@ void FileActions::exportPreset() {
     if (!file.isEmpty() && mayReplace(asked, file) && writePreset(file)) {
         session_.addRecentFile(file);
         consent_.noteSaved(file, DocumentFile::Kind::Preset, document_.catalog(),
-                           files_.withheld().all());
+                           files_.withheld());
     }
 }
 
@@ -256,6 +257,11 @@ void FileActions::replaceObject(Object object) {
 void FileActions::meshFailed(const QString& mesh, const Error& why) {
     wanted_.erase(mesh);
     tell(why);
+}
+
+void FileActions::noteLinks(const QString& mesh, const std::vector<std::string>& places) {
+    files_.withheld().addLinks(places);
+    tellOutside(mesh);
 }
 
 void FileActions::editDetails() {
@@ -422,6 +428,7 @@ void FileActions::openDocument(const QString& file) {
                                 : files_.openPreset(file.toStdString(), rights);
     if (opened) {
         forgetMeshes();
+        meshes_.repeatMissingLinks(document_.scene());
         session_.addRecentFile(file);
         tellOutside(file);
         Q_EMIT documentReplaced();

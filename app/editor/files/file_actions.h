@@ -85,6 +85,7 @@ class FileActions : public QObject {
     bool writePreset(const QString& file);
     void replaceObject(Object object);
     void meshFailed(const QString& mesh, const Error& why);
+    void noteLinks(const QString& mesh, const std::vector<std::string>& places);
     void noteSaved(const QString& file);
     void tellOutside(const QString& file);
     bool mayReplace(const QString& asked, const QString& file);

@@ -26,6 +26,8 @@ QString kindText(OutsideFile::Kind kind) {
         return text("the environment's picture");
     case OutsideFile::Kind::Preset:
         return text("the preset");
+    case OutsideFile::Kind::Link:
+        return text("the mesh's file");
     default:
         return text("the image");
     }
@@ -100,11 +102,17 @@ bool OutsideConsent::ask(const QString& file, const OutsideFiles& wanted) {
 }
 
 void OutsideConsent::noteSaved(const QString& file, DocumentFile::Kind kind, const Catalog& catalog,
-                               const OutsideFiles& refused) {
+                               const WithheldFiles& withheld) {
+    const OutsideFiles refused = withheld.all();
     OutsideFiles own = DocumentFiles::outsideOf(file.toStdString(), kind, catalog, {});
     std::erase_if(own, [&](const OutsideFile& each) {
         return std::ranges::find(refused, each) != refused.end();
     });
+    if (kind == DocumentFile::Kind::Scene) {
+        for (const std::string& link : withheld.rights().links) {
+            own.push_back({OutsideFile::Kind::Link, link});
+        }
+    }
     if (!own.empty()) {
         session_.addOutside(fullPath(file), true, pathsOf(own));
     }

@@ -21,9 +21,9 @@ class OutsideConsent {
     bool ask(const QString& file, const OutsideFiles& wanted);
 
     /// The user saved this file himself: what it names outside is his own choice, but for what he
-    /// refused.
+    /// refused; links of its meshes that he allowed stay so.
     void noteSaved(const QString& file, DocumentFile::Kind kind, const Catalog& catalog,
-                   const OutsideFiles& refused);
+                   const WithheldFiles& withheld);
 
   private:
     Session& session_;

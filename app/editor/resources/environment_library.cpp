@@ -33,7 +33,7 @@ void EnvironmentLibrary::cancel() {
     }
 }
 
-void EnvironmentLibrary::withhold(std::set<std::string, std::less<>> files) {
+void EnvironmentLibrary::withhold(FileSet files) {
     withheld_ = std::move(files);
     forgetFailure();
 }
@@ -50,9 +50,8 @@ void EnvironmentLibrary::load() {
     // when this object is gone.
     worker_.start([this, progress = progress_, file = file_, withheld = withheld_] {
         AssetClient client;
-        client.withhold(withheld);
-        const Answer answer =
-            client.loadImage(file, progress.get()).map(EnvironmentImage::from);
+        client.setRights({.withheld = withheld});
+        const Answer answer = client.loadImage(file, progress.get()).map(EnvironmentImage::from);
         QMetaObject::invokeMethod(
             this, [this, progress, answer] { finish(progress, answer); }, Qt::QueuedConnection);
     });

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -36,7 +35,7 @@ class EnvironmentLibrary : public QObject {
     bool isMissing(std::string_view file) const { return hasFailed_ && file == file_; }
 
     /// Files that are not read from now on; those that were and are no more are tried again.
-    void withhold(std::set<std::string, std::less<>> files);
+    void withhold(FileSet files);
 
     /// Gives up on what is loading.
     void cancel();
@@ -55,7 +54,7 @@ class EnvironmentLibrary : public QObject {
     void load();
     void finish(const std::shared_ptr<Progress>& progress, const Answer& answer);
 
-    std::set<std::string, std::less<>> withheld_;
+    FileSet withheld_;
     std::string file_;
     std::shared_ptr<const EnvironmentImage> image_;
     std::shared_ptr<Progress> progress_; ///< of the reading that counts

@@ -74,9 +74,27 @@ void MeshLibrary::cancelAllBut(const Scene& scene) {
     }
 }
 
-void MeshLibrary::withhold(const std::set<std::string, std::less<>>& files) {
-    client().withhold(files);
+void MeshLibrary::setRights(const FileRights& rights) {
+    if (rights == rights_) {
+        return;
+    }
+    rights_ = rights;
+    client().setRights(rights);
     forgetFailures();
+    for (const auto& [key, places] : std::exchange(missingLinks_, {})) {
+        load(key);
+    }
+}
+
+void MeshLibrary::repeatMissingLinks(const Scene& scene) {
+    for (const auto& [key, places] : missingLinks_) {
+        const auto isOfKey = [&wanted = key](const Object& object) {
+            return meshKey(object) == wanted;
+        };
+        if (std::ranges::any_of(scene.objects, isOfKey)) {
+            Q_EMIT linksRefused(QString::fromStdString(key.mesh), places);
+        }
+    }
 }
 
 void MeshLibrary::forgetFailures() {
@@ -126,16 +144,27 @@ MeshLibrary::Answer MeshLibrary::read(AssetClient& client, const MeshKey& key, P
 void MeshLibrary::finish(const MeshKey& key, const Answer& answer) {
     loading_.erase(key);
     const QString file = QString::fromStdString(key.mesh);
+    const std::vector<std::string> refused = client().refusedLinks(key.mesh);
     if (answer) {
-        files_[key] = *answer;
+        std::shared_ptr<const Loaded>& held = files_[key];
+        if (held) {
+            outdated_.push_back(held);
+        }
+        held = *answer;
         Q_EMIT loaded(file);
         if (const std::string& remarks = (*answer)->mesh->remarks(); !remarks.empty()) {
             Q_EMIT remarked({key.mesh, 0, 0, remarks, {}});
         }
-        return;
+    } else {
+        failures_[key] = answer.error();
+        Q_EMIT failed(file, answer.error());
     }
-    failures_[key] = answer.error();
-    Q_EMIT failed(file, answer.error());
+    if (!refused.empty()) {
+        if (answer) {
+            missingLinks_[key] = refused;
+        }
+        Q_EMIT linksRefused(file, refused);
+    }
 }
 
 void MeshLibrary::reportProgress() {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <QObject>
@@ -47,8 +48,12 @@ class MeshLibrary : public QObject {
     /// The files process, for whoever else has files to read.
     AssetClient& client();
 
-    /// Files that are not read from now on; those that were and are no more are tried again.
-    void withhold(const std::set<std::string, std::less<>>& files);
+    /// What is read from now on; what failed with other rights is tried again, and what lacks
+    /// links is read again.
+    void setRights(const FileRights& rights);
+
+    /// Says again which links the meshes of a scene lack.
+    void repeatMissingLinks(const Scene& scene);
 
     /// Forgets failures, so that the next view() tries again.
     void forgetFailures();
@@ -59,6 +64,8 @@ class MeshLibrary : public QObject {
     void loaded(QString file);           ///< its triangles are there
     void remarked(patina::Error remark); ///< what had to be left out of a mesh that is there
     void failed(QString file, patina::Error why); ///< also when it was cancelled
+    /// The file was read, or could not be, without these.
+    void linksRefused(QString file, std::vector<std::string> places);
 
   private:
     /// What a file gave, and what picking in it needs.
@@ -77,8 +84,11 @@ class MeshLibrary : public QObject {
     std::unique_ptr<AssetClient> client_;
     std::map<MeshKey, Mesh> builtins_;
     std::map<MeshKey, std::shared_ptr<const Loaded>> files_;
+    std::map<MeshKey, std::vector<std::string>> missingLinks_; ///< of the files
+    std::vector<std::shared_ptr<const Loaded>> outdated_;      ///< frames may still draw them
     std::map<MeshKey, std::shared_ptr<Progress>> loading_;
     std::map<MeshKey, Error> failures_;
+    FileRights rights_;
     SingleThread worker_{1000};
 };
 

@@ -80,9 +80,9 @@ void MainWindow::connectParts() {
     connect(&environments_, &EnvironmentLibrary::failed, &messages_, &MessageLog::add);
     onChange(document_, DocumentChange::Scene, &environments_, &EnvironmentLibrary::forgetFailure);
     connect(&documentFiles_.withheld(), &WithheldFiles::changed, this, [this] {
-        const auto withheld = documentFiles_.withheld().withoutImages();
-        meshes_.withhold(withheld);
-        environments_.withhold(withheld);
+        const FileRights rights = documentFiles_.withheld().rights();
+        meshes_.setRights(rights);
+        environments_.withhold(rights.withheld);
     });
     connect(pictures_, &PictureExport::failed, &messages_, &MessageLog::add);
     connect(pictures_, &PictureExport::saved, this, [this](const QString& file) {
