@@ -18,9 +18,9 @@ struct Statement {
     std::size_t most = std::string_view::npos;
 };
 constexpr std::string_view real = "0123456789+-.eE \t\r";
-constexpr std::string_view corners = "0123456789-/ \t\r";
+constexpr std::string_view cornerText = "0123456789-/ \t\r";
 constexpr std::array statements = {
-    Statement{"v", real, 3, 3},   Statement{"f", corners, 3, 3},
+    Statement{"v", real, 3, 3},   Statement{"f", cornerText, 3, 3},
     Statement{"vn", real, 3, 3},  Statement{"vt", real, 1, 3},
     Statement{"v", real, 6, 6}, // with a colour
     Statement{"usemtl", "", 0},   Statement{"mtllib", "", 0},
@@ -37,7 +37,7 @@ std::array<bool, 256> setOf(std::string_view characters) {
 
 bool hasOnly(std::string_view text, std::string_view characters) {
     static const std::array<bool, 256> reals = setOf(real);
-    static const std::array<bool, 256> cornerSet = setOf(corners);
+    static const std::array<bool, 256> cornerSet = setOf(cornerText);
     const auto& allowed = characters.data() == real.data() ? reals : cornerSet;
     return characters.empty() || std::ranges::all_of(text, [&](char c) {
                return allowed[static_cast<unsigned char>(c)];

@@ -60,7 +60,7 @@ QString fittingWay(const std::vector<WayPart>& parts,
                    const std::function<bool(const QString&)>& fits) {
     constexpr qsizetype fewestLetters = 3; // of a choice, to say anything
     for (qsizetype most = longestChoice(parts); most >= fewestLetters; --most) {
-        if (const QString text = withShortChoices(parts, most); fits(text)) {
+        if (QString text = withShortChoices(parts, most); fits(text)) {
             return text;
         }
     }

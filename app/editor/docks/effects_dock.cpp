@@ -259,7 +259,7 @@ QString EffectsDock::labelOf(const std::string& effect) const {
 
 /// A row without a switch says why it has none: the model calls what fills its slots.
 QString EffectsDock::whyOf(const EffectRow& row) const {
-    const QString why = asText(row.line.reason);
+    QString why = asText(row.line.reason);
     if (!row.in || row.removable) {
         return why;
     }

@@ -328,12 +328,12 @@ bool DocumentFiles::savePreset(const std::filesystem::path& path, Side side,
     Material saved = *held;
     saved.name = name;
     return savePreset(path, pathOf(settings::material, document_.currentObject(), side),
-                      std::move(saved));
+                      saved);
 }
 
 /// Nothing is called otherwise before its file is written.
 bool DocumentFiles::savePreset(const std::filesystem::path& path, const BlockPath& of,
-                               Material saved) {
+                               const Material& saved) {
     if (!mayOverwrite(path)) {
         return false;
     }

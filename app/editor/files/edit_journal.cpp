@@ -72,18 +72,18 @@ Result<void> EditJournal::write(const Scene& scene) {
     if (patch.empty()) {
         return {};
     }
-    const Result<void> appended = append(patch);
+    Result<void> appended = append(patch);
     written_ = appended ? std::move(now) : Json(); // half a line may stand there: begin anew
     return appended;
 }
 
 Result<void> EditJournal::writeCopy(Json scene) {
     const std::string text = writeJson(scene);
-    if (const Result<void> copied = writeFileAtomically(copy_, text); !copied) {
+    if (Result<void> copied = writeFileAtomically(copy_, text); !copied) {
         return copied;
     }
     const std::string first = firstLine(text) + '\n';
-    const Result<void> begun = writeFileAtomically(beside(copy_), first);
+    Result<void> begun = writeFileAtomically(beside(copy_), first);
     bytes_ = first.size();
     written_ = begun ? std::move(scene) : Json();
     return begun;
@@ -118,7 +118,7 @@ Result<void> EditJournal::join(const std::filesystem::path& copy) {
     while (line && apply(*line, scene)) {
         line = takeLine(rest);
     }
-    const Result<void> joined = writeFileAtomically(copy, writeJson(scene));
+    Result<void> joined = writeFileAtomically(copy, writeJson(scene));
     if (joined) {
         std::error_code ignored; // it is not read with another copy
         std::filesystem::remove(beside(copy), ignored);

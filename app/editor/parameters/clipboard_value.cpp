@@ -34,7 +34,7 @@ std::optional<Value> pastedNumber(const Parameter& parameter, std::string_view t
 }
 
 std::optional<Value> interpreted(const Parameter& parameter, std::string_view text) {
-    if (const auto value = infoOf(parameter.type).fromText(parameter, text)) {
+    if (auto value = infoOf(parameter.type).fromText(parameter, text)) {
         return value;
     }
     if (parameter.type == ParameterType::Color) { // hex without its "#"

@@ -88,7 +88,7 @@ QString FormTextures::startFolder(const Parameter& parameter) const {
 }
 
 void FormTextures::ask(const ParameterRow& row) {
-    const Parameter parameter = row.parameter(); // the row may go while the dialog is open
+    const auto parameter = Parameter(row.parameter()); // the row may go while the dialog is open
     const QString file = QFileDialog::getOpenFileName(
         form_, tr("Image on %1").arg(QString::fromStdString(parameter.label)),
         startFolder(parameter),

@@ -29,7 +29,7 @@ void ScrubLabel::mousePressEvent(QMouseEvent* event) {
 /// A drag begins after a few pixels, so that a double click stays one.
 void ScrubLabel::mouseMoveEvent(QMouseEvent* event) {
     const double x = event->globalPosition().x();
-    if (drag_ == Drag::Pressed && std::abs(x - pressed_) >= QApplication::startDragDistance() / 2) {
+    if (drag_ == Drag::Pressed && std::abs(x - pressed_) >= 0.5 * QApplication::startDragDistance()) {
         begin();
     }
     if (drag_ == Drag::Scrubbing && x != last_) {

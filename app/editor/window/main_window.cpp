@@ -18,7 +18,7 @@ constexpr int saidMs = 4000; ///< so long the status line says what was done
 
 } // namespace
 
-MainWindow::MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme)
+MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& theme)
     : theme_(theme), document_(catalog), switches_(document_, effects_), watcher_(catalog),
       presets_(catalog),
       thumbnails_(catalog, {cacheFolder() / "thumbnails", programFolder(), defaultSceneFile()}),

@@ -34,7 +34,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
   public:
-    MainWindow(std::shared_ptr<const Catalog> catalog, Theme& theme);
+    MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& theme);
     ~MainWindow() override;
 
     Document& document() { return document_; }
