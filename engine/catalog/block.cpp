@@ -22,6 +22,11 @@ const Parameter* Block::parameter(std::string_view parameterId) const {
     return withId(parameters, parameterId);
 }
 
+const Parameter* Block::withRole(std::string_view role) const {
+    const auto found = std::ranges::find(parameters, role, &Parameter::role);
+    return found == parameters.end() ? nullptr : &*found;
+}
+
 const AccuracyChoice* Block::accuracyChoice(std::string_view choiceId) const {
     return withId(accuracy, choiceId);
 }

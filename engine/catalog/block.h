@@ -38,7 +38,7 @@ struct Slot {
 /// to know: 1 - exp(-(rate x)^power) of what is x metres away, or none up to `from`, all behind
 /// `to` and evenly more between them. With `base` and `thickness` the rate is that up to the height
 /// `base` and falls above it to 1/e with each `thickness`, and x stands for its mean over the way.
-/// Ids of parameters.
+/// With `center` and `size` it fills a box along the axes of the scene. Ids of parameters.
 struct Hiding {
     std::string rate; ///< empty: by `from` and `to`
     double power = 1.0;
@@ -46,6 +46,8 @@ struct Hiding {
     std::string to;
     std::string base; ///< empty: the rate is the same at every height
     std::string thickness;
+    std::string center; ///< empty: it fills no box but everything
+    std::string size;
     bool atMost = false; ///< it hides so much or less
 
     friend bool operator==(const Hiding&, const Hiding&) = default;
@@ -60,8 +62,8 @@ struct NeutralValue {
     friend bool operator==(const NeutralValue&, const NeutralValue&) = default;
 };
 
-/// All that must be so for the block to give exactly 0 everywhere, said in its descriptor so that
-/// it can be left out.
+/// All that must be so for the block to do nothing (give exactly 0 everywhere, hide nothing), said
+/// in its descriptor so that it can be left out.
 using NeutralCase = std::vector<NeutralValue>;
 
 /// Which points a light cannot reach, said in its descriptor: those farther than `range` from the
@@ -103,6 +105,10 @@ struct Block {
     bool shipped = true; ///< false: from the user's folder
 
     const Parameter* parameter(std::string_view parameterId) const;
+
+    /// The first parameter that has the role; null where none has.
+    const Parameter* withRole(std::string_view role) const;
+
     const AccuracyChoice* accuracyChoice(std::string_view choiceId) const;
     const BlockTable* table(std::string_view tableId) const;
     const Slot* slot(std::string_view slotKind) const;

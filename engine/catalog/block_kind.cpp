@@ -29,9 +29,29 @@ constexpr auto ofFog =
 constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l"});
 constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o"});
 
-constexpr std::array<std::string_view, 2> decisiveInLights{"color", "intensity"};
-constexpr std::array<std::string_view, 1> decisiveInFog{"density"};
-constexpr std::array<std::string_view, 2> decisiveInEnvironment{"intensity", "tint"};
+constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
+constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};
+
+constexpr auto inModels = std::to_array<ParameterRole>({{roles::index}});
+constexpr auto inFresnel = std::to_array<ParameterRole>(
+    {{roles::indexOutside}, {roles::indexInside}, {roles::f0, ParameterType::Color}});
+constexpr auto inRefraction = std::to_array<ParameterRole>(
+    {{.word = roles::index, .isNeeded = true},
+     {.word = roles::indexFrom, .type = ParameterType::Enum, .choices = indexSources},
+     {roles::dispersion},
+     {roles::thickness},
+     {.word = roles::filter, .type = ParameterType::Color, .mayRepeat = true}});
+constexpr auto inOutline =
+    std::to_array<ParameterRole>({{.word = roles::width, .mayRepeat = true}});
+constexpr auto inLights = std::to_array<ParameterRole>({{roles::color, ParameterType::Color}});
+constexpr auto inShadows = std::to_array<ParameterRole>({{roles::samples, ParameterType::Enum}});
+constexpr auto inFog = std::to_array<ParameterRole>({{roles::color, ParameterType::Color}});
+constexpr auto inTransparency = std::to_array<ParameterRole>({{roles::layers, ParameterType::Int}});
+constexpr auto inEnvironment = std::to_array<ParameterRole>(
+    {{.word = roles::background, .type = ParameterType::Enum, .choices = backdrops},
+     {roles::blur, ParameterType::Angle},
+     {roles::rotate, ParameterType::Angle},
+     {roles::directions, ParameterType::Int}});
 
 constexpr auto rows = std::to_array<BlockKind>({
     {.folder = kinds::models,
@@ -42,7 +62,8 @@ constexpr auto rows = std::to_array<BlockKind>({
      .owner = BlockOwner::Material,
      .functions = ofDirections,
      .isPart = false,
-     .hasTables = true},
+     .hasTables = true,
+     .roles = inModels},
     {.folder = kinds::fresnel,
      .singular = "fresnel",
      .plural = "Fresnel terms",
@@ -50,7 +71,8 @@ constexpr auto rows = std::to_array<BlockKind>({
      .word = "Fresnel",
      .owner = BlockOwner::Material,
      .functions = ofFresnel,
-     .hasTables = true},
+     .hasTables = true,
+     .roles = inFresnel},
     {.folder = kinds::specular,
      .singular = "specular",
      .plural = "highlights",
@@ -66,14 +88,16 @@ constexpr auto rows = std::to_array<BlockKind>({
      .label = "Refraction",
      .word = "Refraction",
      .owner = BlockOwner::Material,
-     .functions = ofRefraction},
+     .functions = ofRefraction,
+     .roles = inRefraction},
     {.folder = kinds::outline,
      .singular = "outline",
      .plural = "outlines",
      .label = "Outline",
      .word = "Outline",
      .owner = BlockOwner::Material,
-     .functions = ofOutline},
+     .functions = ofOutline,
+     .roles = inOutline},
     {.folder = kinds::lights,
      .singular = "light",
      .plural = "lights",
@@ -82,7 +106,7 @@ constexpr auto rows = std::to_array<BlockKind>({
      .owner = BlockOwner::Light,
      .functions = ofLights,
      .isPart = false,
-     .decisive = decisiveInLights},
+     .roles = inLights},
     {.folder = kinds::shadows, // they read maps that the graphics device has drawn
      .singular = "shadow",
      .plural = "shadows",
@@ -91,7 +115,8 @@ constexpr auto rows = std::to_array<BlockKind>({
      .owner = BlockOwner::Light,
      .functions = ofShadows,
      .hasReference = false,
-     .isInBlockLabels = true},
+     .isInBlockLabels = true,
+     .roles = inShadows},
     {.folder = kinds::fog,
      .singular = "fog",
      .plural = "kinds of fog",
@@ -99,7 +124,7 @@ constexpr auto rows = std::to_array<BlockKind>({
      .word = "Fog",
      .owner = BlockOwner::Scene,
      .functions = ofFog,
-     .decisive = decisiveInFog},
+     .roles = inFog},
     {.folder = kinds::transparency,
      .singular = "transparency",
      .plural = "kinds of transparency",
@@ -109,7 +134,8 @@ constexpr auto rows = std::to_array<BlockKind>({
      .functions = ofTransparency,
      .isInBlockLabels = true,
      .absent = "Sorted by object",
-     .noneWord = "sorted"},
+     .noneWord = "sorted",
+     .roles = inTransparency},
     {.folder = kinds::environment,
      .singular = "environment",
      .plural = "environments",
@@ -117,7 +143,7 @@ constexpr auto rows = std::to_array<BlockKind>({
      .word = "Environment",
      .owner = BlockOwner::Scene,
      .functions = ofEnvironment,
-     .decisive = decisiveInEnvironment},
+     .roles = inEnvironment},
 });
 
 using Folders = std::map<BlockOwner, std::vector<std::string_view>>;

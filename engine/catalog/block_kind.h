@@ -4,6 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include "catalog/parameter_type.h"
+
 namespace patina {
 
 /// What holds a block of a kind.
@@ -16,6 +18,16 @@ struct BlockFunction {
     std::string_view result;     ///< GLSL type
     std::string_view argument{}; ///< GLSL type of the first argument; empty: it has none
     std::string_view name{};     ///< of the first argument
+};
+
+/// What the program itself reads of a block: a parameter has it by its key `role`, whatever it is
+/// called.
+struct ParameterRole {
+    std::string_view word;
+    ParameterType type = ParameterType::Float;
+    bool isNeeded = false;                       ///< each block of the kind has one
+    bool mayRepeat = false;                      ///< several parameters of a block may have it
+    std::span<const std::string_view> choices{}; ///< of an enum: what it may offer; empty: anything
 };
 
 /// A kind of block: one row of the table that everything reads which knows kinds.
@@ -33,8 +45,8 @@ struct BlockKind {
     bool hasTables = false;       ///< its levels may read tables
     bool isInBlockLabels = false; ///< labels of its blocks stand alone, without that of the kind
     std::string_view absent{};    ///< what having none is called; empty: the label and "off"
-    std::string_view noneWord{"none"};            ///< chooses none on the command line
-    std::span<const std::string_view> decisive{}; ///< parameters; any of them at 0 makes it neutral
+    std::string_view noneWord{"none"};      ///< chooses none on the command line
+    std::span<const ParameterRole> roles{}; ///< that parameters of its blocks may have
 };
 
 /// The kinds that some code is about, by their folders.
@@ -50,6 +62,26 @@ inline constexpr std::string_view fog = "fog";
 inline constexpr std::string_view transparency = "transparency";
 inline constexpr std::string_view environment = "environment";
 } // namespace kinds
+
+/// The roles of parameters that some code is about.
+namespace roles {
+inline constexpr std::string_view color = "color";               ///< of a light, of fog
+inline constexpr std::string_view index = "index";               ///< of refraction
+inline constexpr std::string_view indexFrom = "indexFrom";       ///< "surface" or "own"
+inline constexpr std::string_view indexInside = "indexInside";   ///< below the surface
+inline constexpr std::string_view indexOutside = "indexOutside"; ///< above it
+inline constexpr std::string_view f0 = "f0";                     ///< the reflectance facing you
+inline constexpr std::string_view dispersion = "dispersion";     ///< at 0 colours bend alike
+inline constexpr std::string_view thickness = "thickness";       ///< of a pane
+inline constexpr std::string_view filter = "filter";             ///< colours what passes
+inline constexpr std::string_view width = "width";               ///< of lines
+inline constexpr std::string_view background = "background";     ///< "sharp", "blurred" or "hidden"
+inline constexpr std::string_view blur = "blur";                 ///< of the background
+inline constexpr std::string_view rotate = "rotate";             ///< about the vertical
+inline constexpr std::string_view directions = "directions";     ///< looked in per pixel
+inline constexpr std::string_view layers = "layers";             ///< put in order
+inline constexpr std::string_view samples = "samples";           ///< places looked at per pixel
+} // namespace roles
 
 /// The kinds that Patina ships blocks of.
 std::span<const BlockKind> shippedBlockKinds();

@@ -42,6 +42,12 @@ class BoundChecker : DescriptorChecker {
         }
         checkType("/hides/base", hiding.base, ParameterType::Float, Space::None);
         checkType("/hides/thickness", hiding.thickness, ParameterType::Float, Space::None);
+        if (hiding.center.empty() != hiding.size.empty() || (!isRate && !hiding.size.empty())) {
+            add("/hides", "a box of fog has a rate, a center and a size",
+                "\"rate\", \"center\" and \"size\"");
+        }
+        checkType("/hides/center", hiding.center, ParameterType::Vec3, Space::WorldPoint);
+        checkType("/hides/size", hiding.size, ParameterType::Vec3, Space::None);
     }
 
     void checkReach(const Reach& reach) {

@@ -220,6 +220,7 @@ Parameter parameterFrom(const Fields& fields) {
     fields.read("emission", parameter.emission);
     fields.read("transparency", parameter.transparency);
     fields.read("highlight", highlightWords, parameter.highlight);
+    fields.read("role", parameter.role);
     parameter.textureChannels = channelsFrom(fields, parameter.type);
     parameter.physical = physicalFrom(fields);
     fields.readEach("migrations", parameter.migrations, migrationFrom);
@@ -252,6 +253,8 @@ std::optional<Hiding> hidingFrom(const Fields& fields) {
     Fields(*json).read("to", hiding.to);
     Fields(*json).read("base", hiding.base);
     Fields(*json).read("thickness", hiding.thickness);
+    Fields(*json).read("center", hiding.center);
+    Fields(*json).read("size", hiding.size);
     Fields(*json).read("atMost", hiding.atMost);
     return hiding;
 }

@@ -97,6 +97,7 @@ Json parameterJson(const Parameter& parameter) {
               {"emission", parameter.emission},
               {"transparency", parameter.transparency},
               {"highlight", wordFor(highlightWords, parameter.highlight)},
+              {"role", parameter.role},
               {"texture", parameter.textureChannels},
               {"migrations", arrayOf(parameter.migrations, migrationJson)}};
     if (const auto names = componentNames(parameter); !names.empty()) {
@@ -121,6 +122,10 @@ Json toJson(const Hiding& hiding) {
     if (!hiding.base.empty()) {
         json["base"] = hiding.base;
         json["thickness"] = hiding.thickness;
+    }
+    if (!hiding.size.empty()) {
+        json["center"] = hiding.center;
+        json["size"] = hiding.size;
     }
     if (hiding.atMost) {
         json["atMost"] = true;

@@ -91,6 +91,7 @@ struct Parameter {
     bool emission = false;     ///< a colour that is added once per pixel, whatever the light
     bool transparency = false; ///< a share of the light that passes: it lowers the opacity
     HighlightWidth highlight = HighlightWidth::None;
+    std::string role; ///< what the program reads it as (ParameterRole::word); empty: nothing
     std::vector<std::string> textureChannels; ///< how an image may drive it; empty: it may not
     std::optional<PhysicalRange> physical;
     std::vector<Migration> migrations;

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// What keeps parameters from the roles that the keys `transparency` (a share of the light, the
-/// same wherever on the surface) and `highlight` give them.
+/// What keeps parameters from what the keys `transparency` (a share of the light, the same wherever
+/// on the surface), `highlight` and `role` make of them, and the roles that the block lacks.
 Errors roleMistakes(const Descriptor& descriptor);
 
 } // namespace patina

@@ -11,8 +11,7 @@ constexpr int fewestDirections = 4; ///< one round
 
 const std::string* textOf(const BlockValues& values, const Parameter& parameter) {
     const auto found = values.parameters.find(parameter.id);
-    const Value& value =
-        found == values.parameters.end() ? parameter.defaultValue : found->second;
+    const Value& value = found == values.parameters.end() ? parameter.defaultValue : found->second;
     return std::get_if<std::string>(&value);
 }
 
@@ -32,7 +31,7 @@ std::string_view pictureFile(const BlockValues& environment, const Block& block)
 }
 
 Backdrop backdropOf(const BlockValues& environment, const Block& block) {
-    const Parameter* parameter = block.parameter("background");
+    const Parameter* parameter = block.withRole(roles::background);
     const std::string* word = parameter == nullptr ? nullptr : textOf(environment, *parameter);
     if (word == nullptr) {
         return Backdrop::Sharp;
@@ -43,8 +42,7 @@ Backdrop backdropOf(const BlockValues& environment, const Block& block) {
 }
 
 const Parameter* directionsParameter(const Block& environment) {
-    const Parameter* directions = environment.parameter("directions");
-    return directions != nullptr && directions->type == ParameterType::Int ? directions : nullptr;
+    return environment.withRole(roles::directions);
 }
 
 int directionsOf(const BlockValues& environment, const Block& block) {
@@ -54,17 +52,17 @@ int directionsOf(const BlockValues& environment, const Block& block) {
     }
     const auto given = environment.parameters.find(parameter->id);
     const bool isGiven = given != environment.parameters.end();
-    const Value value =
-        conformed(*parameter, isGiven ? given->second : parameter->defaultValue);
+    const Value value = conformed(*parameter, isGiven ? given->second : parameter->defaultValue);
     return std::max(std::get<int>(value), fewestDirections);
 }
 
-double environmentNumber(const BlockValues& environment, const Block& block, std::string_view id) {
-    const Parameter* parameter = block.parameter(id);
+double environmentNumber(const BlockValues& environment, const Block& block,
+                         std::string_view role) {
+    const Parameter* parameter = block.withRole(role);
     if (parameter == nullptr) {
         return 0.0;
     }
-    const auto found = environment.parameters.find(id);
+    const auto found = environment.parameters.find(parameter->id);
     const auto* given =
         found == environment.parameters.end() ? nullptr : std::get_if<double>(&found->second);
     const auto* usual = std::get_if<double>(&parameter->defaultValue);

@@ -17,19 +17,19 @@ std::string_view pictureFile(const BlockValues& environment, const Block& block)
 /// How an environment is seen behind the objects.
 enum class Backdrop { Sharp, Blurred, Hidden };
 
-/// By the shared parameter `background`; sharp for a block without it.
+/// By the parameter whose role is `background`; sharp for a block without one.
 Backdrop backdropOf(const BlockValues& environment, const Block& block);
 
-/// The parameter `directions` of an environment: how many directions per pixel its light is a mean
-/// of. Null for one that leaves that open.
+/// The parameter that says how many directions per pixel its light is a mean of. Null for an
+/// environment that leaves that open.
 const Parameter* directionsParameter(const Block& environment);
 
 /// How many are wanted, at least 4; `usualDirections` where the block leaves it open.
 inline constexpr int usualDirections = 1024;
 int directionsOf(const BlockValues& environment, const Block& block);
 
-/// A number of the environment's in its range, or a default: `rotate` and `background.blur` in
-/// degrees. 0 for a block without it.
-double environmentNumber(const BlockValues& environment, const Block& block, std::string_view id);
+/// The number that has a role, in its range, or its default; `rotate` and `blur` are in degrees. 0
+/// for a block without one.
+double environmentNumber(const BlockValues& environment, const Block& block, std::string_view role);
 
 } // namespace patina

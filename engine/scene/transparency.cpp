@@ -17,8 +17,7 @@ int wholeNumber(const Value& value) {
 } // namespace
 
 const Parameter* layersParameter(const Block& transparency) {
-    const Parameter* layers = transparency.parameter("layers");
-    return layers != nullptr && layers->type == ParameterType::Int ? layers : nullptr;
+    return transparency.withRole(roles::layers);
 }
 
 int layersOf(const BlockValues& transparency, const Block& block) {
@@ -27,8 +26,8 @@ int layersOf(const BlockValues& transparency, const Block& block) {
         return 0;
     }
     const auto given = transparency.parameters.find(parameter->id);
-    const bool usable = given != transparency.parameters.end() &&
-                        std::holds_alternative<int>(given->second);
+    const bool usable =
+        given != transparency.parameters.end() && std::holds_alternative<int>(given->second);
     return std::clamp(wholeNumber(usable ? given->second : parameter->defaultValue), 1, maxLayers);
 }
 

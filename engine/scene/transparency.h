@@ -6,7 +6,7 @@
 
 namespace patina {
 
-/// The parameter `layers` of a kind of transparency: it puts so many surfaces of each pixel in
+/// The parameter of a kind of transparency that says how many surfaces of each pixel it puts in
 /// order, one after the other. Null for one that mixes them all at once.
 const Parameter* layersParameter(const Block& transparency);
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks are data: the program looks none of them up by a literal id. Words of the trade that are
-// also ids (a box, a height, a point, linear light) may stand anywhere else.
+// Blocks are data: the program looks none of them up by a literal id, and none of their parameters.
+// Words of the trade that are also ids (a box, a height, a point, linear light) may stand anywhere
+// else.
 #include <array>
 #include <cctype>
 #include <set>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "shading/glsl/tokens.h"
 #include "source_tree.h"
@@ -20,6 +22,20 @@ const Ids& blockIds() {
         Ids found;
         for (const SourceFile& descriptor : blockDescriptors()) {
             found.insert(descriptor.stem());
+        }
+        return found;
+    }();
+    return ids;
+}
+
+const Ids& parameterIds() {
+    static const Ids ids = [] {
+        Ids found;
+        for (const SourceFile& descriptor : blockDescriptors()) {
+            const auto json = nlohmann::json::parse(descriptor.text);
+            for (const nlohmann::json& parameter : json["parameters"]) {
+                found.insert(parameter["id"].get<std::string>());
+            }
         }
         return found;
     }();
@@ -105,8 +121,26 @@ bool isLookup(std::string_view before, std::string_view after) {
     return before.ends_with("\"id\",") || std::ranges::any_of(callsAround(before), looksUp);
 }
 
+/// Whether a string between these texts names a parameter that is looked up, or is compared with
+/// the id of one.
+bool isParameterLookup(std::string_view before, std::string_view /*after*/) {
+    before = withoutSpaceAtEnd(before);
+    for (const std::string_view lookup :
+         {"parameter(", "parameters.find(", "parameters.at(", "parameters.contains(", "parameters[",
+          ".id.starts_with(", ".id.ends_with("}) {
+        if (before.ends_with(lookup)) {
+            return true;
+        }
+    }
+    const bool isCompared = before.ends_with("==") || before.ends_with("!=");
+    const std::string_view compared =
+        isCompared ? lastName(before.substr(0, before.size() - 2)) : std::string_view();
+    return compared == "id" || compared == "parameterId";
+}
+
 /// Offsets of the literals that are ids and are looked up.
-std::vector<std::size_t> lookups(std::string_view code, const Ids& ids) {
+template <class IsLookup>
+std::vector<std::size_t> lookups(std::string_view code, const Ids& ids, IsLookup isLookup) {
     std::vector<std::size_t> found;
     for (auto at = code.find('"'); at != code.npos; at = code.find('"', at + 1)) {
         const auto end = code.find('"', at + 1);
@@ -120,6 +154,34 @@ std::vector<std::size_t> lookups(std::string_view code, const Ids& ids) {
         at = end;
     }
     return found;
+}
+
+std::vector<std::size_t> lookups(std::string_view code, const Ids& ids) {
+    return lookups(code, ids, isLookup);
+}
+
+TEST(BlockNames, Program_LooksNoParameterUpByALiteralId) {
+    ASSERT_TRUE(parameterIds().contains("crease.width"));
+    for (const SourceFile& file : filesUnder({"engine", "app"}, {".h", ".cpp", ".in"})) {
+        for (const std::size_t at :
+             lookups(withoutComments(file.text), parameterIds(), isParameterLookup)) {
+            ADD_FAILURE() << file.place(at) << ": looks a parameter up by its id, not its role: "
+                          << file.text.substr(at, 40);
+        }
+    }
+}
+
+TEST(BlockNames, LookupsOfParameters_AreFoundHoweverTheyAreWritten) {
+    const Ids ids{"index", "width"};
+    for (const char* code :
+         {"block.parameter(\"index\")", "values.parameters.find(\"width\")",
+          "light.parameters[\"width\"] = 1.0;", "if (field.parameter->id == \"index\") {",
+          "parameter.id.ends_with(\"width\")"}) {
+        EXPECT_EQ(lookups(code, ids, isParameterLookup).size(), 1u) << code;
+    }
+    for (const char* code : {"json.at(\"index\");", "{\"width\", options.width}"}) {
+        EXPECT_TRUE(lookups(code, ids, isParameterLookup).empty()) << code;
+    }
 }
 
 TEST(BlockNames, Program_LooksNoBlockUpByALiteralId) {

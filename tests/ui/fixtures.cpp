@@ -83,6 +83,7 @@ const char* const lampBlock = R"({
     {"id": "height", "label": "Height", "type": "float", "default": 2, "min": 0, "max": 100,
      "softMin": 0, "softMax": 10, "step": 0.1, "unit": "m", "doc": "How high it hangs."}
   ],
+  "neutral": [{"intensity": 0}],
   "claims": ["finite"]
 })";
 
@@ -93,6 +94,7 @@ const char* const sunBlock = R"({
     {"id": "intensity", "label": "Intensity", "type": "float", "default": 1, "min": 0,
      "max": 10000, "softMin": 0, "softMax": 10, "step": 0.01, "doc": "How bright it is."}
   ],
+  "neutral": [{"intensity": 0}],
   "claims": ["finite"]
 })";
 
@@ -103,6 +105,7 @@ const char* const mistBlock = R"({
     {"id": "density", "label": "Density", "type": "float", "default": 0.1, "min": 0, "max": 10,
      "softMin": 0, "softMax": 1, "step": 0.01, "unit": "1/m", "doc": "How thick it is."}
   ],
+  "neutral": [{"density": 0}],
   "claims": ["finite"]
 })";
 

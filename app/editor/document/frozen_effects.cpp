@@ -39,21 +39,30 @@ Value inside(const Parameter& parameter) {
     return filled(parameter, between(0.5) != 0.0 ? between(0.5) : between(0.75));
 }
 
-/// A Fresnel term with the same index on both sides refracts nothing.
-void addOtherIndices(std::vector<Value>& edges, const Material* material, const BlockPath& path,
-                     const Parameter& parameter, const Catalog& catalog) {
-    constexpr std::string_view indices = "index.";
-    const bool isFresnel = path.isAt(kinds::fresnel) && material != nullptr;
-    const BlockValues* part = isFresnel ? material->part(kinds::fresnel) : nullptr;
-    const Block* block = part != nullptr ? catalog.find(kinds::fresnel, part->id) : nullptr;
-    if (block == nullptr || !parameter.id.starts_with(indices)) {
-        return;
-    }
-    for (const Parameter& other : block->parameters) {
-        if (other.id.starts_with(indices)) {
-            edges.push_back(givenValue(other, part->parameters));
-        }
-    }
+bool isCompared(const NeutralValue& value, const Parameter& one, const Parameter& other) {
+    return (value.id == one.id && value.word == other.id) ||
+           (value.id == other.id && value.word == one.id);
+}
+
+/// Whether the program, or what says when the block does nothing, compares the two.
+bool areCompared(const Block& block, const Parameter& one, const Parameter& other) {
+    return one.equalTo == other.id || other.equalTo == one.id ||
+           std::ranges::any_of(block.neutral, [&](const NeutralCase& neutral) {
+               return std::ranges::any_of(neutral, [&](const NeutralValue& value) {
+                   return isCompared(value, one, other);
+               });
+           });
+}
+
+/// The value that the parameter has where it is the same as this one.
+Value equalTo(const Parameter& parameter, const Value& other) {
+    const auto* number = std::get_if<double>(&other);
+    const auto* triple = std::get_if<glm::dvec3>(&other);
+    const bool isNumber = std::holds_alternative<double>(parameter.defaultValue);
+    return number     ? filled(parameter, *number)
+           : !triple  ? parameter.defaultValue
+           : isNumber ? filled(parameter, triple->x)
+                      : other;
 }
 
 /// Values at which a program may lose an effect: the ends of the slider, 0, and every value that
@@ -62,15 +71,13 @@ std::vector<Value> edgesOf(const DocumentState& state, const BlockPath& path,
                            const Parameter& parameter, const Catalog& catalog) {
     std::vector<Value> edges{filled(parameter, 0.0), filled(parameter, parameter.softMin),
                              filled(parameter, parameter.softMax)};
-    const Material* material = materialAt(state, path.index, path.side);
-    const bool isModel = path.isAt(kinds::models) && material != nullptr;
-    const Block* model = isModel ? catalog.find(kinds::models, material->model.id) : nullptr;
-    for (const Parameter& other : model != nullptr ? model->parameters : std::vector<Parameter>()) {
-        if (other.equalTo == parameter.id || parameter.equalTo == other.id) {
-            edges.push_back(givenValue(other, material->model.parameters));
+    const BlockValues* held = blockValuesAt(state, path);
+    const Block* block = held ? catalog.find(path.kind, held->id) : nullptr;
+    for (const Parameter& other : block ? block->parameters : std::vector<Parameter>()) {
+        if (areCompared(*block, parameter, other)) {
+            edges.push_back(equalTo(parameter, givenValue(other, held->parameters)));
         }
     }
-    addOtherIndices(edges, material, path, parameter, catalog);
     return edges;
 }
 

@@ -126,8 +126,7 @@ std::string currentLayers(const Scene& scene, const Catalog& catalog) {
 /// What says how many places a kind of shadow looks at; null where nothing does.
 const Parameter* tapsOf(const Light& light, const Catalog& catalog) {
     const Block* block = light.shadow ? catalog.find(kinds::shadows, light.shadow->id) : nullptr;
-    const Parameter* taps = block == nullptr ? nullptr : block->parameter("samples");
-    return taps != nullptr && taps->type == ParameterType::Enum ? taps : nullptr;
+    return block == nullptr ? nullptr : block->withRole(roles::samples);
 }
 
 /// The first light that has such shadows; null where none does.

@@ -23,7 +23,7 @@ namespace {
 constexpr glm::ivec2 plainSize{256, 128};
 
 /// What does not change where the environment is bright, seen from within.
-constexpr std::array<std::string_view, 3> otherValues{"rotate", "background", "background.blur"};
+constexpr std::array<std::string_view, 3> otherRoles{roles::rotate, roles::background, roles::blur};
 
 /// In place of a picture that is on its way. A software driver compiles programs anew where one
 /// with coarser versions, or with sides that are powers of two, takes the place of one without.
@@ -101,7 +101,7 @@ bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
         return true;
     }
     const Backdrop backdrop = backdropOf(values, current_->use.block());
-    blur_ = 0.5 * glm::radians(environmentNumber(values, current_->use.block(), "background.blur"));
+    blur_ = 0.5 * glm::radians(environmentNumber(values, current_->use.block(), roles::blur));
     if (backdrop != Backdrop::Hidden) {
         background_ = program(*current_,
                               backdrop == Backdrop::Blurred ? EnvironmentOutput::BlurredBackground
@@ -117,13 +117,14 @@ void EnvironmentLight::pack(const BlockValues& values) {
     values_.reserve(EnvironmentLayout::fixed + vec4s);
     const std::span<glm::vec4> own = values_.staging().subspan(EnvironmentLayout::fixed, vec4s);
     packInto(own, current_->layout, values.parameters, exact, glm::dmat4(1.0));
-    const double turn = glm::radians(environmentNumber(values, current_->use.block(), "rotate"));
+    const double turn =
+        glm::radians(environmentNumber(values, current_->use.block(), roles::rotate));
     values_.staging()[EnvironmentLayout::turn] =
         glm::vec4(std::cos(turn), std::sin(turn), 0.0f, 1.0f);
     wantedLook_.assign(own.begin(), own.end());
     for (const ParameterField& field : current_->layout.fields) {
-        if (field.parameter != nullptr && std::find(otherValues.begin(), otherValues.end(),
-                                                    field.parameter->id) != otherValues.end()) {
+        if (field.parameter != nullptr &&
+            std::ranges::find(otherRoles, field.parameter->role) != otherRoles.end()) {
             wantedLook_[field.offset / 4][static_cast<int>(field.offset % 4)] = 0.0f;
         }
     }

@@ -16,7 +16,7 @@ void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Ma
     const std::span<glm::vec4> own = out.subspan(static_cast<std::size_t>(place.first));
     packInto(own, place.layout, *choice.values, material.accuracy, glm::dmat4(1.0));
     for (const ParameterField& field : place.layout.fields) {
-        if (field.parameter != nullptr && field.parameter->id == "index") {
+        if (field.parameter != nullptr && field.parameter->role == roles::index) {
             own[field.offset / 4][static_cast<int>(field.offset % 4)] =
                 static_cast<float>(bodyIndex(material, choice, *pipeline.catalog));
         }

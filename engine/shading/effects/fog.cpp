@@ -40,9 +40,9 @@ double ramp(double from, double to, double distance) {
     return std::clamp((distance - from) / (to - from), 0.0, 1.0);
 }
 
-/// The brightest channel of the fog's colour; 1 where it has no parameter of that name.
+/// The brightest channel of the fog's colour; 1 where no parameter is that.
 double brightness(const Block& block, const Values& values) {
-    const Parameter* parameter = block.parameter("color");
+    const Parameter* parameter = block.withRole(roles::color);
     const glm::dvec3* color =
         parameter == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*parameter, values));
     return color == nullptr ? 1.0 : std::max({color->x, color->y, color->z, 0.0});
@@ -53,10 +53,9 @@ const glm::dvec3* vectorOf(const Parameter* parameter, const Values& values) {
                                 : std::get_if<glm::dvec3>(&givenValue(*parameter, values));
 }
 
-/// The longest way through the box that the fog fills, by its parameter `size`; infinite where it
-/// has none.
+/// The longest way through the box that the fog fills; infinite where it fills none.
 double longestWay(const Block& block, const Values& values) {
-    const glm::dvec3* size = vectorOf(block.parameter("size"), values);
+    const glm::dvec3* size = vectorOf(block.parameter(block.hides->size), values);
     if (size == nullptr) {
         return std::numeric_limits<double>::infinity();
     }
@@ -116,12 +115,13 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
 }
 
 std::optional<FogBox> fogBox(const Block& block, const Values& values) {
-    const Parameter* middle = block.parameter("center");
-    const glm::dvec3* center = vectorOf(middle, values);
-    const glm::dvec3* size = vectorOf(block.parameter("size"), values);
-    const bool isBox = block.hides && center != nullptr && size != nullptr &&
-                       middle->space == Space::WorldPoint && isFinite(Value(*center)) &&
-                       isFinite(Value(*size));
+    if (!block.hides) {
+        return std::nullopt;
+    }
+    const glm::dvec3* center = vectorOf(block.parameter(block.hides->center), values);
+    const glm::dvec3* size = vectorOf(block.parameter(block.hides->size), values);
+    const bool isBox =
+        center != nullptr && size != nullptr && isFinite(Value(*center)) && isFinite(Value(*size));
     return isBox ? std::optional(FogBox{*center, *size}) : std::nullopt;
 }
 

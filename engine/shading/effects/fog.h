@@ -28,8 +28,7 @@ struct FogBox {
     glm::dvec3 size{0.0}; ///< from side to side
 };
 
-/// The box that the fog fills, by its parameters `center` (a point of the world) and `size`;
-/// nothing where it has none of them.
+/// The box that the fog fills, by what its descriptor says; nothing where it fills none.
 std::optional<FogBox> fogBox(const Block& block, const Values& values);
 
 /// Fog that gets thinner above a height.

@@ -16,21 +16,12 @@
 namespace patina {
 namespace {
 
-/// The parameter that alone makes the block neutral; null where none does.
-const Parameter* decisiveZero(const Block& block, const Values& values) {
-    const auto isOff = [&values](const Parameter* parameter) {
-        return parameter != nullptr && parameter->min >= 0.0 &&
-               notPositive(givenValue(*parameter, values));
-    };
-    if (const BlockKind* kind = findKind(block.kind)) {
-        for (const std::string_view id : kind->decisive) {
-            if (isOff(block.parameter(id))) {
-                return block.parameter(id);
-            }
-        }
-    }
+/// The angle of a light's cone, where it is 0 and the cone holds nothing; else null.
+const Parameter* angleOfNothing(const Block& block, const Values& values) {
     const Parameter* angle = block.reach ? block.parameter(block.reach->angle) : nullptr;
-    return isOff(angle) ? angle : nullptr;
+    const bool isNothing =
+        angle != nullptr && angle->min >= 0.0 && notPositive(givenValue(*angle, values));
+    return isNothing ? angle : nullptr;
 }
 
 /// The three parts of a value; the same one thrice of a number. What is not finite or out of range
@@ -94,6 +85,10 @@ std::string equalText(const Parameter& one, const Parameter& other, const Values
 }
 
 std::string caseText(const NeutralCase& neutral, const Block& block, const Values& values) {
+    const Parameter* first = block.parameter(neutral.front().id);
+    if (neutral.size() == 1 && first != nullptr && first->role == roles::color) {
+        return "It is black.";
+    }
     std::vector<std::string> zero;
     std::vector<std::string> less;
     std::vector<std::string> black;
@@ -126,17 +121,17 @@ std::string caseText(const NeutralCase& neutral, const Block& block, const Value
 } // namespace
 
 bool isNeutral(const Block& block, const Values& values, const AccuracyLevels& levels) {
-    return decisiveZero(block, values) != nullptr || neutralCase(block, values, levels) != nullptr;
+    return neutralCase(block, values, levels) != nullptr ||
+           angleOfNothing(block, values) != nullptr;
 }
 
 std::string whyNeutral(const Block& block, const Values& values, const AccuracyLevels& levels) {
-    if (const Parameter* zero = decisiveZero(block, values)) {
-        const char* what = zero->type == ParameterType::Color ? "black" : "0";
-        return zero->id == "color" ? "It is black."
-                                   : fmt::format("Its {} is {}.", quotedLabel(zero->label), what);
+    if (const NeutralCase* neutral = neutralCase(block, values, levels)) {
+        return caseText(*neutral, block, values);
     }
-    const NeutralCase* neutral = neutralCase(block, values, levels);
-    return neutral == nullptr ? std::string() : caseText(*neutral, block, values);
+    const Parameter* angle = angleOfNothing(block, values);
+    return angle == nullptr ? std::string()
+                            : fmt::format("Its {} is 0.", quotedLabel(angle->label));
 }
 
 bool isNeutralPart(const Block& block, const Values& values, const Material& material) {

@@ -88,7 +88,7 @@ OutlineChoice outlineChoice(const Material& material, const Catalog& catalog) {
     }
     bool hasWidths = false;
     for (const Parameter& parameter : block->parameters) {
-        const bool isWidth = parameter.id == "width" || parameter.id.ends_with(".width");
+        const bool isWidth = parameter.role == roles::width;
         if (isWidth && !notPositive(givenValue(parameter, part->parameters))) {
             return {block, ""};
         }

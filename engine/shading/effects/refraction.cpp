@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::string_view kind = kinds::refraction;
 
-std::optional<double> numberIn(const Block& block, const Values& values, std::string_view id) {
-    const Parameter* parameter = block.parameter(id);
+std::optional<double> numberIn(const Block& block, const Values& values, std::string_view role) {
+    const Parameter* parameter = block.withRole(role);
     const auto* number =
         parameter == nullptr ? nullptr : std::get_if<double>(&givenValue(*parameter, values));
     return number == nullptr ? std::nullopt : std::optional(*number);
@@ -32,12 +32,12 @@ double indexOf(const glm::dvec3& f0) {
 }
 
 std::optional<double> fresnelIndex(const Block& block, const Values& values) {
-    const auto outside = numberIn(block, values, "index.outside");
-    const auto inside = numberIn(block, values, "index.inside");
+    const auto outside = numberIn(block, values, roles::indexOutside);
+    const auto inside = numberIn(block, values, roles::indexInside);
     if (outside && inside) {
         return *inside / std::max(*outside, 1e-6);
     }
-    const Parameter* f0 = block.parameter("f0");
+    const Parameter* f0 = block.withRole(roles::f0);
     const auto* color = f0 == nullptr ? nullptr : std::get_if<glm::dvec3>(&givenValue(*f0, values));
     return color == nullptr ? std::nullopt : std::optional(indexOf(*color));
 }
@@ -52,24 +52,23 @@ std::optional<double> surfaceIndex(const Material& material, const Catalog& cata
         }
     }
     const Block* model = catalog.find(kinds::models, material.model.id);
-    return model == nullptr ? std::nullopt : numberIn(*model, material.model.parameters, "index");
+    return model == nullptr ? std::nullopt
+                            : numberIn(*model, material.model.parameters, roles::index);
 }
 
 bool isOwn(const Block& block, const Values& values) {
-    const Parameter* from = block.parameter("index.from");
+    const Parameter* from = block.withRole(roles::indexFrom);
     const auto* word =
         from == nullptr ? nullptr : std::get_if<std::string>(&givenValue(*from, values));
     return word == nullptr || *word == "own";
 }
 
-bool isWhite(const Block& block, const Values& values, std::string_view id) {
-    const Parameter* parameter = block.parameter(id);
-    return parameter == nullptr || givenValue(*parameter, values) == Value(glm::dvec3(1.0));
-}
-
 bool isNeutral(const Material& material, const RefractionChoice& choice, const Catalog& catalog) {
-    return isWhite(*choice.block, *choice.values, "tint") &&
-           isWhite(*choice.block, *choice.values, "absorption.color") &&
+    const auto colors = [&choice](const Parameter& parameter) {
+        return parameter.role == roles::filter &&
+               givenValue(parameter, *choice.values) != Value(glm::dvec3(1.0));
+    };
+    return std::ranges::none_of(choice.block->parameters, colors) &&
            bodyIndex(material, choice, catalog) == 1.0;
 }
 
@@ -90,14 +89,31 @@ std::string refractionText(const EffectSubject& subject, const EffectSet& set) {
                        order);
 }
 
+bool bendsColorsApart(const BlockUse& use) {
+    const Parameter* dispersion = use.block().withRole(roles::dispersion);
+    return dispersion != nullptr &&
+           std::ranges::none_of(use.compiled(), [dispersion](const CompiledValue& value) {
+               return value.id == dispersion->id && value.value == "zero";
+           });
+}
+
 /// One ray stands for all colours where they are refracted alike: green.
 const char* channelSource(const BlockUse& use) {
-    for (const CompiledValue& value : use.compiled()) {
-        if (value.id == "dispersion" && value.value == "nonzero") {
-            return "#define FIRST_CHANNEL 0\n#define LAST_CHANNEL 2\n";
-        }
+    return bendsColorsApart(use) ? "#define FIRST_CHANNEL 0\n#define LAST_CHANNEL 2\n"
+                                 : "#define FIRST_CHANNEL 1\n#define LAST_CHANNEL 1\n";
+}
+
+/// The way of a ray inside. A sheet's field may be called otherwise than its role.
+void writePassage(SurfaceText& text, const Block& block) {
+    if (!isSheet(block)) {
+        text.out.addFile("passes/refraction_body.glsl");
+        return;
     }
-    return "#define FIRST_CHANNEL 1\n#define LAST_CHANNEL 1\n";
+    const std::string field = fieldName(block.withRole(roles::thickness)->id);
+    const bool isOther = field != roles::thickness;
+    text.out.add(isOther ? fmt::format("#define {} {}\n", roles::thickness, field) : "");
+    text.out.addFile("passes/refraction_sheet.glsl");
+    text.out.add(isOther ? fmt::format("#undef {}\n", roles::thickness) : "");
 }
 
 std::string namesSource(const Block& block) {
@@ -148,14 +164,14 @@ double bodyIndex(const Material& material, const RefractionChoice& choice, const
         index = surfaceIndex(material, catalog);
     }
     if (!index) {
-        index = numberIn(*choice.block, *choice.values, "index");
+        index = numberIn(*choice.block, *choice.values, roles::index);
     }
     const double given = index.value_or(1.0);
     return std::isfinite(given) ? std::clamp(given, 0.1, 10.0) : 1.0;
 }
 
 bool isSheet(const Block& refraction) {
-    return refraction.parameter("thickness") != nullptr;
+    return refraction.withRole(roles::thickness) != nullptr;
 }
 
 bool hasRefraction(const Scene& scene, const Catalog& catalog) {
@@ -223,8 +239,7 @@ void RefractionEffect::write(SurfaceText& text) const {
     text.out.add(isSheet(block) ? "#define STEPS_INSIDE 0\n" : "#define STEPS_INSIDE 8\n");
     text.out.addFile(text.set.isShownRefracted ? "passes/refraction_behind.glsl"
                                                : "passes/refraction_alone.glsl");
-    text.out.addFile(isSheet(block) ? "passes/refraction_sheet.glsl"
-                                    : "passes/refraction_body.glsl");
+    writePassage(text, block);
     text.out.addFile("passes/refraction.glsl");
     text.last += fmt::format("    {0} = refracted(s, {0}, {1}, unpackRefraction({2}));\n",
                              text.stored, text.alpha, text.object.refraction->first);

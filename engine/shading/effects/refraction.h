@@ -18,13 +18,13 @@ struct RefractionChoice {
 /// coloured. Allocates nothing.
 RefractionChoice refractionChoice(const Material& material, const Catalog& catalog);
 
-/// The index of the body relative to what surrounds it: the block's own `index`, or, where its
-/// `index.from` does not say "own", that of the material's Fresnel term (`index.inside` over
-/// `index.outside`, or sqrt(f0) = (n - 1) / (n + 1) for the mean of `f0`), or the model's `index`.
-/// 0.1 .. 10.
+/// The index of the body relative to what surrounds it, by the roles of parameters: the block's own
+/// `index`, or, where its `indexFrom` does not say "own", that of the material's Fresnel term
+/// (`indexInside` over `indexOutside`, or sqrt(f0) = (n - 1) / (n + 1) for the mean of `f0`), or
+/// the model's `index`. 0.1 .. 10.
 double bodyIndex(const Material& material, const RefractionChoice& choice, const Catalog& catalog);
 
-/// Whether light leaves it in its old direction: a pane, which has a `thickness`.
+/// Whether light leaves it in its old direction: a pane, which has a thickness.
 bool isSheet(const Block& refraction);
 
 /// Whether an object that is seen refracts what is behind it. Allocates nothing.
