@@ -101,12 +101,13 @@ Result<void> assignInLight(Scene& scene, const Assignment& inner, const Catalog&
         if (own.id.empty() || lowered(inner.id.substr(0, light.name.size())) != name) {
             continue;
         }
-        const BlockKind& shadows = *findKind(kinds::shadows);
-        if (const std::string id = own.inside(shadows.singular); !id.empty()) {
-            BlockValues* values = light.shadow ? &*light.shadow : nullptr;
-            return assignInBlock(values ? catalog.find(kinds::shadows, values->id) : nullptr,
-                                 values, {id, inner.text}, "the shadow of " + what,
-                                 fmt::format("--{}", shadows.singular));
+        for (const std::string_view kind : partKinds(BlockOwner::Light)) {
+            const std::string_view word = findKind(kind)->singular;
+            if (const std::string id = own.inside(word); !id.empty()) {
+                return assignInBlock(blockOf(light.parts, kind, catalog), light.part(kind),
+                                     {id, inner.text}, fmt::format("the {} of {}", word, what),
+                                     fmt::format("--{}", word));
+            }
         }
         return assignInBlock(catalog.find(kinds::lights, light.block.id), &light.block, own, what,
                              "--light");

@@ -62,9 +62,9 @@ void giveKind(Light& light, const Block& block, const Catalog& catalog) {
 
 tl::unexpected<Error> noSuchLight(const Scene& scene, const BlockKind& kind,
                                   const LightChoice& choice) {
-    return failure(fmt::format("--{} {}: there is no light \"{}\"", kind.singular, choice.text,
-                               choice.name),
-                   expectedLights(scene, choice.name));
+    return failure(
+        fmt::format("--{} {}: there is no light \"{}\"", kind.singular, choice.text, choice.name),
+        expectedLights(scene, choice.name));
 }
 
 /// The light of the name gets another kind, goes or comes; without a name one comes, or all go.
@@ -100,9 +100,9 @@ Result<void> chooseShadow(Scene& scene, const BlockKind& kind, const LightChoice
     for (Light& light : scene.lights) {
         const bool isMeant = choice.name.empty() || &light == named;
         if (isMeant && choice.block == nullptr) {
-            light.shadow.reset();
+            light.setPart(kind.folder, std::nullopt);
         } else if (isMeant && mayCast(light, catalog)) {
-            light.shadow = defaultBlockValues(*choice.block);
+            light.setPart(kind.folder, defaultBlockValues(*choice.block));
         }
     }
     return {};
@@ -120,9 +120,8 @@ Result<void> chooseInLights(Scene& scene, const BlockKind& kind,
         choices.push_back(*choice);
     }
     const bool isOfLights = kind.folder == kinds::lights;
-    if (isOfLights && std::ranges::any_of(choices, [](const LightChoice& choice) {
-            return choice.name.empty();
-        })) {
+    if (isOfLights && std::ranges::any_of(
+                          choices, [](const LightChoice& choice) { return choice.name.empty(); })) {
         scene.lights.clear();
     }
     Result<void> done;

@@ -38,7 +38,13 @@ struct Light {
     std::string name;
     bool enabled = true;
     BlockValues block;
-    std::optional<BlockValues> shadow{}; ///< absent: objects cast none in it
+    BlockParts parts{}; ///< without a shadow objects cast none in it
+
+    const BlockValues* part(std::string_view kind) const { return partOf(parts, kind); }
+    BlockValues* part(std::string_view kind) { return partOf(parts, kind); }
+    void setPart(std::string_view kind, std::optional<BlockValues> values) {
+        patina::setPart(parts, kind, std::move(values));
+    }
 
     friend bool operator==(const Light&, const Light&) = default;
 };

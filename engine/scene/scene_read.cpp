@@ -37,7 +37,7 @@ class SceneReader {
         reader_.read("name", scene().name);
         readObjects();
         readLights();
-        readParts();
+        scene().parts = partsOf(reader_, BlockOwner::Scene);
         readOwnSettings();
         reader_.readObject("extras", scene().extras);
         keepUnknown();
@@ -176,29 +176,23 @@ class SceneReader {
             Light light;
             reader.read("name", light.name);
             reader.read("enabled", light.enabled);
-            readShadow(reader, light);
+            light.parts = partsOf(reader, BlockOwner::Light);
             light.block = blocks_.read(reader, kinds::lights);
             light.block.unknown.update(reader.unknown());
             scene().lights.push_back(std::move(light));
         }
     }
 
-    void readShadow(JsonReader& light, Light& into) {
-        const Json* shadow = light.find("shadow");
-        if (shadow != nullptr && !shadow->is_null()) {
-            JsonReader reader = light.child("shadow");
-            into.shadow = blocks_.read(reader, kinds::shadows);
-            into.shadow->unknown.update(reader.unknown());
-        }
-    }
-
-    void readParts() {
-        for (const std::string_view kind : partKinds(BlockOwner::Scene)) {
-            const Json* json = reader_.find(kind);
+    BlockParts partsOf(JsonReader& reader, BlockOwner owner) {
+        BlockParts parts;
+        for (const std::string_view kind : partKinds(owner)) {
+            const std::string_view key = findKind(kind)->singular;
+            const Json* json = reader.find(key);
             if (json != nullptr && !json->is_null() && !isFormer(kind, *json)) {
-                readPart(kind);
+                patina::setPart(parts, kind, partFrom(reader.child(key), kind));
             }
         }
+        return parts;
     }
 
     /// Scenes of before there were environments have an object without an id, which is kept.
@@ -208,16 +202,15 @@ class SceneReader {
         return is;
     }
 
-    void readPart(std::string_view kind) {
-        JsonReader reader = reader_.child(kind);
+    BlockValues partFrom(JsonReader reader, std::string_view kind) {
         BlockValues values = blocks_.read(reader, kind);
         values.unknown.update(reader.unknown());
-        readPictureFile(kind, values);
-        scene().setPart(kind, std::move(values));
+        readPictureFile(reader, kind, values);
+        return values;
     }
 
     /// A picture is named from the scene's folder.
-    void readPictureFile(std::string_view kind, BlockValues& values) {
+    void readPictureFile(const JsonReader& reader, std::string_view kind, BlockValues& values) {
         const Block* block = blocks_.catalog.find(kind, values.id);
         const Parameter* parameter = block == nullptr ? nullptr : pictureParameter(*block);
         const std::string file(parameter == nullptr ? "" : pictureFile(values, *block));
@@ -225,7 +218,7 @@ class SceneReader {
             return;
         }
         if (!references_.mayRead(file, OutsideFile::Kind::Picture)) {
-            note(fmt::format("/{}/parameters/{}", kind, escapedToken(parameter->id)),
+            note(fmt::format("{}/{}", reader.pointer("parameters"), escapedToken(parameter->id)),
                  fmt::format("the picture \"{}\" is not in the scene's folder and is not read",
                              file),
                  relativePath);

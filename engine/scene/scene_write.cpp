@@ -29,14 +29,6 @@ Json toJson(const Object& object, const std::filesystem::path& folder) {
     return json;
 }
 
-Json toJson(const Light& light) {
-    Json json = toJson(light.block);
-    json["name"] = light.name;
-    json["enabled"] = light.enabled;
-    json["shadow"] = light.shadow ? toJson(*light.shadow) : Json();
-    return json;
-}
-
 /// The picture's path is the only text in it that can be one.
 Json toJson(const BlockValues& part, const std::filesystem::path& folder) {
     BlockValues moved = part;
@@ -46,6 +38,25 @@ Json toJson(const BlockValues& part, const std::filesystem::path& folder) {
         }
     }
     return toJson(moved);
+}
+
+void writeParts(Json& json, const BlockParts& parts, BlockOwner owner,
+                const std::filesystem::path& folder) {
+    for (const std::string_view kind : partKinds(owner)) {
+        const BlockValues* part = partOf(parts, kind);
+        const std::string key(findKind(kind)->singular);
+        if (part != nullptr || !json.contains(key)) { // what was not known stays
+            json[key] = part != nullptr ? toJson(*part, folder) : Json();
+        }
+    }
+}
+
+Json toJson(const Light& light, const std::filesystem::path& folder) {
+    Json json = toJson(light.block);
+    json["name"] = light.name;
+    json["enabled"] = light.enabled;
+    writeParts(json, light.parts, BlockOwner::Light, folder);
+    return json;
 }
 
 } // namespace
@@ -61,18 +72,12 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     }
     json["lights"] = Json::array();
     for (const Light& light : scene.lights) {
-        json["lights"].push_back(toJson(light));
+        json["lights"].push_back(toJson(light, folder));
     }
     writeSettingsOf(scene, settings::scene, json);
     writeSettingsOf(scene.camera, settings::camera, json[std::string(settings::camera)]);
     writePictureAccuracy(json, scene.accuracy);
-    for (const std::string_view kind : partKinds(BlockOwner::Scene)) {
-        const BlockValues* part = scene.part(kind);
-        const std::string key(kind);
-        if (part != nullptr || !json.contains(key)) { // what was not known stays
-            json[key] = part != nullptr ? toJson(*part, folder) : Json();
-        }
-    }
+    writeParts(json, scene.parts, BlockOwner::Scene, folder);
     json["extras"] = scene.extras;
     return json;
 }

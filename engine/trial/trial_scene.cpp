@@ -19,8 +19,8 @@ Scene trialScene(const Block& block, const Catalog& catalog) {
     scene.objects.push_back(object);
     if (const Block* light = trialLight(block, catalog)) {
         scene.lights.push_back({"light", true, defaultBlockValues(*light)});
-        if (block.kind == kinds::shadows) {
-            scene.lights.back().shadow = defaultBlockValues(block);
+        if (std::ranges::count(partKinds(BlockOwner::Light), block.kind) > 0) {
+            scene.lights.back().setPart(block.kind, defaultBlockValues(block));
         }
     }
     if (std::ranges::count(partKinds(BlockOwner::Scene), block.kind) > 0) {

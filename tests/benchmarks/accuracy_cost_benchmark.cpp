@@ -92,7 +92,7 @@ Scene sceneOf(const Catalog& catalog, const Setting& setting) {
 /// Everything that a picture's choices are about, but an environment.
 Scene pictureScene(const Catalog& catalog) {
     Scene scene = ballScene(catalog, "blinn-phong");
-    scene.lights.front().shadow = defaultsOf(catalog, "shadows", "filtered");
+    scene.lights.front().setPart(kinds::shadows, defaultsOf(catalog, "shadows", "filtered"));
     scene.setPart(kinds::fog, defaultsOf(catalog, "fog", "exponential"));
     scene.setPart(kinds::transparency, defaultsOf(catalog, "transparency", "peeled"));
     Object pane = scene.objects.front();

@@ -46,7 +46,8 @@ void addLights(Scene& scene, const Catalog& catalog, const std::string& surround
         scene.lights.push_back(lightOf(catalog, "point", {0.5, 0.6, 0.7}, {2.0, 3.0, 2.0}));
         scene.lights.back().block.parameters["attenuation.quadratic"] = 0.05;
     } else if (surrounding == "shade") {
-        scene.lights.back().shadow = defaultBlockValues(*catalog.find("shadows", "hard"));
+        scene.lights.back().setPart(kinds::shadows,
+                                    defaultBlockValues(*catalog.find("shadows", "hard")));
     }
 }
 

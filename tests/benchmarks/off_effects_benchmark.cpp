@@ -38,8 +38,8 @@ Ids namedBlocks(const Scene& scene) {
     }
     for (const Light& light : scene.lights) {
         named.insert({"lights", light.block.id});
-        if (light.shadow) {
-            named.insert({"shadows", light.shadow->id});
+        if (light.part(kinds::shadows)) {
+            named.insert({"shadows", light.part(kinds::shadows)->id});
         }
     }
     for (const auto& [kind, block] : scene.parts) {

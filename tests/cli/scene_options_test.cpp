@@ -75,9 +75,9 @@ TEST(SceneOptions, ALightsValue_IsSetByItsName) {
 TEST(SceneOptions, AShadow_IsChosenAndSet) {
     const Scene scene =
         sceneWith({"--shadow", "key=filtered", "--set", "light.key.shadow.width=0.25"});
-    ASSERT_TRUE(scene.lights[0].shadow);
-    EXPECT_EQ(scene.lights[0].shadow->parameters.at("width"), Value(0.25));
-    EXPECT_EQ(scene.lights[1].shadow, sceneWith({}).lights[1].shadow);
+    ASSERT_TRUE(scene.lights[0].part(kinds::shadows));
+    EXPECT_EQ(scene.lights[0].part(kinds::shadows)->parameters.at("width"), Value(0.25));
+    EXPECT_EQ(scene.lights[1].parts, sceneWith({}).lights[1].parts);
 }
 
 TEST(SceneOptions, SettingsOfTheScene_AreSet) {
@@ -121,9 +121,8 @@ TEST(SceneOptions, NamesOfNoLight_AreErrorsWithThoseThereAre) {
 }
 
 TEST(SceneOptions, ErrorsOfAnAssignment_RepeatWhatWasTyped) {
-    for (const char* wrong :
-         {"fog.density=1", "light.key.intensit=2", "light.key=2", "camera.yaw=abc", "fog=linear",
-          "picture.nothing=1", "fresnel.f=0"}) {
+    for (const char* wrong : {"fog.density=1", "light.key.intensit=2", "light.key=2",
+                              "camera.yaw=abc", "fog=linear", "picture.nothing=1", "fresnel.f=0"}) {
         EXPECT_NE(errorWith({"--set", wrong}).find(std::string("--set ") + wrong + ": "),
                   std::string::npos)
             << errorWith({"--set", wrong});

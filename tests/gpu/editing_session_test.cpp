@@ -42,7 +42,7 @@ class EditingSession : public GpuTest {
         }
         for (const Block* each : catalog->ofKind("shadows")) {
             const BlockValues made = block("shadows", each->id);
-            all.emplace_back([made](Scene& s) { s.lights[0].shadow = made; });
+            all.emplace_back([made](Scene& s) { s.lights[0].setPart(kinds::shadows, made); });
         }
         for (const Block* each : catalog->ofKind("fog")) {
             const BlockValues made = block("fog", each->id);
@@ -77,9 +77,8 @@ class EditingSession : public GpuTest {
 
     /// How much of the device's work that is no surface's is seen: each kind of pass has a program.
     static std::vector<std::string> passesOf(const EffectSet& set, const Scene& scene) {
-        std::vector<std::string> passes{
-            "display " + std::to_string(int(scene.toneMapping)) +
-            (scene.exposure == 0.0 ? " plain" : " exposed")};
+        std::vector<std::string> passes{"display " + std::to_string(int(scene.toneMapping)) +
+                                        (scene.exposure == 0.0 ? " plain" : " exposed")};
         for (const LightGroup& group : set.lights) {
             if (group.shadow) {
                 passes.emplace_back("shadow map");

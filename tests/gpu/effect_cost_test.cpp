@@ -144,7 +144,7 @@ TEST(EffectCosts, Sum_HasNothingThatIsBelowNoise) {
 TEST_F(EffectCostTest, EveryRemovableEffect_IsMeasured) {
     scene_.ambient = glm::dvec3(0.1);
     scene_.setPart(kinds::fog, block("fog", "linear"));
-    scene_.lights[0].shadow = block("shadows", "hard");
+    scene_.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
     scene_.ground.mode = GroundMode::Plane;
     const EffectCosts costs = measured(1);
     ASSERT_NE(costs.of("shadows/hard"), nullptr);

@@ -48,7 +48,7 @@ class EffectRowsTest : public ShadingTest {
         scene_.setPart(kinds::transparency, block("transparency", "peeled"));
         rich.textures["diffuse.color"] = textureUse("diffuse.color", "/wood.png");
         scene_.lights = {light("point"), light("head")};
-        scene_.lights[0].shadow = block("shadows", "soft");
+        scene_.lights[0].setPart(kinds::shadows, block("shadows", "soft"));
         scene_.ground.mode = GroundMode::Plane;
         scene_.hemisphere.sky = glm::dvec3(0.2);
         scene_.setPart(kinds::environment, block("environment", "studio"));

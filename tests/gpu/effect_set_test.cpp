@@ -182,7 +182,7 @@ class ShadowEffects : public ShadingTest {
         scene.objects.emplace_back();
         scene.objects[0].material = material("lambert");
         scene.lights = {light(kindOfLight)};
-        scene.lights[0].shadow = block("shadows", kindOfShadow);
+        scene.lights[0].setPart(kinds::shadows, block("shadows", kindOfShadow));
         return scene;
     }
 
@@ -229,11 +229,11 @@ TEST_F(ShadowEffects, Key_DiffersExactlyWhereTheTextDoes) {
     scenes.push_back(scenes[0]);
     scenes.back().objects[0].material.opacity = 0.4; // casts none either, and is no longer solid
     scenes.push_back(scenes[0]);
-    scenes.back().lights[0].shadow.reset();
+    scenes.back().lights[0].setPart(kinds::shadows, std::nullopt);
     scenes.push_back(scenes[0]);
-    scenes.back().lights[0].shadow->parameters["samples"] = std::string("fine");
+    scenes.back().lights[0].part(kinds::shadows)->parameters["samples"] = std::string("fine");
     scenes.push_back(scenes[0]);
-    scenes.back().lights[0].shadow->parameters["size"] = 0.7;
+    scenes.back().lights[0].part(kinds::shadows)->parameters["size"] = 0.7;
     EffectKey keys;
     for (const Scene& a : scenes) {
         for (const Scene& b : scenes) {

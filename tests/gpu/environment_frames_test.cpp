@@ -65,7 +65,7 @@ class EnvironmentFrames : public EnvironmentTest {
     Scene everything() {
         Scene scene = inTheStudio("cook-torrance");
         scene.lights = {sun({0.5, -1.0, -0.5})};
-        scene.lights[0].shadow = block("shadows", "filtered");
+        scene.lights[0].setPart(kinds::shadows, block("shadows", "filtered"));
         scene.ground.mode = GroundMode::Plane;
         return scene;
     }
@@ -163,7 +163,7 @@ TEST_F(EnvironmentFrames, ShadowOnAGround_KeepsTheEnvironmentsLight) {
     Scene scene = surrounded("lambert", plain(1.0f));
     scene.objects[0].mesh = "builtin:sphere";
     scene.lights = {sun({0.0, -1.0, 0.0})};
-    scene.lights[0].shadow = block("shadows", "hard");
+    scene.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
     scene.ground.mode = GroundMode::Shadows;
     scene.camera.pitch = 20.0;
     scene.camera.distance = 8.0;
@@ -234,7 +234,7 @@ std::vector<int> samplerUnits(const gl::Program& program) {
 TEST_F(EnvironmentFrames, ProgramWithEverySampler_HasAUnitForEach) {
     Scene scene = surrounded("cook-torrance", plain(1.0f));
     scene.lights = {sun({0.5, -1.0, -0.5})};
-    scene.lights[0].shadow = block("shadows", "soft");
+    scene.lights[0].setPart(kinds::shadows, block("shadows", "soft"));
     Material& material = scene.objects[0].material;
     for (const Parameter& parameter : catalog->find("models", "cook-torrance")->parameters) {
         if (!parameter.textureChannels.empty() && material.textures.size() < maxTextures - 2) {

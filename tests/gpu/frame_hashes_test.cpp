@@ -84,7 +84,7 @@ class FrameHashes : public GpuTest {
             Scene scene = simpleScene();
             scene.objects[0].material = preset->material;
             scene.lights.push_back(light("point"));
-            scene.lights[1].shadow = block("shadows", "filtered");
+            scene.lights[1].setPart(kinds::shadows, block("shadows", "filtered"));
             scene.ground.mode = GroundMode::Plane;
             scenes.emplace_back(file.filename().string(), std::move(scene));
         }

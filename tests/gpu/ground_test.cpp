@@ -20,7 +20,7 @@ class GroundTest : public GpuTest {
         scene_.camera.pitch = 30.0;
         scene_.camera.distance = 8.0;
         scene_.lights = {sun({0.6, -1.0, 0.0})};
-        scene_.lights[0].shadow = block("shadows", "hard");
+        scene_.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
         scene_.ground.mode = GroundMode::Shadows;
     }
 
@@ -40,7 +40,7 @@ TEST_F(GroundTest, ThatCatchesShadows_OnlyDarkensTheBackground) {
 }
 
 TEST_F(GroundTest, WithoutShadows_IsNotDrawn) {
-    scene_.lights[0].shadow.reset();
+    scene_.lights[0].setPart(kinds::shadows, std::nullopt);
     const Image with = capture(scene_);
     scene_.ground.mode = GroundMode::Off;
     EXPECT_EQ(with.pixels, capture(scene_).pixels);

@@ -95,7 +95,7 @@ TEST_F(LightListsTest, HiddenObject_HasNothingIn) {
 
 TEST_F(LightListsTest, GroundUnderALampThatMissesTheObject_IsIn) {
     Scene scene = twoSpheres();
-    scene.lights[0].shadow = block("shadows", "hard");
+    scene.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
     scene.ground.mode = GroundMode::Shadows;
     for (const std::size_t object : {0u, 1u}) {
         const auto ground = row(scene, object, "ground");

@@ -39,8 +39,8 @@ class ModelTransparencyTest : public GpuTest {
 
     std::string opacityReason(const Scene& scene) const {
         const Material& material = scene.objects[0].material;
-        const std::vector<EffectLine> lines = effectLines(effectSet(material, scene, *catalog),
-                                                          {&material, scene, *catalog, {}});
+        const std::vector<EffectLine> lines =
+            effectLines(effectSet(material, scene, *catalog), {&material, scene, *catalog, {}});
         const auto found = std::ranges::find(lines, "opacity", &EffectLine::effect);
         return found == lines.end() ? std::string() : found->reason;
     }
@@ -114,7 +114,7 @@ TEST_F(ModelTransparencyTest, MoreThanHalfOfIt_CastsNoShadow) {
     both.objects[0].material.opacity = 0.7;
     EXPECT_FALSE(hasCaster(both, *catalog));
     Scene shadowed = ball(0.6);
-    shadowed.lights[0].shadow = block("shadows", "hard");
+    shadowed.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
     shadowed.ground.mode = GroundMode::Plane;
     capture(shadowed);
     EXPECT_EQ(renderer->report().shadowMaps, 0);

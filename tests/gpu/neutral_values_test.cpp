@@ -202,7 +202,7 @@ TEST_F(NeutralSceneTest, FlatObjectAlone_HasNoShadowMap) {
     Scene scene = plate();
     scene.objects[0].rotation = {70.0, 0.0, 0.0};
     const Image plain = capture(scene);
-    scene.lights[0].shadow = block("shadows", "soft");
+    scene.lights[0].setPart(kinds::shadows, block("shadows", "soft"));
     EXPECT_EQ(capture(scene).pixels, plain.pixels);
     EXPECT_EQ(renderer->report().shadowMaps, 0);
     const auto rows = objectRows(scene, 0, *catalog, meshSource());
@@ -215,7 +215,7 @@ TEST_F(NeutralSceneTest, FlatObjectAlone_HasNoShadowMap) {
 TEST_F(NeutralSceneTest, FlatObjectWithAnother_HasAShadowMap) {
     makeRenderer();
     Scene scene = plate();
-    scene.lights[0].shadow = block("shadows", "hard");
+    scene.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
     scene.ambient = glm::dvec3(0.1);
     scene.objects.push_back(object("lambert"));
     capture(scene);

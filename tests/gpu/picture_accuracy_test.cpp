@@ -172,7 +172,7 @@ TEST_F(PictureAccuracyTest, WholeNumbers_AreFinerThanHalfOnesByTheirRounding) {
 
 TEST_F(PictureAccuracyTest, ChartOfThePicture_HasAPointForEveryLevel) {
     Scene scene = foggy();
-    scene.lights[0].shadow = block("shadows", "filtered");
+    scene.lights[0].setPart(kinds::shadows, block("shadows", "filtered"));
     CostSweep::Options options;
     options.size = {24, 24};
     options.scope = Choice::Scope::Picture;

@@ -141,7 +141,7 @@ TEST_F(PictureEffects, ImagesOfAMaterial_KeepItsLightPerPixel) {
 }
 
 TEST_F(PictureEffects, Shadows_KeepTheLightPerPixel) {
-    scene_.lights[0].shadow = block("shadows", "hard");
+    scene_.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
     expectPerPixel(scene_, "shadows");
 }
 

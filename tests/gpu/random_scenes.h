@@ -209,7 +209,7 @@ class RandomScenes {
             light.block = block("lights");
             light.enabled = chance(0.95);
             if (chance(0.4)) {
-                light.shadow = block("shadows");
+                light.setPart(kinds::shadows, block("shadows"));
             }
         }
     }

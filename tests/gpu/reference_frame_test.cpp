@@ -152,7 +152,7 @@ TEST_F(ReferenceFrameTest, Shadows_AreInIt) {
     scene.objects[1].scale = glm::dvec3(0.3);
     for (int i = 0; i < 6; ++i) {
         scene.lights.push_back(sun({0.2 * i - 0.5, -0.3, -1.0}));
-        scene.lights.back().shadow = block("shadows", i % 2 == 0 ? "hard" : "soft");
+        scene.lights.back().setPart(kinds::shadows, block("shadows", i % 2 == 0 ? "hard" : "soft"));
     }
     EXPECT_LE(error(scene).p99, rounding);
 }
@@ -190,7 +190,7 @@ TEST_F(ReferenceFrameTest, EnvironmentsPictureAndShadows_AreInIt) {
     directions_ = SurfaceBufferDrawer::plainSamples;
     Scene scene = simpleScene("cook-torrance");
     scene.setPart(kinds::environment, block("environment", "image"));
-    scene.lights.front().shadow = block("shadows", "hard");
+    scene.lights.front().setPart(kinds::shadows, block("shadows", "hard"));
     scene.objects[0].material.parts["fresnel"] = block("fresnel", "dielectric");
     EXPECT_LE(error(scene).p99, rounding);
 }

@@ -117,7 +117,7 @@ class RenamedParameters : public ShadingTest {
         glass.parts["refraction"] = values(blocks, kinds::refraction, refraction);
         glass.parts["fresnel"] = values(blocks, kinds::fresnel, "dielectric");
         scene.lights.push_back({"sun", true, values(blocks, kinds::lights, "directional")});
-        scene.lights[0].shadow = values(blocks, kinds::shadows, "soft");
+        scene.lights[0].setPart(kinds::shadows, values(blocks, kinds::shadows, "soft"));
         scene.setPart(kinds::fog, values(blocks, kinds::fog, "box"));
         scene.setPart(kinds::environment, values(blocks, kinds::environment, "studio"));
         scene.setPart(kinds::transparency, values(blocks, kinds::transparency, "peeled"));

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int fieldPixels = 128;
 constexpr double fieldAngle = 12.0; // degrees
-constexpr double height = 2.0;     // of the square, as far as its shadow lies beside it
-constexpr double doubt = 0.03;     // metres: some texels of the map
+constexpr double height = 2.0;      // of the square, as far as its shadow lies beside it
+constexpr double doubt = 0.03;      // metres: some texels of the map
 
 class ShadowHolesTest : public GpuTest {
   protected:
@@ -34,7 +34,7 @@ class ShadowHolesTest : public GpuTest {
         floor.castsShadow = false;
         scene.objects = {square, floor};
         scene.lights = {sun({1.0, -1.0, 0.0})};
-        scene.lights[0].shadow = block("shadows", "hard");
+        scene.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
         scene.camera.pivot = {height, 0.0, 0.0};
         scene.camera.yaw = 0.0;
         scene.camera.pitch = 90.0;
@@ -64,8 +64,8 @@ class ShadowHolesTest : public GpuTest {
     /// The shares of pixels that are dark, of the shadow of the left field and of the right one.
     glm::dvec2 darkShares() {
         const Image image = capture(scene, false, fieldPixels);
-        const double step = 2.0 * scene.camera.distance *
-                            std::tan(glm::radians(0.5 * fieldAngle)) / fieldPixels;
+        const double step =
+            2.0 * scene.camera.distance * std::tan(glm::radians(0.5 * fieldAngle)) / fieldPixels;
         glm::dvec2 dark(0.0);
         glm::dvec2 all(0.0);
         for (int i = 0; i < fieldPixels * fieldPixels; ++i) {

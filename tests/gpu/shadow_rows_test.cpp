@@ -18,7 +18,7 @@ class ShadowRowsTest : public ShadingTest {
         }
         scene_.lights = {light("directional")};
         scene_.lights[0].name = "Key";
-        scene_.lights[0].shadow = block("shadows", "hard");
+        scene_.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
         scene_.ground.mode = GroundMode::Plane;
     }
 
@@ -45,7 +45,7 @@ TEST_F(ShadowRowsTest, Shadows_SayHowManyCastThemAndWhichLightsHaveThem) {
     scene_.objects[1].castsShadow = false;
     scene_.lights.push_back(light("point"));
     scene_.lights[1].name = "Lamp";
-    scene_.lights[1].shadow = scene_.lights[0].shadow;
+    scene_.lights[1].parts = scene_.lights[0].parts;
     EXPECT_EQ(row("shadows/hard").line.reason,
               "One object casts a shadow. Key and Lamp have them.");
 }
@@ -98,12 +98,12 @@ TEST_F(ShadowRowsTest, ShadowsOfOtherObjects_AreThereForOneThatCastsNone) {
 
 TEST_F(ShadowRowsTest, LightThatCastsNone_IsNamed) {
     scene_.lights[0].block = block("lights", "head");
-    scene_.lights[0].shadow->id = "unheard-of";
+    scene_.lights[0].part(kinds::shadows)->id = "unheard-of";
     EXPECT_EQ(row("shadows of Key").line.reason, "No kind of shadow \"unheard-of\" is known.");
 }
 
 TEST_F(ShadowRowsTest, NoLightWithShadows_IsSaidOnce) {
-    scene_.lights[0].shadow.reset();
+    scene_.lights[0].setPart(kinds::shadows, std::nullopt);
     EXPECT_EQ(whyOut("shadows"), "No light has shadows.");
 }
 
@@ -134,7 +134,7 @@ TEST_F(ShadowRowsTest, GroundThatIsNotSeen_SaysWhy) {
     scene_.ground.opacity = 0.0;
     EXPECT_EQ(whyOut("ground"), "Its opacity is 0.");
     scene_.ground = Ground{GroundMode::Shadows};
-    scene_.lights[0].shadow.reset();
+    scene_.lights[0].setPart(kinds::shadows, std::nullopt);
     EXPECT_EQ(whyOut("ground"), "It shows shadows only, and no light has any.");
 }
 

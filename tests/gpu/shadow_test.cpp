@@ -26,7 +26,7 @@ class ShadowTest : public GpuTest {
     }
 
     Light shadowed(Light light, const std::string& kind) const {
-        light.shadow = block("shadows", kind);
+        light.setPart(kinds::shadows, block("shadows", kind));
         return light;
     }
 
@@ -67,7 +67,7 @@ class ShadowTest : public GpuTest {
     std::vector<float> litShares(const Scene& scene) {
         Scene open = scene;
         for (Light& light : open.lights) {
-            light.shadow.reset();
+            light.setPart(kinds::shadows, std::nullopt);
         }
         const Image with = capture(scene, false, pixels);
         const Image without = capture(open, false, pixels);
@@ -207,8 +207,8 @@ class SoftEdge : public ShadowTest {
     /// Metres on the floor between a tenth and nine tenths of the light, over the middle rows.
     double widthAt(double height) {
         Light light = shadowed(sun({1.0, -1.0, 0.0}), "soft");
-        light.shadow->parameters["angle"] = 6.0;
-        light.shadow->parameters["samples"] = std::string("fine");
+        light.part(kinds::shadows)->parameters["angle"] = 6.0;
+        light.part(kinds::shadows)->parameters["samples"] = std::string("fine");
         Scene scene = squareOverFloor(height, light, height + 0.5);
         scene.objects[0].scale *= 1.0;
         const std::vector<float> shares = litShares(scene);
@@ -267,7 +267,7 @@ class UnshadedSurface : public ShadowTest, public testing::WithParamInterface<co
         scene.camera.distance = 3.0;
         scene.lights = {shadowed(light, GetParam())};
         const Image with = capture(scene, false, size);
-        scene.lights[0].shadow.reset();
+        scene.lights[0].setPart(kinds::shadows, std::nullopt);
         const Image without = capture(scene, false, size);
         int wrong = 0;
         for (std::size_t i = 0; i < with.pixels.size(); ++i) {

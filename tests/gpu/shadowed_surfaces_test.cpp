@@ -49,7 +49,7 @@ class ShadowedSurfacesTest : public GpuTest, public testing::WithParamInterface<
         scene.camera.distance = 4.0;
         scene.lights = {sun(way)};
         const Image open = capture(scene, false, 200);
-        scene.lights[0].shadow = shadow(GetParam());
+        scene.lights[0].setPart(kinds::shadows, shadow(GetParam()));
         const Image shaded = capture(scene, false, 200);
         int darkened = 0;
         for (std::size_t i = 0; i < open.pixels.size(); ++i) {
@@ -85,9 +85,9 @@ TEST_P(ShadowedSurfacesTest, DeepShade_StaysDark) {
     constexpr int size = 400;
     constexpr int around = 14;
     Scene scene = shadedBall();
-    scene.lights[0].shadow = shadow("hard");
+    scene.lights[0].setPart(kinds::shadows, shadow("hard"));
     const Image hard = capture(scene, false, size);
-    scene.lights[0].shadow = shadow(GetParam());
+    scene.lights[0].setPart(kinds::shadows, shadow(GetParam()));
     const Image tested = capture(scene, false, size);
     int lit = 0;
     int deep = 0;
@@ -119,7 +119,7 @@ TEST_P(ShadowedSurfacesTest, InsideOfAClosedCube_IsDark) {
     scene.camera.distance = 3.9;
     scene.camera.fieldOfView = 90.0;
     scene.lights = {sun({0.3, -0.5, -1.0})};
-    scene.lights[0].shadow = shadow(GetParam());
+    scene.lights[0].setPart(kinds::shadows, shadow(GetParam()));
     const Image image = capture(scene, false, size);
     int lit = 0;
     for (int y = 0; y < size; ++y) {
@@ -140,8 +140,8 @@ class FilteredWidth : public ShadowedSurfacesTest {
         scene.objects[0].scale = glm::dvec3(scale);
         scene.camera.distance *= scale;
         scene.camera.pivot *= scale;
-        scene.lights[0].shadow = shadow("filtered");
-        scene.lights[0].shadow->parameters["width"] = width;
+        scene.lights[0].setPart(kinds::shadows, shadow("filtered"));
+        scene.lights[0].part(kinds::shadows)->parameters["width"] = width;
         return capture(scene, false, 200);
     }
 };

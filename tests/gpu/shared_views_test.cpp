@@ -37,7 +37,7 @@ class SharedViews : public GpuTest {
         scene.objects[1].translation = {0.5, 0.5, -1.0};
         scene.objects[0].material.opacity = 0.5;
         scene.lights = {sun({0.5, -1.0, -1.0})};
-        scene.lights[0].shadow = block("shadows", "filtered");
+        scene.lights[0].setPart(kinds::shadows, block("shadows", "filtered"));
         scene.ground.mode = GroundMode::Plane;
         scene.camera.yaw = yaw;
         scene.camera.pitch = 20.0;

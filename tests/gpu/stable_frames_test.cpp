@@ -204,8 +204,9 @@ class HardFrame : public ExaminedFrame, public testing::WithParamInterface<HardS
         const auto shadows = catalog->ofKind("shadows");
         for (const Block* kind : catalog->ofKind("lights")) {
             scene.lights.push_back(light(kind->id));
-            scene.lights.back().shadow =
-                block("shadows", shadows[scene.lights.size() % shadows.size()]->id);
+            scene.lights.back().setPart(
+                kinds::shadows,
+                block("shadows", shadows[scene.lights.size() % shadows.size()]->id));
         }
         scene.ground.mode = GroundMode::Plane;
         scene.setPart(kinds::fog, block("fog", fog.id));

@@ -57,8 +57,8 @@ class SteadyStateTest : public GpuTest {
         scene_.lights.push_back(light("point"));
         scene_.lights.push_back(light("head"));
         scene_.setPart(kinds::fog, block("fog", "exponential"));
-        scene_.lights[0].shadow = block("shadows", "soft");
-        scene_.lights[1].shadow = block("shadows", "filtered");
+        scene_.lights[0].setPart(kinds::shadows, block("shadows", "soft"));
+        scene_.lights[1].setPart(kinds::shadows, block("shadows", "filtered"));
         scene_.ground.mode = GroundMode::Plane;
     }
 

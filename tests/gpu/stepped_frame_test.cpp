@@ -144,8 +144,8 @@ TEST_F(SteppedFrame, OfWhatBendsLight_IsThePictureDrawnAtOnce) {
 TEST_F(SteppedFrame, WithShadowsAndAGround_IsThePictureDrawnAtOnce) {
     Scene scene = gridScene();
     scene.lights = {sun({0.5, -1.0, -1.0}), light("point")};
-    scene.lights[0].shadow = block("shadows", "filtered");
-    scene.lights[1].shadow = block("shadows", "hard");
+    scene.lights[0].setPart(kinds::shadows, block("shadows", "filtered"));
+    scene.lights[1].setPart(kinds::shadows, block("shadows", "hard"));
     scene.ground.mode = GroundMode::Plane;
     ASSERT_FALSE(beginFrame(scene));
     EXPECT_EQ(renderer->report().shadowMaps, 7);
@@ -156,7 +156,7 @@ TEST_F(SteppedFrame, WithShadowsAndAGround_IsThePictureDrawnAtOnce) {
 
 TEST_F(SteppedFrame, GivenUpInMidShadows_DrawsThemTheNextTime) {
     Scene scene = gridScene();
-    scene.lights[0].shadow = block("shadows", "hard");
+    scene.lights[0].setPart(kinds::shadows, block("shadows", "hard"));
     ASSERT_FALSE(beginFrame(scene));
     for (int i = 0; i < 12; ++i) {
         proceed(noPatience);

@@ -182,7 +182,7 @@ TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
     addLight(document, "sun");
     const int light = document.currentLight();
     const auto shadow = [this, light] {
-        return document.scene().lights.at(static_cast<std::size_t>(light)).shadow;
+        return document.scene().lights.at(static_cast<std::size_t>(light)).part(kinds::shadows);
     };
     document.setBlock(pathOf(kinds::shadows, light), "veil");
     document.setValue(document.currentPath(kinds::shadows), "width", 0.5);
@@ -192,6 +192,21 @@ TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
     EXPECT_EQ(shadow()->parameters.at("width"), roundedToFloat(0.1));
     document.undoStack().undo();
     EXPECT_FALSE(shadow());
+}
+
+TEST_F(DocumentEdit, Shadow_IsToldAsAPartAtItsPath) {
+    std::vector<BlockPath> told;
+    onChange(document, &document, DocumentChange::Block,
+             [&told](const DocumentChange& change) { told.push_back(change.path); });
+    document.setBlock(pathOf(kinds::shadows, 0), "veil");
+    document.undoStack().undo();
+    EXPECT_EQ(told, std::vector<BlockPath>(2, pathOf(kinds::shadows, 0)));
+}
+
+TEST_F(DocumentEdit, ShadowOfALightThatIsNotThere_LeavesNoStep) {
+    document.setBlock(pathOf(kinds::shadows, 7), "veil");
+    document.setBlock(pathOf(kinds::shadows, -1), "veil");
+    EXPECT_EQ(fixture.steps(), 0);
 }
 
 TEST_F(DocumentEdit, Ground_IsSetAndUndone) {

@@ -161,14 +161,14 @@ TEST_F(SceneFile, Shadow_IsReadAndWrittenWithItsLight) {
     const json shadow{{"id", "veil"}, {"version", 1}, {"parameters", {{"gloss", 0.5}}}, {"x", 7}};
     const auto reading = readChanged({{"lights", {{{"id", "lamp"}, {"shadow", shadow}}}}});
     EXPECT_EQ(text(reading->notes), "");
-    ASSERT_TRUE(reading->scene.lights[0].shadow);
-    EXPECT_EQ(reading->scene.lights[0].shadow->parameters, (Values{{"gloss", 0.5}}));
+    ASSERT_TRUE(reading->scene.lights[0].part(kinds::shadows));
+    EXPECT_EQ(reading->scene.lights[0].part(kinds::shadows)->parameters, (Values{{"gloss", 0.5}}));
     EXPECT_EQ(toJson(reading->scene, folder_.path())["lights"][0]["shadow"], shadow);
 }
 
 TEST_F(SceneFile, LightWithoutShadow_IsWrittenWithNone) {
     const Scene scene = read(plainScene())->scene;
-    EXPECT_FALSE(scene.lights[0].shadow);
+    EXPECT_FALSE(scene.lights[0].part(kinds::shadows));
     EXPECT_TRUE(toJson(scene, folder_.path())["lights"][0]["shadow"].is_null());
 }
 

@@ -39,9 +39,8 @@ void takePicture(Document& document, const Scene& wanted) {
         setValues(document, pathOf(kinds::environment), *environment);
     }
     for (std::size_t i = 0; i < wanted.lights.size(); ++i) {
-        if (wanted.lights[i].shadow) {
-            setValues(document, pathOf(kinds::shadows, static_cast<int>(i)),
-                      *wanted.lights[i].shadow);
+        if (const BlockValues* shadow = wanted.lights[i].part(kinds::shadows)) {
+            setValues(document, pathOf(kinds::shadows, static_cast<int>(i)), *shadow);
         }
     }
 }

@@ -47,6 +47,7 @@ LightsDock::LightsDock(const DockContext& context)
             [this] { removeLight(document_, document_.currentLight()); });
     onChange(document_, DocumentChange::Lights | DocumentChange::Current | DocumentChange::Scene,
              this, &LightsDock::update);
+    onChange(document_, DocumentChange::Block, this, &LightsDock::updateShadow);
     update();
 }
 
@@ -97,9 +98,9 @@ void LightsDock::updateShadow() {
     const auto& lights = document_.scene().lights;
     const Light* light = index < lights.size() ? &lights[index] : nullptr;
     const Block* block = light ? document_.catalog().find(kinds::lights, light->block.id) : nullptr;
-    const bool isSet = light && light->shadow;
-    shadow_->setEnabled(isSet || (block && block->shadowProjection != ShadowProjection::None));
-    shadow_->show(isSet ? QString::fromStdString(light->shadow->id) : QString());
+    const BlockValues* shadow = light ? light->part(kinds::shadows) : nullptr;
+    shadow_->setEnabled(shadow || (block && block->shadowProjection != ShadowProjection::None));
+    shadow_->show(shadow ? QString::fromStdString(shadow->id) : QString());
 }
 
 void LightsDock::switchLight(int index, bool on) {

@@ -37,11 +37,12 @@ SidePicture pictureOf(const Scene& shown, const Scene& own) {
         picture.environment = otherValues(environment->parameters, ownEnvironment->parameters);
     }
     for (std::size_t i = 0; i < shown.lights.size() && i < own.lights.size(); ++i) {
-        const std::optional<BlockValues>& shadow = shown.lights[i].shadow;
-        if (!shadow || !own.lights[i].shadow) {
+        const BlockValues* shadow = shown.lights[i].part(kinds::shadows);
+        const BlockValues* ownShadow = own.lights[i].part(kinds::shadows);
+        if (!shadow || !ownShadow) {
             continue;
         }
-        Values others = otherValues(shadow->parameters, own.lights[i].shadow->parameters);
+        Values others = otherValues(shadow->parameters, ownShadow->parameters);
         if (!others.empty()) {
             picture.shadows[i] = std::move(others);
         }
@@ -58,8 +59,9 @@ void layOver(Scene& scene, const SidePicture& picture) {
         give(environment->parameters, picture.environment);
     }
     for (const auto& [light, values] : picture.shadows) {
-        if (light < scene.lights.size() && scene.lights[light].shadow) {
-            give(scene.lights[light].shadow->parameters, values);
+        const bool isThere = light < scene.lights.size();
+        if (BlockValues* shadow = isThere ? scene.lights[light].part(kinds::shadows) : nullptr) {
+            give(shadow->parameters, values);
         }
     }
 }

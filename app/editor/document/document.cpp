@@ -20,16 +20,10 @@
 namespace patina {
 namespace {
 
-/// A light with another block of a kind, or without its shadow (null).
-Light withBlock(Light light, std::string_view kind, const Block* before, const Block* wanted) {
-    if (kind == kinds::shadows) {
-        const BlockValues* held = light.shadow ? &*light.shadow : nullptr;
-        light.shadow = wanted ? std::optional(swappedBlock(held, before, *wanted)) : std::nullopt;
-        return light;
-    }
-    light.block = swappedBlock(&light.block, before, *wanted);
+Light ofKind(Light light, const Block* before, const Block& wanted) {
+    light.block = swappedBlock(&light.block, before, wanted);
     if (before && light.name == before->label) {
-        light.name = wanted->label; // a name nobody chose follows the kind
+        light.name = wanted.label; // a name nobody chose follows the kind
     }
     return light;
 }
@@ -212,11 +206,13 @@ void Document::setBlock(const BlockPath& path, std::string_view blockId) {
     if (!isPossible || (held ? held->id : std::string()) == blockId) {
         return;
     }
-    if (path.owner == BlockOwner::Scene) {
-        setSceneBlock(path, wanted);
-    } else if (path.owner == BlockOwner::Light) {
-        setLightBlock(path, wanted);
-    } else if (materialAt(state_, path.index, path.side)) {
+    if (scenePartsAt(state_, path)) {
+        if (path.isAt(kinds::lights)) {
+            setKindOfLight(path, *wanted);
+        } else {
+            setScenePart(path, wanted);
+        }
+    } else if (path.owner == BlockOwner::Material && materialAt(state_, path.index, path.side)) {
         if (path.isAt(kinds::models)) {
             undoStack_.push(new ModelCommand(*this, {path.index, path.side}, *wanted));
         } else {
@@ -225,24 +221,24 @@ void Document::setBlock(const BlockPath& path, std::string_view blockId) {
     }
 }
 
-void Document::setLightBlock(const BlockPath& path, const Block* wanted) {
-    if (path.index < 0 || path.index >= std::ssize(state_.scene.lights)) {
-        return;
-    }
+void Document::setKindOfLight(const BlockPath& path, const Block& wanted) {
     const Light& held = state_.scene.lights[static_cast<std::size_t>(path.index)];
-    undoStack_.push(new LightCommand(*this, path.index, held,
-                                     withBlock(held, path.kind, block(path), wanted),
-                                     blockLabel(path.kind, wanted)));
+    undoStack_.push(new LightCommand(*this, path.index, held, ofKind(held, block(path), wanted),
+                                     blockLabel(path.kind, &wanted)));
 }
 
-void Document::setSceneBlock(const BlockPath& path, const Block* wanted) {
-    if (const BlockValues* held = state_.scene.part(path.kind)) {
-        patina::setPart(lastParts_, path.kind, *held);
+/// What the scene had last of a kind comes back with its values.
+void Document::setScenePart(const BlockPath& path, const Block* wanted) {
+    BlockParts held = *scenePartsAt(state_, path);
+    if (path.owner == BlockOwner::Scene) {
+        if (const BlockValues* part = partOf(held, path.kind)) {
+            patina::setPart(lastParts_, path.kind, *part);
+        }
+        held = lastParts_;
     }
     std::optional<BlockValues> after;
     if (wanted) {
-        after = swappedBlock(partOf(lastParts_, path.kind),
-                             blockOf(lastParts_, path.kind, *catalog_), *wanted);
+        after = swappedBlock(partOf(held, path.kind), blockOf(held, path.kind, *catalog_), *wanted);
     }
     undoStack_.push(
         new SceneBlockCommand(*this, path, std::move(after), blockLabel(path.kind, wanted)));

@@ -123,8 +123,8 @@ class Document : public QObject {
   private:
     friend class DocumentCommand;
 
-    void setLightBlock(const BlockPath& path, const Block* wanted);
-    void setSceneBlock(const BlockPath& path, const Block* wanted);
+    void setKindOfLight(const BlockPath& path, const Block& wanted);
+    void setScenePart(const BlockPath& path, const Block* wanted);
     void keepCurrentInside();
 
     std::shared_ptr<const Catalog> catalog_;

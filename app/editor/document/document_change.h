@@ -15,7 +15,7 @@ struct DocumentChange {
         Value = 1 << 0,     ///< a value at `path`
         Texture = 1 << 1,   ///< the image on a value at `path`
         Material = 1 << 2,  ///< another model, part or whole material: a form's rows may differ
-        Block = 1 << 3,     ///< another block of the scene at `path`, or none
+        Block = 1 << 3,     ///< another part of the scene or of a light at `path`, or none
         Lights = 1 << 4,    ///< a light was added, removed, renamed, switched or is of another kind
         Objects = 1 << 5,   ///< an object was added, removed, renamed or has another mesh
         Comparing = 1 << 6, ///< comparing began or ended

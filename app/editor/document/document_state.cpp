@@ -26,14 +26,9 @@ auto findMaterial(State& state, int object, Side side) -> decltype(&*state.secon
     return found ? &found->material : nullptr;
 }
 
-template <class Optional>
-auto pointer(Optional& optional) -> decltype(&*optional) {
-    return optional ? &*optional : nullptr;
-}
-
 template <class Light>
 auto findInLight(Light& light, std::string_view kind) -> decltype(&light.block) {
-    return kind == kinds::lights ? &light.block : pointer(light.shadow);
+    return kind == kinds::lights ? &light.block : light.part(kind);
 }
 
 template <class Material>
@@ -60,6 +55,12 @@ BlockOwner ownerOfSettings(std::string_view word) {
     return word == settings::scene || word == settings::camera ? BlockOwner::Scene
            : word == settings::object                          ? BlockOwner::Object
                                                                : BlockOwner::Material;
+}
+
+void reconcileParts(BlockParts& parts, const Catalog& before, const Catalog& after) {
+    for (auto& [kind, values] : parts) {
+        values = reconciled(values, kind, before, after);
+    }
 }
 
 std::optional<Value> storedLevel(const Material& material, std::string_view choice) {
@@ -173,6 +174,14 @@ BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path) {
     return findBlockValues(state, path);
 }
 
+BlockParts* scenePartsAt(DocumentState& state, const BlockPath& path) {
+    if (path.owner == BlockOwner::Light) {
+        Light* light = elementAt(state.scene.lights, path.index);
+        return light ? &light->parts : nullptr;
+    }
+    return path.owner == BlockOwner::Scene ? &state.scene.parts : nullptr;
+}
+
 std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,
                                  std::string_view parameterId) {
     if (path.isAt(settings::scene)) {
@@ -230,13 +239,9 @@ void reconcile(DocumentState& state, const Catalog& before, const Catalog& after
     }
     for (Light& light : state.scene.lights) {
         light.block = reconciled(light.block, kinds::lights, before, after);
-        if (light.shadow) {
-            light.shadow = reconciled(*light.shadow, kinds::shadows, before, after);
-        }
+        reconcileParts(light.parts, before, after);
     }
-    for (auto& [kind, values] : state.scene.parts) {
-        values = reconciled(values, kind, before, after);
-    }
+    reconcileParts(state.scene.parts, before, after);
 }
 
 } // namespace patina

@@ -28,7 +28,7 @@ struct LookedAt {
 struct DocumentState {
     Scene scene;
     std::optional<Material> second; ///< side B, shown on the current object; absent: no comparing
-    std::optional<LookedAt> lookedAt = std::nullopt; ///< absent: side A shows its own
+    std::optional<LookedAt> lookedAt = std::nullopt;       ///< absent: side A shows its own
     std::optional<ComparedPicture> picture = std::nullopt; ///< absent: both draw as the scene says
 
     friend bool operator==(const DocumentState&, const DocumentState&) = default;
@@ -89,6 +89,9 @@ std::optional<Material> materialAside(const DocumentState& state, int object);
 /// The block values a path names; null for settings and for what is not there.
 const BlockValues* blockValuesAt(const DocumentState& state, const BlockPath& path);
 BlockValues* blockValuesAt(DocumentState& state, const BlockPath& path);
+
+/// The parts of the scene or of one of its lights that a path lies in; null where it is not there.
+BlockParts* scenePartsAt(DocumentState& state, const BlockPath& path);
 
 /// A value as it is stored; nothing when it is not stored (its default counts then).
 std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,

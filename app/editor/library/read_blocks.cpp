@@ -43,19 +43,13 @@ class BlocksOfScene {
     BlocksOfScene(const Scene& scene, const Catalog& catalog) : catalog_(catalog) {
         for (const Object& object : scene.objects) {
             add(kinds::models, object.material.model.id);
-            for (const auto& [kind, values] : object.material.parts) {
-                add(kind, values.id);
-            }
+            add(object.material.parts);
         }
         for (const Light& light : scene.lights) {
             add(kinds::lights, light.block.id);
-            if (light.shadow) {
-                add(kinds::shadows, light.shadow->id);
-            }
+            add(light.parts);
         }
-        for (const auto& [kind, values] : scene.parts) {
-            add(kind, values.id);
-        }
+        add(scene.parts);
         if (scene.part(kinds::transparency)) { // any of its kind may be chosen in its place
             for (const Block* block : catalog.ofKind(kinds::transparency)) {
                 add(block->kind, block->id);
@@ -66,6 +60,12 @@ class BlocksOfScene {
     std::vector<const Block*> found;
 
   private:
+    void add(const BlockParts& parts) {
+        for (const auto& [kind, values] : parts) {
+            add(kind, values.id);
+        }
+    }
+
     void add(std::string_view kind, std::string_view id) {
         const Block* block = catalog_.find(kind, id);
         if (block == nullptr || std::ranges::find(found, block) != found.end()) {

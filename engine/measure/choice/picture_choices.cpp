@@ -125,7 +125,7 @@ std::string currentLayers(const Scene& scene, const Catalog& catalog) {
 
 /// What says how many places a kind of shadow looks at; null where nothing does.
 const Parameter* tapsOf(const Light& light, const Catalog& catalog) {
-    const Block* block = light.shadow ? catalog.find(kinds::shadows, light.shadow->id) : nullptr;
+    const Block* block = blockOf(light.parts, kinds::shadows, catalog);
     return block == nullptr ? nullptr : block->withRole(roles::samples);
 }
 
@@ -154,8 +154,9 @@ std::string currentTaps(const Scene& scene, const Catalog& catalog) {
         return {};
     }
     const Parameter& taps = *tapsOf(*light, catalog);
-    const auto given = light->shadow->parameters.find(taps.id);
-    const bool isGiven = given != light->shadow->parameters.end();
+    const Values& values = light->part(kinds::shadows)->parameters;
+    const auto given = values.find(taps.id);
+    const bool isGiven = given != values.end();
     return std::get<std::string>(conformed(taps, isGiven ? given->second : taps.defaultValue));
 }
 
@@ -167,7 +168,7 @@ void applyTaps(ChosenFrame& frame, const std::string& level, const Catalog& cata
                 return value.id == level;
             });
         if (hasLevel) {
-            light.shadow->parameters[taps->id] = level;
+            light.part(kinds::shadows)->parameters[taps->id] = level;
         }
     }
 }

@@ -33,7 +33,7 @@ Scene withLights(Scene scene, int count) {
     std::vector<Light> on;
     for (Light& light : scene.lights) {
         if (light.enabled) {
-            light.shadow.reset();
+            light.setPart(kinds::shadows, std::nullopt);
             on.push_back(light);
         }
     }

@@ -25,7 +25,8 @@ void packShadow(std::span<glm::vec4> out, const BlockPlace& place, const Light& 
     static const Values none;
     const auto first = static_cast<std::size_t>(place.first);
     const auto size = static_cast<std::size_t>(place.vec4s());
-    packInto(out.subspan(first, size), place.layout, light.shadow ? light.shadow->parameters : none,
+    const BlockValues* shadow = light.part(kinds::shadows);
+    packInto(out.subspan(first, size), place.layout, shadow != nullptr ? shadow->parameters : none,
              exact, cameraToWorld);
     packView(out.subspan(first + size, ShadowLayout::vec4s), view);
 }

@@ -131,7 +131,7 @@ std::optional<LightGroup> lightGroup(const Light& light, const Catalog& catalog,
     LightGroup group{BlockUse(*block, light.block.parameters), std::nullopt};
     const Block* shadow = hasShadows ? shadowBlock(light, *block, catalog) : nullptr;
     if (shadow != nullptr) {
-        group.shadow.emplace(*shadow, light.shadow->parameters);
+        group.shadow.emplace(*shadow, light.part(kinds::shadows)->parameters);
     }
     return group;
 }

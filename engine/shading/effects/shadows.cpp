@@ -61,14 +61,15 @@ std::string whyNoShadows(const Scene& scene, const Catalog& catalog) {
 /// Why a light's shadows are not drawn; empty when they are, or none are asked for.
 std::string whyNoShadow(const Light& light, const Block& block, const Catalog& catalog,
                         const std::string& whyNone) {
-    if (!light.shadow) {
+    const BlockValues* shadow = light.part(kinds::shadows);
+    if (shadow == nullptr) {
         return {};
     }
     if (block.shadowProjection == ShadowProjection::None) {
         return "Lights of this kind cast none.";
     }
-    if (catalog.find(kinds::shadows, light.shadow->id) == nullptr) {
-        return fmt::format("No kind of shadow \"{}\" is known.", light.shadow->id);
+    if (catalog.find(kinds::shadows, shadow->id) == nullptr) {
+        return fmt::format("No kind of shadow \"{}\" is known.", shadow->id);
     }
     return whyNone;
 }
@@ -146,8 +147,9 @@ bool hasShadows(const EffectSet& set) {
 }
 
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {
-    const bool casts = light.shadow && block.shadowProjection != ShadowProjection::None;
-    return casts ? catalog.find(kinds::shadows, light.shadow->id) : nullptr;
+    return block.shadowProjection == ShadowProjection::None
+               ? nullptr
+               : blockOf(light.parts, kinds::shadows, catalog);
 }
 
 /// One line for each kind of shadow, with the lights that have such.
@@ -238,8 +240,9 @@ void writeShadow(SurfaceText& text, std::size_t index) {
 
 void ShadowsEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
     for (Light& light : scene.lights) {
-        if (effect.kind == kinds::shadows && light.shadow && light.shadow->id == effect.id) {
-            light.shadow.reset();
+        const BlockValues* shadow = light.part(kinds::shadows);
+        if (effect.kind == kinds::shadows && shadow != nullptr && shadow->id == effect.id) {
+            light.setPart(kinds::shadows, std::nullopt);
         }
     }
 }

@@ -16,7 +16,7 @@ SceneBlockCommand::SceneBlockCommand(Document& document, const BlockPath& path,
     : ChangeCommand(document, label, path, heldAt(document, path), std::move(after)) {}
 
 void SceneBlockCommand::apply(const std::optional<BlockValues>& values) {
-    state().scene.setPart(target().kind, values);
+    setPart(*scenePartsAt(state(), target()), target().kind, values);
     document().announce({DocumentChange::Block, target()});
 }
 

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Gives the scene another block of a kind that is a part of it, or none.
+/// Gives the scene, or one of its lights, another block of a kind that is a part of it, or none.
 class SceneBlockCommand : public ChangeCommand<BlockPath, std::optional<BlockValues>> {
   public:
     SceneBlockCommand(Document& document, const BlockPath& path, std::optional<BlockValues> after,
