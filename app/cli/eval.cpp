@@ -142,9 +142,9 @@ class Evaluation {
     bool failedOnce() const { return failedOnce_; }
 
   private:
-    static constexpr std::ptrdiff_t enough = 1 << 17;   ///< GPU cases kept in memory at a time
-    static constexpr std::size_t maxLines = 1u << 14;   ///< lines answered at a time
-    static constexpr std::size_t maxBytes = 16u << 20;  ///< of them
+    static constexpr std::ptrdiff_t enough = 1 << 17;  ///< GPU cases kept in memory at a time
+    static constexpr std::size_t maxLines = 1u << 14;  ///< lines answered at a time
+    static constexpr std::size_t maxBytes = 16u << 20; ///< of them
 
     void write() {
         answerWaiting();
@@ -221,6 +221,16 @@ surface and need not be unit; parameters that are not named have their defaults.
                               E/pi, R G B, and "l", the direction to the light
   {"fog": BLOCK, "distance": metres, "eye": point, "direction": vector}
                               the share of the surface's light that is left
+  {"environment": BLOCK, "direction": where one looks, "picture": [R, G, B]}
+                              what comes from there, E/pi, R G B; the picture's colour is white
+                              unless it is given
+  {"refraction": BLOCK, "l": where the ray comes from, "n": normal on that side,
+   "channel": 0 .. 2 (1), "leaves": true or false (false)}
+                              the direction in which it goes on; 0 where all is reflected
+  {"outline": BLOCK, "turns": true or false, "ends": true or false, "bend": 0 .. pi}
+                              how wide an edge's lines are, outside the shape and on it
+  {"transparency": BLOCK, "depth": 0 .. 1, "opacity": 0 .. 1}
+                              how much a surface counts
   {"function": NAME, "arguments": [NUMBER, ...]}
                               what the function of the shader library gives
 BLOCK is an id, or {"id": ID, "parameters": {...}, "accuracy": {...}}. Every case may have
@@ -232,7 +242,7 @@ An answer is {"id": ..., "value": ...}, or has an "error" in place of the value.
 
 void addEval(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
-        "eval", "Evaluate models, Fresnel blocks, lights, fog and shader functions:\n"
+        "eval", "Evaluate models and other blocks, and shader functions:\n"
                 "one JSON case per line on standard input, one result per line on standard output");
     auto functions = std::make_shared<bool>(false);
     command->footer(caseKeys);

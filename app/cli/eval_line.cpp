@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <regex>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "catalog/fills.h"
 #include "catalog/json_text.h"
@@ -294,6 +296,86 @@ Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase re
     return isFog ? readRay(json, request) : Result<EvalCase>(request);
 }
 
+/// A direction made unit; what is that up to the rounding of floats stays as it is.
+Result<glm::dvec3> readUnit(const Json& json, const std::string& key) {
+    glm::dvec3 direction;
+    return readDirection(json, key, direction).map([&direction] {
+        const bool isUnit = std::abs(glm::dot(direction, direction) - 1.0) < 2e-7;
+        return isUnit ? direction : glm::normalize(direction);
+    });
+}
+
+/// A number within the field's range, three times, or a colour.
+Result<glm::dvec3> readNumbers(const Json& json, const EvalField& field) {
+    const std::string key(field.key);
+    const Result<glm::dvec3> value =
+        field.isTriple() ? vector(json, key)
+                         : number(json, key).map([](double x) { return glm::dvec3(x); });
+    if (!value) {
+        return value;
+    }
+    const double most = field.isTriple() ? std::numeric_limits<double>::max() : field.most;
+    const bool isWhole = field.type != EvalField::Type::Whole || std::round(value->x) == value->x;
+    const bool isInside = glm::all(glm::greaterThanEqual(*value, glm::dvec3(0.0))) &&
+                          glm::all(glm::lessThanEqual(*value, glm::dvec3(most)));
+    if (!isInside || !isWhole) {
+        return failure(fmt::format("{} is {}", key, json[key].dump()),
+                       field.isTriple() ? std::string("0 or more")
+                                        : fmt::format("0 .. {}", shortestText(float(most))));
+    }
+    return value;
+}
+
+/// The numbers of one field; those of `before` are the direction before it.
+Result<glm::dvec3> readField(const Json& json, const EvalField& field, const glm::dvec3& before) {
+    const std::string key(field.key);
+    if (!json.contains(key) && field.usual) {
+        return glm::dvec3(*field.usual);
+    }
+    if (field.isDirection()) {
+        const Result<glm::dvec3> direction = readUnit(json, key);
+        const bool isBehind = direction && field.type == EvalField::Type::Normal &&
+                              glm::dot(*direction, before) < 0.0;
+        return isBehind ? failure(key + " points to the other side", "a direction on that side")
+                        : direction;
+    }
+    if (field.type == EvalField::Type::Flag) {
+        return json[key].is_boolean() ? Result<glm::dvec3>(glm::dvec3(json[key].get<bool>()))
+                                      : failure(key + " is not a truth", "true or false");
+    }
+    return readNumbers(json, field);
+}
+
+/// A block that is a function of the fields of a struct.
+Result<EvalCase> readFields(const Json& json, const Catalog& catalog, EvalCase request,
+                            const BlockKind& kind) {
+    const std::string key(kind.singular);
+    const std::span<const EvalField> fields = evalFieldsOf(kind.functions.front().argument);
+    std::vector<std::string> known{key};
+    for (const EvalField& field : fields) {
+        known.emplace_back(field.key);
+    }
+    const auto keys = checkKeys(json, known);
+    const Result<EvalBlock> block = readNested(catalog, kind.folder, json[key]);
+    if (!keys || !block) {
+        return tl::unexpected(keys ? block.error() : keys.error());
+    }
+    request.block = *block;
+    glm::dvec3 before(0.0);
+    double* next = request.fields.data();
+    for (const EvalField& field : fields) {
+        const Result<glm::dvec3> value = readField(json, field, before);
+        if (!value) {
+            return tl::unexpected(value.error());
+        }
+        before = *value;
+        for (std::size_t i = 0; i < field.numbers(); ++i) {
+            *next++ = (*value)[int(i)];
+        }
+    }
+    return request;
+}
+
 Result<EvalCase> readFunction(const Json& json, EvalCase request) {
     if (const auto keys = checkKeys(json, {"function", "arguments"}); !keys) {
         return tl::unexpected(keys.error());
@@ -337,13 +419,19 @@ Result<EvalCase> readCase(const Json& json, const Catalog& catalog) {
     std::string keys = "a model";
     for (const BlockKind& kind : blockKinds()) {
         const std::optional<Subject> subject = subjectOfKind(kind.folder);
+        if (!subject && json.contains(kind.singular)) {
+            return failure(
+                fmt::format("{} have no value of their own: they read what is drawn", kind.plural),
+                "a picture of them, as `patina render` makes it");
+        }
         if (!subject || kind.folder == kinds::models) {
             continue;
         }
         if (json.contains(kind.singular)) {
             request.subject = *subject;
-            return *subject == Subject::Model ? readSurfacePart(json, catalog, request, kind)
-                                              : readAlone(json, catalog, request, kind);
+            return *subject == Subject::Model    ? readSurfacePart(json, catalog, request, kind)
+                   : *subject == Subject::Fields ? readFields(json, catalog, request, kind)
+                                                 : readAlone(json, catalog, request, kind);
         }
         keys.append(", ").append(kind.singular);
     }

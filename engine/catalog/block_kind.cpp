@@ -17,7 +17,7 @@ constexpr auto functions(const Functions&... all) {
 constexpr auto ofDirections = functions(BlockFunction{"", "vec3", "Directions", "d"});
 constexpr auto ofFresnel =
     functions(BlockFunction{"", "vec3", "Incidence", "i"}, BlockFunction{"Tint", "vec3"});
-constexpr auto ofRefraction = functions(BlockFunction{"", "vec3", "Crossing", "c"},
+constexpr auto ofRefraction = functions(BlockFunction{"", "vec3", "Crossing", "c", true},
                                         BlockFunction{"Mirrored", "float", "Crossing", "c"},
                                         BlockFunction{"Left", "vec3", "float", "way"});
 constexpr auto ofOutline =

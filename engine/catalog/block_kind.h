@@ -18,6 +18,7 @@ struct BlockFunction {
     std::string_view result;     ///< GLSL type
     std::string_view argument{}; ///< GLSL type of the first argument; empty: it has none
     std::string_view name{};     ///< of the first argument
+    bool isSigned = false;       ///< its result may be below 0: it is a direction
 };
 
 /// What the program itself reads of a block: a parameter has it by its key `role`, whatever it is

@@ -14,15 +14,14 @@ vec3 lightTentEnvironment(Outlook o, LightTentEnvironment p) {
                   tentPatch(o.d, vec3(0.9806, 0.1961, 0.0), p.spread);
     float top = tentPatch(o.d, vec3(0.0, 1.0, 0.0), p.spread);
     vec3 cloth = p.clothColor + vec3(p.sideIntensity * sides + p.topIntensity * top);
-    float ground = 1.0 - smoothstep(-0.35, -0.05, o.d.y);
-    vec3 light = mix(cloth, p.floorColor, ground);
+    float ground = fallingStep(-0.35, -0.05, o.d.y);
+    vec3 light = lerp(cloth, p.floorColor, ground);
 
     float edge = 0.02 + 0.4 * p.softness;
-    float level = abs(o.d.x) + abs(o.d.z); // straight up and down there is no angle
-    float across = abs(atan(o.d.x, level > 1e-6 ? o.d.z : 1.0));
+    float across = abs(azimuthOf(o.d));
     float halfWidth = 0.5 * p.openingWidth;
-    float open = 1.0 - smoothstep(halfWidth - edge, halfWidth + edge, across);
+    float open = fallingStep(halfWidth - edge, halfWidth + edge, across);
     float shut = smoothstep(0.0, edge, p.openingWidth); // an opening of no width lets none in
-    open *= shut * (1.0 - smoothstep(0.75, 0.95, abs(o.d.y)));
+    open *= shut * fallingStep(0.75, 0.95, abs(o.d.y));
     return light * (1.0 - open) * p.tint * p.intensity;
 }

@@ -75,13 +75,13 @@ vec3 skyEnvironment(Outlook o, SkyEnvironment p) {
     vec3 toSun = vec3(cos(p.sunHeight) * sin(p.sunAzimuth), sin(p.sunHeight),
                       cos(p.sunHeight) * cos(p.sunAzimuth));
     float sun = 0.5 * PI - p.sunHeight;
-    float away = acos(clamp(dot(o.d, toSun), -1.0, 1.0));
+    float away = angleBetween(o.d, toSun);
     vec3 sky = scale * colorOfYxy(skyYxy(max(o.d.y, 0.0), away, p.turbidity, sun));
     float radius = sin(p.sunSize);
-    float disc = 1.0 - smoothstep(0.95 * p.sunSize, 1.05 * p.sunSize, away);
+    float disc = fallingStep(0.95 * p.sunSize, 1.05 * p.sunSize, away);
     sky += p.sunColor * (p.sunIntensity * disc / (radius * radius));
     vec3 sunOnGround = p.sunColor * (p.sunIntensity * toSun.y);
     vec3 ground = p.groundColor * (lightOfSky(p.turbidity, toSun.y) + sunOnGround);
     float edge = 0.002 + 0.25 * p.horizon;
-    return mix(ground, sky, smoothstep(-edge, edge, o.d.y)) * p.tint * p.intensity;
+    return lerp(ground, sky, smoothstep(-edge, edge, o.d.y)) * p.tint * p.intensity;
 }

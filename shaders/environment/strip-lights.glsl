@@ -5,9 +5,8 @@
 // strip overhead from front to back.
 vec3 stripLightsEnvironment(Outlook o, StripLightsEnvironment p) {
     float soft = 0.01 + 0.3 * p.softness;
-    float level = abs(o.d.x) + abs(o.d.z); // straight up and down there is no angle
-    float around = atan(o.d.x, level > 1e-6 ? o.d.z : 1.0);
-    float height = asin(clamp(o.d.y, -1.0, 1.0));
+    float around = azimuthOf(o.d);
+    float height = elevationOf(o.d);
     float share = smoothstep(0.0, 0.02, p.stripWidth) * smoothstep(0.0, 0.02, p.stripHeight);
     float count = float(p.strips);
     if (count < 0.5) {
@@ -20,14 +19,14 @@ vec3 stripLightsEnvironment(Outlook o, StripLightsEnvironment p) {
         float halfHeight = 0.5 * p.stripHeight;
         float edge = min(soft, halfWidth + 1e-3);
         float up = abs(height - p.stripMiddle);
-        share *= (1.0 - smoothstep(halfWidth - edge, halfWidth + edge, across)) *
-                 (1.0 - smoothstep(halfHeight - soft, halfHeight + soft, up));
+        share *= fallingStep(halfWidth - edge, halfWidth + edge, across) *
+                 fallingStep(halfHeight - soft, halfHeight + soft, up);
     }
     float over = o.d.y > 0.0 ? 1.0 : 0.0;
     float aside = abs(o.d.x) / max(o.d.y, 1e-3);
     float along = abs(o.d.z) / max(o.d.y, 1e-3);
-    float top = over * (1.0 - smoothstep(0.12 - min(soft, 0.12), 0.12 + soft, aside)) *
-                (1.0 - smoothstep(1.2 - soft, 1.2 + soft, along));
+    float top = over * fallingStep(0.12 - min(soft, 0.12), 0.12 + soft, aside) *
+                fallingStep(1.2 - soft, 1.2 + soft, along);
     return (p.darkColor + vec3(p.stripIntensity * share + p.topIntensity * top)) * p.tint *
            p.intensity;
 }

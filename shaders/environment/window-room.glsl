@@ -21,8 +21,8 @@ float windowShare(vec3 d, vec3 c, float w, float h, float bars, float edge) {
 // Walls between a light ceiling and the floor, two windows on the left and a doorway on the right.
 vec3 windowRoomEnvironment(Outlook o, WindowRoomEnvironment p) {
     float edge = 0.008 + 0.2 * p.softness;
-    vec3 wall = mix(p.wallColor, p.ceilingColor, smoothstep(0.45, 0.75, o.d.y));
-    vec3 light = mix(p.floorColor, wall, smoothstep(-0.45, -0.3, o.d.y));
+    vec3 wall = lerp(p.wallColor, p.ceilingColor, smoothstep(0.45, 0.75, o.d.y));
+    vec3 light = lerp(p.floorColor, wall, smoothstep(-0.45, -0.3, o.d.y));
 
     vec3 near = vec3(-0.8452, 0.1690, 0.5071);
     vec3 far = vec3(-0.8452, 0.1690, -0.5071);
@@ -30,10 +30,10 @@ vec3 windowRoomEnvironment(Outlook o, WindowRoomEnvironment p) {
                   windowShare(o.d, far, p.windowWidth, p.windowHeight, p.bars, edge);
     float sky = mix(0.25, 1.0, smoothstep(-0.15, 0.05, o.d.y));
     vec3 outside = vec3(0.86, 0.94, 1.0) * (p.windowIntensity * sky);
-    light = mix(light, outside, min(share, 1.0));
+    light = lerp(light, outside, min(share, 1.0));
 
     vec3 doorway = vec3(0.9701, 0.0, -0.2425);
     vec3 warm = vec3(1.0, 0.87, 0.72) * p.doorIntensity;
-    light = mix(light, warm, lampShare(o.d, doorway, 0.3, 0.7, edge));
+    light = lerp(light, warm, lampShare(o.d, doorway, 0.3, 0.7, edge));
     return light * p.tint * p.intensity;
 }

@@ -10,7 +10,7 @@ float lampShare(vec3 d, vec3 c, float w, float h, float edge) {
     float facing = dot(d, c);
     float x = abs(dot(d, across)) / max(facing, 1e-3);
     float y = abs(dot(d, upward)) / max(facing, 1e-3);
-    float inside = (1.0 - smoothstep(w - edge, w + edge, x)) *
-                   (1.0 - smoothstep(h - edge, h + edge, y));
+    float inside = fallingStep(w - edge, w + edge, x) *
+                   fallingStep(h - edge, h + edge, y);
     return facing > 0.0 ? inside : 0.0;
 }

@@ -14,6 +14,18 @@ float pow5(float x) {
     return x2 * x2 * x;
 }
 
+// a where t is 0, b where it is 1. GLSL's mix may add t (b - a) to a, which loses a b that is small
+// beside a.
+vec3 lerp(vec3 a, vec3 b, float t) {
+    return a * (1.0 - t) + b * t;
+}
+
+// 1 up to low, 0 from high on, low < high: 1 - smoothstep(low, high, x) with every digit of a small
+// rest.
+float fallingStep(float low, float high, float x) {
+    return smoothstep(-high, -low, -x);
+}
+
 // sqrt(x) for x > 0, else 0: a difference that rounding made negative is a zero.
 float safeSqrt(float x) {
     return sqrt(max(x, 0.0));

@@ -84,6 +84,31 @@ TEST_F(CheckCommand, NegativeValue_IsFoundThoughTheEngineCutsIt) {
     EXPECT_EQ(found["defects"][0]["what"], "negative");
 }
 
+TEST_F(CheckCommand, BlocksOfAStructsFields_AreSound) {
+    for (const char* block : {"environment/window-room", "refraction/solid-body",
+                              "outline/ink-line", "transparency/weighted"}) {
+        const Outcome outcome = run({"check", block, "--cases", "20000"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
+        EXPECT_NE(outcome.out.find("nothing breaks"), std::string::npos) << block;
+    }
+}
+
+TEST_F(CheckCommand, EnvironmentThatIsDarkerThanBlackBelow_Fails) {
+    writeFile(data_ / "patina/shaders/environment/tried.json", R"({
+        "id": "tried", "version": 1, "label": "Tried", "summary": "A test.",
+        "applications": "None.", "source": "None.", "parameters": [],
+        "claims": ["finite", "non_negative"]})");
+    writeFile(data_ / "patina/shaders/environment/tried.glsl",
+              "// SPDX-License-"
+              "Identifier: MIT-0\n#include \"lib/outlook.glsl\"\n"
+              "vec3 triedEnvironment(Outlook o, TriedEnvironment p) {\n"
+              "    return vec3(o.d.y);\n}\n");
+    const nlohmann::json found = checkedJson();
+    ASSERT_EQ(found["defects"].size(), 1u) << found;
+    EXPECT_EQ(found["defects"][0]["what"], "negative");
+    EXPECT_LT(found["defects"][0]["worst"]["case"]["direction"][1].get<double>(), 0.0);
+}
+
 TEST_F(CheckCommand, WorstCase_IsALineForEval) {
     writeModel("vec3(sqrt(d.nl - 1e-5))");
     const std::string line = checkedJson()["defects"][0]["worst"]["case"].dump() + "\n";

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <sstream>
 
@@ -144,6 +146,86 @@ TEST(EvalCommand, Fog_AnswersWithTheShareThatIsLeft) {
     const Json answer =
         answerTo({{"fog", {{"id", "linear"}, {"parameters", {{"start", 0}}}}}, {"distance", 2.5}});
     EXPECT_EQ(answer.at("value"), Json({0.75}));
+}
+
+TEST(EvalCommand, Environment_AnswersWithWhatComesFromADirection) {
+    const Json answer =
+        answerTo({{"environment",
+                   {{"id", "image"}, {"parameters", {{"intensity", 2}, {"tint", {1, 0.5, 1}}}}}},
+                  {"direction", {0, 5, 0}},
+                  {"picture", {0.25, 0.5, 0.75}}});
+    EXPECT_EQ(answer.at("value"), Json({0.5, 0.5, 1.5}));
+}
+
+TEST(EvalCommand, EnvironmentWithoutAPicture_NeedsOnlyADirection) {
+    const Json sky{{"environment", "sky"}, {"direction", {0, 1, 0}}};
+    EXPECT_GT(answerTo(sky).at("value")[2].get<double>(), 0.0);
+}
+
+TEST(EvalCommand, Refraction_FollowsSnell) {
+    const double sine = std::sqrt(0.75);
+    const Json body{{"id", "solid-body"}, {"parameters", {{"index", 1.5}}}};
+    Json request{{"refraction", body}, {"l", {sine, 0, 0.5}}, {"n", {0, 0, 1}}};
+    const Json into = answerTo(request).at("value");
+    EXPECT_NEAR(into[0].get<double>(), -sine / 1.5, 1e-12);
+    EXPECT_NEAR(into[2].get<double>(), -std::sqrt(1.0 - 0.75 / 2.25), 1e-12);
+    request["leaves"] = true;
+    EXPECT_EQ(answerTo(request).at("value"), Json({0.0, 0.0, 0.0})) << "total reflection";
+}
+
+TEST(EvalCommand, Outline_AnswersWithTheWidthsOfAnEdge) {
+    Json request{{"outline", {{"id", "ink-line"}, {"parameters", {{"width", 3}}}}}};
+    EXPECT_EQ(answerTo(request).at("value"), Json({0.0, 0.0}));
+    request["turns"] = true;
+    request["bend"] = 1.5;
+    EXPECT_EQ(answerTo(request).at("value"), Json({3.0, 1.5}));
+}
+
+TEST(EvalCommand, Transparency_AnswersWithHowMuchASurfaceCounts) {
+    const Json request{{"transparency", "weighted"}, {"depth", 0.5}, {"opacity", 0.5}};
+    EXPECT_NEAR(answerTo(request).at("value")[0].get<double>(), 0.25, 1e-12);
+}
+
+TEST(EvalCommand, Shadow_SaysWhyItHasNoValue) {
+    EXPECT_NE(errorOf({{"shadow", "hard"}}).find("they read what is drawn"), std::string::npos);
+}
+
+TEST(EvalCommand, FieldsOnTheGpu_AgreeWithDouble) {
+    for (Json request :
+         {Json{{"environment", "studio"}, {"direction", {0.3, 0.8, 0.1}}},
+          Json{{"environment", "image"}, {"direction", {0, 0, 1}}, {"picture", {0.1, 0.2, 0.3}}},
+          Json{{"refraction", "thin-pane"}, {"l", {0.3, 0.2, 0.8}}, {"n", {0, 0.1, 1}}},
+          Json{{"refraction",
+                {{"id", "solid-body"}, {"parameters", {{"index", 1.1}, {"dispersion", 1}}}}},
+               {"l", {0.3, 0.2, 0.8}},
+               {"n", {0, 0.1, 1}},
+               {"channel", 2},
+               {"leaves", true}},
+          Json{{"outline", "ink-line"}, {"ends", true}, {"bend", 0.2}},
+          Json{{"transparency", "weighted"}, {"depth", 0.25}, {"opacity", 0.75}}}) {
+        const Json exact = answerTo(request).at("value");
+        request["precision"] = "gpu";
+        const Json drawn = answerTo(request).value("value", Json::array());
+        ASSERT_EQ(drawn.size(), exact.size()) << request;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            EXPECT_NEAR(drawn[i].get<double>(), exact[i].get<double>(), 1e-5) << request;
+        }
+    }
+}
+
+TEST(EvalCommand, FieldsOutsideTheirRange_AreErrors) {
+    const Json crossing{{"refraction", "solid-body"}, {"l", {0, 0, 1}}, {"n", {0, 0, 1}}};
+    const auto errorWith = [](Json request, const char* key, const Json& value) {
+        request[key] = value;
+        return errorOf(request);
+    };
+    EXPECT_EQ(errorOf(crossing), "");
+    EXPECT_NE(errorWith(crossing, "channel", 3).find("channel is 3"), std::string::npos);
+    EXPECT_NE(errorWith(crossing, "channel", 0.5).find("channel is 0.5"), std::string::npos);
+    EXPECT_NE(errorWith(crossing, "leaves", 1).find("true or false"), std::string::npos);
+    EXPECT_NE(errorWith(crossing, "n", {0, 0, -1}).find("the other side"), std::string::npos);
+    EXPECT_NE(errorWith(crossing, "side", 1).find("means nothing here"), std::string::npos);
+    EXPECT_NE(errorOf({{"environment", "sky"}}).find("no \"direction\""), std::string::npos);
 }
 
 TEST(EvalCommand, UnknownNames_AreNamedInTheError) {

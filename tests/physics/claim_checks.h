@@ -70,9 +70,9 @@ inline std::optional<std::string> counterexample(const Experiment& experiment,
     return std::nullopt;
 }
 
-/// Of a light, only what it sends has a sign.
+/// What says a direction has no sign.
 inline std::span<const double> signedPart(const EvalCase& request, const Numbers& values) {
-    return std::span(values).subspan(request.subject == EvalCase::Subject::Light ? 3 : 0);
+    return std::span(values).subspan(signedResultsOf(request));
 }
 
 template <class Judge>

@@ -25,7 +25,7 @@ Evaluate inDoublePrecision() {
                                       slotted ? request.slot.packedValues() : Numbers());
             for (const EvalPlace& place : places) {
                 const ReferenceNumbers numbers = bound.evaluate(place);
-                values.emplace_back(numbers.begin(), numbers.begin() + resultsOf(request.subject));
+                values.emplace_back(numbers.begin(), numbers.begin() + resultsOf(request));
             }
         }
         return values;

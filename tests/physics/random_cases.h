@@ -66,11 +66,14 @@ class RandomCases {
         } else if (block_.kind == "lights") {
             request.subject = EvalCase::Subject::Light;
             request.l = inFloat(glm::dvec3(coordinate(), coordinate(), coordinate()));
-        } else {
+        } else if (block_.kind == "fog") {
             request.subject = EvalCase::Subject::Fog;
             request.number = inFloat(std::abs(coordinate()));
             request.l = inFloat(glm::dvec3(coordinate(), coordinate(), coordinate()));
             request.v = inFloat(someDirection());
+        } else {
+            request.subject = EvalCase::Subject::Fields;
+            placeFields(request);
         }
         return request;
     }
@@ -79,6 +82,27 @@ class RandomCases {
     void leaveOptionalSlotsEmpty() { fillsOptionalSlots_ = false; }
 
   protected:
+    void placeFields(EvalCase& request) {
+        double* number = request.fields.data();
+        glm::dvec3 direction(0.0);
+        for (const EvalField& field : fieldsOf(request)) {
+            glm::dvec3 value(std::min(std::abs(cosine()), 1.0) * field.most);
+            if (field.isDirection()) {
+                value = inFloat(someDirection());
+                value = field.type == EvalField::Type::Normal && glm::dot(value, direction) < 0.0
+                            ? -value
+                            : value;
+                direction = value;
+            } else if (field.isTriple()) {
+                value = glm::dvec3(std::abs(coordinate()));
+            }
+            for (std::size_t i = 0; i < field.numbers(); ++i) {
+                const double x = inFloat(value[int(i)]);
+                *number++ = field.isContinuous() ? std::min(x, value[int(i)]) : std::round(x);
+            }
+        }
+    }
+
     virtual void placeDirections(EvalCase& request) = 0;
     virtual double cosine() = 0;
     virtual double coordinate() = 0;

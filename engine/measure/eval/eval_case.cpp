@@ -57,6 +57,29 @@ Json modelJson(const EvalCase& request) {
     return json;
 }
 
+Json fieldJson(const EvalField& field, std::span<const double> numbers) {
+    if (field.isTriple()) {
+        return {numbers[0], numbers[1], numbers[2]};
+    }
+    return field.type == EvalField::Type::Flag    ? Json(numbers[0] != 0.0)
+           : field.type == EvalField::Type::Whole ? Json(int(numbers[0]))
+                                                  : Json(numbers[0]);
+}
+
+Json fieldsJson(const EvalCase& request) {
+    Json json{{keyOf(request.block), nested(request.block)}};
+    std::span<const double> numbers(request.fields);
+    for (const EvalField& field : fieldsOf(request)) {
+        json[std::string(field.key)] = fieldJson(field, numbers);
+        numbers = numbers.subspan(field.numbers());
+    }
+    return json;
+}
+
+const BlockFunction& functionOf(const EvalCase& request) {
+    return findKind(request.block.block->kind)->functions.front();
+}
+
 Json subjectJson(const EvalCase& request) {
     switch (request.subject) {
     case Subject::Model:
@@ -70,6 +93,8 @@ Json subjectJson(const EvalCase& request) {
                 {"distance", request.number},
                 {"eye", numbers(request.l)},
                 {"direction", numbers(request.v)}};
+    case Subject::Fields:
+        return fieldsJson(request);
     default:
         return {{"function", request.function}, {"arguments", request.arguments}};
     }
@@ -77,15 +102,20 @@ Json subjectJson(const EvalCase& request) {
 
 } // namespace
 
-std::size_t resultsOf(EvalCase::Subject subject) {
-    switch (subject) {
-    case EvalCase::Subject::Light:
-        return 6;
-    case EvalCase::Subject::Fog:
-        return 1;
-    default:
-        return 3;
-    }
+std::size_t resultsOf(const EvalCase& request) {
+    const std::string_view type = functionOf(request).result;
+    return type == "Illumination" ? 6 : type == "float" ? 1 : type == "vec2" ? 2 : 3;
+}
+
+std::size_t signedResultsOf(const EvalCase& request) {
+    return request.subject == Subject::Light ? 3
+           : functionOf(request).isSigned    ? resultsOf(request)
+                                             : 0;
+}
+
+std::span<const EvalField> fieldsOf(const EvalCase& request) {
+    return request.subject == Subject::Fields ? evalFieldsOf(functionOf(request).argument)
+                                              : std::span<const EvalField>();
 }
 
 std::optional<Subject> subjectOfKind(std::string_view kind) {
@@ -94,13 +124,15 @@ std::optional<Subject> subjectOfKind(std::string_view kind) {
                                                                   {"vec3", Subject::Light},
                                                                   {"FogRay", Subject::Fog}};
     const BlockKind* row = findKind(kind);
+    const std::string_view taken = row == nullptr || row->functions.empty()
+                                       ? std::string_view()
+                                       : row->functions.front().argument;
     for (const auto& [argument, subject] : arguments) {
-        if (row != nullptr && !row->functions.empty() &&
-            row->functions.front().argument == argument) {
+        if (taken == argument) {
             return subject;
         }
     }
-    return std::nullopt;
+    return evalFieldsOf(taken).empty() ? std::nullopt : std::optional(Subject::Fields);
 }
 
 Json evalJson(const EvalCase& request) {

@@ -11,6 +11,7 @@
 #include "catalog/catalog.h"
 #include "catalog/parameter_layout.h"
 #include "core/error.h"
+#include "measure/eval/eval_fields.h"
 
 namespace patina {
 
@@ -33,15 +34,17 @@ struct EvalPlace {
     glm::dvec3 v{0.0};
     glm::dvec2 pixel{0.0}; ///< for models that draw marks on the picture
     double number = 0.0;   ///< the cosine of a Fresnel block, the distance of fog
+    FieldNumbers fields{}; ///< of what else a block is a function of (evalFieldsOf())
 };
 
 /// One block at one place, to be evaluated on the CPU or on the graphics device; or one function of
 /// the shader library.
 struct EvalCase : EvalPlace {
-    enum class Subject { Model, Fresnel, Light, Fog, Function };
+    /// Model: any block that is a function of directions; Fields: of the fields of another struct.
+    enum class Subject { Model, Fresnel, Light, Fog, Fields, Function };
 
     nlohmann::json id; ///< whatever tells the case from others; goes back with its answer
-    Subject subject = Subject::Model; ///< Model: any block that is a function of directions
+    Subject subject = Subject::Model;
     bool gpu = false;
 
     EvalBlock block;
@@ -51,8 +54,14 @@ struct EvalCase : EvalPlace {
     std::vector<double> arguments;
 };
 
-/// How many numbers an answer is: a light's direction and radiance, fog's share, else a colour.
-std::size_t resultsOf(EvalCase::Subject subject);
+/// How many numbers the answer of a block is, by what the first function of its kind returns.
+std::size_t resultsOf(const EvalCase& request);
+
+/// How many of them, from the first on, say a direction: their sign says nothing.
+std::size_t signedResultsOf(const EvalCase& request);
+
+/// The fields that the block is a function of; none of another subject.
+std::span<const EvalField> fieldsOf(const EvalCase& request);
 
 /// What blocks of a kind are evaluated as, by what the kind's first function takes; nothing where
 /// that cannot be said in a line.

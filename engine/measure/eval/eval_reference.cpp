@@ -50,7 +50,7 @@ std::vector<double> evaluatedInDouble(const EvalCase& request, const ReferenceCo
                               slotted ? request.slot.packedValues() : std::vector<double>());
     const ReferenceNumbers numbers = bound.evaluate(request);
     std::vector<double> answers;
-    for (std::size_t i = 0; i < resultsOf(request.subject); ++i) {
+    for (std::size_t i = 0; i < resultsOf(request); ++i) {
         answers.push_back(rightAnswerOf(request, numbers[i]));
     }
     return answers;

@@ -45,8 +45,11 @@ std::string keyOf(const EvalBlock& block) {
 }
 
 /// Texels before the parameters: n, t, l and v, or the one argument.
-int argumentTexels(Subject subject) {
-    return subject == Subject::Model ? 4 : subject == Subject::Fog ? 2 : 1;
+int argumentTexels(const EvalCase& request) {
+    if (request.subject == Subject::Fields) {
+        return texelsOf(numbersOf(fieldsOf(request)));
+    }
+    return request.subject == Subject::Model ? 4 : request.subject == Subject::Fog ? 2 : 1;
 }
 
 std::string header(const EvalShape& shape) {
@@ -174,18 +177,11 @@ Result<EvalShape> evalShape(const EvalCase& request) {
         return EvalShape{std::max(texelsOf((*function)->arguments), 1),
                          texelsOf((*function)->results), (*function)->results};
     }
-    int texels = argumentTexels(request.subject) + vec4Count(*request.block.block);
+    int texels = argumentTexels(request) + vec4Count(*request.block.block);
     if (request.slot.block != nullptr) {
         texels += vec4Count(*request.slot.block);
     }
-    switch (request.subject) {
-    case Subject::Light:
-        return EvalShape{texels, 2, 6};
-    case Subject::Fog:
-        return EvalShape{texels, 1, 1};
-    default:
-        return EvalShape{texels, 1, 3};
-    }
+    return EvalShape{texels, request.subject == Subject::Light ? 2 : 1, resultsOf(request)};
 }
 
 Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape,
@@ -219,6 +215,10 @@ std::vector<float> placeTexels(const EvalCase& request) {
     case Subject::Fog:
         append(texels, request.l, request.number);
         append(texels, request.v);
+        break;
+    case Subject::Fields:
+        texels.assign(request.fields.begin(), request.fields.end());
+        texels.resize(4 * static_cast<std::size_t>(argumentTexels(request)));
         break;
     default:
         append(texels, {request.number, 0.0, 0.0});

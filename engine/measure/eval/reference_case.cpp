@@ -62,6 +62,11 @@ ReferenceNumbers ReferenceCase::evaluate(const EvalPlace& place) const {
         return {light.l.x,        light.l.y,        light.l.z,
                 light.radiance.x, light.radiance.y, light.radiance.z};
     }
+    case Subject::Fields: {
+        ReferenceNumbers results{};
+        code_.block->findCall("").call(place.fields.data(), results.data(), values_);
+        return results;
+    }
     default:
         return {code_.block->fog({place.l, place.v, place.number}, values_)};
     }

@@ -33,7 +33,7 @@ class ReferenceCase {
     ReferenceCase& operator=(const ReferenceCase&) = delete;
 
     /// A model's value with its gates and not cut at 0; a reflectance; a light's direction and
-    /// radiance; the share that fog leaves.
+    /// radiance; the share that fog leaves; what a function of fields returns.
     ReferenceNumbers evaluate(const EvalPlace& place) const;
 
     /// The same for a model about a geometry that is taken as it is, unit vectors or not.

@@ -176,14 +176,33 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
     return larger(noise, change);
 }
 
-ReferenceNumbers placeNoise(Subject subject, const ReferenceCase& bound, const EvalPlace& place,
-                            const ReferenceNumbers& exact, const Enough& enough) {
+/// A unit vector's numbers move as all of it does, others by what they are.
+void addFields(Movable& movable, std::span<const EvalField> fields, EvalPlace& place) {
+    double* number = place.fields.data();
+    for (const EvalField& field : fields) {
+        for (std::size_t i = 0; i < field.numbers(); ++i, ++number) {
+            if (field.isContinuous()) {
+                movable.numbers.push_back(number);
+                movable.steps.push_back(rounding * (field.isDirection() ? 1.0 : std::abs(*number)));
+            }
+        }
+    }
+}
+
+ReferenceNumbers placeNoise(const EvalCase& request, const ReferenceCase& bound,
+                            const EvalPlace& place, const ReferenceNumbers& exact,
+                            const Enough& enough) {
+    const Subject subject = request.subject;
     if (subject == Subject::Model) {
         return modelNoise(bound, place, exact, enough);
     }
     EvalPlace changed = place;
     Movable movable;
     movable.evaluate = [&] { return bound.evaluate(changed); };
+    if (subject == Subject::Fields) {
+        addFields(movable, fieldsOf(request), changed);
+        return noiseOf(movable, exact, enough);
+    }
     if (subject == Subject::Light) {
         movable.numbers = {&changed.l.x, &changed.l.y, &changed.l.z};
     } else if (subject == Subject::Fog) {
@@ -248,7 +267,7 @@ double ErrorBound::excess(const ReferenceCase& bound, const EvalPlace& place,
 
 ReferenceNumbers ErrorBound::noise(const ReferenceCase& bound, const EvalPlace& place,
                                    const ReferenceNumbers& exact, const Enough& enough) const {
-    ReferenceNumbers noise = placeNoise(code_.subject, bound, place, exact, enough);
+    ReferenceNumbers noise = placeNoise(request_, bound, place, exact, enough);
     addValueNoise(
         noise, exact, *request_.block.block, bound.values(),
         [&](const std::vector<double>& values) {

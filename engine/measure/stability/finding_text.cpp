@@ -46,6 +46,20 @@ std::string modelPlace(const EvalCase& request) {
                        elevationText("viewer", elevation(request.n, request.v)), azimuth(request));
 }
 
+/// Names each field with its numbers.
+std::string fieldsText(const EvalCase& request) {
+    std::string text;
+    const double* numbers = request.fields.data();
+    for (const EvalField& field : fieldsOf(request)) {
+        const std::string value = field.isTriple() ? fmt::format("({:.9g}, {:.9g}, {:.9g})",
+                                                                 numbers[0], numbers[1], numbers[2])
+                                                   : fmt::format("{:.9g}", numbers[0]);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", field.key, value);
+        numbers += field.numbers();
+    }
+    return text;
+}
+
 /// Equal numbers are shown as one.
 std::string listText(const ReferenceNumbers& numbers, std::size_t count) {
     std::string text;
@@ -83,6 +97,9 @@ Json findingJson(const SweepFinding& finding) {
 } // namespace
 
 std::string placeText(const EvalCase& request) {
+    if (request.subject == Subject::Fields) {
+        return fieldsText(request);
+    }
     switch (request.subject) {
     case Subject::Model:
         return modelPlace(request);

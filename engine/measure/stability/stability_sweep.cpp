@@ -12,6 +12,7 @@
 #include "measure/eval/eval_program.h"
 #include "measure/stability/claim_sweep.h"
 #include "measure/stability/edge_case_directions.h"
+#include "measure/stability/edge_case_fields.h"
 #include "measure/stability/error_bound.h"
 #include "measure/stability/sweep_cases.h"
 #include "measure/stability/value_checks.h"
@@ -52,6 +53,16 @@ bool hasLostDigits(const EvalPlace& place) {
     return isLost(place.l) || isLost(place.v) || isLost(half);
 }
 
+std::vector<EvalPlace> edgeCasesOf(const EvalCase& variant) {
+    return variant.subject == EvalCase::Subject::Fields ? edgeCaseFields(fieldsOf(variant))
+                                                        : edgeCaseDirections(variant.subject);
+}
+
+std::vector<EvalPlace> ordinaryPlacesOf(const EvalCase& variant, std::size_t count) {
+    return variant.subject == EvalCase::Subject::Fields ? ordinaryFields(fieldsOf(variant), count)
+                                                        : ordinaryPlaces(variant.subject, count);
+}
+
 /// Places between the edge cases, where a formula of its own may break as well; a band of cosines
 /// that is 1/200 wide meets several.
 constexpr std::size_t ordinaryCount = 2048;
@@ -76,10 +87,11 @@ class StabilitySweep::Variant {
   public:
     Variant(const EvalCase& variant, const SweepOptions& options, std::size_t cases)
         : options_(options), variant_(variant), rows_(sweepRows(variant)),
-          places_(edgeCaseDirections(variant.subject)), edgeCaseCount_(places_.size()),
-          placesPerRow_(std::clamp<std::size_t>(cases / rows_.size(), 16, places_.size())),
+          places_(edgeCasesOf(variant)), edgeCaseCount_(places_.size()),
+          placesPerRow_(std::clamp<std::size_t>(
+              cases / rows_.size(), std::min<std::size_t>(16, places_.size()), places_.size())),
           stride_(strideFor(edgeCaseCount_)), checks_(variant) {
-        const auto ordinary = ordinaryPlaces(variant.subject, ordinaryCount);
+        const auto ordinary = ordinaryPlacesOf(variant, ordinaryCount);
         places_.insert(places_.end(), ordinary.begin(), ordinary.end());
     }
 

@@ -22,7 +22,7 @@ bool isBelow(const glm::dvec3& n, const glm::dvec3& direction) {
 } // namespace
 
 ValueChecks::ValueChecks(const EvalCase& variant)
-    : numbers_(resultsOf(variant.subject)), firstSigned_(variant.subject == Subject::Light ? 3 : 0),
+    : numbers_(resultsOf(variant)), signed_(signedResultsOf(variant)),
       darkBelow_(variant.subject == Subject::Model &&
                  variant.block.block->hasClaim("zero_below_horizon")) {}
 
@@ -39,7 +39,10 @@ std::optional<Defect> ValueChecks::check(const EvalPlace& place, std::span<const
     if (std::any_of(numbers.begin(), numbers.end(), [](double x) { return std::isinf(x); })) {
         return Defect::Infinite;
     }
-    const auto magnitudes = numbers.subspan(firstSigned_);
+    const auto magnitudes = numbers.subspan(signed_);
+    if (magnitudes.empty()) {
+        return std::nullopt;
+    }
     const auto [least, most] = std::minmax_element(magnitudes.begin(), magnitudes.end());
     excess = -*least;
     if (*least < 0.0) {

@@ -25,8 +25,8 @@ class ValueChecks {
     bool belowHorizon(const EvalPlace& place) const;
 
     std::size_t numbers_ = 3;
-    std::size_t firstSigned_ = 0; ///< of a light's direction the sign says nothing
-    bool darkBelow_ = false;      ///< whether the block claims to be
+    std::size_t signed_ = 0; ///< so many of the first may be below 0
+    bool darkBelow_ = false; ///< whether the block claims to be
 };
 
 } // namespace patina
