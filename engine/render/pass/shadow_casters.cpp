@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pass/shadow_casters.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "shading/effects/opacity.h"
+#include "shading/effects/shadows.h"
+
+namespace patina {
+
+void ShadowCasters::setCatalog(std::shared_ptr<const Catalog> catalog) {
+    catalog_ = std::move(catalog);
+    holes_.forget();
+}
+
+void ShadowCasters::clear() {
+    meshes_.clear();
+    byMesh_.clear();
+    boxes_.clear();
+    shapes_.clear();
+    holes_.clear();
+}
+
+void ShadowCasters::add(const GpuMesh& mesh, const CasterBox& box, const Material& material) {
+    meshes_.push_back(&mesh);
+    boxes_.push_back(box);
+    shapes_.push_back({mesh.serial(), hasHoles(material)
+                                          ? holes_.add(material, opacityOf(material, *catalog_))
+                                          : solid});
+}
+
+Result<void> ShadowCasters::prepare(ProgramCache& programs, const GpuTextureStore& textures) {
+    return holes_.prepare(catalog_, programs, textures);
+}
+
+std::int64_t ShadowCasters::triangles() const {
+    std::int64_t triangles = 0;
+    for (const GpuMesh* mesh : meshes_) {
+        triangles += mesh->triangles();
+    }
+    return triangles;
+}
+
+bool ShadowCasters::hasChanged() const {
+    return boxes_ != drawnBoxes_ || shapes_ != drawnShapes_ || holes_.hasChanged();
+}
+
+void ShadowCasters::noteDrawn() {
+    drawnBoxes_ = boxes_;
+    drawnShapes_ = shapes_;
+    holes_.noteDrawn();
+}
+
+void ShadowCasters::sortByMesh() {
+    if (byMesh_.size() != meshes_.size()) {
+        byMesh_.resize(meshes_.size());
+        std::iota(byMesh_.begin(), byMesh_.end(), std::size_t(0));
+        std::ranges::sort(byMesh_, std::less<>(), [this](std::size_t caster) {
+            return std::pair(shapes_[caster].serial, caster);
+        });
+    }
+}
+
+void ShadowCasters::gather(const glm::dmat4& worldToMap, std::vector<Run>& runs,
+                           InstanceBuffer& instances) {
+    sortByMesh();
+    runs.clear();
+    instances.clear();
+    for (const std::size_t caster : byMesh_) {
+        if (!isSeen(worldToMap, caster)) {
+            continue;
+        }
+        const std::size_t holes = shapes_[caster].holes;
+        const bool isLike =
+            !runs.empty() && runs.back().mesh == meshes_[caster] && runs.back().holes == holes;
+        if (!isLike) {
+            runs.push_back({meshes_[caster], instances.size(), 0, holes});
+        }
+        ++runs.back().count;
+        instances.add(instanceAt(boxes_[caster].world));
+    }
+    instances.upload();
+}
+
+/// False when the caster's box lies beyond one side of the map.
+bool ShadowCasters::isSeen(const glm::dmat4& worldToMap, std::size_t caster) const {
+    const glm::dmat4 clip = worldToMap * boxes_[caster].world;
+    glm::bvec4 outside(true);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 x = clip * cornerOf(boxes_[caster].bounds, corner);
+        outside.x = outside.x && x.x < -x.w;
+        outside.y = outside.y && x.x > x.w;
+        outside.z = outside.z && x.y < -x.w;
+        outside.w = outside.w && x.y > x.w;
+    }
+    return !glm::any(outside);
+}
+
+} // namespace patina
