@@ -14,14 +14,14 @@ vec3 lightTentEnvironment(Outlook o, LightTentEnvironment p) {
                   tentPatch(o.d, vec3(0.9806, 0.1961, 0.0), p.spread);
     float top = tentPatch(o.d, vec3(0.0, 1.0, 0.0), p.spread);
     vec3 cloth = p.clothColor + vec3(p.sideIntensity * sides + p.topIntensity * top);
-    float ground = fallingStep(-0.35, -0.05, o.d.y);
-    vec3 light = lerp(cloth, p.floorColor, ground);
+    vec3 light = smoothLerp(p.floorColor, cloth, -0.35, -0.05, o.d.y);
 
     float edge = 0.02 + 0.4 * p.softness;
     float across = abs(azimuthOf(o.d));
     float halfWidth = 0.5 * p.openingWidth;
-    float open = fallingStep(halfWidth - edge, halfWidth + edge, across);
-    float shut = smoothstep(0.0, edge, p.openingWidth); // an opening of no width lets none in
-    open *= shut * fallingStep(0.75, 0.95, abs(o.d.y));
-    return light * (1.0 - open) * p.tint * p.intensity;
+    // The share of cloth: beside the opening, where that is of no width, and above and below it.
+    float closed = smoothstep(0.75, 0.95, abs(o.d.y));
+    closed += (1.0 - closed) * fallingStep(0.0, edge, p.openingWidth);
+    closed += (1.0 - closed) * smoothstep(halfWidth - edge, halfWidth + edge, across);
+    return light * closed * p.tint * p.intensity;
 }

@@ -83,5 +83,5 @@ vec3 skyEnvironment(Outlook o, SkyEnvironment p) {
     vec3 sunOnGround = p.sunColor * (p.sunIntensity * toSun.y);
     vec3 ground = p.groundColor * (lightOfSky(p.turbidity, toSun.y) + sunOnGround);
     float edge = 0.002 + 0.25 * p.horizon;
-    return lerp(ground, sky, smoothstep(-edge, edge, o.d.y)) * p.tint * p.intensity;
+    return smoothLerp(ground, sky, -edge, edge, o.d.y) * p.tint * p.intensity;
 }

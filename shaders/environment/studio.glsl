@@ -7,10 +7,10 @@
 // upright strips behind that draw the edges of things, and a panel under the ceiling.
 vec3 studioEnvironment(Outlook o, StudioEnvironment p) {
     float edge = 0.01 + 0.2 * p.softness;
-    float above = smoothstep(-0.02 - 0.3 * p.horizon, 0.02 + 0.3 * p.horizon, o.d.y);
+    float horizon = 0.02 + 0.3 * p.horizon;
     float height = max(o.d.y, 0.0);
     vec3 wall = lerp(p.wallColor, p.ceilingColor, height);
-    vec3 light = lerp(p.floorColor, wall, above);
+    vec3 light = smoothLerp(p.floorColor, wall, -horizon, horizon, o.d.y);
 
     vec3 keyLamp = vec3(0.5774, 0.5774, 0.5774);
     vec3 fillLamp = vec3(-0.8616, 0.2872, 0.4185);

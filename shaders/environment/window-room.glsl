@@ -21,8 +21,8 @@ float windowShare(vec3 d, vec3 c, float w, float h, float bars, float edge) {
 // Walls between a light ceiling and the floor, two windows on the left and a doorway on the right.
 vec3 windowRoomEnvironment(Outlook o, WindowRoomEnvironment p) {
     float edge = 0.008 + 0.2 * p.softness;
-    vec3 wall = lerp(p.wallColor, p.ceilingColor, smoothstep(0.45, 0.75, o.d.y));
-    vec3 light = lerp(p.floorColor, wall, smoothstep(-0.45, -0.3, o.d.y));
+    vec3 wall = smoothLerp(p.wallColor, p.ceilingColor, 0.45, 0.75, o.d.y);
+    vec3 light = smoothLerp(p.floorColor, wall, -0.45, -0.3, o.d.y);
 
     vec3 near = vec3(-0.8452, 0.1690, 0.5071);
     vec3 far = vec3(-0.8452, 0.1690, -0.5071);

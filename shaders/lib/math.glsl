@@ -26,6 +26,11 @@ float fallingStep(float low, float high, float x) {
     return smoothstep(-high, -low, -x);
 }
 
+// a up to low, b from high on, low < high: both with every digit of a small share.
+vec3 smoothLerp(vec3 a, vec3 b, float low, float high, float x) {
+    return a * fallingStep(low, high, x) + b * smoothstep(low, high, x);
+}
+
 // sqrt(x) for x > 0, else 0: a difference that rounding made negative is a zero.
 float safeSqrt(float x) {
     return sqrt(max(x, 0.0));

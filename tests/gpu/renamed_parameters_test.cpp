@@ -48,6 +48,11 @@ struct BlockText {
             }
         }
         renameNeutral(id);
+        if (descriptor.contains("tables")) {
+            for (json& table : descriptor["tables"]) {
+                std::ranges::replace(table["of"], json(id), json(id + suffix));
+            }
+        }
         const std::string field = fieldName(id);
         shader = replaced(shader, "\\bp\\." + field + "\\b", "p." + field + suffix);
         std::string word = replaced(field, "([A-Z])", "_$1");
@@ -130,12 +135,10 @@ class RenamedParameters : public ShadingTest {
         return program ? program->fragment.text : text(program.error());
     }
 
-    /// Without the names that the blocks were given, and what stands for them.
+    /// Without the names that the blocks were given, what stands for them, and numbers of lines.
     static std::string withoutNames(const std::string& text) {
-        const std::string lines = replaced(text,
-                                           "#(define thickness thicknessRenamed|undef "
-                                           "thickness)\n",
-                                           "");
+        const std::string lines = replaced(
+            text, "#(define thickness thicknessRenamed|undef thickness|line [0-9 ]+)\n", "");
         return replaced(lines, "Renamed|_RENAMED", "");
     }
 
@@ -156,7 +159,7 @@ TEST_F(RenamedParameters, InASceneOfEverything_MakeTheSamePrograms) {
         const std::string shipped = programText(catalog(), fullScene(catalog(), refraction));
         const std::string own = programText(renamed(), fullScene(renamed(), refraction));
         EXPECT_NE(own.find("Renamed"), std::string::npos);
-        EXPECT_EQ(withoutNames(own), shipped) << refraction;
+        EXPECT_TRUE(withoutNames(own) == withoutNames(shipped)) << refraction;
     }
 }
 

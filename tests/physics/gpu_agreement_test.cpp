@@ -20,15 +20,19 @@ constexpr int casesPerBlock = 100000;
 /// moves by.
 constexpr int maxUnsettled = casesPerBlock / 5000;
 
-/// The largest relative difference where it counts; infinite where a result is not finite.
-double difference(const std::vector<double>& exact, const std::vector<double>& answer) {
+/// The largest relative difference where it counts; infinite where a result is not finite. A ray's
+/// direction is judged as a whole.
+double difference(const EvalCase& request, const std::vector<double>& exact,
+                  const std::vector<double>& answer) {
+    const bool isRay = request.subject == EvalCase::Subject::Fields && signedResultsOf(request) > 0;
     double worst = 0.0;
     for (std::size_t i = 0; i < exact.size(); ++i) {
         if (!std::isfinite(answer[i]) || !std::isfinite(exact[i])) {
             return HUGE_VAL;
         }
         if (std::abs(exact[i]) > smallestJudged) {
-            worst = std::max(worst, std::abs(answer[i] / exact[i] - 1.0));
+            worst = std::max(worst, isRay ? std::abs(answer[i] - exact[i])
+                                          : std::abs(answer[i] / exact[i] - 1.0));
         }
     }
     return worst;
@@ -70,7 +74,7 @@ TEST_P(GpuAgreement, RandomOrdinaryCases_MatchTheReference) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         ASSERT_TRUE(answers[i]) << answers[i].error().text();
         const std::vector<double> exact = evaluatedInDouble(cases[i], codes.of(cases[i]));
-        const double error = difference(exact, *answers[i]);
+        const double error = difference(cases[i], exact, *answers[i]);
         if (error >= relativeBound && isWithinNoise(cases[i], exact, *answers[i])) {
             ++unsettled;
             continue;

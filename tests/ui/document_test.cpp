@@ -196,7 +196,7 @@ TEST_F(DocumentEdit, Shadow_IsChosenAndSetAndUndone) {
 
 TEST_F(DocumentEdit, Shadow_IsToldAsAPartAtItsPath) {
     std::vector<BlockPath> told;
-    onChange(document, &document, DocumentChange::Block,
+    onChange(document, DocumentChange::Block, &document,
              [&told](const DocumentChange& change) { told.push_back(change.path); });
     document.setBlock(pathOf(kinds::shadows, 0), "veil");
     document.undoStack().undo();

@@ -285,10 +285,17 @@ ReferenceNumbers ErrorBound::noise(const ReferenceCase& bound, const EvalPlace& 
     return noise;
 }
 
-ReferenceNumbers ErrorBound::limits(const ReferenceNumbers& noise, const ReferenceNumbers& exact) {
+/// What is a function of fields may turn its numbers as a whole, by a matrix of colours or about an
+/// axis: each has the roundings of the largest.
+ReferenceNumbers ErrorBound::limits(const ReferenceNumbers& noise,
+                                    const ReferenceNumbers& exact) const {
+    double largest = 0.0;
+    for (const double x : exact) {
+        largest = request_.subject == Subject::Fields ? std::max(largest, std::abs(x)) : 0.0;
+    }
     ReferenceNumbers allowed{};
     for (std::size_t i = 0; i < allowed.size(); ++i) {
-        allowed[i] = noiseShare * noise[i] + floor(exact[i]);
+        allowed[i] = noiseShare * noise[i] + floor(std::max(std::abs(exact[i]), largest));
     }
     return allowed;
 }

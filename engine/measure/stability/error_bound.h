@@ -39,7 +39,7 @@ class ErrorBound {
   private:
     ReferenceNumbers noise(const ReferenceCase& bound, const EvalPlace& place,
                            const ReferenceNumbers& exact, const Enough& enough) const;
-    static ReferenceNumbers limits(const ReferenceNumbers& noise, const ReferenceNumbers& exact);
+    ReferenceNumbers limits(const ReferenceNumbers& noise, const ReferenceNumbers& exact) const;
 
     ReferenceCode code_;
     const EvalCase& request_;

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "shading/effects/opacity.h"
-#include "shading/effects/shadows.h"
+#include "shading/effects/shadow_source.h"
 
 namespace patina {
 
