@@ -55,6 +55,26 @@ void Framebuffer::attachDepth(const TargetTexture& texture) {
                            0);
 }
 
+void Framebuffer::attachColor(const CubeMap& map, int face, int level) {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                           GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), map.name(),
+                           level);
+}
+
+void Framebuffer::attachColors(const TextureArray& texture) {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    std::array<GLenum, 8> locations{};
+    assert(static_cast<std::size_t>(texture.layers()) <= locations.size());
+    for (int layer = 0; layer < texture.layers(); ++layer) {
+        locations[static_cast<std::size_t>(layer)] =
+            colorAttachment(static_cast<std::size_t>(layer));
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, locations[static_cast<std::size_t>(layer)],
+                                  texture.name(), 0, layer);
+    }
+    glDrawBuffers(texture.layers(), locations.data());
+}
+
 void Framebuffer::attachDepth(const TextureArray& texture, int layer) {
     glBindFramebuffer(GL_FRAMEBUFFER, name());
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture.name(), 0, layer);

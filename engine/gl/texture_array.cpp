@@ -6,6 +6,15 @@
 namespace patina::gl {
 
 TextureArray TextureArray::create(glm::ivec2 size, int layers, unsigned internalFormat) {
+    return create(size, layers, internalFormat, GL_DEPTH_COMPONENT);
+}
+
+TextureArray TextureArray::createColors(glm::ivec2 size, int layers, unsigned internalFormat) {
+    return create(size, layers, internalFormat, GL_RGBA);
+}
+
+TextureArray TextureArray::create(glm::ivec2 size, int layers, unsigned internalFormat,
+                                  unsigned format) {
     TextureArray texture;
     GLuint name = 0;
     glGenTextures(1, &name);
@@ -14,7 +23,7 @@ TextureArray TextureArray::create(glm::ivec2 size, int layers, unsigned internal
     texture.layers_ = layers;
     glBindTexture(GL_TEXTURE_2D_ARRAY, name);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internalFormat), size.x, size.y, layers,
-                 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+                 0, format, GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

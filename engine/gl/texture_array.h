@@ -7,7 +7,7 @@
 
 namespace patina::gl {
 
-/// Depths in layers of one size, of one level, sampled as they are at texel centres.
+/// Depths or colours in layers of one size, of one level, sampled as they are at texel centres.
 class TextureArray {
   public:
     TextureArray() = default;
@@ -15,11 +15,17 @@ class TextureArray {
     /// `internalFormat` is a sized depth format; the content is undefined.
     static TextureArray create(glm::ivec2 size, int layers, unsigned internalFormat);
 
+    /// The same for a sized format of colours.
+    static TextureArray createColors(glm::ivec2 size, int layers, unsigned internalFormat);
+
     unsigned name() const { return name_.get(); }
     glm::ivec2 size() const { return size_; }
     int layers() const { return layers_; }
 
   private:
+    static TextureArray create(glm::ivec2 size, int layers, unsigned internalFormat,
+                               unsigned format);
+
     Name<deleteTexture> name_;
     glm::ivec2 size_{0};
     int layers_ = 0;

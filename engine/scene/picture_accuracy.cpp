@@ -50,6 +50,13 @@ constexpr std::array numbersLevels{
     Level{"full", "32 bits", "Seven digits per channel."},
     Level{"half", "16 bits", "Three digits per channel, half the memory: nobody sees it."}};
 
+constexpr std::array environmentLevels{
+    Level{"sampled", "Sampled",
+          "A mean over directions of the light from all around, which settles."},
+    Level{"fitted", "Fitted",
+          "What the material reflects is taken apart into a matte part and two lobes, which see "
+          "the environment out of focus: there at once, without grain."}};
+
 constexpr std::array texts{
     PictureChoiceText{PictureChoice::Samples, "samples", "Samples per pixel",
                       "How many places of a pixel are looked at for edges.", samplesLevels},
@@ -64,7 +71,9 @@ constexpr std::array texts{
     PictureChoiceText{PictureChoice::Scale, "scale", "Render scale",
                       "How much of the picture's width and height is drawn.", scaleLevels},
     PictureChoiceText{PictureChoice::Numbers, "numbers", "Linear picture",
-                      "How fine the numbers are in which light is summed up.", numbersLevels}};
+                      "How fine the numbers are in which light is summed up.", numbersLevels},
+    PictureChoiceText{PictureChoice::Environment, "environment", "Environment",
+                      "How the light from all around is summed up.", environmentLevels}};
 
 static_assert(texts.size() == pictureChoices);
 

@@ -15,10 +15,11 @@ enum class PictureChoice : std::uint8_t {
     Highlights,
     Fog,
     Scale,
-    Numbers
+    Numbers,
+    Environment
 };
 
-inline constexpr std::size_t pictureChoices = 7;
+inline constexpr std::size_t pictureChoices = 8;
 
 /// The level of each choice, 0 the exact one. A new one draws as Patina always does.
 class PictureAccuracy {
@@ -36,6 +37,9 @@ class PictureAccuracy {
     bool lightsAtVertices() const { return level(PictureChoice::Lighting) > 0; }
     bool leavesNormals() const { return level(PictureChoice::Normals) > 0; }
     bool widensHighlights() const { return level(PictureChoice::Highlights) > 0; }
+    /// Whether an environment's light is that of fitted lobes instead of a mean over directions.
+    bool fitsEnvironment() const { return level(PictureChoice::Environment) > 0; }
+
     bool fogsAtVertices() const { return level(PictureChoice::Fog) > 0; }
 
     /// Pixels that are drawn for a pixel of the picture, along each side: 1, 0.75 or 0.5.
@@ -47,7 +51,7 @@ class PictureAccuracy {
     friend bool operator==(const PictureAccuracy&, const PictureAccuracy&) = default;
 
   private:
-    std::array<std::uint8_t, pictureChoices> levels_{1, 0, 0, 0, 0, 0, 1};
+    std::array<std::uint8_t, pictureChoices> levels_{1, 0, 0, 0, 0, 0, 1, 0};
 };
 
 } // namespace patina

@@ -15,6 +15,7 @@ bool modelCost();
 bool accuracyCost();
 bool sweepTime();
 bool frontTwice();
+bool fittedLight();
 bool manyObjects();
 bool assembly();
 bool switches();

@@ -31,6 +31,7 @@ int main(int count, char** arguments) {
                                         {"accuracy-cost", patina::benchmarks::accuracyCost},
                                         {"sweep-time", patina::benchmarks::sweepTime},
                                         {"front-twice", patina::benchmarks::frontTwice},
+                                        {"fitted-light", patina::benchmarks::fittedLight},
                                         {"many-objects", patina::benchmarks::manyObjects},
                                         {"assembly", patina::benchmarks::assembly},
                                         {"switches", patina::benchmarks::switches},

@@ -185,6 +185,9 @@ TEST_F(PictureAccuracyTest, ChartOfThePicture_HasAPointForEveryLevel) {
     }
     EXPECT_EQ((*sweep)->problems(), Errors());
     for (const PictureChoiceText& text : pictureChoiceTexts()) {
+        if (text.choice == PictureChoice::Environment) {
+            continue; // the scene has none
+        }
         for (const PictureChoiceText::Level& level : text.levels.subspan(1)) {
             const CostPoint* point =
                 (*sweep)->chart().find({{std::string("picture.") + text.id, level.id}});
@@ -213,17 +216,24 @@ TEST_F(PictureAccuracyTest, LayersOfTheScene_HaveTheWeightedMeanAsTheirLastLevel
     EXPECT_EQ(exact.scene.part(kinds::transparency)->id, "peeled");
 }
 
-TEST_F(PictureAccuracyTest, DirectionsOfAnEnvironment_GoFrom4096To1) {
+TEST_F(PictureAccuracyTest, DirectionsOfAnEnvironment_GoFrom4096To1AndThenToNone) {
     Scene scene = simpleScene();
     scene.setPart(kinds::environment, block("environment", "studio"));
     const std::vector<Choice> choices = choicesOfPicture(scene, *catalog);
     const auto directions = std::ranges::find(choices, "picture.environment", &Choice::id);
     ASSERT_NE(directions, choices.end());
     EXPECT_EQ(directions->levels.front().id, "4096");
-    EXPECT_EQ(directions->levels.back().id, "1");
+    EXPECT_EQ((directions->levels.end() - 2)->id, "1");
+    EXPECT_EQ(directions->levels.back().id, "fitted");
     ChosenFrame frame{scene, View()};
     choose(frame, 0, choices, {{"picture.environment", "1"}}, *catalog);
     EXPECT_EQ(frame.view.environmentSamples, 1);
+    EXPECT_FALSE(frame.scene.accuracy.fitsEnvironment());
+    ChosenFrame fitted{scene, View()};
+    choose(fitted, 0, choices, {{"picture.environment", "fitted"}}, *catalog);
+    EXPECT_TRUE(fitted.scene.accuracy.fitsEnvironment());
+    EXPECT_EQ(levelsOfPicture(fitted.scene, choices, *catalog).at("picture.environment"),
+              "fitted");
 }
 
 TEST_F(PictureAccuracyTest, MoreDirectionsThanOneFrameHas_TakeTheirTime) {

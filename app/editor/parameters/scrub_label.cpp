@@ -29,7 +29,8 @@ void ScrubLabel::mousePressEvent(QMouseEvent* event) {
 /// A drag begins after a few pixels, so that a double click stays one.
 void ScrubLabel::mouseMoveEvent(QMouseEvent* event) {
     const double x = event->globalPosition().x();
-    if (drag_ == Drag::Pressed && std::abs(x - pressed_) >= 0.5 * QApplication::startDragDistance()) {
+    const double enough = 0.5 * QApplication::startDragDistance();
+    if (drag_ == Drag::Pressed && std::abs(x - pressed_) >= enough) {
         begin();
     }
     if (drag_ == Drag::Scrubbing && x != last_) {

@@ -35,22 +35,33 @@ ChoiceLevel counted(int count, std::string_view what) {
     return {number, fmt::format("{} {}", number, what), {}};
 }
 
+const PictureChoiceText::Level& fittedLevel() {
+    return pictureChoiceText("environment")->levels[1];
+}
+
 std::vector<ChoiceLevel> environmentLevels(const Scene& scene, const Catalog& catalog) {
     const Block* block = environmentChoice(scene, catalog).block;
     const Parameter* directions = block == nullptr ? nullptr : directionsParameter(*block);
     std::vector<ChoiceLevel> levels;
+    if (block == nullptr) {
+        return levels;
+    }
     for (const int count : {4096, 1024, 256, 64, 16, 4, 1}) {
         if (directions != nullptr && count >= directions->min && count <= directions->max) {
             levels.push_back(counted(count, count == 1 ? "direction" : "directions"));
         }
     }
+    const PictureChoiceText::Level& fitted = fittedLevel();
+    levels.push_back({fitted.id, fitted.label, fitted.doc});
     return levels;
 }
 
 void applyEnvironment(ChosenFrame& frame, const std::string& level, const Catalog& catalog) {
     const Block* block = environmentChoice(frame.scene, catalog).block;
     const Parameter* directions = block == nullptr ? nullptr : directionsParameter(*block);
-    if (directions != nullptr) {
+    const bool isFitted = level == fittedLevel().id;
+    frame.scene.accuracy.choose(PictureChoice::Environment, isFitted ? 1 : 0);
+    if (directions != nullptr && !isFitted) {
         frame.scene.part(kinds::environment)->parameters[directions->id] = numberOf(level);
         frame.view.environmentSamples = numberOf(level);
     }
@@ -58,6 +69,9 @@ void applyEnvironment(ChosenFrame& frame, const std::string& level, const Catalo
 
 std::string currentEnvironment(const Scene& scene, const Catalog& catalog) {
     const Block* block = environmentChoice(scene, catalog).block;
+    if (scene.accuracy.fitsEnvironment()) {
+        return block == nullptr ? std::string() : fittedLevel().id;
+    }
     return block == nullptr ? std::string()
                             : std::to_string(directionsOf(*scene.part(kinds::environment), *block));
 }
@@ -192,6 +206,9 @@ constexpr std::string_view prefix = "picture.";
 
 /// Whether anything of the scene depends on it.
 bool counts(PictureChoice choice, const Scene& scene, const Catalog& catalog) {
+    if (choice == PictureChoice::Environment) {
+        return false; // a level of the row of its directions
+    }
     return choice != PictureChoice::Fog || sceneEffects(scene, catalog).fog.has_value();
 }
 

@@ -29,6 +29,11 @@ inline constexpr unsigned environmentTable = 4;
 inline constexpr unsigned environmentImage = 5;
 inline constexpr unsigned environmentSmall = 6;
 
+/// In place of the first and the last of these, where a material's light is fitted: its lobes, and
+/// a cube map of the environment in steps of blur.
+inline constexpr unsigned lobeTable = environmentTable;
+inline constexpr unsigned environmentBlurred = environmentSmall;
+
 /// The shadow maps.
 inline constexpr unsigned shadowMaps = 7;
 

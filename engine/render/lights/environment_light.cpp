@@ -12,6 +12,7 @@
 #include "render/gpu/binding.h"
 #include "render/gpu/environment_units.h"
 #include "render/gpu/long_pieces.h"
+#include "render/lights/environment_harmonics.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_key.h"
 #include "shading/program/parameter_packer.h"
@@ -97,16 +98,23 @@ bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
         if (cache.builtCount() == built) {
             makeTable(small);
             madeFor_ = current_;
+            blurredFor_ = nullptr;
         }
+        return true;
+    }
+    if (effects.accuracy.fitsEnvironment() && blurredFor_ != current_ &&
+        makeBlurred(catalog, cache)) {
         return true;
     }
     const Backdrop backdrop = backdropOf(values, current_->use.block());
     blur_ = 0.5 * glm::radians(environmentNumber(values, current_->use.block(), roles::blur));
     if (backdrop != Backdrop::Hidden) {
-        background_ = program(*current_,
-                              backdrop == Backdrop::Blurred ? EnvironmentOutput::BlurredBackground
-                                                            : EnvironmentOutput::SharpBackground,
-                              catalog, cache);
+        background_ =
+            program(*current_,
+                    backdrop == Backdrop::Sharp          ? EnvironmentOutput::SharpBackground
+                    : effects.accuracy.fitsEnvironment() ? EnvironmentOutput::FittedBackground
+                                                         : EnvironmentOutput::BlurredBackground,
+                    catalog, cache);
     }
     return false;
 }
@@ -114,7 +122,7 @@ bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
 void EnvironmentLight::pack(const BlockValues& values) {
     static const AccuracyLevels exact;
     const std::size_t vec4s = current_->layout.floats / 4;
-    values_.reserve(EnvironmentLayout::fixed + vec4s);
+    values_.reserve(EnvironmentLayout::fixed + vec4s + EnvironmentLayout::harmonics);
     const std::span<glm::vec4> own = values_.staging().subspan(EnvironmentLayout::fixed, vec4s);
     packInto(own, current_->layout, values.parameters, exact, glm::dmat4(1.0));
     const double turn =
@@ -168,12 +176,41 @@ void EnvironmentLight::makeTable(const gl::Program* program) {
         small_.bind(binding::environmentImage);
         baked_.draw(*program, size);
         table_.build(size, baked_.radiance());
+        harmonics_ = irradianceHarmonics(size, baked_.radiance());
     }
     tableTexture_.fill(table_);
 }
 
+/// The cube map, once its programs are there. False when nothing was made.
+bool EnvironmentLight::makeBlurred(const Catalog& catalog, ProgramCache& cache) {
+    const int built = cache.builtCount();
+    const gl::Program* faces = program(*current_, EnvironmentOutput::Faces, catalog, cache);
+    if (!blurProgram_) {
+        if (const auto source = environmentBlurProgram(catalog)) {
+            blurProgram_ = cache.get(*source).program;
+        }
+    }
+    if (cache.builtCount() > built) {
+        return true;
+    }
+    if (faces == nullptr || !blurProgram_) {
+        return false;
+    }
+    upload();
+    values_.bind(binding::environment);
+    whole_.bind(binding::environmentImage);
+    blurred_.draw(*faces, *blurProgram_);
+    blurredFor_ = current_;
+    return true;
+}
+
+/// The harmonics stand behind the block's values.
 void EnvironmentLight::upload() {
-    values_.upload(EnvironmentLayout::fixed + current_->layout.floats / 4);
+    const std::size_t end = EnvironmentLayout::fixed + current_->layout.floats / 4;
+    for (std::size_t i = 0; i < harmonics_.size(); ++i) {
+        values_.staging()[end + i] = glm::vec4(harmonics_[i], 0.0f);
+    }
+    values_.upload(end + harmonics_.size());
 }
 
 void EnvironmentLight::setSamples(const Samples& samples) {
@@ -192,6 +229,9 @@ void EnvironmentLight::bind() const {
     tableTexture_.bind(binding::environmentTable);
     whole_.bind(binding::environmentImage);
     baked_.bind(binding::environmentSmall);
+    if (blurred_.isThere()) {
+        blurred_.bind(binding::environmentBlurred);
+    }
 }
 
 void EnvironmentLight::forget() {
@@ -199,6 +239,8 @@ void EnvironmentLight::forget() {
     current_ = nullptr;
     background_ = nullptr;
     madeFor_ = nullptr;
+    blurredFor_ = nullptr;
+    blurProgram_ = nullptr;
 }
 
 } // namespace patina

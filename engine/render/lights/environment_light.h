@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <vector>
 
 #include "render/gpu/uniform_buffer.h"
+#include "render/lights/blurred_environment.h"
 #include "render/lights/environment_image.h"
 #include "render/lights/environment_table.h"
 #include "render/lights/environment_texture.h"
@@ -75,6 +77,7 @@ class EnvironmentLight {
     bool takeImage(const std::shared_ptr<const EnvironmentImage>& image);
     bool looksOtherwise();
     void makeTable(const gl::Program* program);
+    bool makeBlurred(const Catalog& catalog, ProgramCache& cache);
     void upload();
 
     std::map<std::uint64_t, Known> known_; ///< by EffectKey
@@ -92,6 +95,10 @@ class EnvironmentLight {
     SmallEnvironment baked_;
     EnvironmentTable table_;
     EnvironmentTexture tableTexture_;
+    std::array<glm::vec3, 9> harmonics_{};
+    std::shared_ptr<const gl::Program> blurProgram_;
+    BlurredEnvironment blurred_;
+    const Known* blurredFor_ = nullptr; ///< null: it is to be drawn anew, if anyone asks for it
 };
 
 } // namespace patina

@@ -167,6 +167,8 @@ void assignUnits(const gl::Program& program) {
     program.bindSampler("environmentTable", binding::environmentTable);
     program.bindSampler("environmentImage", binding::environmentImage);
     program.bindSampler("environmentSmall", binding::environmentSmall);
+    program.bindSampler("environmentBlurred", binding::environmentBlurred);
+    program.bindSampler("lobeTable", binding::lobeTable);
     program.bindBlock("EnvironmentBlock", binding::environment);
 }
 

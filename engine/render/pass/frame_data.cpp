@@ -42,6 +42,7 @@ Result<bool> FrameData::prepare(FramePlan& plan, FrameGpu& gpu) {
     note(instances_.upload());
     placeMaterials(plan);
     fillTables(plan);
+    fitLobes(plan);
     return false;
 }
 
@@ -92,6 +93,21 @@ void FrameData::fillTables(const FramePlan& plan) {
     }
 }
 
+/// What the light of the frame's materials is looked up by, where it is not what it was.
+void FrameData::fitLobes(const FramePlan& plan) {
+    lobes_.makeRoom(plan.materials.size());
+    for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+        const Pipeline* pipeline = plan.materials[i].pipeline.get();
+        if (pipeline != nullptr && pipeline->lobeFit) {
+            const Material& values = plan.scene->objects[plan.materials[i].object].material;
+            gpu_.report.filledTables +=
+                lobes_.fit(i, *pipeline, values, plan.cameraToWorld) ? 1 : 0;
+        } else {
+            lobes_.drop(i);
+        }
+    }
+}
+
 void FrameData::bind() {
     view_.bind(binding::view);
     std::fill(fedScenes_.begin(), fedScenes_.end(), nullptr);
@@ -113,6 +129,9 @@ void FrameData::feedMaterial(const FramePlan& plan, const DrawMaterial& material
     const Material& values = plan.scene->objects[material.object].material;
     if (pipeline.tableProgram) {
         tables_.bind(static_cast<std::size_t>(&material - plan.materials.data()));
+    }
+    if (pipeline.lobeFit) {
+        lobes_.bind(static_cast<std::size_t>(&material - plan.materials.data()));
     }
     packMaterial(data, pipeline, values, plan.cameraToWorld);
     if (material.isLayered) {

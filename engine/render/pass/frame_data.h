@@ -9,6 +9,7 @@
 #include "render/gpu/instance_buffer.h"
 #include "render/gpu/uniform_buffer.h"
 #include "render/gpu/uniform_pool.h"
+#include "render/pass/lobe_store.h"
 #include "render/pass/pass.h"
 #include "render/pass/table_store.h"
 #include "render/plan/frame_plan.h"
@@ -50,6 +51,7 @@ class FrameData : public Pass {
     void writeView(const FramePlan& plan, double pixelWidth);
     void placeMaterials(FramePlan& plan);
     void fillTables(const FramePlan& plan);
+    void fitLobes(const FramePlan& plan);
     void feedMaterial(const FramePlan& plan, const DrawMaterial& material);
     void note(bool isWritten);
 
@@ -60,6 +62,7 @@ class FrameData : public Pass {
     UniformPool materials_;
     std::optional<std::size_t> fedMaterial_;
     TableStore tables_;           ///< by material
+    LobeStore lobes_;             ///< by material
     InstanceBuffer instances_;    ///< in the list's order
     glm::vec4 pixelInClip_{0.0f}; ///< see OutlineLayout::line
     int lostLights_ = 0;

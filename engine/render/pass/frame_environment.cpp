@@ -23,6 +23,9 @@ constexpr int maxRounds = 64;
 /// Rounds in a frame that only adds to what is seen, and need not be done soon, at most.
 constexpr int addedRounds = 8;
 
+/// What is seen behind the objects is a mean of so many looks where nothing else is sampled.
+constexpr int fittedRounds = 4;
+
 /// What a frame takes that must not keep a window waiting.
 int usualRounds() {
     static const int rounds = gl::isSoftware() ? 1 : 4;
@@ -67,11 +70,15 @@ Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
         cache.builtCount() > built) {
         return true;
     }
-    if (!isIn()) {
+    if (!isIn() || scene.effects.accuracy.fitsEnvironment()) {
         if (accumulation_.mean().size().x > 0) {
             accumulation_ = Accumulation();
         }
         done_ = 0;
+        count_ = 0;
+        if (isIn()) {
+            light_.setSamples({0, fittedRounds * roundSamples, view.environmentSeries});
+        }
         return false;
     }
     if (auto prepared = accumulation_.prepare(catalog, cache); !prepared) {
@@ -152,7 +159,7 @@ int FrameEnvironment::samples() const {
 }
 
 int FrameEnvironment::rounds() const {
-    return isIn() ? (count_ + roundSamples - 1) / roundSamples : 0;
+    return isSampled() ? (count_ + roundSamples - 1) / roundSamples : 0;
 }
 
 bool FrameEnvironment::holds(glm::ivec2 size) const {

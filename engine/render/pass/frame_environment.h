@@ -20,6 +20,9 @@ class FrameEnvironment {
     /// Whether the frame that was prepared looks at an environment.
     bool isIn() const { return light_.isIn(); }
 
+    /// Whether its picture is a mean of frames, because some material's light is sampled.
+    bool isSampled() const { return isIn() && count_ > 0; }
+
     /// As begin() for a frame that is not to be seen: what the mean holds stays.
     void prewarm(const SceneToPack& scene, const View& view, const Catalog& catalog,
                  ProgramCache& cache);

@@ -94,6 +94,28 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addTables(Pipeline& pipe
     return {};
 }
 
+/// Made with the program that reads the lobes, so that fitting them later compiles nothing.
+tl::expected<void, PipelineStore::Entry> PipelineStore::addLobes(Pipeline& pipeline,
+                                                                 const EffectSet& effects) {
+    const LobeTableShape shape = lobeTableShape(effects.model->block());
+    const auto samples = surfaceProgram(effects, *catalog_, SurfaceOutput::LobeSamples);
+    const auto fit = lobeFitProgram(shape, *catalog_);
+    if (!samples || !fit) {
+        return tl::unexpected(Entry{nullptr, samples ? fit.error() : samples.error()});
+    }
+    for (const auto& [source, made] : {std::pair(&*samples, &pipeline.lobeSamples),
+                                       std::pair(&*fit, &pipeline.lobeFit)}) {
+        const ProgramCache::Found found = programs_.get(*source);
+        if (!found.program) {
+            return tl::unexpected(Entry{nullptr, found.errors, found.isFinal});
+        }
+        *made = found.program;
+    }
+    pipeline.lobeSamples->bindBlock("ObjectBlock", binding::object);
+    pipeline.lobeFit->bindSampler("lobeSamples", 0);
+    return {};
+}
+
 PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneKey) {
     auto pipeline = std::make_shared<Pipeline>();
     const auto source = surfaceProgram(effects, *catalog_, output_, sceneCapacity_);
@@ -120,6 +142,11 @@ PipelineStore::Entry PipelineStore::make(EffectSet effects, std::uint64_t sceneK
     pipeline->object = objectLayout(effects);
     if (!pipeline->object.tables.empty() && output_ == SurfaceOutput::Picture) {
         if (auto added = addTables(*pipeline, effects); !added) {
+            return added.error();
+        }
+    }
+    if (effects.way == EnvironmentWay::Fitted && output_ == SurfaceOutput::Picture) {
+        if (auto added = addLobes(*pipeline, effects); !added) {
             return added.error();
         }
     }

@@ -67,6 +67,7 @@ class PipelineStore {
                       const Surroundings& surroundings);
     Entry make(EffectSet effects, std::uint64_t sceneKey);
     tl::expected<void, Entry> addTables(Pipeline& pipeline, const EffectSet& effects);
+    tl::expected<void, Entry> addLobes(Pipeline& pipeline, const EffectSet& effects);
     tl::expected<void, Entry> addOutline(Pipeline& pipeline, const EffectSet& effects);
 
     std::shared_ptr<const Catalog> catalog_;

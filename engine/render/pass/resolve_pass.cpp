@@ -19,7 +19,7 @@ bool ResolvePass::draw(const FramePlan&, FrameGpu& gpu, StepBudget& budget) {
     if (!budget.deviceIsDone()) {
         return false;
     }
-    const bool isInMean = gpu.environment.isIn();
+    const bool isInMean = gpu.environment.isSampled();
     if (!std::exchange(isResolved_, true)) {
         gpu.target().resolve();
         gpu.target().stretch();

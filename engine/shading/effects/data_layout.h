@@ -84,6 +84,7 @@ struct EnvironmentLayout {
     static constexpr int sizes = 1; ///< x, y: columns and rows of the table; z: how many samples;
                                     ///< w: which series of them
     static constexpr int fixed = 2; ///< the block's values follow
+    static constexpr int harmonics = 9; ///< behind them: the light on a matte surface by its normal
 };
 
 /// The array `viewData`.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/effects/environment_effect.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "scene/environment.h"
@@ -34,10 +36,67 @@ void addOutput(SourceBuilder& out, EnvironmentOutput output) {
         out.addFile("passes/environment_bake.glsl");
         return;
     }
+    if (output == EnvironmentOutput::Faces) {
+        out.addFile("passes/environment_faces.glsl");
+        return;
+    }
     out.addFile("passes/environment_points.glsl");
-    out.addFile(output == EnvironmentOutput::SharpBackground ? "passes/environment_sharp.glsl"
-                                                             : "passes/environment_blurred.glsl");
+    if (output == EnvironmentOutput::FittedBackground) {
+        out.addFile("passes/environment_out_of_focus.glsl");
+        out.addFile("passes/environment_fitted_background.glsl");
+    } else {
+        out.addFile(output == EnvironmentOutput::SharpBackground
+                        ? "passes/environment_sharp.glsl"
+                        : "passes/environment_blurred.glsl");
+    }
     out.addFile("passes/environment_background.glsl");
+}
+
+/// How fitted light comes to a material.
+EnvironmentWay fittedWay(const EffectSet& set) {
+    if (drawsMarks(set.model->block())) {
+        return EnvironmentWay::OneLight;
+    }
+    const bool isTextured = std::ranges::any_of(set.textures, [](const BoundTexture& texture) {
+        return texture.role == TextureRole::Input;
+    });
+    return isTextured ? EnvironmentWay::PerPixel : EnvironmentWay::Fitted;
+}
+
+const char* wayText(EnvironmentWay way) {
+    switch (way) {
+    case EnvironmentWay::Fitted:
+        return "fitted";
+    case EnvironmentWay::PerPixel:
+        return "fitted at each pixel";
+    case EnvironmentWay::OneLight:
+        return "as one light";
+    default:
+        return "";
+    }
+}
+
+void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
+    const BlockUse& environment = *effect.environment;
+    const int harmonics = EnvironmentLayout::fixed + vec4Count(environment.block());
+    addEnvironment(text.out, environment, EnvironmentLayout::harmonics);
+    text.out.add(fmt::format("#define ENVIRONMENT_HARMONICS {}\n", harmonics));
+    text.out.addFile("passes/environment_irradiance.glsl");
+    if (effect.way == EnvironmentWay::OneLight) {
+        text.out.addFile("passes/lit.glsl");
+        text.out.addFile("passes/environment_one_light.glsl");
+        text.main += "    shaded += oneLight(s, model);\n";
+        return;
+    }
+    text.out.addFile("passes/environment_out_of_focus.glsl");
+    const bool hasTable = effect.way == EnvironmentWay::Fitted;
+    if (hasTable) {
+        text.out.add(lobeTableSource(lobeTableShape(text.set.model->block())));
+    }
+    text.out.addFile(hasTable ? "passes/environment_fitted.glsl"
+                              : "passes/environment_fitted_here.glsl");
+    text.main += fmt::format("    shaded += fittedLight(s, unpackEnvironment({}){});\n",
+                             EnvironmentLayout::fixed, hasTable ? "" : ", model");
 }
 
 } // namespace
@@ -67,11 +126,19 @@ void EnvironmentEffect::choose(const SceneSubject& subject, const EffectSet&) {
     if (block != nullptr) {
         environment.emplace(*block, subject.scene.part(kinds::environment)->parameters);
     }
+    wantsFitted = block != nullptr && subject.scene.accuracy.fitsEnvironment();
+}
+
+void EnvironmentEffect::adjust(const EffectSet& set) {
+    way = wantsFitted && set.model ? fittedWay(set) : EnvironmentWay::Sampled;
 }
 
 void EnvironmentEffect::list(EffectListing& listing, const EffectSet& set) const {
     if (environment && isLit(set)) {
-        listing.add(*environment, environmentText);
+        listing.add(
+            effectName(*environment),
+            detailed(compiledText(*environment), way != EnvironmentWay::Sampled, wayText(way)),
+            environmentText);
     }
 }
 
@@ -93,6 +160,10 @@ void EnvironmentEffect::writeLight(SurfaceText& text) const {
     if (!environment || !text.set.model || text.isInspected()) {
         return;
     }
+    if (way != EnvironmentWay::Sampled) {
+        writeFitted(text, *this);
+        return;
+    }
     addEnvironment(text.out, *environment);
     text.out.addFile("passes/environment_points.glsl");
     text.out.addFile("passes/environment_light.glsl");
@@ -107,10 +178,10 @@ void EnvironmentEffect::remove(Scene& scene, const EffectName& effect, const Cat
     }
 }
 
-void addEnvironment(SourceBuilder& out, const BlockUse& use) {
+void addEnvironment(SourceBuilder& out, const BlockUse& use, int more) {
     const Block& block = use.block();
-    out.add(
-        fmt::format("#define ENVIRONMENT_VEC4S {}\n", EnvironmentLayout::fixed + vec4Count(block)));
+    out.add(fmt::format("#define ENVIRONMENT_VEC4S {}\n",
+                        EnvironmentLayout::fixed + vec4Count(block) + more));
     out.addFile("passes/environment.glsl");
     const bool hasPicture = pictureParameter(block) != nullptr;
     if (hasPicture) {
@@ -133,6 +204,24 @@ Checked<ProgramSource> environmentProgram(const BlockUse& use, const Catalog& ca
         addEnvironment(fragment, use);
         addOutput(fragment, output);
     });
+}
+
+Checked<ProgramSource> environmentBlurProgram(const Catalog& catalog) {
+    return screenProgram(
+        catalog, [](SourceBuilder& fragment) { fragment.addFile("passes/environment_blur.glsl"); });
+}
+
+Checked<ProgramSource> lobeFitProgram(const LobeTableShape& shape, const Catalog& catalog) {
+    return screenProgram(catalog, [&shape](SourceBuilder& fragment) {
+        fragment.add(lobeTableSource(shape));
+        fragment.addFile("passes/lobe_fit.glsl");
+    });
+}
+
+std::string lobeTableSource(const LobeTableShape& shape) {
+    return fmt::format("#define VIEWERS {}\n#define AZIMUTHS {}\n#define SECTORS {}\n"
+                       "#define TABLE_WIDTH {}\n",
+                       shape.viewers, shape.azimuths, shape.sectors, LobeTableShape::width);
 }
 
 } // namespace patina

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "catalog/catalog.h"
 #include "shading/effects/effect_parts.h"
 #include "shading/glsl/source_builder.h"
 #include "shading/program/program_source.h"
+#include "shading/program/surface_output.h"
 
 namespace patina {
 
@@ -18,13 +20,27 @@ struct EnvironmentChoice {
 };
 EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog);
 
+/// How the light of an environment comes to a surface.
+enum class EnvironmentWay : std::uint8_t {
+    Sampled,  ///< a mean over directions
+    Fitted,   ///< by a table of lobes that the material's reflectance was taken apart into
+    PerPixel, ///< the same, taken apart at each pixel, since images change what is reflected
+    OneLight  ///< for models that draw marks: one light, from where most of it comes
+};
+
 /// The scene's environment. It is left out where it is dark, unless an object refracts what is
 /// behind it, and where it lacks its picture.
 struct EnvironmentEffect {
     std::optional<BlockUse> environment;
+    bool wantsFitted = false; ///< as the scene says
+    EnvironmentWay way = EnvironmentWay::Sampled;
 
     void choose(const SceneSubject& subject, const EffectSet& set);
-    void addTo(ChoiceHash& hash) const { hash.add(environment); }
+    void adjust(const EffectSet& set);
+    void addTo(ChoiceHash& hash) const {
+        hash.add(environment);
+        hash.add(wantsFitted);
+    }
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     EffectLine absent(const EffectSet&) const {
@@ -38,18 +54,30 @@ struct EnvironmentEffect {
 };
 
 /// Declares the environment: its data, its block, `unpackEnvironment(int base)` and
-/// `environmentRadiance(vec3 d, Environment p)`.
-void addEnvironment(SourceBuilder& out, const BlockUse& use);
+/// `environmentRadiance(vec3 d, Environment p)`. Its array has so many vec4 `more` behind the
+/// block's.
+void addEnvironment(SourceBuilder& out, const BlockUse& use, int more = 0);
 
 /// What an environment's own programs draw.
 enum class EnvironmentOutput {
-    Small,            ///< the small picture that its table is made from
-    SharpBackground,  ///< what is seen behind the objects
-    BlurredBackground ///< the same out of focus
+    Small,             ///< the small picture that its table is made from
+    Faces,             ///< a face of a cube map of it
+    SharpBackground,   ///< what is seen behind the objects
+    BlurredBackground, ///< the same out of focus
+    FittedBackground   ///< the same from the cube map, without grain
 };
 
 /// A program that covers the target. The uniform block is called EnvironmentBlock.
 Checked<ProgramSource> environmentProgram(const BlockUse& use, const Catalog& catalog,
                                           EnvironmentOutput output);
+
+/// A program that blurs one face of a cube map of any environment.
+Checked<ProgramSource> environmentBlurProgram(const Catalog& catalog);
+
+/// A program that takes the samples of SurfaceOutput::LobeSamples apart into lobes.
+Checked<ProgramSource> lobeFitProgram(const LobeTableShape& shape, const Catalog& catalog);
+
+/// Defines the shape of a table of lobes, which its programs and its readers know it by.
+std::string lobeTableSource(const LobeTableShape& shape);
 
 } // namespace patina

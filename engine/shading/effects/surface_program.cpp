@@ -99,6 +99,17 @@ void writeAlbedoTable(SurfaceText& text) {
     text.out.add("void main() {\n" + text.main + "    storeAlbedo(model);\n}\n");
 }
 
+/// The model alone, for each viewer and direction of light of a table of lobes.
+void writeLobeSamples(SurfaceText& text) {
+    writeSize(text);
+    text.out.addFile("passes/blocks.glsl");
+    text.out.add(lobeTableSource(lobeTableShape(text.set.model->block())));
+    text.readFrom("objectData");
+    writeModel(text);
+    text.out.addFile("passes/lobe_samples.glsl");
+    text.out.add("void main() {\n" + text.main + "    storeSample(model);\n}\n");
+}
+
 /// What fills the tables that blocks read.
 void writeTables(SurfaceText& text) {
     writeSize(text);
@@ -118,6 +129,9 @@ void writeFragment(SurfaceText& text) {
     switch (text.output) {
     case SurfaceOutput::AlbedoTable:
         writeAlbedoTable(text);
+        break;
+    case SurfaceOutput::LobeSamples:
+        writeLobeSamples(text);
         break;
     case SurfaceOutput::Tables:
         writeTables(text);

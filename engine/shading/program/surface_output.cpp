@@ -5,10 +5,20 @@
 
 namespace patina {
 
+namespace {
+
+bool isIsotropic(const Block& model) {
+    return std::ranges::find(model.claims, "isotropic") != model.claims.end();
+}
+
+} // namespace
+
 AlbedoTableShape albedoTableShape(const Block& model) {
-    const bool isotropic =
-        std::find(model.claims.begin(), model.claims.end(), "isotropic") != model.claims.end();
-    return isotropic ? AlbedoTableShape{{24, 1}, 24} : AlbedoTableShape{};
+    return isIsotropic(model) ? AlbedoTableShape{{24, 1}, 24} : AlbedoTableShape{};
+}
+
+LobeTableShape lobeTableShape(const Block& model) {
+    return isIsotropic(model) ? LobeTableShape{64, 1, 8} : LobeTableShape{};
 }
 
 } // namespace patina

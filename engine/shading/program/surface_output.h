@@ -13,12 +13,14 @@ enum class SurfaceOutput {
     Inspection,  ///< its luminance, what is wrong with its numbers, and the numbers themselves
     Buffer,      ///< what it is shaded from: place, directions, what images and shadows give it
     Tables,      ///< what blocks read in place of computing: an atlas of their tables
+    LobeSamples, ///< what the model reflects, to be taken apart into lobes
     AlbedoTable, ///< the model's albedo by the viewer's direction, without mesh, lights or fog
 };
 
 /// Whether such programs draw no mesh but cover a target of their own.
 inline bool isTable(SurfaceOutput output) {
-    return output == SurfaceOutput::AlbedoTable || output == SurfaceOutput::Tables;
+    return output == SurfaceOutput::AlbedoTable || output == SurfaceOutput::Tables ||
+           output == SurfaceOutput::LobeSamples;
 }
 
 /// How finely a table of albedos is made.
@@ -31,5 +33,22 @@ struct AlbedoTableShape {
 
 /// A model that claims to be isotropic has one azimuth and needs fewer directions.
 AlbedoTableShape albedoTableShape(const Block& model);
+
+/// How finely a model's reflectance is taken apart into lobes, as passes/lobe_directions.glsl has
+/// it.
+struct LobeTableShape {
+    int viewers = 16;  ///< roots of n.v
+    int azimuths = 16; ///< of the viewer
+    int sectors = 16;  ///< directions of light in each ring around the mirror direction
+
+    static constexpr int rings = 44;
+    static constexpr int width = 8; ///< of the table, whose entries follow each other row by row
+
+    glm::ivec2 size() const { return {width, viewers * azimuths / width}; }
+    glm::ivec2 samples() const { return {rings * sectors, viewers * azimuths}; }
+
+    friend bool operator==(const LobeTableShape&, const LobeTableShape&) = default;
+};
+LobeTableShape lobeTableShape(const Block& model);
 
 } // namespace patina

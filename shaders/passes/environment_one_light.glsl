@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT-0
+// The light of a whole environment as one light, for models that draw marks: from where most of it
+// comes, as bright as it makes a white matte surface that faces there.
+
+vec3 oneLight(Surface s, Model p) {
+    const int C = ENVIRONMENT_HARMONICS;
+    const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);
+    vec3 most = vec3(dot(environmentData[C + 3].rgb, LUMINANCE),
+        dot(environmentData[C + 1].rgb, LUMINANCE), dot(environmentData[C + 2].rgb, LUMINANCE));
+    vec3 inside = safeNormalize(most, vec3(0.0, 1.0, 0.0));
+    Illumination light;
+    light.l = environmentOutside(inside);
+    light.radiance = environmentIrradiance(inside);
+    return lit(s, light, p);
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT-0
+// Takes the reflectance of a model for one viewer apart: a matte part, which goes with n.l, and two
+// lobes of von Mises' and Fisher's form, by expectation maximisation (Banerjee et al. 2005,
+// Clustering on the Unit Hypersphere using von Mises-Fisher Distributions, JMLR 6). Nothing is lost
+// in it: the three shares together are the albedo.
+#include "passes/lobe_directions.glsl"
+
+uniform sampler2D lobeSamples;
+
+layout(location = 0) out vec4 storedMatte;  // its colour
+layout(location = 1) out vec4 storedColor1; // the narrower lobe's colour
+layout(location = 2) out vec4 storedShape1; // its mean direction less the mirror one; log2 of kappa
+layout(location = 3) out vec4 storedColor2; // of the wider one
+layout(location = 4) out vec4 storedShape2;
+
+const int STEPS = 25;
+const float MIN_KAPPA = 0.25;
+const float MAX_KAPPA = 1e8;
+
+struct FittedLobe {
+    vec3 mean;
+    float kappa;
+    float share;
+};
+
+float versine(vec3 a, vec3 b) {
+    vec3 d = a - b;
+    return 0.5 * dot(d, d);
+}
+
+float lobeDensity(FittedLobe lobe, vec3 l) {
+    float norm = lobe.kappa / (2.0 * PI * (1.0 - exp(-2.0 * lobe.kappa)));
+    return lobe.share * norm * exp(-lobe.kappa * versine(lobe.mean, l));
+}
+
+// From 1 - R, R being the length of the mean of directions (Banerjee et al., equation 4.4).
+float kappaFor(float lack) {
+    float x = clamp(lack, 1e-9, 0.999);
+    float length = 1.0 - x;
+    return clamp(length * (3.0 - length * length) / (x * (2.0 - x)), MIN_KAPPA, MAX_KAPPA);
+}
+
+vec4 fetched(int entry, int i) {
+    vec3 value = texelFetch(lobeSamples, ivec2(i, entry), 0).rgb;
+    return vec4(value, value.r + value.g + value.b);
+}
+
+// What one step gathers of a lobe: the weights, the mean of l less the last mean direction, and the
+// mean versine.
+struct Gathered {
+    float weight;
+    vec3 shift;
+    float versine;
+};
+
+void gather(inout Gathered sum, FittedLobe lobe, vec3 l, float weight) {
+    sum.weight += weight;
+    sum.shift += weight * (l - lobe.mean);
+    sum.versine += weight * versine(lobe.mean, l);
+}
+
+FittedLobe fitted(Gathered sum, FittedLobe last, float all) {
+    if (!(sum.weight > 1e-6 * all)) {
+        return FittedLobe(last.mean, last.kappa, 0.0);
+    }
+    vec3 shift = sum.shift / sum.weight;
+    float along = sum.versine / sum.weight;
+    vec3 across = shift - dot(shift, last.mean) * last.mean;
+    float lackSquared = 2.0 * along - along * along - dot(across, across); // 1 - R^2
+    float lack = lackSquared / (1.0 + safeSqrt(1.0 - lackSquared));
+    return FittedLobe(safeNormalize(last.mean + shift, last.mean), kappaFor(lack),
+        sum.weight / all);
+}
+
+void main() {
+    ivec2 cell = ivec2(gl_FragCoord.xy);
+    int entry = cell.x + TABLE_WIDTH * cell.y;
+    vec3 v = tableViewer(entry);
+    vec3 r = vec3(-v.x, 0.0, v.z);
+
+    // Where the model is strong, and how much of it goes with n.l everywhere.
+    float all = 0.0;
+    float strong = 0.0;
+    vec3 strongMean = vec3(0.0);
+    vec3 mean = vec3(0.0);
+    float least = 1e30;
+    for (int i = 0; i < LIGHTS; ++i) {
+        vec4 light = tableLight(v, i);
+        float m = fetched(entry, i).w;
+        float f = m / light.w;
+        all += m;
+        mean += m * light.xyz;
+        strong += m * f;
+        strongMean += m * f * light.xyz;
+        if (light.z > 0.25) {
+            least = min(least, f / light.z);
+        }
+    }
+    storedMatte = vec4(0.0);
+    storedColor1 = vec4(0.0);
+    storedColor2 = vec4(0.0);
+    storedShape1 = vec4(0.0);
+    storedShape2 = vec4(0.0);
+    if (!(all > 0.0)) {
+        return;
+    }
+    // Lights on one side of the plane of incidence stand for those of both.
+    vec3 both = AZIMUTHS == 1 ? vec3(1.0, 0.0, 1.0) : vec3(1.0);
+    FittedLobe narrow = FittedLobe(safeNormalize(both * strongMean, r), 1.0, 0.5);
+    FittedLobe wide = FittedLobe(safeNormalize(both * mean, r), 2.0, 0.3);
+    float spread = 0.0;
+    for (int i = 0; i < LIGHTS; ++i) {
+        vec4 light = tableLight(v, i);
+        float m = fetched(entry, i).w;
+        spread += m * (m / light.w) * versine(narrow.mean, light.xyz);
+    }
+    narrow.kappa = max(0.5 * kappaFor(spread / strong), 4.0);
+    wide.kappa = clamp(0.05 * narrow.kappa, 1.0, 100.0);
+    float matte = clamp(PI * least / all, 0.02, 0.98);
+    narrow.share = 0.6 * (1.0 - matte);
+    wide.share = 0.4 * (1.0 - matte);
+
+    for (int step = 0; step < STEPS; ++step) {
+        Gathered toNarrow = Gathered(0.0, vec3(0.0), 0.0);
+        Gathered toWide = Gathered(0.0, vec3(0.0), 0.0);
+        float toMatte = 0.0;
+        for (int i = 0; i < LIGHTS; ++i) {
+            vec3 l = tableLight(v, i).xyz;
+            float m = fetched(entry, i).w;
+            float d0 = matte * max(l.z, 0.0) / PI;
+            float d1 = lobeDensity(narrow, l);
+            float d2 = lobeDensity(wide, l);
+            float scale = m / max(d0 + d1 + d2, 1e-30);
+            toMatte += scale * d0;
+            gather(toNarrow, narrow, l, scale * d1);
+            gather(toWide, wide, l, scale * d2);
+        }
+        toNarrow.shift *= both;
+        toWide.shift *= both;
+        matte = toMatte / all;
+        narrow = fitted(toNarrow, narrow, all);
+        wide = fitted(toWide, wide, all);
+    }
+
+    vec3 matteColor = vec3(0.0);
+    vec3 color1 = vec3(0.0);
+    vec3 color2 = vec3(0.0);
+    for (int i = 0; i < LIGHTS; ++i) {
+        vec3 l = tableLight(v, i).xyz;
+        vec3 value = fetched(entry, i).rgb;
+        float d0 = matte * max(l.z, 0.0) / PI;
+        float d1 = lobeDensity(narrow, l);
+        float d2 = lobeDensity(wide, l);
+        float sum = d0 + d1 + d2;
+        if (sum > 1e-30) {
+            matteColor += d0 / sum * value;
+            color1 += d1 / sum * value;
+            color2 += d2 / sum * value;
+        } else {
+            matteColor += value;
+        }
+    }
+    storedMatte = vec4(matteColor, 1.0);
+    storedColor1 = vec4(color1, 1.0);
+    storedShape1 = vec4(narrow.mean - r, log2(narrow.kappa));
+    storedColor2 = vec4(color2, 1.0);
+    storedShape2 = vec4(wide.mean - r, log2(wide.kappa));
+}

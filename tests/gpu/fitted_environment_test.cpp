@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The light of a whole environment from fitted lobes, against theory and against sampled
+// directions.
+#include <algorithm>
+#include <cmath>
+
+#include "environment_fixture.h"
+#include "render/lights/environment_harmonics.h"
+#include "shading/effects/effect_set.h"
+#include "shading/effects/surface_program.h"
+
+namespace patina::fitted_environment_test {
+namespace {
+
+class FittedEnvironmentTest : public EnvironmentTest {
+  protected:
+    Scene fitted(Scene scene) {
+        scene.accuracy.choose(PictureChoice::Environment, 1);
+        return scene;
+    }
+
+    Scene ball(const std::string& model) {
+        Scene scene = inTheStudio(model);
+        scene.objects[0].mesh = "builtin:sphere";
+        return scene;
+    }
+};
+
+double meanOf(const Image& image) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        sum += image.pixels[i] + image.pixels[i + 1] + image.pixels[i + 2];
+    }
+    return sum / (0.75 * double(image.pixels.size()));
+}
+
+TEST_F(FittedEnvironmentTest, WhiteSurfaceUnderAWhiteSky_IsWhite) {
+    Scene scene = fitted(surrounded("lambert", plain(1.0f)));
+    makeWhite(scene);
+    scene.objects[0].mesh = "builtin:sphere";
+    const Image image = settled(scene, 4);
+    for (const int x : {10, 16, 22}) {
+        EXPECT_NEAR(pixel(image, x, 16).r, 1.0f, 0.01f) << x;
+    }
+}
+
+/// Drawings are left out, which are lit from behind.
+TEST_F(FittedEnvironmentTest, EveryModel_SendsTheLightOfAWhiteSkyThatItSendsWhenSampled) {
+    for (const Block* model : catalog->ofKind(kinds::models)) {
+        if (!model->hasGate("light")) {
+            continue;
+        }
+        Scene scene = surrounded(model->id, plain(1.0f));
+        size_ = 9;
+        scene.objects[0].rotation = {0.0, 35.0, 0.0};
+        const glm::vec3 right = middle(settled(scene, 4096));
+        const glm::vec3 shown = middle(settled(fitted(scene), 4));
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_NEAR(shown[i], right[i], 0.02f * right[i] + 0.002f) << model->id << ' ' << i;
+        }
+    }
+}
+
+TEST_F(FittedEnvironmentTest, GlossyBallInTheStudio_LooksAsWhenSampled) {
+    for (const double roughness : {0.05, 0.2, 0.5}) {
+        Scene scene = ball("cook-torrance");
+        scene.objects[0].material.model.parameters["roughness"] = roughness;
+        const Image right = settled(scene, 1024);
+        const Image shown = settled(fitted(scene), 4);
+        EXPECT_NEAR(meanOf(shown) / meanOf(right), 1.0, 0.02) << roughness;
+        double apart = 0.0;
+        for (std::size_t i = 0; i < right.pixels.size(); ++i) {
+            apart += std::abs(right.pixels[i] - shown.pixels[i]) / double(right.pixels.size());
+        }
+        EXPECT_LT(apart, 0.1 * meanOf(right)) << roughness;
+    }
+}
+
+TEST_F(FittedEnvironmentTest, OneFrame_IsAllOfIt) {
+    const Scene scene = fitted(ball("cook-torrance"));
+    const Image first = settled(scene, 4);
+    EXPECT_EQ(renderer->job().environmentSamples(), 0);
+    EXPECT_EQ(settled(scene, 64).pixels, first.pixels);
+}
+
+TEST_F(FittedEnvironmentTest, LobesAreFittedWhereAValueChangesAndCompileNothing) {
+    Scene scene = fitted(ball("cook-torrance"));
+    settled(scene, 4);
+    settled(scene, 4);
+    EXPECT_EQ(renderer->report().filledTables, 0);
+    scene.objects[0].material.model.parameters["roughness"] = 0.31;
+    settled(scene, 4);
+    EXPECT_EQ(renderer->report().filledTables, 1);
+    EXPECT_EQ(renderer->report().compiled, 0);
+}
+
+TEST_F(FittedEnvironmentTest, NothingOfOneWayIsInTheTextOfTheOther) {
+    const Scene scene = ball("cook-torrance");
+    const auto textOf = [&](const Scene& shown) {
+        const EffectSet set = effectSet(shown.objects[0].material, shown, *catalog);
+        return surfaceProgram(set, *catalog, SurfaceOutput::Picture, 1024)->fragment.text;
+    };
+    EXPECT_EQ(textOf(scene).find("lobeTable"), std::string::npos);
+    EXPECT_EQ(textOf(fitted(scene)).find("environmentTable"), std::string::npos);
+}
+
+TEST_F(FittedEnvironmentTest, MaterialThatImagesChange_IsFittedAtEachPixel) {
+    size_ = 17;
+    for (const double roughness : {0.1, 0.4}) {
+        Scene scene = ball("cook-torrance");
+        scene.objects[0].material.model.parameters["roughness"] = roughness;
+        const Image right = settled(scene, 1024);
+        scene.objects[0].material.textures["diffuse.color"] =
+            textureUse("diffuse.color", "/nowhere.png"); // white
+        scene = fitted(scene);
+        const EffectSet set = effectSet(scene.objects[0].material, scene, *catalog);
+        EXPECT_EQ(set.way, EnvironmentWay::PerPixel);
+        EXPECT_NEAR(meanOf(settled(scene, 4)) / meanOf(right), 1.0, 0.05) << roughness;
+    }
+}
+
+TEST_F(FittedEnvironmentTest, ModelThatDrawsMarks_IsLitFromWhereMostLightComes) {
+    size_ = 65;
+    image_.reset();
+    Image panorama = plain(0.1f, {64, 32});
+    panorama.pixels[std::size_t(16) * 64 + 48] = 1000.0f; // at +x
+    Scene scene = fitted(surrounded("halftone", panorama));
+    scene.objects[0].mesh = "builtin:sphere";
+    EXPECT_EQ(effectSet(scene.objects[0].material, scene, *catalog).way, EnvironmentWay::OneLight);
+    const Image image = settled(scene, 4);
+    double left = 0.0;
+    double right = 0.0;
+    for (int y = 24; y < 40; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            left += pixel(image, 20 + x, y).g;
+            right += pixel(image, 38 + x, y).g;
+        }
+    }
+    EXPECT_GT(right, left);
+}
+
+/// The cosine takes two thirds of what is linear in the direction and a quarter of what is square.
+TEST(EnvironmentHarmonics, OfSkiesOfEachOrder_AreThoseOfTheirIntegrals) {
+    constexpr glm::ivec2 size(128, 64);
+    std::vector<glm::vec4> radiance;
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            const double down = std::numbers::pi * (y + 0.5) / size.y;
+            const double across = 2.0 * std::numbers::pi * ((x + 0.5) / size.x - 0.5);
+            const glm::vec3 d(std::sin(down) * std::sin(across), std::cos(down),
+                              -std::sin(down) * std::cos(across));
+            radiance.emplace_back(2.0f + d.y, 3.0f + d.x * d.y, 1.0f + d.z * d.z, 1.0f);
+        }
+    }
+    const auto harmonics = irradianceHarmonics(size, radiance);
+    EXPECT_NEAR(harmonics[0].r, 2.0f, 2e-3f);
+    EXPECT_NEAR(harmonics[1].r, 2.0f / 3.0f, 2e-3f);
+    EXPECT_NEAR(harmonics[4].g, 0.25f, 2e-3f);
+    EXPECT_NEAR(harmonics[0].b, 4.0f / 3.0f, 2e-3f);
+    EXPECT_NEAR(harmonics[6].b, 0.25f / 3.0f, 2e-3f);
+    EXPECT_NEAR(harmonics[3].r, 0.0f, 1e-4f);
+}
+
+} // namespace
+} // namespace patina::fitted_environment_test
