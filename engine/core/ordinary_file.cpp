@@ -207,8 +207,4 @@ Result<std::string> readFile(const fs::path& file, std::uintmax_t maxBytes) {
     });
 }
 
-bool leadsOutside(const Error& error) {
-    return error.problem == leadsOut;
-}
-
 } // namespace patina

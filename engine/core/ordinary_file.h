@@ -27,7 +27,7 @@ class OrdinaryFile {
     using Decision = std::function<bool(const std::filesystem::path& place)>;
 
     /// Opens a path from an open folder and what lies below it: a path that leads out of the
-    /// folder, be it by "..", as a full path or through a link, is an error (`leadsOutside()`)
+    /// folder, be it by "..", as a full path or through a link, is an error
     /// unless `mayLeave` says of what is there that it may.
     static Result<OrdinaryFile> openBelow(int folder, const std::filesystem::path& path,
                                           std::uintmax_t maxBytes, const Decision& mayLeave = {});
@@ -67,8 +67,5 @@ class OrdinaryFile {
 
 /// The content of an ordinary file of at most so many bytes.
 Result<std::string> readFile(const std::filesystem::path& file, std::uintmax_t maxBytes);
-
-/// Whether an error of openBelow() says that the path leads out of the folder.
-bool leadsOutside(const Error& error);
 
 } // namespace patina

@@ -52,10 +52,10 @@ vec3 fittedLight(Surface s, Environment e, Model p) {
     shift /= all;
     float along = spread / all;
     vec3 across = shift - dot(shift, r) * r;
-    float lackSquared = max(2.0 * along - along * along - dot(across, across), 0.0);
-    float lack = clamp(lackSquared / (1.0 + safeSqrt(1.0 - lackSquared)), 1e-9, 0.9);
-    float length = 1.0 - lack;
-    float kappa = length * (3.0 - length * length) / (lack * (2.0 - lack));
+    float missingSquared = max(2.0 * along - along * along - dot(across, across), 0.0);
+    float missing = clamp(missingSquared / (1.0 + safeSqrt(1.0 - missingSquared)), 1e-9, 0.9);
+    float length = 1.0 - missing;
+    float kappa = length * (3.0 - length * length) / (missing * (2.0 - missing));
     vec3 d = environmentInside(safeNormalize(r + shift, r));
     return sum + color * environmentSeenBy(d, log2(kappa), e);
 }

@@ -34,8 +34,8 @@ float lobeDensity(FittedLobe lobe, vec3 l) {
 }
 
 // From 1 - R, R being the length of the mean of directions (Banerjee et al., equation 4.4).
-float kappaFor(float lack) {
-    float x = clamp(lack, 1e-9, 0.999);
+float kappaFor(float missing) {
+    float x = clamp(missing, 1e-9, 0.999);
     float length = 1.0 - x;
     return clamp(length * (3.0 - length * length) / (x * (2.0 - x)), MIN_KAPPA, MAX_KAPPA);
 }
@@ -66,9 +66,9 @@ FittedLobe fitted(Gathered sum, FittedLobe last, float all) {
     vec3 shift = sum.shift / sum.weight;
     float along = sum.versine / sum.weight;
     vec3 across = shift - dot(shift, last.mean) * last.mean;
-    float lackSquared = 2.0 * along - along * along - dot(across, across); // 1 - R^2
-    float lack = lackSquared / (1.0 + safeSqrt(1.0 - lackSquared));
-    return FittedLobe(safeNormalize(last.mean + shift, last.mean), kappaFor(lack),
+    float missingSquared = 2.0 * along - along * along - dot(across, across); // 1 - R^2
+    float missing = missingSquared / (1.0 + safeSqrt(1.0 - missingSquared));
+    return FittedLobe(safeNormalize(last.mean + shift, last.mean), kappaFor(missing),
         sum.weight / all);
 }
 
@@ -89,7 +89,7 @@ void main() {
         float m = fetched(entry, i).w;
         float f = m / light.w;
         all += m;
-        mean += m * light.xyz;
+        allMean += m * light.xyz;
         strong += m * f;
         strongMean += m * f * light.xyz;
         if (light.z > 0.25) {
@@ -106,19 +106,19 @@ void main() {
     }
     // Lights on one side of the plane of incidence stand for those of both.
     vec3 both = AZIMUTHS == 1 ? vec3(1.0, 0.0, 1.0) : vec3(1.0);
-    FittedLobe narrow = FittedLobe(safeNormalize(both * strongMean, r), 1.0, 0.5);
-    FittedLobe wide = FittedLobe(safeNormalize(both * mean, r), 2.0, 0.3);
-    float spread = 0.0;
+    FittedLobe narrowLobe = FittedLobe(safeNormalize(both * strongMean, r), 1.0, 0.5);
+    FittedLobe wideLobe = FittedLobe(safeNormalize(both * allMean, r), 2.0, 0.3);
+    float strongSpread = 0.0;
     for (int i = 0; i < LIGHTS; ++i) {
         vec4 light = tableLight(v, i);
         float m = fetched(entry, i).w;
-        spread += m * (m / light.w) * versine(narrow.mean, light.xyz);
+        strongSpread += m * (m / light.w) * versine(narrowLobe.mean, light.xyz);
     }
-    narrow.kappa = max(0.5 * kappaFor(spread / strong), 4.0);
-    wide.kappa = clamp(0.05 * narrow.kappa, 1.0, 100.0);
-    float matte = clamp(PI * least / all, 0.02, 0.98);
-    narrow.share = 0.6 * (1.0 - matte);
-    wide.share = 0.4 * (1.0 - matte);
+    narrowLobe.kappa = max(0.5 * kappaFor(strongSpread / strong), 4.0);
+    wideLobe.kappa = clamp(0.05 * narrowLobe.kappa, 1.0, 100.0);
+    float matteShare = clamp(PI * least / all, 0.02, 0.98);
+    narrowLobe.share = 0.6 * (1.0 - matteShare);
+    wideLobe.share = 0.4 * (1.0 - matteShare);
 
     for (int step = 0; step < STEPS; ++step) {
         Gathered toNarrow = Gathered(0.0, vec3(0.0), 0.0);
@@ -127,19 +127,19 @@ void main() {
         for (int i = 0; i < LIGHTS; ++i) {
             vec3 l = tableLight(v, i).xyz;
             float m = fetched(entry, i).w;
-            float d0 = matte * max(l.z, 0.0) / PI;
-            float d1 = lobeDensity(narrow, l);
-            float d2 = lobeDensity(wide, l);
+            float d0 = matteShare * max(l.z, 0.0) / PI;
+            float d1 = lobeDensity(narrowLobe, l);
+            float d2 = lobeDensity(wideLobe, l);
             float scale = m / max(d0 + d1 + d2, 1e-30);
             toMatte += scale * d0;
-            gather(toNarrow, narrow, l, scale * d1);
-            gather(toWide, wide, l, scale * d2);
+            gather(toNarrow, narrowLobe, l, scale * d1);
+            gather(toWide, wideLobe, l, scale * d2);
         }
         toNarrow.shift *= both;
         toWide.shift *= both;
-        matte = toMatte / all;
-        narrow = fitted(toNarrow, narrow, all);
-        wide = fitted(toWide, wide, all);
+        matteShare = toMatte / all;
+        narrowLobe = fitted(toNarrow, narrowLobe, all);
+        wideLobe = fitted(toWide, wideLobe, all);
     }
 
     vec3 matteColor = vec3(0.0);
@@ -148,9 +148,9 @@ void main() {
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 l = tableLight(v, i).xyz;
         vec3 value = fetched(entry, i).rgb;
-        float d0 = matte * max(l.z, 0.0) / PI;
-        float d1 = lobeDensity(narrow, l);
-        float d2 = lobeDensity(wide, l);
+        float d0 = matteShare * max(l.z, 0.0) / PI;
+        float d1 = lobeDensity(narrowLobe, l);
+        float d2 = lobeDensity(wideLobe, l);
         float sum = d0 + d1 + d2;
         if (sum > 1e-30) {
             matteColor += d0 / sum * value;
@@ -162,7 +162,7 @@ void main() {
     }
     storedMatte = vec4(matteColor, 1.0);
     storedColor1 = vec4(color1, 1.0);
-    storedShape1 = vec4(narrow.mean - r, log2(narrow.kappa));
+    storedShape1 = vec4(narrowLobe.mean - r, log2(narrowLobe.kappa));
     storedColor2 = vec4(color2, 1.0);
-    storedShape2 = vec4(wide.mean - r, log2(wide.kappa));
+    storedShape2 = vec4(wideLobe.mean - r, log2(wideLobe.kappa));
 }

@@ -71,6 +71,12 @@ TEST_F(NewBlock, Scene_IsDrawnWithThem) {
     EXPECT_EQ(outcome.err, "");
     EXPECT_NE(outcome.out.find("lights/warn"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("fog/haze"), std::string::npos) << outcome.out;
+    const std::string picture = data_ / "drawn.png";
+    const Outcome drawn =
+        patinaWithThem({"render", "--scene", file, "--size", "16x16", "-o", picture});
+    EXPECT_EQ(drawn.exitCode, 0);
+    EXPECT_EQ(drawn.err, "") << "the driver takes both shaders";
+    EXPECT_TRUE(std::filesystem::exists(picture));
 }
 
 TEST_F(NewBlock, FresnelOnTheGpu_GivesItsFormula) {

@@ -135,10 +135,12 @@ BackgroundJob::End AccuracyPage::sweep(const CostSweep::Subject& subject,
         }
     };
     std::size_t shown = 0;
+    std::size_t told = 0;
     while (!(*sweep)->finished() && !control.isCancelled()) {
         (*sweep)->step(sweepSlice);
         const SweepStep step = (*sweep)->doing();
-        control.tell(step.progress(), stepText(step, (*sweep)->chart()));
+        const bool isAnother = step.of > 1 && std::exchange(told, step.number) != step.number;
+        control.tell(step.progress(), stepText(step, (*sweep)->chart()), isAnother);
         const std::size_t points = (*sweep)->chart().points.size();
         if (std::exchange(shown, points) != points) {
             show();

@@ -53,7 +53,7 @@ json jsonOf(const ChartKey& key, const StoredChart& stored) {
             {"page", key.page},
             {"file", key.file},
             {"object", key.object},
-            {"print", stored.hash},
+            {"hash", stored.hash},
             {"camera", cameraJson(stored.measured.camera)},
             {"complete", stored.complete},
             {"problem", stored.problem},
@@ -71,7 +71,7 @@ Result<StoredChart> chartFrom(const json& from) {
         stored.complete = from.at("complete").get<bool>();
         stored.problem = from.at("problem").get<std::string>();
         stored.measured.chart = std::move(*chart);
-        stored.hash = from.at("print").get<std::string>();
+        stored.hash = from.at("hash").get<std::string>();
         return stored;
     } catch (const json::exception& missing) {
         return failure(missing.what(), "a measurement as Patina writes it");

@@ -12,8 +12,8 @@ constexpr qint64 tellEveryMs = 50;
 
 } // namespace
 
-void BackgroundJob::Control::tell(double share, const QString& doing) {
-    if (sinceTold_.elapsed() >= tellEveryMs) {
+void BackgroundJob::Control::tell(double share, const QString& doing, bool isAnother) {
+    if (isAnother || sinceTold_.elapsed() >= tellEveryMs) {
         sinceTold_.restart();
         Q_EMIT job_.progressed(share, doing);
     }

@@ -25,8 +25,9 @@ class BackgroundJob : public QObject {
       public:
         bool isCancelled() const { return job_.cancelled_; }
 
-        /// Emits progressed() where some time has passed since the last time.
-        void tell(double share, const QString& doing = {});
+        /// Emits progressed() where some time has passed since the last time, or where what is
+        /// being done is another thing than then.
+        void tell(double share, const QString& doing = {}, bool isAnother = false);
 
         /// Has the job's thread call a function that shows what is new, unless the job is gone.
         void show(std::function<void()> news);

@@ -88,7 +88,7 @@ std::vector<const Block*> allOf(const Catalog& catalog) {
     return all;
 }
 
-ReadBlocks printed(const std::vector<const Block*>& blocks, const Catalog& catalog) {
+ReadBlocks hashed(const std::vector<const Block*>& blocks, const Catalog& catalog) {
     ReadBlocks read;
     for (const Block* block : blocks) {
         read.blocks.push_back(*block);
@@ -102,11 +102,11 @@ ReadBlocks printed(const std::vector<const Block*>& blocks, const Catalog& catal
 } // namespace
 
 ReadBlocks readBlocksOf(const Scene& scene, const Catalog& catalog) {
-    return printed(BlocksOfScene(scene, catalog).found, catalog);
+    return hashed(BlocksOfScene(scene, catalog).found, catalog);
 }
 
 ReadBlocks readBlocks(const Catalog& catalog) {
-    return printed(allOf(catalog), catalog);
+    return hashed(allOf(catalog), catalog);
 }
 
 KnownBlocks::KnownBlocks(std::shared_ptr<const Catalog> catalog, Scene scene)

@@ -26,7 +26,7 @@ void BlurredEnvironment::drawLevel(const gl::Program& program, int level) {
     glViewport(0, 0, size, size);
     glUniform1f(program.uniform("faceTexels"), static_cast<float>(size));
     for (int face = 0; face < 6; ++face) {
-        glUniform1i(program.uniform("face"), face);
+        glUniform1i(program.uniform("cubeFace"), face);
         framebuffer_.attachColor(map_, face, level);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }

@@ -7,8 +7,7 @@
 //       nothing, since keys are made so in every frame.
 //   void adjust(const EffectSet&): what follows from the choices of others.
 //   void addTo(ChoiceHash&) const: its share of EffectKey::ofMaterial() or ofScene(), by the
-//   subject
-//       of its choose().
+//       subject of its choose().
 //   void list(EffectListing&, const EffectSet&) const: its rows, with reasons.
 //   void listMissing(LeftOutListing&, const EffectSet&) const: what the document has of it and the
 //       program does not, and why.

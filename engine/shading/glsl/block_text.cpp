@@ -2,7 +2,6 @@
 #include "shading/glsl/block_text.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
