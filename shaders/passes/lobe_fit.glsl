@@ -82,7 +82,7 @@ void main() {
     float all = 0.0;
     float strong = 0.0;
     vec3 strongMean = vec3(0.0);
-    vec3 mean = vec3(0.0);
+    vec3 allMean = vec3(0.0);
     float least = 1e30;
     for (int i = 0; i < LIGHTS; ++i) {
         vec4 light = tableLight(v, i);

@@ -250,7 +250,7 @@ TEST_F(AccuracyPanel, StoppedMeasurement_SaysSo) {
 
 TEST_F(AccuracyPanel, RunningMeasurement_SaysWhichStepItIsAtFromTheStart) {
     std::vector<QString> told;
-    start(160); // long enough for every step to be seen
+    start(400); // long enough for every step to be seen
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
             told.push_back(state());
@@ -259,13 +259,16 @@ TEST_F(AccuracyPanel, RunningMeasurement_SaysWhichStepItIsAtFromTheStart) {
         waitMs));
     press("Stop");
     ASSERT_TRUE(waitForEnd());
+    const auto all = [&told] {
+        return QStringList(told.begin(), told.end()).join('\n').toStdString();
+    };
     const auto said = [&told](const char* start) {
         return std::ranges::any_of(told, [&](const QString& each) {
             return each.startsWith(start);
         });
     };
-    EXPECT_TRUE(said("Measuring, step 1 of 5: the ground truth, "));
-    EXPECT_TRUE(said("Measuring, step 3 of 5: Exact, "));
+    EXPECT_TRUE(said("Measuring, step 1 of 5: the ground truth, ")) << all();
+    EXPECT_TRUE(said("Measuring, step 3 of 5: Exact, ")) << all();
 }
 
 TEST_F(AccuracyPanel, MaterialWithoutChoices_SaysSo) {
