@@ -40,6 +40,15 @@ float kappaFor(float missing) {
     return clamp(length * (3.0 - length * length) / (x * (2.0 - x)), MIN_KAPPA, MAX_KAPPA);
 }
 
+// The shares that the matte part and the two lobes have of a direction; the first where none of them
+// reaches it, so that nothing is lost.
+vec3 sharesAt(vec3 l, float matteShare, FittedLobe narrowLobe, FittedLobe wideLobe) {
+    vec3 densities = vec3(matteShare * max(l.z, 0.0) / PI, lobeDensity(narrowLobe, l),
+        lobeDensity(wideLobe, l));
+    float sum = densities.x + densities.y + densities.z;
+    return sum > 1e-30 ? densities / sum : vec3(1.0, 0.0, 0.0);
+}
+
 vec4 fetched(int entry, int i) {
     vec3 value = texelFetch(lobeSamples, ivec2(i, entry), 0).rgb;
     return vec4(value, value.r + value.g + value.b);
@@ -114,7 +123,7 @@ void main() {
         float m = fetched(entry, i).w;
         strongSpread += m * (m / light.w) * versine(narrowLobe.mean, light.xyz);
     }
-    narrowLobe.kappa = max(0.5 * kappaFor(strongSpread / strong), 4.0);
+    narrowLobe.kappa = max(0.5 * kappaFor(strongSpread / max(strong, 1e-37)), 4.0);
     wideLobe.kappa = clamp(0.05 * narrowLobe.kappa, 1.0, 100.0);
     float matteShare = clamp(PI * least / all, 0.02, 0.98);
     narrowLobe.share = 0.6 * (1.0 - matteShare);
@@ -127,13 +136,10 @@ void main() {
         for (int i = 0; i < LIGHTS; ++i) {
             vec3 l = tableLight(v, i).xyz;
             float m = fetched(entry, i).w;
-            float d0 = matteShare * max(l.z, 0.0) / PI;
-            float d1 = lobeDensity(narrowLobe, l);
-            float d2 = lobeDensity(wideLobe, l);
-            float scale = m / max(d0 + d1 + d2, 1e-30);
-            toMatte += scale * d0;
-            gather(toNarrow, narrowLobe, l, scale * d1);
-            gather(toWide, wideLobe, l, scale * d2);
+            vec3 shares = m * sharesAt(l, matteShare, narrowLobe, wideLobe);
+            toMatte += shares.x;
+            gather(toNarrow, narrowLobe, l, shares.y);
+            gather(toWide, wideLobe, l, shares.z);
         }
         toNarrow.shift *= both;
         toWide.shift *= both;
@@ -148,17 +154,10 @@ void main() {
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 l = tableLight(v, i).xyz;
         vec3 value = fetched(entry, i).rgb;
-        float d0 = matteShare * max(l.z, 0.0) / PI;
-        float d1 = lobeDensity(narrowLobe, l);
-        float d2 = lobeDensity(wideLobe, l);
-        float sum = d0 + d1 + d2;
-        if (sum > 1e-30) {
-            matteColor += d0 / sum * value;
-            color1 += d1 / sum * value;
-            color2 += d2 / sum * value;
-        } else {
-            matteColor += value;
-        }
+        vec3 shares = sharesAt(l, matteShare, narrowLobe, wideLobe);
+        matteColor += shares.x * value;
+        color1 += shares.y * value;
+        color2 += shares.z * value;
     }
     storedMatte = vec4(matteColor, 1.0);
     storedColor1 = vec4(color1, 1.0);

@@ -12,6 +12,20 @@ inline Image plain(float value, glm::ivec2 size = {16, 8}) {
     return {size.x, size.y, 1, std::vector<float>(count, value)};
 }
 
+/// Whether a parameter is a number, or up to three, between two limits.
+inline bool hasLimits(const Parameter& parameter) {
+    const ParameterTypeInfo& info = infoOf(parameter.type);
+    return parameter.type != ParameterType::Enum && info.hasRange && info.components <= 3;
+}
+
+/// A value of a parameter all of whose numbers are this one.
+inline Value allOf(const Parameter& parameter, double number) {
+    if (infoOf(parameter.type).components == 3) {
+        return glm::dvec3(number);
+    }
+    return parameter.type == ParameterType::Int ? Value(static_cast<int>(number)) : Value(number);
+}
+
 class EnvironmentTest : public GpuTest {
   protected:
     void SetUp() override {

@@ -179,22 +179,14 @@ TEST_F(EnvironmentTest, EveryBlockAtItsLimits_GivesFiniteLight) {
         Values lowest = start;
         Values highest = start;
         for (const Parameter& parameter : environment->parameters) {
-            if (parameter.id == "directions" || parameter.type == ParameterType::Enum ||
-                !infoOf(parameter.type).hasRange) {
+            if (parameter.id == "directions" || !hasLimits(parameter)) {
                 continue;
             }
-            const auto all = [&parameter](double number) -> Value {
-                if (parameter.type == ParameterType::Color) {
-                    return glm::dvec3(number);
-                }
-                return parameter.type == ParameterType::Int ? Value(static_cast<int>(number))
-                                                            : Value(number);
-            };
             for (Values* changed : {&lowest, &highest}) {
                 const double number = changed == &lowest ? parameter.min : parameter.max;
-                (*changed)[parameter.id] = all(number);
+                (*changed)[parameter.id] = allOf(parameter, number);
                 values = start;
-                values[parameter.id] = all(number);
+                values[parameter.id] = allOf(parameter, number);
                 expectFinite(environment->id + ": " + parameter.id);
             }
         }

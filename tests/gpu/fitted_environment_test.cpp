@@ -76,6 +76,26 @@ TEST_F(FittedEnvironmentTest, GlossyBallInTheStudio_LooksAsWhenSampled) {
     }
 }
 
+TEST_F(FittedEnvironmentTest, EveryModelAtItsLimits_GivesFiniteLight) {
+    size_ = 9;
+    for (const Block* model : catalog->ofKind(kinds::models)) {
+        Scene scene = fitted(ball(model->id));
+        Values& values = scene.objects[0].material.model.parameters;
+        for (const bool isHighest : {false, true}) {
+            for (const Parameter& parameter : model->parameters) {
+                if (hasLimits(parameter)) {
+                    values[parameter.id] =
+                        allOf(parameter, isHighest ? parameter.max : parameter.min);
+                }
+            }
+            for (const float number : settled(scene, 4).pixels) {
+                ASSERT_TRUE(std::isfinite(number) && number >= 0.0f)
+                    << model->id << (isHighest ? " highest" : " lowest");
+            }
+        }
+    }
+}
+
 TEST_F(FittedEnvironmentTest, OneFrame_IsAllOfIt) {
     const Scene scene = fitted(ball("cook-torrance"));
     const Image first = settled(scene, 4);
