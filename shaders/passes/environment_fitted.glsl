@@ -5,6 +5,7 @@
 #include "lib/directions.glsl"
 
 uniform sampler2DArray lobeTable;
+
 // Of one viewer or between those next to it.
 vec4 tableEntry(int layer, ivec2 entries, float between) {
     vec4 a = texelFetch(lobeTable, ivec3(entries.x % TABLE_WIDTH, entries.x / TABLE_WIDTH, layer), 0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 // The light of a whole environment on a surface whose reflectance is taken apart at each pixel, since
 // images change it: a matte part, which is what is sent from light along the normal to 60 degrees, and
-// one lobe, by the moments of the rest over half vectors at angles from HALF_NARROWEST on by factors.
+// one lobe, by the moments of the rest over half vectors at angles from HALF_NARROWEST on by factors
+// (kappa: Banerjee et al. 2005, equation 4.4, as in lobe_fit.glsl).
 #include "lib/directions.glsl"
 
 const int HALF_RINGS = 9;

@@ -76,7 +76,7 @@ void PictureCapture::begin() {
     turn_.start(0);
 }
 
-/// Of what there is then.
+/// Takes the picture of what there is when its turn comes.
 void PictureCapture::beginAnew() {
     isBegun_ = false;
     turn_.start(0);

@@ -11,10 +11,11 @@ namespace {
 constexpr int width = 128;
 constexpr double finestKappa = 4096.0;
 
-/// Of a texel of the finest level, a box of 90 / 128 degrees a side.
+/// What a texel of the finest level blurs: it is a box of 90 / 128 degrees a side, whose variance
+/// along either axis, a twelfth of the square of that in radians, is 1 / kappa.
 constexpr double texelKappa = 80000.0;
 
-/// Of level `n`: kappa falls to a quarter from one to the next.
+/// Returns how far a level is out of focus: kappa falls to a quarter from one to the next.
 double kappaOf(int level) {
     return finestKappa / std::pow(4.0, level);
 }
