@@ -55,13 +55,6 @@ void Framebuffer::attachDepth(const TargetTexture& texture) {
                            0);
 }
 
-void Framebuffer::attachColor(const CubeMap& map, int face, int level) {
-    glBindFramebuffer(GL_FRAMEBUFFER, name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
-                           GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), map.name(),
-                           level);
-}
-
 void Framebuffer::attachColors(const TextureArray& texture) {
     glBindFramebuffer(GL_FRAMEBUFFER, name());
     std::array<GLenum, 8> locations{};

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "core/error.h"
-#include "gl/cube_map.h"
 #include "gl/name.h"
 #include "gl/renderbuffer.h"
 #include "gl/target_texture.h"
@@ -31,8 +30,6 @@ class Framebuffer {
     /// The colours that a program writes to `location`; those of all locations from 0 on are drawn.
     void attachColor(const TargetTexture& texture, unsigned location);
     void attachDepth(const TargetTexture& texture);
-    /// A face of a level; it may be attached again and again.
-    void attachColor(const CubeMap& map, int face, int level);
     /// All layers, which a program writes to the locations from 0 on.
     void attachColors(const TextureArray& texture);
     /// A layer of depths; it may be attached again and again, and no colours are drawn then.

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT-0
-// One face of the environment, more out of focus than the level that is read: the mean over a lobe
-// of von Mises' and Fisher's form.
+// A level of the environment's octahedral picture, from the level before it: the mean over a lobe of
+// von Mises' and Fisher's form.
 #include "lib/directions.glsl"
-#include "passes/cube_face.glsl"
+#include "passes/octahedral_levels.glsl"
 
-uniform samplerCube environmentBlurred; // the finer level alone
-uniform float addedKappa;               // of the lobe
+uniform sampler2D environmentBlurred; // all levels
+uniform float finerShare;             // of the level that is read, see octahedralLevel()
+uniform float addedKappa;             // of the lobe
 
 layout(location = 0) out vec4 storedRadiance;
 
-const int SIDE = 7;
-const float REACH = 2.6; // standard deviations
+const int SIDE = 5;
+const float REACH = 2.3; // standard deviations
 
 void main() {
-    vec3 d = faceDirection(gl_FragCoord.xy);
+    float texels = 0.5 * finerShare * OCTAHEDRAL_WIDTH;
+    vec3 d = octahedralDirection((gl_FragCoord.xy - 1.0) / (texels - 2.0));
     vec3 t = anyTangent(d);
     vec3 b = cross(d, t);
     float deviation = inversesqrt(addedKappa);
@@ -28,8 +30,9 @@ void main() {
         float half_ = sin(0.5 * angle);
         float area = angle > 0.0 ? sine / angle : 1.0;
         float weight = area * exp(-2.0 * addedKappa * half_ * half_);
-        sum += weight * textureLod(environmentBlurred,
-            cos(angle) * d + towards.x * t + towards.y * b, 0.0).rgb;
+        vec2 place = octahedralPlace(cos(angle) * d + towards.x * t + towards.y * b);
+        vec2 at = octahedralLevel(place, octahedralOrigin(finerShare), finerShare);
+        sum += weight * texture(environmentBlurred, at * vec2(2.0 / 3.0, 1.0)).rgb;
         weights += weight;
     }
     storedRadiance = vec4(sum / weights, 1.0);

@@ -4,45 +4,33 @@
 // environment as much out of focus as it is wide.
 #include "lib/directions.glsl"
 
-uniform sampler2DArray lobeTable;
+uniform sampler2DArray lobeTable; // of lobe_table.glsl: viewers (x) and azimuths, without an end (y)
 
-// Of one viewer or between those next to it.
-vec4 tableEntry(int layer, ivec2 entries, float between) {
-    vec4 a = texelFetch(lobeTable, ivec3(entries.x % TABLE_WIDTH, entries.x / TABLE_WIDTH, layer), 0);
-    vec4 b = texelFetch(lobeTable, ivec3(entries.y % TABLE_WIDTH, entries.y / TABLE_WIDTH, layer), 0);
-    return mix(a, b, between);
-}
-
-vec4 tableAt(int layer, vec2 place) {
-    float x = clamp(place.x, 0.0, 1.0) * float(VIEWERS - 1);
-    int first = int(x);
-    ivec2 entries = ivec2(first, min(first + 1, VIEWERS - 1));
-    if (AZIMUTHS == 1) {
-        return tableEntry(layer, entries, x - float(first));
-    }
-    float y = place.y * float(AZIMUTHS);
-    int row = int(floor(y));
-    int below = VIEWERS * (row % AZIMUTHS);
-    int above = VIEWERS * ((row + 1) % AZIMUTHS);
-    return mix(tableEntry(layer, entries + below, x - float(first)),
-        tableEntry(layer, entries + above, x - float(first)), y - floor(y));
-}
-
-vec3 fittedLight(Surface s, Environment e) {
+vec3 fittedLight(Surface s) {
     float nv = clamp(dot(s.n, s.v), 0.0, 1.0);
     vec3 along = safeNormalize(s.v - nv * s.n, s.t);
-    vec3 across = cross(s.n, along);
-    vec2 place = vec2(sqrt(nv), 0.0);
+    vec2 place = vec2((0.5 + sqrt(nv) * float((VIEWERS - 1) * TABLE_STEPS)) /
+                          float((VIEWERS - 1) * TABLE_STEPS + 1),
+        0.5);
     if (AZIMUTHS > 1) {
-        place.y = fract(atan(dot(along, s.b), dot(along, s.t)) / (2.0 * PI) + 1.0);
+        place.y = atan(dot(along, s.b), dot(along, s.t)) / (2.0 * PI) +
+                  0.5 / float(AZIMUTHS * TABLE_STEPS);
     }
     vec3 r = 2.0 * nv * s.n - s.v;
-    vec3 sum = tableAt(0, place).rgb * environmentIrradiance(environmentInside(s.n));
-    for (int i = 1; i < 5; i += 2) {
-        vec4 shape = tableAt(i + 1, place);
-        vec3 d = r + shape.x * along + shape.y * across + shape.z * s.n;
-        sum += tableAt(i, place).rgb *
-               environmentSeenBy(normalize(environmentInside(d)), shape.w, e);
+    vec4 shifts = texture(lobeTable, vec3(place, 3.0));
+    vec3 narrowMean = r + shifts.x * along + shifts.y * s.n;
+    vec3 wideMean = r + shifts.z * along + shifts.w * s.n;
+    if (AZIMUTHS > 1) {
+        vec3 across = cross(s.n, along);
+        vec4 sideways = texture(lobeTable, vec3(place, 4.0));
+        narrowMean += sideways.x * across;
+        wideMean += sideways.y * across;
     }
-    return sum;
+    // One after another, so that few numbers are kept at a time.
+    vec4 part = texture(lobeTable, vec3(place, 0.0));
+    vec3 sum = part.rgb * environmentOnMatte(environmentInside(s.n));
+    part = texture(lobeTable, vec3(place, 1.0));
+    sum += part.rgb * environmentSeenBy(environmentInside(narrowMean), part.a);
+    part = texture(lobeTable, vec3(place, 2.0));
+    return sum + part.rgb * environmentSeenBy(environmentInside(wideMean), part.a);
 }

@@ -4,19 +4,16 @@
 // one lobe, by the moments of the rest over half vectors at angles from HALF_NARROWEST on by factors
 // (kappa: Banerjee et al. 2005, equation 4.4, as in lobe_fit.glsl).
 #include "lib/directions.glsl"
+#include "passes/ambient.glsl"
+#include "passes/reflectance_limits.glsl"
 
 const int HALF_RINGS = 9;
 const int HALF_SECTORS = 3;
 const float HALF_NARROWEST = 5e-4;
 const float HALF_FACTOR = 2.6;
 
-vec3 mattePart(Surface s, Model p) {
-    vec3 v = 0.5 * s.n + sqrt(0.75) * s.t;
-    return max(shadeModel(directionsAt(s, s.n, v), p), vec3(0.0));
-}
-
-vec3 fittedLight(Surface s, Environment e, Model p) {
-    vec3 matte = mattePart(s, p);
+vec3 fittedLight(Surface s, Model p) {
+    vec3 matte = reflectanceLimited(ambientShare(s, p));
     vec3 r = 2.0 * dot(s.n, s.v) * s.n - s.v;
     vec3 color = vec3(0.0);
     vec3 shift = vec3(0.0);
@@ -34,7 +31,8 @@ vec3 fittedLight(Surface s, Environment e, Model p) {
             vec3 l = normalize(2.0 * vh * h - s.v);
             Directions d = directionsAt(s, l, s.v);
             if (vh > 0.0 && !IS_DARK(d)) {
-                vec3 rest = max(shadeModel(d, p) - matte * max(d.nl, 0.0), vec3(0.0));
+                vec3 rest = max(reflectanceLimited(shadeModel(d, p)) - matte * max(d.nl, 0.0),
+                    vec3(0.0));
                 rest *= area * 4.0 * vh / PI;
                 float weight = rest.r + rest.g + rest.b;
                 color += rest;
@@ -46,7 +44,7 @@ vec3 fittedLight(Surface s, Environment e, Model p) {
         from = to;
         to *= HALF_FACTOR;
     }
-    vec3 sum = matte * environmentIrradiance(environmentInside(s.n));
+    vec3 sum = matte * environmentOnMatte(environmentInside(s.n));
     if (!(all > 0.0)) {
         return sum;
     }
@@ -58,5 +56,5 @@ vec3 fittedLight(Surface s, Environment e, Model p) {
     float length = 1.0 - missing;
     float kappa = length * (3.0 - length * length) / (missing * (2.0 - missing));
     vec3 d = environmentInside(safeNormalize(r + shift, r));
-    return sum + color * environmentSeenBy(d, log2(kappa), e);
+    return sum + color * environmentSeenBy(d, log2(kappa));
 }

@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: MIT-0
-// An environment as lobes of von Mises' and Fisher's form see it.
+// An environment as lobes of von Mises' and Fisher's form, and matte surfaces, see it.
+#include "passes/octahedral_levels.glsl"
 
-uniform samplerCube environmentBlurred; // level 0 by a lobe of FINEST, each further one 4 times wider
+uniform sampler2D environmentBlurred; // level 0 is sharp, level 1 seen by a lobe of SHARP - 2, ...
 
-const float FINEST = 12.0; // log2 of kappa
-const float SHARP = 14.0;  // from here on the environment itself is looked at
+const float SHARP = 14.0;     // log2 of kappa, by 2 less from one level to the next
+const float LAST_LEVEL = 6.0; // of 8 texels
 
-// Of a lobe around `d`, unit, in the environment's own directions; `kappa` is its log2.
-vec3 environmentSeenBy(vec3 d, float kappa, Environment e) {
-    vec3 seen = kappa < SHARP
-        ? textureLod(environmentBlurred, d, max(0.5 * (FINEST - kappa), 0.0)).rgb : vec3(0.0);
-    if (kappa > FINEST) {
-        float share = min((kappa - FINEST) / (SHARP - FINEST), 1.0);
-        seen = mix(seen, environmentRadiance(d, e), share);
-    }
-    return seen;
+vec3 environmentTexel(vec2 at) {
+    return texture(environmentBlurred, at * vec2(2.0 / 3.0, 1.0)).rgb;
+}
+
+// Of a lobe around `d`, in the environment's own directions; `kappa` is its log2.
+vec3 environmentSeenBy(vec3 d, float kappa) {
+    vec2 place = octahedralPlace(d);
+    float level = clamp(0.5 * (SHARP - kappa), 0.0, LAST_LEVEL);
+    float share = exp2(-floor(level));
+    float coarserShare = max(0.5 * share, exp2(-LAST_LEVEL));
+    return mix(environmentTexel(octahedralLevel(place, octahedralOrigin(share), share)),
+        environmentTexel(octahedralLevel(place, octahedralOrigin(coarserShare), coarserShare)),
+        fract(level));
+}
+
+// What a white matte surface shows whose normal is `n`, in the environment's own directions.
+vec3 environmentOnMatte(vec3 n) {
+    return environmentTexel(octahedralLevel(octahedralPlace(n), MATTE_ORIGIN, MATTE_SHARE));
 }

@@ -7,11 +7,11 @@
 
 uniform sampler2D lobeSamples;
 
-layout(location = 0) out vec4 storedMatte;  // its colour
-layout(location = 1) out vec4 storedColor1; // the narrower lobe's colour
-layout(location = 2) out vec4 storedShape1; // its mean direction less the mirror one; log2 of kappa
-layout(location = 3) out vec4 storedColor2; // of the wider one
-layout(location = 4) out vec4 storedShape2;
+layout(location = 0) out vec4 storedMatte;    // its colour
+layout(location = 1) out vec4 storedNarrow;   // the narrower lobe's colour, and log2 of its kappa
+layout(location = 2) out vec4 storedWide;     // of the wider one
+layout(location = 3) out vec4 storedShifts;   // the mean directions of both less the mirror one, x and z
+layout(location = 4) out vec4 storedSideways; // and y, which is there only for a model with a grain
 
 const int STEPS = 25;
 const float MIN_KAPPA = 0.25;
@@ -83,7 +83,7 @@ FittedLobe fitted(Gathered sum, FittedLobe last, float all) {
 
 void main() {
     ivec2 cell = ivec2(gl_FragCoord.xy);
-    int entry = cell.x + TABLE_WIDTH * cell.y;
+    int entry = cell.x + FITTED_WIDTH * cell.y;
     vec3 v = tableViewer(entry);
     vec3 r = vec3(-v.x, 0.0, v.z);
 
@@ -106,10 +106,10 @@ void main() {
         }
     }
     storedMatte = vec4(0.0);
-    storedColor1 = vec4(0.0);
-    storedColor2 = vec4(0.0);
-    storedShape1 = vec4(0.0);
-    storedShape2 = vec4(0.0);
+    storedNarrow = vec4(0.0);
+    storedWide = vec4(0.0);
+    storedShifts = vec4(0.0);
+    storedSideways = vec4(0.0);
     if (!(all > 0.0)) {
         return;
     }
@@ -149,19 +149,21 @@ void main() {
     }
 
     vec3 matteColor = vec3(0.0);
-    vec3 color1 = vec3(0.0);
-    vec3 color2 = vec3(0.0);
+    vec3 narrowColor = vec3(0.0);
+    vec3 wideColor = vec3(0.0);
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 l = tableLight(v, i).xyz;
         vec3 value = fetched(entry, i).rgb;
         vec3 shares = sharesAt(l, matteShare, narrowLobe, wideLobe);
         matteColor += shares.x * value;
-        color1 += shares.y * value;
-        color2 += shares.z * value;
+        narrowColor += shares.y * value;
+        wideColor += shares.z * value;
     }
     storedMatte = vec4(matteColor, 1.0);
-    storedColor1 = vec4(color1, 1.0);
-    storedShape1 = vec4(narrowLobe.mean - r, log2(narrowLobe.kappa));
-    storedColor2 = vec4(color2, 1.0);
-    storedShape2 = vec4(wideLobe.mean - r, log2(wideLobe.kappa));
+    storedNarrow = vec4(narrowColor, log2(narrowLobe.kappa));
+    storedWide = vec4(wideColor, log2(wideLobe.kappa));
+    vec3 narrowShift = narrowLobe.mean - r;
+    vec3 wideShift = wideLobe.mean - r;
+    storedShifts = vec4(narrowShift.xz, wideShift.xz);
+    storedSideways = vec4(narrowShift.y, wideShift.y, 0.0, 0.0);
 }

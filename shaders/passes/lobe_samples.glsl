@@ -2,13 +2,9 @@
 // What a model sends to each viewer of the table of lobes (rows) from each direction of light
 // (columns), times the solid angle of that direction, over pi: the sum of a row is the albedo.
 #include "passes/lobe_directions.glsl"
+#include "passes/reflectance_limits.glsl"
 
 layout(location = 0) out vec4 storedSample;
-
-// What is not a number says nothing.
-float sampleLimited(float x) {
-    return x > 0.0 ? min(x, 1e18) : 0.0;
-}
 
 void storeSample(Model p) {
     ivec2 cell = ivec2(gl_FragCoord.xy);
@@ -19,6 +15,5 @@ void storeSample(Model p) {
     vec3 b = vec3(sin(turn), cos(turn), 0.0);
     Directions d = directions(vec3(0.0, 0.0, 1.0), t, b, light.xyz, v);
     vec3 value = IS_DARK(d) ? vec3(0.0) : shadeModel(d, p);
-    storedSample = vec4(light.w / PI * vec3(sampleLimited(value.r), sampleLimited(value.g),
-        sampleLimited(value.b)), 1.0);
+    storedSample = vec4(light.w / PI * reflectanceLimited(value), 1.0);
 }

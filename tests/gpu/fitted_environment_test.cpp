@@ -76,21 +76,31 @@ TEST_F(FittedEnvironmentTest, GlossyBallInTheStudio_LooksAsWhenSampled) {
     }
 }
 
+/// Fitted by a table, and at each pixel as where an image changes what is reflected.
 TEST_F(FittedEnvironmentTest, EveryModelAtItsLimits_GivesFiniteLight) {
     size_ = 9;
     for (const Block* model : catalog->ofKind(kinds::models)) {
         Scene scene = fitted(ball(model->id));
-        Values& values = scene.objects[0].material.model.parameters;
+        Material& material = scene.objects[0].material;
+        const auto image = std::ranges::find_if(
+            model->parameters, [](const Parameter& each) { return !each.textureChannels.empty(); });
         for (const bool isHighest : {false, true}) {
             for (const Parameter& parameter : model->parameters) {
                 if (hasLimits(parameter)) {
-                    values[parameter.id] =
+                    material.model.parameters[parameter.id] =
                         allOf(parameter, isHighest ? parameter.max : parameter.min);
                 }
             }
-            for (const float number : settled(scene, 4).pixels) {
-                ASSERT_TRUE(std::isfinite(number) && number >= 0.0f)
-                    << model->id << (isHighest ? " highest" : " lowest");
+            for (const bool isPerPixel : {false, true}) {
+                material.textures.clear();
+                if (isPerPixel && image != model->parameters.end()) {
+                    material.textures[image->id] = textureUse(image->id, "/nowhere.png"); // white
+                }
+                for (const float number : settled(scene, 4).pixels) {
+                    ASSERT_TRUE(std::isfinite(number) && number >= 0.0f)
+                        << model->id << (isHighest ? " highest" : " lowest")
+                        << (isPerPixel ? " with an image" : "");
+                }
             }
         }
     }

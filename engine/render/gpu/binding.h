@@ -30,7 +30,7 @@ inline constexpr unsigned environmentImage = 5;
 inline constexpr unsigned environmentSmall = 6;
 
 /// In place of the first and the last of these, where a material's light is fitted: its lobes, and
-/// a cube map of the environment in steps of blur.
+/// the environment in steps of blur.
 inline constexpr unsigned lobeTable = environmentTable;
 inline constexpr unsigned environmentBlurred = environmentSmall;
 

@@ -21,8 +21,9 @@ struct Pipeline {
     std::uint64_t sceneKey = 0;
     std::shared_ptr<const gl::Program> program;
     std::shared_ptr<const gl::Program> tableProgram; ///< fills the tables that it reads, if any
-    std::shared_ptr<const gl::Program> lobeSamples; ///< what its lobes are fitted to, if they are
-    std::shared_ptr<const gl::Program> lobeFit;     ///< and what fits them
+    std::shared_ptr<const gl::Program> lobeSamples;  ///< what its lobes are fitted to, if they are
+    std::shared_ptr<const gl::Program> lobeFit;      ///< what fits them,
+    std::shared_ptr<const gl::Program> lobeTable;    ///< and what makes the table of them
     std::optional<OutlineLayout> outline; ///< of the program that draws its lines, where it has any
     std::shared_ptr<const gl::Program> outlineProgram;
 };

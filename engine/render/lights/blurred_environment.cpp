@@ -2,65 +2,99 @@
 #include "render/lights/blurred_environment.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <epoxy/gl.h>
+
+#include "gl/driver.h"
+#include "shading/effects/environment_effect.h"
 
 namespace patina {
 namespace {
 
-constexpr int width = 128;
-constexpr double finestKappa = 4096.0;
+constexpr int levels = 7;
+constexpr double kappaOfLevel1 = 4096.0;
 
-/// What a texel of the finest level blurs: it is a box of 90 / 128 degrees a side, whose variance
-/// along either axis, a twelfth of the square of that in radians, is 1 / kappa.
-constexpr double texelKappa = 80000.0;
+/// Where what matte surfaces show lies, as octahedral_levels.glsl has it.
+constexpr glm::ivec2 matteOrigin{octahedralTexels * 5 / 4, octahedralTexels / 2};
+constexpr int matteWidth = octahedralTexels / 16;
+
+/// What a texel of level 0 blurs: it is a box whose variance along either axis, a twelfth of its
+/// area in steradians, is 1 / kappa.
+constexpr double texelKappa = 12.0 * octahedralTexels * octahedralTexels / (4.0 * std::numbers::pi);
 
 /// Returns how far a level is out of focus: kappa falls to a quarter from one to the next.
 double kappaOf(int level) {
-    return finestKappa / std::pow(4.0, level);
+    return level == 0 ? texelKappa : kappaOfLevel1 / std::pow(4.0, level - 1);
+}
+
+int widthOf(int level) {
+    return octahedralTexels >> level;
+}
+
+/// Returns where a level lies among all, as octahedralOrigin() in shaders has it.
+glm::ivec2 originOf(int level) {
+    return level == 0 ? glm::ivec2(0)
+                      : glm::ivec2(octahedralTexels, octahedralTexels - widthOf(level - 1));
 }
 
 } // namespace
 
-void BlurredEnvironment::drawLevel(const gl::Program& program, int level) {
-    const int size = map_.width() >> level;
-    glViewport(0, 0, size, size);
-    glUniform1f(program.uniform("faceTexels"), static_cast<float>(size));
-    for (int face = 0; face < 6; ++face) {
-        glUniform1i(program.uniform("cubeFace"), face);
-        framebuffer_.attachColor(map_, face, level);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+void BlurredEnvironment::makeRoom() {
+    if (isThere()) {
+        return;
     }
+    // A software driver reads half floats more slowly, and a GPU whole ones.
+    const GLenum format = gl::isSoftware() ? GL_RGBA32F : GL_RGBA16F;
+    levels_ = gl::Texture::create({octahedralTexels * 3 / 2, octahedralTexels}, format, GL_RGBA,
+                                  GL_FLOAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    drawn_ = gl::Texture::create(glm::ivec2(octahedralTexels), format, GL_RGBA, GL_FLOAT);
+    framebuffer_ = gl::Framebuffer::create();
+    framebuffer_.attachColor(drawn_);
 }
 
-void BlurredEnvironment::draw(const gl::Program& faces, const gl::Program& blur) {
-    if (!isThere()) {
-        map_ = gl::CubeMap::create(width, GL_RGBA16F);
-        framebuffer_ = gl::Framebuffer::create();
-    }
+/// Draws a square with the program in use, and copies it to its place among the levels, since
+/// nothing can be drawn to a texture that it is made from.
+void BlurredEnvironment::drawAt(glm::ivec2 origin, int width) {
+    glViewport(0, 0, width, width);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindTexture(GL_TEXTURE_2D, levels_.name());
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, origin.x, origin.y, 0, 0, width, width);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void BlurredEnvironment::draw(const gl::Program& sharp, const gl::Program& matte,
+                              const gl::Program& blur) {
+    makeRoom();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     for (const GLenum state : {GL_DEPTH_TEST, GL_BLEND, GL_DITHER, GL_CULL_FACE}) {
         glDisable(state);
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     noVertices_.bind();
-    faces.use();
-    drawLevel(faces, 0);
+    sharp.use();
+    drawAt(originOf(0), widthOf(0));
+    matte.use();
+    drawAt(matteOrigin, matteWidth);
     blur.use();
     blur.bindSampler("environmentBlurred", 0);
-    map_.bind(0);
-    double last = texelKappa;
-    for (int level = 0; level + 1 < map_.levels(); ++level) {
-        const double kappa = kappaOf(level + 1);
-        map_.showLevels(level, level);
-        map_.bind(0);
+    for (int level = 1; level < levels; ++level) {
+        bind(0);
         // Variances add up: 1 / kappa is that of each level.
-        glUniform1f(blur.uniform("addedKappa"),
-                    static_cast<float>(1.0 / (1.0 / kappa - 1.0 / last)));
-        drawLevel(blur, level + 1);
-        last = kappa;
+        const double added = 1.0 / kappaOf(level) - 1.0 / kappaOf(level - 1);
+        glUniform1f(blur.uniform("finerShare"), std::exp2(1.0f - static_cast<float>(level)));
+        glUniform1f(blur.uniform("addedKappa"), static_cast<float>(1.0 / added));
+        drawAt(originOf(level), widthOf(level));
     }
-    map_.showLevels(0, map_.levels() - 1);
     glBindVertexArray(0);
+}
+
+void BlurredEnvironment::bind(unsigned unit) const {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, levels_.name());
+    glActiveTexture(GL_TEXTURE0);
 }
 
 } // namespace patina

@@ -181,10 +181,11 @@ void EnvironmentLight::makeTable(const gl::Program* program) {
     tableTexture_.fill(table_);
 }
 
-/// The cube map, once its programs are there. False when nothing was made.
+/// The steps of blur, once their programs are there. False when nothing was made.
 bool EnvironmentLight::makeBlurred(const Catalog& catalog, ProgramCache& cache) {
     const int built = cache.builtCount();
-    const gl::Program* faces = program(*current_, EnvironmentOutput::Faces, catalog, cache);
+    const gl::Program* sharp = program(*current_, EnvironmentOutput::Octahedral, catalog, cache);
+    const gl::Program* matte = program(*current_, EnvironmentOutput::Matte, catalog, cache);
     if (!blurProgram_) {
         if (const auto source = environmentBlurProgram(catalog)) {
             blurProgram_ = cache.get(*source).program;
@@ -193,13 +194,13 @@ bool EnvironmentLight::makeBlurred(const Catalog& catalog, ProgramCache& cache) 
     if (cache.builtCount() > built) {
         return true;
     }
-    if (faces == nullptr || !blurProgram_) {
+    if (sharp == nullptr || matte == nullptr || !blurProgram_) {
         return false;
     }
     upload();
     values_.bind(binding::environment);
     whole_.bind(binding::environmentImage);
-    blurred_.draw(*faces, *blurProgram_);
+    blurred_.draw(*sharp, *matte, *blurProgram_);
     blurredFor_ = current_;
     return true;
 }

@@ -7,13 +7,16 @@
 
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
-#include "shading/program/surface_output.h"
 
 namespace patina {
 namespace {
 
-/// The layers of a table, as lobe_fit.glsl writes them.
-constexpr int layers = 5;
+void drawTo(const gl::Framebuffer& framebuffer, glm::ivec2 size, const gl::Program& program) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glViewport(0, 0, size.x, size.y);
+    program.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
 
 } // namespace
 
@@ -36,11 +39,15 @@ bool LobeStore::fit(std::size_t number, const Pipeline& pipeline, const Material
         return false;
     }
     const LobeTableShape shape = lobeTableShape(*pipeline.object.model->block);
-    if (lobes.table.size() != shape.size()) {
-        lobes.table = gl::TextureArray::createColors(shape.size(), layers, GL_RGBA32F);
+    if (lobes.table.size() != shape.table()) {
+        lobes.table = gl::TextureArray::createColors(shape.table(), shape.layers(), GL_RGBA32F);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, lobes.table.name());
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT); // azimuths have no end
+        glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
         lobes.framebuffer = gl::Framebuffer::create();
         lobes.framebuffer.attachColors(lobes.table);
     }
+    fitting_->makeRoom(shape);
     fitting_->data.upload(vec4s);
     fitting_->data.bind(binding::object);
     for (const GLenum state : {GL_DEPTH_TEST, GL_BLEND, GL_DITHER, GL_CULL_FACE}) {
@@ -48,27 +55,27 @@ bool LobeStore::fit(std::size_t number, const Pipeline& pipeline, const Material
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     fitting_->noVertices.bind();
-    drawSamples(pipeline, shape.samples());
     glActiveTexture(GL_TEXTURE0);
+    drawTo(fitting_->sampling, shape.samples(), *pipeline.lobeSamples);
     glBindTexture(GL_TEXTURE_2D, fitting_->samples.name());
-    glBindFramebuffer(GL_FRAMEBUFFER, lobes.framebuffer.name());
-    glViewport(0, 0, shape.size().x, shape.size().y);
-    pipeline.lobeFit->use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    drawTo(fitting_->fitting, shape.fitted(), *pipeline.lobeFit);
     glBindTexture(GL_TEXTURE_2D, 0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, fitting_->fitted.name());
+    drawTo(lobes.framebuffer, shape.table(), *pipeline.lobeTable);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     return true;
 }
 
-void LobeStore::drawSamples(const Pipeline& pipeline, glm::ivec2 size) {
-    if (fitting_->samples.size() != size) {
-        fitting_->samples = gl::Texture::create(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
-        fitting_->framebuffer = gl::Framebuffer::create();
-        fitting_->framebuffer.attachColor(fitting_->samples);
+void LobeStore::Fitting::makeRoom(const LobeTableShape& shape) {
+    if (samples.size() == shape.samples()) {
+        return;
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, fitting_->framebuffer.name());
-    glViewport(0, 0, size.x, size.y);
-    pipeline.lobeSamples->use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    samples = gl::Texture::create(shape.samples(), GL_RGBA32F, GL_RGBA, GL_FLOAT);
+    sampling = gl::Framebuffer::create();
+    sampling.attachColor(samples);
+    fitted = gl::TextureArray::createColors(shape.fitted(), shape.layers(), GL_RGBA32F);
+    fitting = gl::Framebuffer::create();
+    fitting.attachColors(fitted);
 }
 
 /// Notes what they are fitted to; false when they are so already.

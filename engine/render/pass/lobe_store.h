@@ -15,6 +15,7 @@
 #include "material/material.h"
 #include "render/gpu/pipeline.h"
 #include "render/gpu/uniform_buffer.h"
+#include "shading/program/surface_output.h"
 
 namespace patina {
 
@@ -45,14 +46,17 @@ class LobeStore {
     };
     /// What fitting needs, once something is to be fitted.
     struct Fitting {
+        void makeRoom(const LobeTableShape& shape);
+
         UniformBuffer data;
         gl::Texture samples;
-        gl::Framebuffer framebuffer;
+        gl::Framebuffer sampling;
+        gl::TextureArray fitted; ///< of each viewer
+        gl::Framebuffer fitting;
         gl::VertexArray noVertices = gl::VertexArray::create();
     };
 
     static bool take(Lobes& lobes, const Pipeline& pipeline, std::span<const glm::vec4> values);
-    void drawSamples(const Pipeline& pipeline, glm::ivec2 size);
 
     std::vector<Lobes> lobes_;
     std::unique_ptr<Fitting> fitting_;

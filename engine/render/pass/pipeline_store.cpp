@@ -100,12 +100,14 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addLobes(Pipeline& pipel
     const LobeTableShape shape = lobeTableShape(effects.model->block());
     const auto samples = surfaceProgram(effects, *catalog_, SurfaceOutput::LobeSamples);
     const auto fit = lobeFitProgram(shape, *catalog_);
-    if (!samples || !fit) {
-        return tl::unexpected(Entry{nullptr, samples ? fit.error() : samples.error()});
-    }
-    for (const auto& [source, made] : {std::pair(&*samples, &pipeline.lobeSamples),
-                                       std::pair(&*fit, &pipeline.lobeFit)}) {
-        const ProgramCache::Found found = programs_.get(*source);
+    const auto table = lobeTableProgram(shape, *catalog_);
+    for (const auto& [source, made] :
+         {std::pair(&samples, &pipeline.lobeSamples), std::pair(&fit, &pipeline.lobeFit),
+          std::pair(&table, &pipeline.lobeTable)}) {
+        if (!*source) {
+            return tl::unexpected(Entry{nullptr, source->error()});
+        }
+        const ProgramCache::Found found = programs_.get(**source);
         if (!found.program) {
             return tl::unexpected(Entry{nullptr, found.errors, found.isFinal});
         }
@@ -113,6 +115,7 @@ tl::expected<void, PipelineStore::Entry> PipelineStore::addLobes(Pipeline& pipel
     }
     pipeline.lobeSamples->bindBlock("ObjectBlock", binding::object);
     pipeline.lobeFit->bindSampler("lobeSamples", 0);
+    pipeline.lobeTable->bindSampler("fittedLobes", 0);
     return {};
 }
 

@@ -31,17 +31,36 @@ std::string environmentText(const EffectSubject& subject) {
                                                : "The scene has an environment that sends light.";
 }
 
-void addOutput(SourceBuilder& out, EnvironmentOutput output) {
+std::string octahedralSource() {
+    return fmt::format("#define OCTAHEDRAL_TEXELS {}\n", octahedralTexels);
+}
+
+/// Declares what a white matte surface shows; the environment has its harmonics.
+void addIrradiance(SourceBuilder& out, const BlockUse& use) {
+    out.add(fmt::format("#define ENVIRONMENT_HARMONICS {}\n",
+                        EnvironmentLayout::fixed + vec4Count(use.block())));
+    out.addFile("passes/environment_irradiance.glsl");
+}
+
+void addOutput(SourceBuilder& out, const BlockUse& use, EnvironmentOutput output) {
     if (output == EnvironmentOutput::Small) {
         out.addFile("passes/environment_bake.glsl");
         return;
     }
-    if (output == EnvironmentOutput::Faces) {
-        out.addFile("passes/environment_faces.glsl");
+    if (output == EnvironmentOutput::Octahedral) {
+        out.add(octahedralSource());
+        out.addFile("passes/environment_octahedral.glsl");
+        return;
+    }
+    if (output == EnvironmentOutput::Matte) {
+        addIrradiance(out, use);
+        out.add(octahedralSource());
+        out.addFile("passes/environment_matte.glsl");
         return;
     }
     out.addFile("passes/environment_points.glsl");
     if (output == EnvironmentOutput::FittedBackground) {
+        out.add(octahedralSource());
         out.addFile("passes/environment_out_of_focus.glsl");
         out.addFile("passes/environment_fitted_background.glsl");
     } else {
@@ -63,6 +82,14 @@ EnvironmentWay fittedWay(const EffectSet& set) {
     return isTextured ? EnvironmentWay::PerPixel : EnvironmentWay::Fitted;
 }
 
+Checked<ProgramSource> lobeProgram(const LobeTableShape& shape, const Catalog& catalog,
+                                   const char* file) {
+    return screenProgram(catalog, [&](SourceBuilder& fragment) {
+        fragment.add(lobeTableSource(shape));
+        fragment.addFile(file);
+    });
+}
+
 const char* wayText(EnvironmentWay way) {
     switch (way) {
     case EnvironmentWay::Fitted:
@@ -77,26 +104,24 @@ const char* wayText(EnvironmentWay way) {
 }
 
 void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
-    const BlockUse& environment = *effect.environment;
-    const int harmonics = EnvironmentLayout::fixed + vec4Count(environment.block());
-    addEnvironment(text.out, environment, EnvironmentLayout::harmonics);
-    text.out.add(fmt::format("#define ENVIRONMENT_HARMONICS {}\n", harmonics));
-    text.out.addFile("passes/environment_irradiance.glsl");
+    addEnvironment(text.out, *effect.environment, EnvironmentLayout::harmonics);
     if (effect.way == EnvironmentWay::OneLight) {
+        addIrradiance(text.out, *effect.environment);
         text.out.addFile("passes/lit.glsl");
         text.out.addFile("passes/environment_one_light.glsl");
         text.main += "    shaded += oneLight(s, model);\n";
         return;
     }
+    text.out.add(octahedralSource());
     text.out.addFile("passes/environment_out_of_focus.glsl");
-    const bool hasTable = effect.way == EnvironmentWay::Fitted;
-    if (hasTable) {
+    if (effect.way == EnvironmentWay::Fitted) {
         text.out.add(lobeTableSource(lobeTableShape(text.set.model->block())));
+        text.out.addFile("passes/environment_fitted.glsl");
+        text.main += "    shaded += fittedLight(s);\n";
+    } else {
+        text.out.addFile("passes/environment_fitted_here.glsl");
+        text.main += "    shaded += fittedLight(s, model);\n";
     }
-    text.out.addFile(hasTable ? "passes/environment_fitted.glsl"
-                              : "passes/environment_fitted_here.glsl");
-    text.main += fmt::format("    shaded += fittedLight(s, unpackEnvironment({}){});\n",
-                             EnvironmentLayout::fixed, hasTable ? "" : ", model");
 }
 
 } // namespace
@@ -201,27 +226,32 @@ void addEnvironment(SourceBuilder& out, const BlockUse& use, int more) {
 Checked<ProgramSource> environmentProgram(const BlockUse& use, const Catalog& catalog,
                                           EnvironmentOutput output) {
     return screenProgram(catalog, [&](SourceBuilder& fragment) {
-        addEnvironment(fragment, use);
-        addOutput(fragment, output);
+        const bool isMatte = output == EnvironmentOutput::Matte;
+        addEnvironment(fragment, use, isMatte ? EnvironmentLayout::harmonics : 0);
+        addOutput(fragment, use, output);
     });
 }
 
 Checked<ProgramSource> environmentBlurProgram(const Catalog& catalog) {
-    return screenProgram(
-        catalog, [](SourceBuilder& fragment) { fragment.addFile("passes/environment_blur.glsl"); });
+    return screenProgram(catalog, [](SourceBuilder& fragment) {
+        fragment.add(octahedralSource());
+        fragment.addFile("passes/environment_blur.glsl");
+    });
 }
 
 Checked<ProgramSource> lobeFitProgram(const LobeTableShape& shape, const Catalog& catalog) {
-    return screenProgram(catalog, [&shape](SourceBuilder& fragment) {
-        fragment.add(lobeTableSource(shape));
-        fragment.addFile("passes/lobe_fit.glsl");
-    });
+    return lobeProgram(shape, catalog, "passes/lobe_fit.glsl");
+}
+
+Checked<ProgramSource> lobeTableProgram(const LobeTableShape& shape, const Catalog& catalog) {
+    return lobeProgram(shape, catalog, "passes/lobe_table.glsl");
 }
 
 std::string lobeTableSource(const LobeTableShape& shape) {
     return fmt::format("#define VIEWERS {}\n#define AZIMUTHS {}\n#define SECTORS {}\n"
-                       "#define TABLE_WIDTH {}\n",
-                       shape.viewers, shape.azimuths, shape.sectors, LobeTableShape::width);
+                       "#define FITTED_WIDTH {}\n#define TABLE_STEPS {}\n",
+                       shape.viewers, shape.azimuths, shape.sectors, LobeTableShape::fittedWidth,
+                       LobeTableShape::steps);
 }
 
 } // namespace patina

@@ -61,21 +61,29 @@ void addEnvironment(SourceBuilder& out, const BlockUse& use, int more = 0);
 /// What an environment's own programs draw.
 enum class EnvironmentOutput {
     Small,             ///< the small picture that its table is made from
-    Faces,             ///< a face of a cube map of it
+    Octahedral,        ///< level 0 of its octahedral picture
+    Matte,             ///< what a white matte surface shows, beside that
     SharpBackground,   ///< what is seen behind the objects
     BlurredBackground, ///< the same out of focus
-    FittedBackground   ///< the same from the cube map, without grain
+    FittedBackground   ///< the same from the octahedral picture, without grain
 };
 
 /// A program that covers the target. The uniform block is called EnvironmentBlock.
 Checked<ProgramSource> environmentProgram(const BlockUse& use, const Catalog& catalog,
                                           EnvironmentOutput output);
 
-/// A program that blurs one face of a cube map of any environment.
+/// The width of level 0 of an environment's octahedral picture, whose levels are more and more out
+/// of focus, with the texels around it (shaders/passes/octahedral_levels.glsl).
+inline constexpr int octahedralTexels = 512;
+
+/// A program that makes a level of any environment's octahedral picture from the level before.
 Checked<ProgramSource> environmentBlurProgram(const Catalog& catalog);
 
 /// A program that takes the samples of SurfaceOutput::LobeSamples apart into lobes.
 Checked<ProgramSource> lobeFitProgram(const LobeTableShape& shape, const Catalog& catalog);
+
+/// A program that makes the table which surfaces read from the lobes that were fitted.
+Checked<ProgramSource> lobeTableProgram(const LobeTableShape& shape, const Catalog& catalog);
 
 /// Defines the shape of a table of lobes, which its programs and its readers know it by.
 std::string lobeTableSource(const LobeTableShape& shape);

@@ -42,9 +42,14 @@ struct LobeTableShape {
     int sectors = 16;  ///< directions of light in each ring around the mirror direction
 
     static constexpr int rings = 44;
-    static constexpr int width = 8; ///< of the table, whose entries follow each other row by row
+    static constexpr int fittedWidth = 8; ///< of the target of fits, which stand row by row in it
+    static constexpr int steps = 8;       ///< of the table from one viewer to the next
 
-    glm::ivec2 size() const { return {width, viewers * azimuths / width}; }
+    glm::ivec2 fitted() const { return {fittedWidth, viewers * azimuths / fittedWidth}; }
+    glm::ivec2 table() const {
+        return {(viewers - 1) * steps + 1, azimuths > 1 ? azimuths * steps : 1};
+    }
+    int layers() const { return azimuths > 1 ? 5 : 4; } ///< as lobe_fit.glsl writes them
     glm::ivec2 samples() const { return {rings * sectors, viewers * azimuths}; }
 
     friend bool operator==(const LobeTableShape&, const LobeTableShape&) = default;
