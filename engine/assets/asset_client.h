@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,13 +11,14 @@
 #include "core/error.h"
 #include "core/image.h"
 #include "core/mesh.h"
+#include "core/progress.h"
 
 namespace patina {
 
 /// What to do to a mesh while it is read.
 struct MeshRequest {
     std::filesystem::path file;
-    bool fitUnitBox = false;  ///< uniform scale and centring into [-0.5, 0.5]^3 * 2 (radius one)
+    bool fitUnitBox = false; ///< uniform scale and centring into [-0.5, 0.5]^3 * 2 (radius one)
     bool flipNormals = false;
     double scale = 1.0;
 
@@ -37,23 +37,17 @@ class SharedMesh {
     virtual const std::string& remarks() const = 0;
 };
 
-/// How far a request is, from any thread.
-struct Progress {
-    std::atomic<float> done{0.0f};       ///< 0 .. 1
-    std::atomic<bool> cancelled{false};  ///< set it to stop; the files process is killed
-};
-
 /// The client side of the `patina-files` process, which reads and writes every foreign format.
 /// Started on first use, kept warm, limited in memory and time, killed on cancel, restarted after
 /// a crash. Calls block; make them from a worker thread. Thread-safe: calls queue up.
 class AssetClient {
   public:
     struct Options {
-        std::filesystem::path program;   ///< empty: `patina-files` beside this program, or in
-                                         ///< ../libexec/patina
-        double timeLimitSeconds = 20.0;  ///< of the process' own work on one request, so that a
-                                         ///< busy machine fails no fair one
-        double waitLimitSeconds = 60.0;  ///< for one request by the clock, for one that hangs
+        std::filesystem::path program;  ///< empty: `patina-files` beside this program, or in
+                                        ///< ../libexec/patina
+        double timeLimitSeconds = 20.0; ///< of the process' own work on one request, so that a
+                                        ///< busy machine fails no fair one
+        double waitLimitSeconds = 60.0; ///< for one request by the clock, for one that hangs
         std::size_t memoryLimitBytes = std::size_t(2) << 30;
     };
 
@@ -80,9 +74,8 @@ class AssetClient {
 
     /// An image for a surface, with its smaller versions. Some of the work is done on the caller's
     /// thread.
-    Result<std::shared_ptr<const TexturePicture>> loadTexture(const std::filesystem::path& file,
-                                                              TextureDecoding decoding,
-                                                              Progress* = nullptr);
+    Result<std::shared_ptr<const TexturePicture>>
+    loadTexture(const std::filesystem::path& file, TextureDecoding decoding, Progress* = nullptr);
 
     /// Format by extension: .png and .jpg are encoded to sRGB, .exr and .hdr keep linear floats.
     /// Written atomically.

@@ -113,16 +113,14 @@ void AccuracyPage::measure(CostSweep::Options options) {
     options.scope = target_->scope();
     options.present = target_->levels(target_->choices());
     select(-1);
-    start(withContext([this, subject = costSubject(),
-                       options = std::move(options)](BackgroundJob::Control& control) {
+    start([this, subject = costSubject(), options = std::move(options)](Worker::Control& control) {
         return sweep(subject, options, control);
-    }));
+    });
 }
 
 /// In the worker's thread.
-BackgroundJob::End AccuracyPage::sweep(const CostSweep::Subject& subject,
-                                       const CostSweep::Options& options,
-                                       BackgroundJob::Control& control) {
+MeasureEnd AccuracyPage::sweep(const CostSweep::Subject& subject, const CostSweep::Options& options,
+                               Worker::Control& control) {
     const auto sweep = CostSweep::create(subject, options);
     if (!sweep) {
         return endOf(false, {sweep.error()});

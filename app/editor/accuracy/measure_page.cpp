@@ -40,19 +40,18 @@ MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn
 
 void MeasurePage::connectParts() {
     connect(bar_, &MeasureBar::startWished, this, [this] { startMeasuring(); });
-    connect(bar_, &MeasureBar::stopWished, &work_, &BackgroundJob::cancel);
+    connect(bar_, &MeasureBar::stopWished, &worker_, &Worker::cancel);
     connect(bar_, &MeasureBar::exportWished, this, [this](const QString& ending) {
         const QString file = askForChartFile(this, ending);
         if (!file.isEmpty()) {
             exportTo(file);
         }
     });
-    connect(&work_, &BackgroundJob::progressed, this, [this](double share, const QString& doing) {
+    connect(&worker_, &Worker::progressed, this, [this](double share, const QString& doing) {
         doing_ = doing;
         bar_->setProgress(share);
         showState();
     });
-    connect(&work_, &BackgroundJob::finished, this, &MeasurePage::finish);
     connect(turn_.get(), &MeasureTurn::changed, this, &MeasurePage::showState);
     connect(&settle_, &QTimer::timeout, this, &MeasurePage::follow);
     startWhenChanged(settle_, document_, meshes_);
@@ -98,14 +97,19 @@ bool MeasurePage::canStart() const {
     return !isMeasuring() && nothingText().isEmpty() && turn_->whyNot(*this).isEmpty();
 }
 
-void MeasurePage::start(BackgroundJob::Work work) {
+void MeasurePage::start(std::function<MeasureEnd(Worker::Control&)> measure) {
     if (!canStart() || !turn_->take(*this)) {
         return;
     }
     running_ = PageResult{subject(), file(), {}, {}, false, {}};
     doing_.clear();
     bar_->setProgress(0.0);
-    work_.start(std::move(work));
+    worker_.ask(
+        [measure = std::move(measure)](Worker::Control& control) {
+            const Result<void> opened = control.openContext();
+            return opened ? measure(control) : endOf(false, {opened.error()});
+        },
+        [this](const MeasureEnd& end) { finish(end); });
     refresh();
 }
 
@@ -117,11 +121,11 @@ void MeasurePage::take(std::any numbers, const QString& method) {
     }
 }
 
-void MeasurePage::finish(bool complete, const QString& problem) {
+void MeasurePage::finish(const MeasureEnd& end) {
     turn_->giveBack(*this);
     if (running_) {
-        running_->complete = complete;
-        running_->problem = problem;
+        running_->complete = end.value_or(false);
+        running_->problem = problemText(end);
         results_->keep(*std::exchange(running_, std::nullopt));
     }
     refresh();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <any>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,8 +11,9 @@
 #include <QWidget>
 
 #include "accuracy/kept_results.h"
-#include "background/background_job.h"
+#include "background/worker.h"
 #include "docks/dock_context.h"
+#include "docks/measure_end.h"
 #include "measure/cost/cost_sweep.h"
 
 class QVBoxLayout;
@@ -27,7 +29,7 @@ class MeasurePage : public QWidget {
     Q_OBJECT
 
   public:
-    bool isMeasuring() const { return work_.isRunning(); }
+    bool isMeasuring() const { return !worker_.isIdle(); }
     /// What is shown; null where nothing was measured.
     const PageResult* shown() const { return shown_; }
     /// What is shown is of another scene than is on the screen; where it is seen from does not
@@ -57,8 +59,9 @@ class MeasurePage : public QWidget {
     /// False while that or another page's measurement is going on, or where there is nothing to
     /// measure.
     bool canStart() const;
-    /// Begins with what costSubject() is now, where it can.
-    void start(BackgroundJob::Work work);
+    /// Begins with what costSubject() is now, where it can. In the worker's thread a context is
+    /// current.
+    void start(std::function<MeasureEnd(Worker::Control&)> measure);
     CostSweep::Subject costSubject();
 
     /// There are more numbers of what is being measured.
@@ -85,7 +88,7 @@ class MeasurePage : public QWidget {
   private:
     void connectParts();
     void follow();
-    void finish(bool complete, const QString& problem);
+    void finish(const MeasureEnd& end);
     void showState();
     bool hasNumbers() const { return shown_ != nullptr && shown_->numbers.has_value(); }
     QString stateText() const;
@@ -106,7 +109,7 @@ class MeasurePage : public QWidget {
     QTimer settle_; ///< changes of the document are gathered
     MeasureBar* bar_;
     QVBoxLayout* rows_;
-    BackgroundJob work_; ///< the last: it ends before what it tells
+    Worker worker_;
 };
 
 } // namespace patina

@@ -52,16 +52,14 @@ void ModelsPage::measure(CostSweep::Options options) {
         return;
     }
     options.programCache = programFolder();
-    start(withContext([this, subject = costSubject(),
-                       options = std::move(options)](BackgroundJob::Control& control) {
+    start([this, subject = costSubject(), options = std::move(options)](Worker::Control& control) {
         return rank(subject, options, control);
-    }));
+    });
 }
 
 /// In the worker's thread.
-BackgroundJob::End ModelsPage::rank(const CostSweep::Subject& subject,
-                                    const CostSweep::Options& options,
-                                    BackgroundJob::Control& control) {
+MeasureEnd ModelsPage::rank(const CostSweep::Subject& subject, const CostSweep::Options& options,
+                            Worker::Control& control) {
     const auto ranking = ModelRanking::create(subject, options);
     if (!ranking) {
         return endOf(false, {ranking.error()});

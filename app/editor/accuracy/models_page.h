@@ -30,8 +30,8 @@ class ModelsPage : public MeasurePage {
     QByteArray bytesFor(const QString& ending) const override;
 
   private:
-    BackgroundJob::End rank(const CostSweep::Subject& subject, const CostSweep::Options& options,
-                            BackgroundJob::Control& control);
+    MeasureEnd rank(const CostSweep::Subject& subject, const CostSweep::Options& options,
+                    Worker::Control& control);
 
     ModelList* list_;
 };

@@ -61,16 +61,14 @@ void ScalingPage::measure(ScalingSweep::Options options) {
         return;
     }
     options.programCache = programFolder();
-    start(withContext([this, subject = costSubject(),
-                       options = std::move(options)](BackgroundJob::Control& control) {
+    start([this, subject = costSubject(), options = std::move(options)](Worker::Control& control) {
         return sweep(subject, options, control);
-    }));
+    });
 }
 
 /// In the worker's thread.
-BackgroundJob::End ScalingPage::sweep(const CostSweep::Subject& subject,
-                                      const ScalingSweep::Options& options,
-                                      BackgroundJob::Control& control) {
+MeasureEnd ScalingPage::sweep(const CostSweep::Subject& subject,
+                              const ScalingSweep::Options& options, Worker::Control& control) {
     const auto sweep = ScalingSweep::create(subject, options);
     if (!sweep) {
         return endOf(false, {sweep.error()});

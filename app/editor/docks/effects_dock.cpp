@@ -112,17 +112,16 @@ void EffectsDock::layOut() {
 
 void EffectsDock::connectParts() {
     connect(start_, &QToolButton::clicked, this, &EffectsDock::measure);
-    connect(cancel_, &QToolButton::clicked, &measurement_, &BackgroundJob::cancel);
+    connect(cancel_, &QToolButton::clicked, &measurement_, &Worker::cancel);
     connect(allOn_, &QToolButton::clicked, this, [this] {
         for (const std::string& effect : std::vector<std::string>(switches_.off())) {
             switches_.setOff(effect, false);
         }
     });
     connect(list_, &QTreeWidget::itemChanged, this, &EffectsDock::toggle);
-    connect(&measurement_, &BackgroundJob::progressed, this, [this](double share) {
+    connect(&measurement_, &Worker::progressed, this, [this](double share) {
         progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
     });
-    connect(&measurement_, &BackgroundJob::finished, this, &EffectsDock::finish);
     connect(&settle_, &QTimer::timeout, this, &EffectsDock::updateRows);
     startWhenChanged(settle_, document_, library_);
     const auto later = [this] { settle_.start(); };
@@ -298,7 +297,7 @@ void EffectsDock::toggle(QTreeWidgetItem* item) {
 }
 
 void EffectsDock::measure() {
-    if (measurement_.isRunning() || document_.currentObject() < 0) {
+    if (isMeasuring() || document_.currentObject() < 0) {
         return;
     }
     updateRows();
@@ -313,15 +312,17 @@ void EffectsDock::measure() {
                                            measured_->blocks.catalog(),
                                            images().textures,
                                            environments_.image(environmentPicture(document_))};
-    measurement_.start(withContext(
-        [this, subject](BackgroundJob::Control& control) { return meter(subject, control); }));
+    measurement_.ask([this, subject](Worker::Control& control) { return meter(subject, control); },
+                     [this](const MeasureEnd& end) { finish(end); });
     fill();
     showState();
 }
 
 /// In the worker's thread.
-BackgroundJob::End EffectsDock::meter(const EffectCostMeter::Subject& subject,
-                                      BackgroundJob::Control& control) {
+MeasureEnd EffectsDock::meter(const EffectCostMeter::Subject& subject, Worker::Control& control) {
+    if (const Result<void> opened = control.openContext(); !opened) {
+        return endOf(false, {opened.error()});
+    }
     EffectCostMeter::Options options;
     options.programCache = programFolder();
     options.mayShrink = true;
@@ -341,9 +342,9 @@ BackgroundJob::End EffectsDock::meter(const EffectCostMeter::Subject& subject,
     return endOf((*meter)->finished(), (*meter)->costs().problems);
 }
 
-void EffectsDock::finish(bool complete, const QString& problem) {
+void EffectsDock::finish(const MeasureEnd& end) {
     if (measured_) {
-        measured_->end = {complete, problem};
+        measured_->end = end;
     }
     fill();
     showState();
@@ -377,13 +378,13 @@ QString EffectsDock::totalText() const {
             .arg(costs.size.x)
             .arg(costs.size.y)
             .arg(asText(costs.method));
-    return measured_->end.complete && costs.secondsNeeded > 0.0
+    return measured_->end.value_or(false) && costs.secondsNeeded > 0.0
                ? tr("%1 Frames are slow: ! has too few to be certain.").arg(text)
                : text;
 }
 
 void EffectsDock::showState() {
-    const bool running = measurement_.isRunning();
+    const bool running = isMeasuring();
     start_->setEnabled(!running && document_.currentObject() >= 0);
     cancel_->setVisible(running);
     progress_->setVisible(running);
@@ -392,13 +393,14 @@ void EffectsDock::showState() {
         total_->setText(tr("Measuring …"));
     } else if (!measured_) {
         total_->setText(tr("Costs are not measured yet."));
-    } else if (!measured_->end.problem.isEmpty()) {
-        total_->setText(tr("Could not be measured: %1").arg(measured_->end.problem));
+    } else if (!measured_->end) {
+        total_->setText(tr("Could not be measured: %1").arg(problemText(measured_->end)));
     } else if (isStale()) {
         total_->setText(whyStale());
     } else {
-        total_->setText(measured_->end.complete ? totalText()
-                                                : tr("Stopped. So far: %1").arg(totalText()));
+        total_->setText(measured_->end.value_or(false)
+                            ? totalText()
+                            : tr("Stopped. So far: %1").arg(totalText()));
     }
     total_->setToolTip(total_->text());
 }

@@ -6,8 +6,9 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "background/background_job.h"
+#include "background/worker.h"
 #include "docks/dock_context.h"
+#include "docks/measure_end.h"
 #include "document/document_state.h"
 #include "library/read_blocks.h"
 #include "measure/cost/effect_cost.h"
@@ -31,7 +32,7 @@ class EffectsDock : public QWidget {
 
     /// Measures what the effects cost; nothing happens while that is going on.
     void measure();
-    bool isMeasuring() const { return measurement_.isRunning(); }
+    bool isMeasuring() const { return !measurement_.isIdle(); }
 
     QSize sizeHint() const override;
 
@@ -47,7 +48,7 @@ class EffectsDock : public QWidget {
         Side side = Side::A;
         KnownBlocks blocks; ///< of that scene
         EffectCosts costs{};
-        BackgroundJob::End end{};
+        MeasureEnd end = false;
     };
 
     void layOut();
@@ -66,9 +67,8 @@ class EffectsDock : public QWidget {
     QString whyStale() const;
     KnownImages images() const;
     double aspect() const; ///< of the view that shows the current object
-    BackgroundJob::End meter(const EffectCostMeter::Subject& subject,
-                             BackgroundJob::Control& control);
-    void finish(bool complete, const QString& problem);
+    MeasureEnd meter(const EffectCostMeter::Subject& subject, Worker::Control& control);
+    void finish(const MeasureEnd& end);
     void toggle(QTreeWidgetItem* item);
 
     Document& document_;
@@ -77,7 +77,6 @@ class EffectsDock : public QWidget {
     EnvironmentLibrary& environments_;
     EffectSwitches& switches_;
     CompareArea& views_;
-    BackgroundJob measurement_; ///< the last: it ends before what it tells
     std::vector<EffectRow> rows_;
     std::optional<Measured> measured_;  ///< the last costs, or what they are being measured of
     bool costsAreFresh_ = false;        ///< as of the last fill()
@@ -89,6 +88,7 @@ class EffectsDock : public QWidget {
     QProgressBar* progress_;
     QLabel* total_;
     QTreeWidget* list_;
+    Worker measurement_;
 };
 
 } // namespace patina

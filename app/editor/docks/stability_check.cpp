@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "gl/headless_context.h"
 #include "measure/stability/finding_text.h"
 #include "measure/stability/stability_sweep.h"
 #include "measure/stability/sweep_cases.h"
@@ -66,14 +65,14 @@ Result<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const Material&
 } // namespace
 
 StabilityOutcome checkStability(const Catalog& catalog, const Material& material,
-                                BackgroundJob::Control& control) {
+                                Worker::Control& control) {
     Result<std::vector<EvalCase>> variants = variantsOf(catalog, material);
     if (!variants) {
         StabilityOutcome outcome;
         outcome.problems << asText(variants.error().text());
         return outcome;
     }
-    const auto context = gl::HeadlessContext::create();
+    const Result<void> context = control.openContext();
     SweepOptions options;
     options.gpu = context.has_value();
     options.cases = checkedCases;

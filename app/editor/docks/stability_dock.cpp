@@ -17,6 +17,7 @@
 #include "docks/panel.h"
 #include "docks/stability_check.h"
 #include "document/document.h"
+#include "text/as_text.h"
 #include "text/display_number.h"
 
 namespace patina {
@@ -93,20 +94,19 @@ StabilityDock::StabilityDock(const DockContext& context)
 
 void StabilityDock::connectParts() {
     connect(start_, &QToolButton::clicked, this, &StabilityDock::start);
-    connect(cancel_, &QToolButton::clicked, &check_, &BackgroundJob::cancel);
+    connect(cancel_, &QToolButton::clicked, &check_, &Worker::cancel);
     connect(copy_, &QToolButton::clicked, this, &StabilityDock::copyLine);
     auto* copy = new QShortcut(QKeySequence::Copy, list_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(copy, &QShortcut::activated, this, &StabilityDock::copyLine);
     connect(list_, &QTreeWidget::itemSelectionChanged, this, &StabilityDock::showState);
-    connect(&check_, &BackgroundJob::progressed, this, &StabilityDock::showProgress);
-    connect(&check_, &BackgroundJob::finished, this, &StabilityDock::showState);
+    connect(&check_, &Worker::progressed, this, &StabilityDock::showProgress);
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this,
              &StabilityDock::showState);
 }
 
 void StabilityDock::start() {
     const Material* material = document_.material(document_.activeSide());
-    if (material == nullptr || check_.isRunning()) {
+    if (material == nullptr || isRunning()) {
         return;
     }
     checked_ = *material;
@@ -117,12 +117,11 @@ void StabilityDock::start() {
     list_->clear();
     remarks_->clear();
     progress_->setValue(0);
-    check_.start([this, catalog = blocks_.catalog(),
-                  material = checked_](BackgroundJob::Control& control) -> BackgroundJob::End {
-        const StabilityOutcome outcome = checkStability(*catalog, material, control);
-        control.show([this, outcome] { showOutcome(outcome); });
-        return {outcome.complete, {}};
-    });
+    check_.ask(
+        [catalog = blocks_.catalog(), material = checked_](Worker::Control& control) {
+            return checkStability(*catalog, material, control);
+        },
+        [this](const Result<StabilityOutcome>& checked) { showOutcome(checked); });
     showState();
 }
 
@@ -131,7 +130,11 @@ void StabilityDock::showProgress(double share, const QString& cases) {
     verdictLabel_->setText(cases);
 }
 
-void StabilityDock::showOutcome(const StabilityOutcome& outcome) {
+void StabilityDock::showOutcome(const Result<StabilityOutcome>& checked) {
+    StabilityOutcome outcome = checked.value_or(StabilityOutcome());
+    if (!checked) {
+        outcome.problems << asText(checked.error().text());
+    }
     verdict_ = verdictOf(outcome);
     remarks_->setText(outcome.remarks.join(' '));
     fill(outcome);
@@ -161,7 +164,7 @@ bool StabilityDock::isStale() const {
 }
 
 void StabilityDock::showState() {
-    const bool running = check_.isRunning();
+    const bool running = isRunning();
     start_->setEnabled(!running && document_.material(document_.activeSide()) != nullptr);
     cancel_->setVisible(running);
     progress_->setVisible(running);

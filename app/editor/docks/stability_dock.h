@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "background/background_job.h"
+#include "background/worker.h"
 #include "docks/dock_context.h"
 #include "docks/stability_outcome.h"
 #include "library/read_blocks.h"
@@ -24,11 +24,11 @@ class StabilityDock : public QWidget {
 
     /// Checks the active side's material; nothing happens while a check is running.
     void start();
-    bool isRunning() const { return check_.isRunning(); }
+    bool isRunning() const { return !check_.isIdle(); }
 
   private:
     void connectParts();
-    void showOutcome(const StabilityOutcome& outcome);
+    void showOutcome(const Result<StabilityOutcome>& checked);
     void fill(const StabilityOutcome& outcome);
     void showState();
     void showProgress(double share, const QString& cases);
@@ -46,7 +46,7 @@ class StabilityDock : public QWidget {
     QLabel* verdictLabel_;
     QLabel* remarks_;
     QTreeWidget* list_;
-    BackgroundJob check_; ///< the last: it ends before what it tells
+    Worker check_;
 };
 
 } // namespace patina

@@ -109,9 +109,7 @@ Autosave::Autosave(Document& document, DocumentFiles& files, std::filesystem::pa
     connect(&document, &Document::modifiedChanged, this, &Autosave::schedule);
 }
 
-Autosave::~Autosave() {
-    worker_.waitForDone();
-}
+Autosave::~Autosave() = default;
 
 void Autosave::setIntervals(int quietMs, int longestMs) {
     quiet_.setInterval(quietMs);
@@ -159,7 +157,7 @@ void Autosave::giveUp() {
 void Autosave::stop() {
     quiet_.stop();
     longest_.stop();
-    worker_.waitForDone();
+    worker_.finish();
 }
 
 /// What was undone as far as the file is no unsaved work any more.
@@ -180,34 +178,27 @@ void Autosave::save() {
     if (!document_.isModified()) {
         return;
     }
-    if (isWriting_) {
-        isChanged_ = true;
-        return;
-    }
     if (!takeStem()) {
-        noteEnd(tl::unexpected(Error{folder_.string(), 0, 0,
-                                     "unsaved work cannot be kept safe here",
-                                     "a folder that can be written to"}));
+        noteEnd(
+            tl::unexpected(Error{folder_.string(), 0, 0, "unsaved work cannot be kept safe here",
+                                 "a folder that can be written to"}));
         return;
     }
-    isWriting_ = true;
-    worker_.start([this, scene = files_.sceneToRecover(), file = files_.file()] {
+    const auto write = [this, scene = files_.sceneToRecover(),
+                        file = files_.file()](Worker::Control&) -> Result<void> {
         const Result<void> origin = writeOnce(originOf(stem_), textOf(file));
-        const Result<void> written = origin ? journal_->write(scene) : origin;
-        QMetaObject::invokeMethod(this, [this, written] { noteEnd(written); });
-    });
+        return origin ? journal_->write(scene) : origin;
+    };
+    worker_.ask(
+        write, [this](const Result<void>& written) { noteEnd(written); }, QStringLiteral("copy"));
 }
 
 /// Says once that work cannot be kept, until it can be again.
 void Autosave::noteEnd(const Result<void>& written) {
-    isWriting_ = false;
     if (!written && !hasFailed_) {
         Q_EMIT failed(written.error());
     }
     hasFailed_ = !written;
-    if (std::exchange(isChanged_, false)) {
-        schedule();
-    }
 }
 
 /// A name of its own for this program's copy, locked while the program runs.

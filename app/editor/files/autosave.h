@@ -9,7 +9,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "background/single_thread.h"
+#include "background/worker.h"
 #include "document/document_files.h"
 #include "files/edit_journal.h"
 
@@ -76,12 +76,10 @@ class Autosave : public QObject {
     std::unique_ptr<QLockFile> lock_;
     std::unique_ptr<EditJournal> journal_; ///< used in the worker alone
     bool isAdopted_ = false;
-    bool isWriting_ = false;
-    bool isChanged_ = false; ///< meanwhile
     bool hasFailed_ = false; ///< and said so
     QTimer quiet_;
     QTimer longest_;
-    SingleThread worker_{1000};
+    Worker worker_{{.atEnd = Worker::AtEnd::Finish}};
 };
 
 } // namespace patina

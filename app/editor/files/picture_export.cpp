@@ -21,10 +21,6 @@ constexpr int quickMs = 300;
 PictureExport::PictureExport(Session& session, QWidget* window)
     : QObject(window), session_(session), window_(window) {}
 
-PictureExport::~PictureExport() {
-    worker_.waitForDone(); // what was asked for is written to its end
-}
-
 void PictureExport::ask(const QString& name, const Source& source) {
     const QString png = tr("PNG, as on the screen (*.png)");
     const QString jpeg = tr("JPEG, as on the screen (*.jpg)");
@@ -71,13 +67,16 @@ void PictureExport::write(const QString& file, Image picture) {
     if (!client_) {
         client_ = std::make_unique<AssetClient>();
     }
-    // The destructor waits for the worker, so all of this outlives the job.
-    worker_.start([this, file, display, picture = std::move(picture)]() mutable {
+    auto save = [&client = *client_, file, display,
+                 picture = std::move(picture)](Worker::Control&) mutable {
         const Image linear = display ? linearFromDisplay(std::move(picture)) : std::move(picture);
-        if (const auto written = client_->saveImage(file.toStdString(), linear); !written) {
-            Q_EMIT failed(written.error());
-        } else {
+        return client.saveImage(file.toStdString(), linear);
+    };
+    worker_.ask(std::move(save), [this, file](const Result<void>& written) {
+        if (written) {
             Q_EMIT saved(file);
+        } else {
+            Q_EMIT failed(written.error());
         }
     });
 }

@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "assets/asset_client.h"
-#include "background/single_thread.h"
+#include "background/worker.h"
 #include "session/session.h"
 
 class QWidget;
@@ -30,7 +30,6 @@ class PictureExport : public QObject {
     };
 
     PictureExport(Session& session, QWidget* window);
-    ~PictureExport() override;
 
     /// Asks for a file; `name` is the one that is offered, without its ending.
     void ask(const QString& name, const Source& source);
@@ -48,8 +47,8 @@ class PictureExport : public QObject {
 
     Session& session_;
     QWidget* window_;
-    std::unique_ptr<AssetClient> client_; ///< made when first needed
-    SingleThread worker_{1000};
+    std::unique_ptr<AssetClient> client_;             ///< made when first needed
+    Worker worker_{{.atEnd = Worker::AtEnd::Finish}}; ///< what was asked for is written
 };
 
 } // namespace patina

@@ -76,11 +76,6 @@ PresetLibrary::PresetLibrary(std::shared_ptr<const Catalog> catalog, QObject* pa
     connect(&settle_, &QTimer::timeout, this, &PresetLibrary::scan);
 }
 
-PresetLibrary::~PresetLibrary() {
-    worker_.clear();
-    worker_.waitForDone();
-}
-
 void PresetLibrary::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
     settle_.start();
@@ -90,18 +85,20 @@ void PresetLibrary::scan() {
     std::error_code ignored; // a folder that cannot be made has no presets in it
     std::filesystem::create_directories(userFolder(), ignored);
     watchAll();
-    worker_.start([this, catalog = catalog_] {
-        auto read = std::make_shared<Folders>(readAll(*catalog));
-        const auto take = [this, read] {
-            isRead_ = true;
-            if (read->entries != entries_) {
-                entries_ = std::move(read->entries);
-                Q_EMIT changed();
-            }
-            Q_EMIT checked(read->errors);
-        };
-        QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
-    });
+    const auto take = [this](const Result<Folders>& read) {
+        if (!read) {
+            Q_EMIT checked({read.error()});
+            return;
+        }
+        isRead_ = true;
+        if (read->entries != entries_) {
+            entries_ = read->entries;
+            Q_EMIT changed();
+        }
+        Q_EMIT checked(read->errors);
+    };
+    worker_.ask([catalog = catalog_](Worker::Control&) { return readAll(*catalog); }, take,
+                QStringLiteral("folders"));
 }
 
 std::filesystem::path PresetLibrary::shippedFolder() {

@@ -9,7 +9,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "background/single_thread.h"
+#include "background/worker.h"
 #include "catalog/catalog.h"
 #include "material/material.h"
 
@@ -31,7 +31,6 @@ class PresetLibrary : public QObject {
 
   public:
     explicit PresetLibrary(std::shared_ptr<const Catalog> catalog, QObject* parent = nullptr);
-    ~PresetLibrary() override;
 
     const std::vector<PresetEntry>& entries() const { return entries_; }
     /// False until the folders were read for the first time.
@@ -57,7 +56,7 @@ class PresetLibrary : public QObject {
     bool isRead_ = false;
     std::unique_ptr<QFileSystemWatcher> watcher_;
     QTimer settle_;
-    SingleThread worker_{1000};
+    Worker worker_;
 };
 
 } // namespace patina

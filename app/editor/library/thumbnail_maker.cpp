@@ -10,10 +10,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSaveFile>
-#include <QThread>
 
-#include "background/free_memory.h"
-#include "gl/headless_context.h"
 #include "material/preset_file.h"
 #include "render/gpu/texture_loader.h"
 #include "render/renderer.h"
@@ -70,23 +67,32 @@ QImage toQImage(const Image& image) {
     return picture;
 }
 
-/// The context, the renderer and the scene of one run of the worker.
-class Studio {
+/// On a full disk only flush() fails, commit() does not.
+void keep(const QImage& picture, const QString& file) {
+    QSaveFile target(file);
+    if (QDir().mkpath(QFileInfo(file).path()) && target.open(QIODevice::WriteOnly) &&
+        picture.save(&target, "PNG") && target.flush()) {
+        target.commit();
+    }
+}
+
+} // namespace
+
+/// The renderer and the scene of the pictures that are drawn without a rest.
+class ThumbnailMaker::Studio {
   public:
-    static std::unique_ptr<Studio> open(const ThumbnailMaker::Folders& folders,
-                                        const std::shared_ptr<const Catalog>& catalog) {
-        auto studio = std::make_unique<Studio>();
-        Checked<SceneReading> reading = readScene(folders.scene, *catalog);
-        Result<std::unique_ptr<gl::HeadlessContext>> context = gl::HeadlessContext::create();
-        if (!reading || reading->scene.objects.empty() || !context) {
-            return nullptr;
+    /// The context is current.
+    static Result<std::unique_ptr<Studio>> open(const Folders& folders, const Catalog& catalog) {
+        Checked<SceneReading> reading = readScene(folders.scene, catalog);
+        if (!reading || reading->scene.objects.empty()) {
+            return failure("the scene of small pictures cannot be read");
         }
-        studio->scene_ = std::move(reading->scene);
-        studio->context_ = std::move(*context);
         Result<std::unique_ptr<Renderer>> renderer = Renderer::create({folders.programCache});
         if (!renderer) {
-            return nullptr;
+            return tl::unexpected(renderer.error());
         }
+        auto studio = std::make_unique<Studio>();
+        studio->scene_ = std::move(reading->scene);
         studio->renderer_ = std::move(*renderer);
         studio->renderer_->setTextures(studio->textures_.source());
         return studio;
@@ -123,97 +129,55 @@ class Studio {
 
     AssetClient files_; ///< starts nothing before an image is wanted
     TextureLoader textures_{files_};
-    std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
     std::shared_ptr<const Catalog> catalog_;
     Scene scene_;
     std::map<std::string, Mesh> meshes_;
 };
 
-/// On a full disk only flush() fails, commit() does not.
-void keep(const QImage& picture, const QString& file) {
-    QSaveFile target(file);
-    if (QDir().mkpath(QFileInfo(file).path()) && target.open(QIODevice::WriteOnly) &&
-        picture.save(&target, "PNG") && target.flush()) {
-        target.commit();
-    }
-}
-
-} // namespace
-
 ThumbnailMaker::ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,
                                QObject* parent)
-    : QObject(parent), folders_(std::move(folders)), catalog_(std::move(catalog)) {
-    worker_.setPriority(QThread::IdlePriority);
-    connect(&worker_, &BackgroundJob::finished, this, &ThumbnailMaker::wake);
-}
+    : QObject(parent), folders_(std::move(folders)), catalog_(std::move(catalog)), studio_(nullptr),
+      worker_({.priority = QThread::IdlePriority,
+               .atRest = [this] { studio_ = nullptr; },
+               .isPaused = true}) {}
 
-ThumbnailMaker::~ThumbnailMaker() {
-    const std::lock_guard lock(mutex_);
-    jobs_.clear();
-}
-
-void ThumbnailMaker::start() {
-    started_ = true;
-    wake();
-}
+ThumbnailMaker::~ThumbnailMaker() = default;
 
 void ThumbnailMaker::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
 }
 
 void ThumbnailMaker::ask(const QString& name, const Material& material) {
-    {
-        const std::lock_guard lock(mutex_);
-        jobs_.push_back({name, material, catalog_});
-    }
-    wake();
+    worker_.ask([this, material, catalog = catalog_](
+                    const Worker::Control& control) { return picture(material, catalog, control); },
+                [this, name](const Result<QImage>& drawn) {
+                    if (drawn) {
+                        Q_EMIT ready(name, *drawn);
+                    }
+                },
+                name);
 }
 
-void ThumbnailMaker::wake() {
-    const std::lock_guard lock(mutex_);
-    if (started_ && !jobs_.empty()) {
-        worker_.start([this](BackgroundJob::Control&) {
-            work();
-            return endOf(true, {});
-        });
+/// In the worker's thread.
+Result<QImage> ThumbnailMaker::picture(const Material& material,
+                                       const std::shared_ptr<const Catalog>& catalog,
+                                       const Worker::Control& control) {
+    const QString file = fileOf(folders_, material, *catalog);
+    if (QImage kept(file); !kept.isNull()) {
+        return kept;
     }
-}
-
-bool ThumbnailMaker::next(Job& job) {
-    const std::lock_guard lock(mutex_);
-    if (jobs_.empty()) {
-        return false;
+    if (studio_ && !*studio_) {
+        studio_ = control.openContext().and_then([&] { return Studio::open(folders_, *catalog); });
     }
-    job = std::move(jobs_.front());
-    jobs_.pop_front();
-    return true;
-}
-
-void ThumbnailMaker::work() {
-    std::unique_ptr<Studio> studio;
-    bool broken = false;
-    for (Job job; next(job);) {
-        const QString file = fileOf(folders_, job.material, *job.catalog);
-        QImage picture(file);
-        if (picture.isNull() && !studio && !broken) {
-            studio = Studio::open(folders_, job.catalog);
-            broken = !studio;
-        }
-        if (picture.isNull() && studio) {
-            picture = studio->draw(job.material, job.catalog);
-            if (!picture.isNull()) {
-                keep(picture, file);
-            }
-        }
-        if (!picture.isNull() || studio) {
-            Q_EMIT ready(job.name, picture);
-        }
+    if (!studio_) {
+        return tl::unexpected(studio_.error());
     }
-    if (studio) {
-        studio.reset();
-        returnFreeMemory();
+    const QImage drawn = (*studio_)->draw(material, catalog);
+    if (!drawn.isNull()) {
+        keep(drawn, file);
     }
+    return drawn;
 }
 
 } // namespace patina

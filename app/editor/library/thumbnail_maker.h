@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <deque>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 
 #include <QImage>
 #include <QObject>
 #include <QSet>
 
-#include "background/background_job.h"
+#include "background/worker.h"
 #include "catalog/catalog.h"
 #include "material/material.h"
 
@@ -34,7 +32,7 @@ class ThumbnailMaker : public QObject {
     ~ThumbnailMaker() override;
 
     /// Nothing is drawn before this: the first frame of the window comes first.
-    void start();
+    void start() { worker_.resume(); }
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
     /// ready() follows with the name, unless nothing can be drawn on this machine.
@@ -47,22 +45,15 @@ class ThumbnailMaker : public QObject {
     void ready(QString name, QImage picture);
 
   private:
-    struct Job {
-        QString name;
-        Material material;
-        std::shared_ptr<const Catalog> catalog;
-    };
+    class Studio;
 
-    void wake();
-    void work();
-    bool next(Job& job);
+    Result<QImage> picture(const Material& material, const std::shared_ptr<const Catalog>& catalog,
+                           const Worker::Control& control);
 
     Folders folders_;
     std::shared_ptr<const Catalog> catalog_;
-    bool started_ = false;
-    std::mutex mutex_; ///< guards what is below, which the worker shares
-    std::deque<Job> jobs_;
-    BackgroundJob worker_; ///< the last: it ends before what it uses
+    Result<std::unique_ptr<Studio>> studio_; ///< of the worker's thread; null: it was not needed
+    Worker worker_;
 };
 
 } // namespace patina

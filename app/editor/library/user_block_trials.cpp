@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "background/free_memory.h"
-#include "gl/headless_context.h"
 #include "shading/effects/block_trial.h"
 #include "shading/program/block_gate.h"
 
@@ -44,62 +42,45 @@ class UserBlockTrials::Wanted {
 };
 
 UserBlockTrials::UserBlockTrials(QObject* parent) : QObject(parent) {
-    thread_.setMaxThreadCount(1);
-    thread_.setExpiryTimeout(100);
     if (blockGate()) {
         blockGate()->resume();
     }
 }
 
 UserBlockTrials::~UserBlockTrials() {
-    ++wished_;
+    worker_.cancel();
     if (blockGate()) {
         blockGate()->stop();
     }
-    thread_.waitForDone();
 }
 
 void UserBlockTrials::run(std::shared_ptr<const Catalog> catalog) {
-    const quint64 number = ++wished_;
+    worker_.forget();
     const bool hasUsers = std::any_of(catalog->blocks.begin(), catalog->blocks.end(),
                                       [](const Block& block) { return !block.shipped; });
     if (!hasUsers) {
         Q_EMIT finished({});
         return;
     }
-    thread_.start([this, number, held = std::move(catalog)] {
-        const Errors mistakes = mistakesIn(*held, number);
-        const auto tell = [this, number, mistakes] {
-            if (wished_ == number) {
-                Q_EMIT finished(mistakes);
-            }
-        };
-        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-    });
+    worker_.ask([this, held = std::move(catalog)](
+                    const Worker::Control& control) { return mistakesIn(*held, control); },
+                [this](const Result<Errors>& mistakes) {
+                    Q_EMIT finished(mistakes ? *mistakes : Errors{mistakes.error()});
+                });
 }
 
-void UserBlockTrials::tellBegun(const QStringList& names, quint64 number) {
-    const auto tell = [this, number, names] {
-        if (wished_ == number) {
-            Q_EMIT begun(names);
-        }
-    };
-    QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-}
-
-/// Says nothing more once another run is wished.
-Errors UserBlockTrials::mistakesIn(const Catalog& catalog, quint64 number) {
+/// In the worker's thread.
+Errors UserBlockTrials::mistakesIn(const Catalog& catalog, const Worker::Control& control) {
     Wanted wanted;
     for (const Block& block : catalog.blocks) {
-        if (!block.shipped && wished_ == number) {
+        if (!block.shipped && !control.isCancelled()) {
             wanted.add(trialProgram(block, catalog));
         }
     }
-    if (!blockGate() || wanted.blocks.empty() || wished_ != number) {
+    if (!blockGate() || wanted.blocks.empty() || control.isCancelled()) {
         return wanted.mistakes;
     }
-    auto context = gl::HeadlessContext::create().value_or(nullptr);
-    if (!context) {
+    if (!control.openContext()) {
         return wanted.mistakes; // the view says why nothing is drawn on this machine
     }
     QStringList names;
@@ -109,11 +90,9 @@ Errors UserBlockTrials::mistakesIn(const Catalog& catalog, quint64 number) {
         }
     }
     if (!names.isEmpty()) {
-        tellBegun(names, number);
+        control.show([this, names] { Q_EMIT begun(names); });
     }
     addNew(wanted.mistakes, blockGate()->ask(wanted.blocks, true).mistakes);
-    context.reset();
-    returnFreeMemory();
     return wanted.mistakes;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <memory>
 
 #include <QObject>
 #include <QStringList>
-#include <QThreadPool>
 
+#include "background/worker.h"
 #include "catalog/catalog.h"
 #include "core/error.h"
 
@@ -37,11 +36,9 @@ class UserBlockTrials : public QObject {
   private:
     class Wanted;
 
-    Errors mistakesIn(const Catalog& catalog, quint64 number);
-    void tellBegun(const QStringList& names, quint64 number);
+    Errors mistakesIn(const Catalog& catalog, const Worker::Control& control);
 
-    std::atomic<quint64> wished_ = 0; ///< the number of the last run
-    QThreadPool thread_;
+    Worker worker_;
 };
 
 } // namespace patina

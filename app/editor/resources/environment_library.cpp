@@ -7,16 +7,9 @@ namespace patina {
 
 EnvironmentLibrary::EnvironmentLibrary(QObject* parent) : QObject(parent) {}
 
-EnvironmentLibrary::~EnvironmentLibrary() {
-    cancel();
-    worker_.clear();
-    worker_.waitForDone();
-}
-
 std::shared_ptr<const EnvironmentImage> EnvironmentLibrary::image(std::string_view file) {
     if (file != file_) {
-        cancel();
-        progress_.reset();
+        worker_.forget();
         file_ = file;
         image_.reset();
         hasFailed_ = false;
@@ -25,12 +18,6 @@ std::shared_ptr<const EnvironmentImage> EnvironmentLibrary::image(std::string_vi
         load();
     }
     return image_;
-}
-
-void EnvironmentLibrary::cancel() {
-    if (progress_) {
-        progress_->cancelled = true;
-    }
 }
 
 void EnvironmentLibrary::withhold(FileSet files) {
@@ -45,24 +32,16 @@ void EnvironmentLibrary::forgetFailure() {
 }
 
 void EnvironmentLibrary::load() {
-    progress_ = std::make_shared<Progress>();
-    // The destructor waits for the worker; the answer is queued to this object and dropped by Qt
-    // when this object is gone.
-    worker_.start([this, progress = progress_, file = file_, withheld = withheld_] {
+    const auto read = [file = file_, withheld = withheld_](const Worker::Control& control) {
         AssetClient client;
         client.setRights({.withheld = withheld});
-        const Answer answer = client.loadImage(file, progress.get()).map(EnvironmentImage::from);
-        QMetaObject::invokeMethod(
-            this, [this, progress, answer] { finish(progress, answer); }, Qt::QueuedConnection);
-    });
+        return client.loadImage(file, &control.progress()).map(EnvironmentImage::from);
+    };
+    worker_.ask(read, [this](const Answer& answer) { finish(answer); });
     Q_EMIT loadingStarted(QString::fromStdString(file_));
 }
 
-void EnvironmentLibrary::finish(const std::shared_ptr<Progress>& progress, const Answer& answer) {
-    if (progress != progress_) {
-        return; // another picture is wanted by now
-    }
-    progress_.reset();
+void EnvironmentLibrary::finish(const Answer& answer) {
     if (answer) {
         image_ = *answer;
         Q_EMIT loaded(QString::fromStdString(file_));

@@ -8,7 +8,7 @@
 #include <QObject>
 
 #include "assets/asset_client.h"
-#include "background/single_thread.h"
+#include "background/worker.h"
 #include "render/lights/environment_image.h"
 
 namespace patina {
@@ -21,13 +21,12 @@ class EnvironmentLibrary : public QObject {
 
   public:
     explicit EnvironmentLibrary(QObject* parent = nullptr);
-    ~EnvironmentLibrary() override;
 
     /// The picture of a file; null while it is not there, a placeholder when it cannot be read.
     /// Another file than the last one starts loading, in place of what is loading.
     std::shared_ptr<const EnvironmentImage> image(std::string_view file);
 
-    bool isLoading() const { return progress_ != nullptr; }
+    bool isLoading() const { return !worker_.isIdle(); }
     const std::string& file() const { return file_; }
 
     /// Whether the file was asked for last and could not be read.
@@ -37,7 +36,7 @@ class EnvironmentLibrary : public QObject {
     void withhold(FileSet files);
 
     /// Gives up on what is loading.
-    void cancel();
+    void cancel() { worker_.cancel(); }
 
     /// The next image() tries again where the last one could not be read.
     void forgetFailure();
@@ -51,14 +50,13 @@ class EnvironmentLibrary : public QObject {
     using Answer = Result<std::shared_ptr<const EnvironmentImage>>;
 
     void load();
-    void finish(const std::shared_ptr<Progress>& progress, const Answer& answer);
+    void finish(const Answer& answer);
 
     FileSet withheld_;
     std::string file_;
     std::shared_ptr<const EnvironmentImage> image_;
-    std::shared_ptr<Progress> progress_; ///< of the reading that counts
     bool hasFailed_ = false;
-    SingleThread worker_{1000};
+    Worker worker_;
 };
 
 } // namespace patina

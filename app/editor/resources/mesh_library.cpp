@@ -19,12 +19,6 @@ constexpr int progressIntervalMs = 100;
 
 MeshLibrary::MeshLibrary(QObject* parent) : QObject(parent) {}
 
-MeshLibrary::~MeshLibrary() {
-    cancelAll();
-    worker_.clear();
-    worker_.waitForDone();
-}
-
 MeshView MeshLibrary::view(const Object& object) {
     const MeshKey key = meshKey(object);
     if (builtinName(key.mesh)) {
@@ -55,12 +49,6 @@ bool MeshLibrary::has(const Object& object) const {
 
 void MeshLibrary::warmUp() {
     client().warmUp();
-}
-
-void MeshLibrary::cancelAll() {
-    for (const auto& [key, progress] : loading_) {
-        progress->cancelled = true;
-    }
 }
 
 void MeshLibrary::cancelAllBut(const Scene& scene) {
@@ -116,20 +104,16 @@ void MeshLibrary::makeBuiltin(const MeshKey& key) {
 }
 
 void MeshLibrary::load(const MeshKey& key) {
-    auto progress = std::make_shared<Progress>();
     const bool first = loading_.empty();
-    loading_[key] = progress;
+    loading_[key] = worker_.ask(
+        [key, &client = client()](const Worker::Control& control) {
+            return read(client, key, control.progress());
+        },
+        [this, key](const Answer& answer) { finish(key, answer); });
     Q_EMIT loadingStarted(QString::fromStdString(key.mesh));
     if (first) {
         QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportProgress);
     }
-    // The destructor waits for the worker, so both outlive the job; its answer is queued to this
-    // object and dropped by Qt when this object is gone.
-    worker_.start([this, key, progress, &client = client()] {
-        const Answer answer = read(client, key, *progress);
-        QMetaObject::invokeMethod(
-            this, [this, key, answer] { finish(key, answer); }, Qt::QueuedConnection);
-    });
 }
 
 /// In the worker's thread.

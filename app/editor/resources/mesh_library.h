@@ -9,7 +9,7 @@
 #include <QObject>
 
 #include "assets/asset_client.h"
-#include "background/single_thread.h"
+#include "background/worker.h"
 #include "core/error.h"
 #include "resources/pick_mesh.h"
 #include "scene/mesh_key.h"
@@ -24,7 +24,6 @@ class MeshLibrary : public QObject {
 
   public:
     explicit MeshLibrary(QObject* parent = nullptr);
-    ~MeshLibrary() override;
 
     /// The triangles of an object's mesh, or an empty view while they are not there. A file that
     /// was not asked for yet starts loading.
@@ -40,7 +39,7 @@ class MeshLibrary : public QObject {
     void warmUp();
 
     /// Gives up on everything that is loading.
-    void cancelAll();
+    void cancelAll() { worker_.cancel(); }
 
     /// Gives up on what is loading and is in no object of the scene.
     void cancelAllBut(const Scene& scene);
@@ -89,7 +88,7 @@ class MeshLibrary : public QObject {
     std::map<MeshKey, std::shared_ptr<Progress>> loading_;
     std::map<MeshKey, Error> failures_;
     FileRights rights_;
-    SingleThread worker_{1000};
+    Worker worker_;
 };
 
 } // namespace patina

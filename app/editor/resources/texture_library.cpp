@@ -58,12 +58,6 @@ QImage previewOf(const TexturePicture& picture) {
 TextureLibrary::TextureLibrary(Client client, QObject* parent)
     : QObject(parent), client_(std::move(client)) {}
 
-TextureLibrary::~TextureLibrary() {
-    cancelAll();
-    worker_.clear();
-    worker_.waitForDone();
-}
-
 std::optional<TextureLookup> TextureLibrary::among(const Pictures& pictures,
                                                    const Failures& failures, const TextureUse& use,
                                                    TextureDecoding decoding) {
@@ -115,28 +109,18 @@ QString TextureLibrary::problem(const TextureUse& use) const {
     return {};
 }
 
-void TextureLibrary::cancelAll() {
-    for (const auto& [key, progress] : loading_) {
-        progress->cancelled = true;
-    }
-}
-
 void TextureLibrary::forgetFailures() {
     failures_.clear();
 }
 
 void TextureLibrary::load(const Key& key) {
     dropUnused();
-    auto progress = std::make_shared<Progress>();
-    loading_[key] = progress;
+    loading_.insert(key);
+    const auto read = [key, &client = client_()](const Worker::Control& control) {
+        return client.loadTexture(key.first, key.second, &control.progress());
+    };
+    worker_.ask(read, [this, key](const Answer& answer) { finish(key, answer); });
     Q_EMIT loadingStarted(QString::fromStdString(key.first));
-    // The destructor waits for the worker, so both outlive the job; its answer is queued to this
-    // object and dropped by Qt when this object is gone.
-    worker_.start([this, key, progress, &client = client_()] {
-        const Answer answer = client.loadTexture(key.first, key.second, progress.get());
-        QMetaObject::invokeMethod(
-            this, [this, key, answer] { finish(key, answer); }, Qt::QueuedConnection);
-    });
 }
 
 void TextureLibrary::finish(const Key& key, const Answer& answer) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -12,7 +13,7 @@
 #include <QObject>
 
 #include "assets/asset_client.h"
-#include "background/single_thread.h"
+#include "background/worker.h"
 #include "render/gpu/texture_source.h"
 
 namespace patina {
@@ -28,7 +29,6 @@ class TextureLibrary : public QObject {
 
     /// `client` gives the files process; it outlives the library.
     explicit TextureLibrary(Client client, QObject* parent = nullptr);
-    ~TextureLibrary() override;
 
     /// What there is of an image. A file that was not asked for yet starts loading.
     TextureLookup find(const TextureUse& use, TextureDecoding decoding);
@@ -48,7 +48,7 @@ class TextureLibrary : public QObject {
     bool isLoading() const { return !loading_.empty(); }
 
     /// Gives up on everything that is loading.
-    void cancelAll();
+    void cancelAll() { worker_.cancel(); }
 
     /// Forgets failures, so that the next frame tries again.
     void forgetFailures();
@@ -86,10 +86,10 @@ class TextureLibrary : public QObject {
     static std::optional<TextureLookup> among(const Pictures& pictures, const Failures& failures,
                                               const TextureUse& use, TextureDecoding decoding);
     Pictures pictures_;
-    std::map<Key, std::shared_ptr<Progress>, Less> loading_;
+    std::set<Key, Less> loading_;
     Failures failures_;
     std::map<std::string, Known, std::less<>> known_;
-    SingleThread worker_{1000};
+    Worker worker_;
 };
 
 } // namespace patina

@@ -117,7 +117,7 @@ void DifferenceView::setGain(double gain) {
 }
 
 bool DifferenceView::isUpToDate() const {
-    return difference_ && !settle_.isActive() && !isAskedAgain_ && worker_.isIdle();
+    return difference_ && !settle_.isActive() && worker_.isIdle();
 }
 
 /// A drag asks again and again: the timer is not put off, so that the picture follows.
@@ -136,12 +136,6 @@ void DifferenceView::ask() {
     if (!isVisible() || !document_.isComparing()) {
         return;
     }
-    if (!worker_.isIdle()) {
-        isAskedAgain_ = true;
-        worker_.hurry();
-        return;
-    }
-    isAskedAgain_ = false;
     const QSizeF pixels = QSizeF(place().size()) * devicePixelRatioF();
     const double shrink =
         std::min(1.0, longestEdge / std::max({pixels.width(), pixels.height(), 1.0}));
@@ -159,9 +153,6 @@ void DifferenceView::take(std::shared_ptr<const FrameDifference> difference,
     difference_ = std::move(difference);
     problem_ = problem;
     showPicture();
-    if (isAskedAgain_) {
-        ask();
-    }
 }
 
 void DifferenceView::showPicture() {

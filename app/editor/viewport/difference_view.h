@@ -65,8 +65,7 @@ class DifferenceView : public QFrame {
     EffectSwitches& switches_;
     ProgramEffects& effects_;
     DifferenceWorker worker_;
-    QTimer settle_;             ///< changes are gathered
-    bool isAskedAgain_ = false; ///< something changed while the worker drew
+    QTimer settle_; ///< changes are gathered
     std::shared_ptr<const FrameDifference> difference_;
     QString problem_;
     QImage picture_;

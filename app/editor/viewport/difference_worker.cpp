@@ -2,13 +2,11 @@
 #include "viewport/difference_worker.h"
 
 #include <chrono>
-#include <functional>
 #include <utility>
 
-#include "background/free_memory.h"
-#include "gl/headless_context.h"
 #include "render/frame/frame_job.h"
 #include "scene/environment.h"
+#include "text/as_text.h"
 
 namespace patina {
 namespace {
@@ -27,33 +25,14 @@ int ownDirections(const Scene& scene, const Catalog& catalog) {
     return block != nullptr ? directionsOf(*scene.part(kinds::environment), *block) : 0;
 }
 
-/// What a worker wants of the work.
-struct Course {
-    std::function<bool()> goesOn;
-    std::function<bool()> isHurried;
-};
-
 } // namespace
 
-/// A context with a renderer in it.
+/// A renderer, and the blocks that it knows.
 class DifferenceWorker::Workshop {
   public:
-    static Result<std::unique_ptr<Workshop>> open(const std::filesystem::path& programCache) {
-        auto context = gl::HeadlessContext::create();
-        if (!context) {
-            return tl::unexpected(context.error());
-        }
-        auto renderer = Renderer::create({programCache});
-        if (!renderer) {
-            return tl::unexpected(renderer.error());
-        }
-        auto shop = std::make_unique<Workshop>();
-        shop->context_ = std::move(*context);
-        shop->renderer_ = std::move(*renderer);
-        return shop;
-    }
+    explicit Workshop(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
 
-    Result<FrameDifference> draw(const Request& request, const Course& course) {
+    Result<FrameDifference> draw(const Request& request, const Worker::Control& control) {
         if (catalog_ != request.catalog) {
             catalog_ = request.catalog;
             renderer_->setCatalog(catalog_);
@@ -61,18 +40,18 @@ class DifferenceWorker::Workshop {
         renderer_->setTextures(request.textures);
         const int ofA = ownDirections(request.a.scene, *request.catalog);
         const int ofB = ownDirections(request.b.scene, *request.catalog);
-        auto a = picture(request.a, request, ofA == ofB ? sampledDirections : ofA, course);
+        auto a = picture(request.a, request, ofA == ofB ? sampledDirections : ofA, control);
         if (!a) {
             return tl::unexpected(a.error());
         }
-        auto b = picture(request.b, request, ofA == ofB ? sampledDirections : ofB, course);
+        auto b = picture(request.b, request, ofA == ofB ? sampledDirections : ofB, control);
         return b ? Result<FrameDifference>(differenceOf(*a, *b)) : tl::unexpected(b.error());
     }
 
   private:
     /// In whole floats, where the sides do not differ in their numbers.
     Result<Image> picture(const Side& side, const Request& request, int directions,
-                          const Course& course) {
+                          const Worker::Control& control) {
         const bool sameNumbers = request.a.scene.accuracy.hasWholeNumbers() ==
                                  request.b.scene.accuracy.hasWholeNumbers();
         View view = request.view;
@@ -81,11 +60,11 @@ class DifferenceWorker::Workshop {
         for (int drawn = 0; drawn < directions || drawn == 0;) {
             view.isContinued = drawn > 0;
             view.environmentSamples = directions - drawn;
-            if (auto begun = drawFrame(side.scene, view, request.meshes, course); !begun) {
+            if (auto begun = drawFrame(side.scene, view, request.meshes, control); !begun) {
                 return tl::unexpected(begun.error());
             }
             const int before = std::exchange(drawn, renderer_->job().environmentSamples());
-            const bool isEnough = drawn >= sampledDirections && course.isHurried();
+            const bool isEnough = drawn >= sampledDirections && control.isSuperseded();
             if (drawn <= before || isEnough) { // no environment, or no more of it
                 break;
             }
@@ -94,97 +73,53 @@ class DifferenceWorker::Workshop {
     }
 
     Result<void> drawFrame(const Scene& scene, const View& view, const MeshSource& meshes,
-                           const Course& course) {
+                           const Worker::Control& control) {
         FrameJob& job = renderer_->begin(scene, view, meshes, FramePurpose::Capture);
         while (job.step(slice) == FrameJob::Progress::More) {
-            if (!course.goesOn()) {
+            if (control.isCancelled()) {
                 return failure("the window has gone");
             }
         }
         return job.failure() ? tl::unexpected(*job.failure()) : Result<void>();
     }
 
-    std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
     std::shared_ptr<const Catalog> catalog_;
 };
 
 DifferenceWorker::DifferenceWorker(std::filesystem::path programCache, QObject* parent)
-    : QObject(parent), programCache_(std::move(programCache)) {
-    worker_.setPriority(QThread::LowPriority); // the views come first
-    connect(&worker_, &BackgroundJob::finished, this, &DifferenceWorker::wake);
-}
+    : QObject(parent), programCache_(std::move(programCache)),
+      worker_({.priority = QThread::LowPriority, // the views come first
+               .patience = patience,
+               .atRest = [this] { workshop_.reset(); }}) {}
 
-DifferenceWorker::~DifferenceWorker() {
-    {
-        const std::lock_guard lock(mutex_);
-        isEnding_ = true;
-    }
-    news_.notify_all();
-}
+DifferenceWorker::~DifferenceWorker() = default;
 
 void DifferenceWorker::ask(Request request) {
-    {
-        const std::lock_guard lock(mutex_);
-        job_ = Job{++asked_, std::move(request)};
-    }
-    news_.notify_all();
-    wake();
+    worker_.ask([this, request = std::move(request)](
+                    const Worker::Control& control) { return draw(request, control); },
+                [this](const Answer& answer) {
+                    Q_EMIT finished(answer.value_or(nullptr),
+                                    answer ? QString() : asText(answer.error().text()));
+                },
+                QStringLiteral("frames"));
 }
 
-void DifferenceWorker::wake() {
-    const std::lock_guard lock(mutex_);
-    if (job_) {
-        worker_.start([this](BackgroundJob::Control&) {
-            work();
-            return endOf(true, {});
-        });
+/// In the worker's thread.
+DifferenceWorker::Answer DifferenceWorker::draw(const Request& request,
+                                                const Worker::Control& control) {
+    if (!workshop_) {
+        if (const auto opened = control.openContext(); !opened) {
+            return tl::unexpected(opened.error());
+        }
+        auto renderer = Renderer::create({programCache_});
+        if (!renderer) {
+            return tl::unexpected(renderer.error());
+        }
+        workshop_ = std::make_unique<Workshop>(std::move(*renderer));
     }
-}
-
-void DifferenceWorker::hurry() {
-    const std::lock_guard lock(mutex_);
-    isHurried_ = true;
-}
-
-/// The next frames; nothing when there were none for a while.
-std::optional<DifferenceWorker::Job> DifferenceWorker::next() {
-    std::unique_lock lock(mutex_);
-    news_.wait_for(lock, patience, [this] { return isEnding_ || job_; });
-    if (isEnding_ || !job_) {
-        return std::nullopt;
-    }
-    isHurried_ = false;
-    return std::exchange(job_, std::nullopt);
-}
-
-void DifferenceWorker::work() {
-    auto shop = Workshop::open(programCache_);
-    const Course course{[this] {
-                            const std::lock_guard lock(mutex_);
-                            return !isEnding_;
-                        },
-                        [this] {
-                            const std::lock_guard lock(mutex_);
-                            return isHurried_;
-                        }};
-    while (const std::optional<Job> job = next()) {
-        answer(job->number,
-               shop ? (*shop)->draw(job->request, course) : tl::unexpected(shop.error()));
-    }
-    if (shop) {
-        shop->reset();
-    }
-    returnFreeMemory();
-}
-
-void DifferenceWorker::answer(quint64 number, const Result<FrameDifference>& difference) {
-    auto shared = difference ? std::make_shared<const FrameDifference>(*difference) : nullptr;
-    const QString problem =
-        difference ? QString() : QString::fromStdString(difference.error().text());
-    QMetaObject::invokeMethod(this, [this, number, shared, problem] {
-        answered_ = number;
-        Q_EMIT finished(shared, problem);
+    return workshop_->draw(request, control).map([](FrameDifference difference) {
+        return std::make_shared<const FrameDifference>(std::move(difference));
     });
 }
 

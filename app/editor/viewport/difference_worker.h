@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include <QObject>
 
-#include "background/background_job.h"
+#include "background/worker.h"
 #include "measure/error/frame_difference.h"
 #include "render/renderer.h"
 
@@ -39,44 +37,29 @@ class DifferenceWorker : public QObject {
 
     explicit DifferenceWorker(std::filesystem::path programCache, QObject* parent = nullptr);
 
-    /// Gives up what it works on.
     ~DifferenceWorker() override;
 
-    /// Asks in place of what was asked for and not begun yet; finished() follows for the last.
+    /// Asks in place of what was asked for and not begun yet; finished() follows for the last. Of
+    /// an environment what is being drawn takes no more directions then than it takes to show
+    /// anything.
     void ask(Request request);
 
-    /// Something else will be asked for: of an environment no more directions are drawn than it
-    /// takes to show anything.
-    void hurry();
-
     /// Whether nothing is asked for that is not finished.
-    bool isIdle() const { return asked_ == answered_; }
+    bool isIdle() const { return worker_.isIdle(); }
 
   Q_SIGNALS:
     /// Null where the frames cannot be drawn, and why.
     void finished(std::shared_ptr<const patina::FrameDifference> difference, QString problem);
 
   private:
+    using Answer = Result<std::shared_ptr<const FrameDifference>>;
     class Workshop;
-    struct Job {
-        quint64 number = 0;
-        Request request;
-    };
 
-    void wake();
-    void work();
-    std::optional<Job> next();
-    void answer(quint64 number, const Result<FrameDifference>& difference);
+    Answer draw(const Request& request, const Worker::Control& control);
 
     std::filesystem::path programCache_;
-    quint64 asked_ = 0;
-    quint64 answered_ = 0;
-    std::mutex mutex_; ///< guards the four below, which the thread shares
-    std::optional<Job> job_;
-    bool isEnding_ = false;
-    bool isHurried_ = false;
-    std::condition_variable news_;
-    BackgroundJob worker_; ///< the last: it ends before what it uses
+    std::unique_ptr<Workshop> workshop_; ///< of the worker's thread
+    Worker worker_;
 };
 
 } // namespace patina

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "background/free_memory.h"
-#include "gl/headless_context.h"
 #include "render/frame/frame_job.h"
 #include "render/gpu/fallback_size.h"
 
@@ -50,97 +48,41 @@ TextureLookup placeholder(const TextureUse&, TextureDecoding) {
     return {nullptr, true};
 }
 
-/// A context with a renderer in it.
-class Workshop {
-  public:
-    static std::unique_ptr<Workshop> open(const std::filesystem::path& programCache) {
-        auto context = gl::HeadlessContext::create();
-        if (!context) {
-            return nullptr;
-        }
-        auto renderer = Renderer::create({programCache});
-        if (!renderer) {
-            return nullptr;
-        }
-        auto shop = std::make_unique<Workshop>();
-        shop->context_ = std::move(*context);
-        shop->renderer_ = std::move(*renderer);
-        shop->renderer_->setTextures(placeholder);
-        return shop;
+/// Draws the frame where nothing shows. The context is current.
+void makePrograms(const ProgramWorker::Frame& frame, Renderer& renderer) {
+    renderer.setTextures(placeholder);
+    renderer.setCatalog(frame.catalog);
+    View view = frame.view;
+    view.size = smallSizeFor(frame);
+    const int triangles = trianglesFor(frame, view.size);
+    std::vector<Mesh> meshes;
+    for (const Bounds& bounds : frame.meshes) {
+        meshes.push_back(bounds.empty() ? Mesh() : fallbackFor(bounds, triangles));
     }
-
-    void make(const ProgramWorker::Frame& frame) {
-        renderer_->setCatalog(frame.catalog);
-        View view = frame.view;
-        view.size = smallSizeFor(frame);
-        const int triangles = trianglesFor(frame, view.size);
-        std::vector<Mesh> meshes;
-        for (const Bounds& bounds : frame.meshes) {
-            meshes.push_back(bounds.empty() ? Mesh() : fallbackFor(bounds, triangles));
-        }
-        view.effects = frame.effects ? &*frame.effects : nullptr;
-        const Object* const first = frame.scene.objects.data();
-        const MeshSource source = [&](const Object& object) {
-            return meshes[static_cast<std::size_t>(&object - first)].view();
-        };
-        renderer_->begin(frame.scene, view, source, FramePurpose::Prewarm).step(FrameJob::never);
-    }
-
-  private:
-    std::unique_ptr<gl::HeadlessContext> context_;
-    std::unique_ptr<Renderer> renderer_;
-};
+    view.effects = frame.effects ? &*frame.effects : nullptr;
+    const Object* const first = frame.scene.objects.data();
+    const MeshSource source = [&](const Object& object) {
+        return meshes[static_cast<std::size_t>(&object - first)].view();
+    };
+    renderer.begin(frame.scene, view, source, FramePurpose::Prewarm).step(FrameJob::never);
+}
 
 } // namespace
 
 ProgramWorker::ProgramWorker(std::filesystem::path programCache, QObject* parent)
-    : QObject(parent), programCache_(std::move(programCache)) {
-    connect(&worker_, &BackgroundJob::finished, this, &ProgramWorker::wake);
-}
-
-ProgramWorker::~ProgramWorker() {
-    const std::lock_guard lock(mutex_);
-    jobs_.clear();
-}
+    : QObject(parent), programCache_(std::move(programCache)) {}
 
 quint64 ProgramWorker::ask(Frame frame) {
-    {
-        const std::lock_guard lock(mutex_);
-        jobs_.push_back({++asked_, std::move(frame)});
-    }
-    wake();
+    const auto make = [this, frame = std::move(frame)](const Worker::Control& control) {
+        if (control.openContext()) {
+            if (const auto renderer = Renderer::create({programCache_})) {
+                makePrograms(frame, **renderer);
+            }
+        }
+        control.closeContext(); // what the driver has made is on the disk when it is gone
+    };
+    worker_.ask(make, [this, number = ++asked_](const Result<void>&) { Q_EMIT finished(number); });
     return asked_;
-}
-
-void ProgramWorker::wake() {
-    const std::lock_guard lock(mutex_);
-    if (!jobs_.empty()) {
-        worker_.start([this](BackgroundJob::Control&) {
-            work();
-            return endOf(true, {});
-        });
-    }
-}
-
-/// The next frame, if there is one.
-std::optional<ProgramWorker::Job> ProgramWorker::next() {
-    const std::lock_guard lock(mutex_);
-    if (jobs_.empty()) {
-        return std::nullopt;
-    }
-    Job job = std::move(jobs_.front());
-    jobs_.pop_front();
-    return job;
-}
-
-void ProgramWorker::work() {
-    while (const std::optional<Job> job = next()) {
-        if (const auto shop = Workshop::open(programCache_)) {
-            shop->make(job->frame);
-        } // what the driver has made is on the disk when its context is gone
-        Q_EMIT finished(job->number);
-    }
-    returnFreeMemory();
 }
 
 } // namespace patina

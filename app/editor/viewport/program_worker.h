@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <deque>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include <QObject>
 
-#include "background/background_job.h"
+#include "background/worker.h"
 #include "catalog/catalog.h"
 #include "core/mesh.h"
 #include "render/renderer.h"
@@ -37,9 +35,6 @@ class ProgramWorker : public QObject {
 
     explicit ProgramWorker(std::filesystem::path programCache, QObject* parent = nullptr);
 
-    /// Waits for the frame that it works on.
-    ~ProgramWorker() override;
-
     /// finished() follows with the number that this returns, also where nothing could be made.
     quint64 ask(Frame frame);
 
@@ -47,20 +42,9 @@ class ProgramWorker : public QObject {
     void finished(quint64 number);
 
   private:
-    struct Job {
-        quint64 number = 0;
-        Frame frame;
-    };
-
-    void wake();
-    void work();
-    std::optional<Job> next();
-
     std::filesystem::path programCache_;
     quint64 asked_ = 0;
-    std::mutex mutex_; ///< guards what is below, which the thread shares
-    std::deque<Job> jobs_;
-    BackgroundJob worker_; ///< the last: it ends before what it uses
+    Worker worker_;
 };
 
 } // namespace patina

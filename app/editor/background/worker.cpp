@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "background/worker.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "background/free_memory.h"
+
+namespace patina {
+namespace {
+
+constexpr qint64 tellEveryMs = 50;
+constexpr int idleThreadMs = 100;
+
+} // namespace
+
+Worker::Control::Control(Worker& worker, std::shared_ptr<Task> task)
+    : worker_(worker), task_(std::move(task)) {
+    sinceTold_.start();
+}
+
+Progress& Worker::Control::progress() const {
+    return task_->progress;
+}
+
+bool Worker::Control::isSuperseded() const {
+    const std::lock_guard lock(worker_.mutex_);
+    return !task_->key.isEmpty() && std::ranges::any_of(worker_.waiting_, [this](const auto& task) {
+        return task->key == task_->key;
+    });
+}
+
+void Worker::Control::tell(double share, const QString& doing, bool isAnother) {
+    if (isAnother || sinceTold_.elapsed() >= tellEveryMs) {
+        sinceTold_.restart();
+        show([worker = &worker_, share, doing] { Q_EMIT worker->progressed(share, doing); });
+    }
+}
+
+void Worker::Control::show(std::function<void()> news) const {
+    worker_.handOver(task_, std::move(news), false);
+}
+
+Result<void> Worker::Control::openContext() const {
+    auto& context = worker_.context_;
+    if (!context) {
+        context = gl::HeadlessContext::create();
+    }
+    return *context ? Result<void>() : tl::unexpected(context->error());
+}
+
+Worker::Worker(Options options) : options_(std::move(options)), isPaused_(options_.isPaused) {
+    pool_.setMaxThreadCount(1);
+    pool_.setExpiryTimeout(idleThreadMs);
+    pool_.setThreadPriority(options_.priority);
+}
+
+Worker::~Worker() {
+    options_.atEnd == AtEnd::Finish ? finish() : forget();
+    {
+        const std::lock_guard lock(mutex_);
+        isEnding_ = true;
+    }
+    changed_.notify_all();
+    pool_.waitForDone();
+}
+
+std::shared_ptr<Progress> Worker::add(const QString& key, Job work) {
+    auto task = std::make_shared<Task>();
+    task->key = key;
+    task->work = std::move(work);
+    open_.push_back(task);
+    {
+        const std::lock_guard lock(mutex_);
+        const auto older = std::ranges::find_if(
+            waiting_, [&](const auto& other) { return !key.isEmpty() && other->key == key; });
+        if (older != waiting_.end()) {
+            std::erase(open_, std::exchange(*older, task));
+        } else {
+            waiting_.push_back(task);
+        }
+    }
+    startThread();
+    return {task, &task->progress};
+}
+
+void Worker::resume() {
+    isPaused_ = false;
+    startThread();
+}
+
+/// Where there is something to do and nobody who does it.
+void Worker::startThread() {
+    const std::lock_guard lock(mutex_);
+    if (!isPaused_ && !waiting_.empty() && !std::exchange(hasThread_, true)) {
+        pool_.start([this] { run(); });
+    }
+    changed_.notify_all();
+}
+
+void Worker::cancel() {
+    for (const auto& task : open_) {
+        task->progress.cancelled = true;
+    }
+}
+
+void Worker::forget() {
+    cancel();
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_.clear();
+    }
+    open_.clear();
+}
+
+void Worker::finish() {
+    resume();
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_.empty() && !running_; });
+}
+
+/// In the worker's thread, as are those below.
+void Worker::run() {
+    while (const std::shared_ptr<Task> task = next()) {
+        Control control(*this, task);
+        Delivery delivery = task->work(control);
+        task->work = nullptr; // what it holds is not needed to hand over
+        handOver(task, std::move(delivery), true);
+    }
+    if (options_.atRest) {
+        options_.atRest();
+    }
+    closeContext();
+}
+
+/// Null when it is time to rest. Whoever asks after that starts the thread again, which the pool
+/// does when this one is through.
+std::shared_ptr<Worker::Task> Worker::next() {
+    std::unique_lock lock(mutex_);
+    running_.reset();
+    changed_.notify_all();
+    changed_.wait_for(lock, options_.patience, [this] { return isEnding_ || !waiting_.empty(); });
+    if (waiting_.empty()) {
+        hasThread_ = false;
+        return nullptr;
+    }
+    running_ = std::move(waiting_.front());
+    waiting_.pop_front();
+    return running_;
+}
+
+/// What is forgotten by then is not open any more.
+void Worker::handOver(const std::shared_ptr<Task>& task, Delivery delivery, bool isLast) {
+    const auto deliver = [this, task, delivery = std::move(delivery), isLast] {
+        const auto found = std::ranges::find(open_, task);
+        if (found == open_.end()) {
+            return;
+        }
+        if (isLast) {
+            open_.erase(found);
+        }
+        delivery();
+    };
+    QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+}
+
+void Worker::closeContext() {
+    if (std::exchange(context_, std::nullopt)) {
+        returnFreeMemory(); // compilers leave a lot
+    }
+}
+
+/// Of the exception that was caught.
+Error Worker::currentError() {
+    try {
+        throw;
+    } catch (const std::exception& thrown) {
+        return {{}, 0, 0, thrown.what(), {}};
+    } catch (...) {
+        return {{}, 0, 0, "it failed for an unknown reason", {}};
+    }
+}
+
+} // namespace patina
