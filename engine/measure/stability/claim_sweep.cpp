@@ -54,8 +54,21 @@ EvalCase ClaimSweep::caseOf(const ClaimTrial& trial, std::size_t place) const {
     return request;
 }
 
-Result<void> ClaimSweep::step(const EvalProgram& program, SweepReport& report) {
-    const std::vector<const ClaimTrial*> trials = nextTrials();
+Steps ClaimSweep::run(const EvalProgram& program, SweepReport& report, Result<void>& done) {
+    for (; row_ < rows_.size(); ++row_) {
+        for (trial_ = 0; trial_ < trials_.size();) {
+            co_yield Steps::Pause();
+            done = tryOut(nextTrials(), program, report);
+            if (!done) {
+                co_return;
+            }
+        }
+    }
+}
+
+/// Draws the trials' places and judges them.
+Result<void> ClaimSweep::tryOut(const std::vector<const ClaimTrial*>& trials,
+                                const EvalProgram& program, SweepReport& report) const {
     const auto numbers = static_cast<std::size_t>(program.shape().caseTexels) * 4;
     std::vector<float> texels;
     for (const ClaimTrial* trial : trials) {
@@ -84,10 +97,6 @@ Result<void> ClaimSweep::step(const EvalProgram& program, SweepReport& report) {
         judge(*trial, first, report);
     }
     report.cases += count;
-    if (trial_ == trials_.size()) {
-        trial_ = 0;
-        ++row_;
-    }
     return {};
 }
 

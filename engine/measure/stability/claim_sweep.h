@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/steps.h"
 #include "measure/eval/eval_program.h"
 #include "measure/stability/claim_trials.h"
 
@@ -13,14 +14,16 @@ class ClaimSweep {
   public:
     explicit ClaimSweep(const EvalCase& variant);
 
-    bool finished() const { return row_ == rows_.size(); }
     double progress() const;
 
-    /// Draws the places of some trials and judges them; its context must be current.
-    Result<void> step(const EvalProgram& program, SweepReport& report);
+    /// Tries some of the claims in each step, whose context must be current. Where the program
+    /// cannot be drawn with, `done` says why, and nothing more is tried.
+    Steps run(const EvalProgram& program, SweepReport& report, Result<void>& done);
 
   private:
     std::vector<const ClaimTrial*> nextTrials();
+    Result<void> tryOut(const std::vector<const ClaimTrial*>& trials, const EvalProgram& program,
+                        SweepReport& report) const;
     EvalCase caseOf(const ClaimTrial& trial, std::size_t place) const;
     void judge(const ClaimTrial& trial, std::span<const double> values, SweepReport& report) const;
 

@@ -103,9 +103,8 @@ class StabilitySweep::Variant {
             co_yield Steps::Pause();
             done = evaluateSlice(report);
         }
-        while (done && claims_ && !claims_->finished()) {
-            co_yield Steps::Pause();
-            done = claims_->step(*program_, report);
+        if (done && claims_) {
+            co_await claims_->run(*program_, report, done);
         }
         if (!done) {
             report.errors.push_back(done.error());

@@ -2,7 +2,6 @@
 #include "measure/time/paired_frames.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace patina {
 namespace {
@@ -17,8 +16,8 @@ constexpr int warmingDirections = 16;
 
 PairedFrames::PairedFrames(TimedFrames& frames, const ChosenFrame& exact, const ChosenFrame& other,
                            const Limits& limits, const MedianInterval& empty)
-    : frames_(frames), exact_(exact), other_(other), limits_(limits),
-      pairs_(limits.pairs, empty) {}
+    : frames_(frames), exact_(exact), other_(other), limits_(limits), pairs_(limits.pairs, empty),
+      run_(run()) {}
 
 double PairedFrames::spent() const {
     return std::chrono::duration<double>(Clock::now() - began_).count();
@@ -29,12 +28,15 @@ double PairedFrames::progress() const {
     return std::min(std::max(byPairs, spent() / limits_.seconds), 1.0);
 }
 
-/// What only warms up needs no more directions of an environment than make the programs and targets
-/// of the frame.
-double PairedFrames::nextTime() {
-    const ChosenFrame& frame = exactTime_ ? other_ : exact_;
-    if (isWarm_ || frame.view.environmentSamples <= warmingDirections) {
-        return frames_.timeOf(frame.scene, frame.view);
+double PairedFrames::timeOf(const ChosenFrame& frame) {
+    return frames_.timeOf(frame.scene, frame.view);
+}
+
+/// Milliseconds of the frame, or 0 where it had fewer directions of an environment: it needs no
+/// more than make its programs and targets.
+double PairedFrames::warmUp(const ChosenFrame& frame) {
+    if (frame.view.environmentSamples <= warmingDirections) {
+        return timeOf(frame);
     }
     View view = frame.view;
     view.environmentSamples = warmingDirections;
@@ -47,21 +49,26 @@ void PairedFrames::addPair(double exact, double other) {
     exactTimes_.push_back(exact);
 }
 
-bool PairedFrames::step() {
-    const double time = nextTime();
-    if (!exactTime_) {
-        exactTime_ = time;
-        return false;
+bool PairedFrames::isEnough() const {
+    const bool hasFewest = pairs_.runs() >= limits_.pairs.fewest;
+    return pairs_.runs() > 0 && (spent() > limits_.longest || pairs_.finished() ||
+                                 (hasFewest && spent() > limits_.seconds));
+}
+
+/// The first pair makes programs and targets.
+Steps PairedFrames::run() {
+    const double warmExact = warmUp(exact_);
+    co_yield Steps::Pause();
+    const double warmOther = warmUp(other_);
+    if (std::min(warmExact, warmOther) > slowMilliseconds) {
+        addPair(warmExact, warmOther);
     }
-    const double exact = *std::exchange(exactTime_, std::nullopt);
-    const bool isSlow = spent() > limits_.longest;
-    if (isWarm_ || std::min(exact, time) > slowMilliseconds) {
-        addPair(exact, time);
+    while (!isEnough()) {
+        co_yield Steps::Pause();
+        const double exact = timeOf(exact_);
+        co_yield Steps::Pause();
+        addPair(exact, timeOf(other_));
     }
-    isWarm_ = true;
-    const bool isEnough = pairs_.runs() >= limits_.pairs.fewest;
-    return pairs_.runs() > 0 &&
-           (isSlow || pairs_.finished() || (isEnough && spent() > limits_.seconds));
 }
 
 } // namespace patina

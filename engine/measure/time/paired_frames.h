@@ -2,9 +2,9 @@
 #pragma once
 
 #include <chrono>
-#include <optional>
 #include <vector>
 
+#include "core/steps.h"
 #include "measure/choice/choices.h"
 #include "measure/time/choice_cost.h"
 #include "measure/time/timed_frames.h"
@@ -24,8 +24,14 @@ class PairedFrames {
     PairedFrames(TimedFrames& frames, const ChosenFrame& exact, const ChosenFrame& other,
                  const Limits& limits, const MedianInterval& empty);
 
+    PairedFrames(const PairedFrames&) = delete;
+    PairedFrames& operator=(const PairedFrames&) = delete;
+
     /// True when no more frames are wanted.
-    bool step();
+    bool step() {
+        run_.step();
+        return run_.isDone();
+    }
 
     double progress() const; ///< 0 .. 1; may end before, where times settle
 
@@ -37,8 +43,11 @@ class PairedFrames {
   private:
     using Clock = std::chrono::steady_clock;
 
-    double nextTime();
+    Steps run();
+    double timeOf(const ChosenFrame& frame);
+    double warmUp(const ChosenFrame& frame);
     void addPair(double exact, double other);
+    bool isEnough() const;
     double spent() const;
 
     TimedFrames& frames_;
@@ -47,9 +56,8 @@ class PairedFrames {
     Limits limits_;
     CostPairs pairs_;
     Clock::time_point began_ = Clock::now();
-    bool isWarm_ = false;             ///< what programs and targets take to be made is over
-    std::optional<double> exactTime_; ///< of the pair whose second frame is next
     std::vector<double> exactTimes_;
+    Steps run_;
 };
 
 } // namespace patina
