@@ -119,6 +119,7 @@ class Worker : public QObject {
     void progressed(double share, const QString& doing); ///< share: 0 .. 1
 
   private:
+    using Context = Result<std::unique_ptr<gl::HeadlessContext>>;
     using Delivery = std::function<void()>;
     using Job = std::function<Delivery(Control&)>;
 
@@ -162,9 +163,8 @@ class Worker : public QObject {
     const Options options_;
     bool isPaused_;                           ///< of the thread that asks, as is the next
     std::vector<std::shared_ptr<Task>> open_; ///< were asked for and are not handed over
-    std::optional<Result<std::unique_ptr<gl::HeadlessContext>>>
-        context_;              ///< of the worker's thread
-    mutable std::mutex mutex_; ///< guards what follows but the pool
+    std::optional<Context> context_;          ///< of the worker's thread; empty: not tried
+    std::mutex mutex_;                        ///< guards what follows but the pool
     std::condition_variable changed_;
     std::deque<std::shared_ptr<Task>> waiting_;
     std::shared_ptr<Task> running_;
