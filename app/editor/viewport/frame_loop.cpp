@@ -3,15 +3,11 @@
 
 #include <utility>
 
-#include <QLabel>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QOpenGLWidget>
 
 #include "background/free_memory.h"
 #include "render/frame/frame_job.h"
 #include "render/surfaces/inspection_drawer.h"
-#include "viewport/program_worker.h"
 
 namespace patina {
 namespace {
@@ -30,19 +26,13 @@ constexpr int pauseMs = 5;
 } // namespace
 
 FrameLoop::FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed)
-    : widget_(widget), viewed_(viewed), stopwatch_(widget),
-      note_(new QLabel(tr("Drawing the scene …"), &widget)),
+    : widget_(widget), viewed_(viewed), stopwatch_(widget), programs_(viewed), note_(widget),
       targets_([this] { return isDrawing() || wantsSamples(); }, [this] { releaseTargets(); }) {
-    note_->setContentsMargins(12, 6, 12, 6);
-    note_->setAutoFillBackground(true);
-    note_->hide();
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, &FrameLoop::proceed);
     sampleTimer_.setSingleShot(true);
     connect(&sampleTimer_, &QTimer::timeout, this, &FrameLoop::addSamples);
-    if (const ProgramWorker* programs = viewed.sources().programs) {
-        connect(programs, &ProgramWorker::finished, this, &FrameLoop::takePrograms);
-    }
+    connect(&programs_, &OrderedPrograms::came, this, &FrameLoop::takePrograms);
 }
 
 void FrameLoop::open() {
@@ -172,7 +162,7 @@ void FrameLoop::beginFrame() {
     }
     drawFrame(isNew ? beginJob(FramePurpose::Window) : job);
     if (isNew && isDrawing()) {
-        showNote();
+        note_.show(frameCount_ > 0);
     }
 }
 
@@ -184,19 +174,21 @@ FrameJob& FrameLoop::beginJob(FramePurpose purpose) {
 /// has no window yet that could stand still. What came and is still lacking was not kept by the
 /// driver or the disk: it is made here.
 bool FrameLoop::waitsForPrograms(FrameJob& job) {
-    if (!viewed_.sources().programs || frameCount_ == 0) {
+    if (!programs_.canOrder() || frameCount_ == 0) {
         return false;
     }
     const std::uint64_t missing = job.missingPrograms();
-    if (missing == 0 || (ordered_.number == 0 && ordered_.missing == missing)) {
-        ordered_ = {};
+    if (missing == 0 || (!programs_.areAwaited() && missing_ == missing)) {
+        programs_.forget();
+        missing_ = 0;
         return false;
     }
-    ordered_ = {viewed_.askForPrograms(viewed_.sources().scene(), view()), missing};
+    programs_.order(viewed_.sources().scene(), view());
+    missing_ = missing;
     ++waitCount_;
     goOnWith(Progress::Waiting);
     if (isNew_) {
-        showNote();
+        note_.show(frameCount_ > 0);
     }
     return true;
 }
@@ -208,11 +200,7 @@ void FrameLoop::makeTargets() {
     widget_.doneCurrent();
 }
 
-void FrameLoop::takePrograms(quint64 number) {
-    if (number != ordered_.number) {
-        return;
-    }
-    ordered_.number = 0;
+void FrameLoop::takePrograms() {
     if (progress_ == Progress::Waiting) {
         turn_.stop();
         progress_ = Progress::Idle;
@@ -230,7 +218,7 @@ bool FrameLoop::drawSketch(FrameJob& job) {
     }
     if (sketching_) {
         goOnWith(Progress::Drawing);
-        showNote();
+        note_.show(frameCount_ > 0);
     } else {
         job.show(widget_.defaultFramebufferObject());
         finishSketch();
@@ -274,7 +262,7 @@ void FrameLoop::proceed() {
 void FrameLoop::finishSketch() {
     stopwatch_.end();
     progress_ = Progress::Idle;
-    note_->hide();
+    note_.hide();
     stale_ = true;
     widget_.update();
     Q_EMIT sketchDrawn();
@@ -287,7 +275,7 @@ void FrameLoop::finishFrame() {
     }
     progress_ = Progress::Idle;
     ++frameCount_;
-    note_->hide();
+    note_.hide();
     const FrameReport& report = renderer_->report();
     targets_.noteUse();
     if (report.messages != messages_) {
@@ -301,21 +289,6 @@ void FrameLoop::finishFrame() {
     } else {
         continueSoon();
     }
-}
-
-/// Before the first frame there is nothing yet that could stay on the screen.
-void FrameLoop::showNote() {
-    if (frameCount_ == 0) {
-        QOpenGLFunctions& gl = *widget_.context()->functions();
-        const QColor empty = widget_.palette().color(QPalette::Dark);
-        gl.glBindFramebuffer(GL_FRAMEBUFFER, widget_.defaultFramebufferObject());
-        gl.glClearColor(empty.redF(), empty.greenF(), empty.blueF(), 1.0f);
-        gl.glClear(GL_COLOR_BUFFER_BIT);
-    }
-    // A note over all of the view would hide it from Qt, which then paints it no more.
-    note_->adjustSize();
-    note_->move(widget_.rect().center() - note_->rect().center());
-    note_->show();
 }
 
 bool FrameLoop::wantsSamples() const {

@@ -10,11 +10,12 @@
 
 #include "render/renderer.h"
 #include "render/surfaces/pixel_probe.h"
+#include "viewport/drawing_note.h"
 #include "viewport/frame_stopwatch.h"
 #include "viewport/idle_release.h"
+#include "viewport/ordered_programs.h"
 #include "viewport/viewed_scene.h"
 
-class QLabel;
 class QOpenGLWidget;
 
 namespace patina {
@@ -118,16 +119,10 @@ class FrameLoop : public QObject {
         Lent ///< until takeBack()
     };
 
-    /// What a ProgramWorker was asked for.
-    struct Order {
-        quint64 number = 0; ///< 0: nothing, or it came
-        std::uint64_t missing = 0;
-    };
-
     void beginFrame();
     FrameJob& beginJob(FramePurpose purpose);
     bool waitsForPrograms(FrameJob& job);
-    void takePrograms(quint64 number);
+    void takePrograms();
     void makeTargets();
     bool drawSketch(FrameJob& job);
     void drawFrame(FrameJob& job);
@@ -135,7 +130,6 @@ class FrameLoop : public QObject {
     void proceed();
     void finishSketch();
     void finishFrame();
-    void showNote();
     bool wantsSamples() const;
     void continueSoon();
     void addSamples();
@@ -153,10 +147,11 @@ class FrameLoop : public QObject {
     Progress progress_ = Progress::Idle; ///< of a frame that takes several turns
     bool sketching_ = false;             ///< that frame is a sketch
     QTimer turn_;                        ///< its next one
-    Order ordered_;                      ///< for the next frame
-    QLabel* note_;                       ///< that a picture is on its way
-    bool stale_ = true;                  ///< the picture is not of what would be drawn now
-    bool isNew_ = true;                  ///< no frame of this scene has been begun yet
+    OrderedPrograms programs_;           ///< of the next frame
+    std::uint64_t missing_ = 0;          ///< what they were ordered for; 0: nothing
+    DrawingNote note_;
+    bool stale_ = true; ///< the picture is not of what would be drawn now
+    bool isNew_ = true; ///< no frame of this scene has been begun yet
     bool inspecting_ = false;
     QTimer sampleTimer_;       ///< the next frame that adds samples
     bool moreSamples_ = false; ///< that frame is asked for

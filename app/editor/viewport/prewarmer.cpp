@@ -3,24 +3,20 @@
 
 #include <utility>
 
-#include "viewport/program_worker.h"
-
 namespace patina {
 
 Prewarmer::Prewarmer(FrameLoop& frames, const ViewedScene& viewed)
-    : frames_(frames), viewed_(viewed) {
+    : frames_(frames), programs_(viewed) {
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, &Prewarmer::makeNext);
     connect(&frames, &FrameLoop::frameDrawn, this, &Prewarmer::goOn);
-    if (const ProgramWorker* programs = viewed.sources().programs) {
-        connect(programs, &ProgramWorker::finished, this, &Prewarmer::takePrograms);
-    }
+    connect(&programs_, &OrderedPrograms::came, this, &Prewarmer::prepare);
 }
 
 void Prewarmer::add(const Scene& ahead) {
     if (frames_.canDraw() && !frames_.isInspecting()) {
         scenes_.push_back(ahead);
-        order_ = 0;
+        programs_.forget();
         turn_.start(0);
     }
 }
@@ -40,22 +36,15 @@ void Prewarmer::makeNext() {
     if (scenes_.empty() || !frames_.isUpToDate()) {
         return;
     }
-    if (viewed_.sources().programs) {
-        order_ = viewed_.askForPrograms(scenes_.back(), viewAhead());
+    if (programs_.canOrder()) {
+        programs_.order(scenes_.back(), viewAhead());
     } else {
-        prepare();
-    }
-}
-
-void Prewarmer::takePrograms(quint64 number) {
-    if (number == order_) {
         prepare();
     }
 }
 
 /// Loads what was made elsewhere, so that a frame that needs it does not have to.
 void Prewarmer::prepare() {
-    order_ = 0;
     if (!frames_.canDraw() || scenes_.empty() || !frames_.isUpToDate()) {
         return;
     }

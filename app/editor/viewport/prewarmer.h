@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "viewport/frame_loop.h"
+#include "viewport/ordered_programs.h"
 
 namespace patina {
 
@@ -28,14 +29,12 @@ class Prewarmer : public QObject {
   private:
     void goOn();
     void makeNext();
-    void takePrograms(quint64 number);
     void prepare();
     View viewAhead() const;
 
     FrameLoop& frames_;
-    const ViewedScene& viewed_;
     std::vector<Scene> scenes_; ///< whose programs are still to be made
-    quint64 order_ = 0;         ///< of the last of them; 0: it was not asked for
+    OrderedPrograms programs_;  ///< of the last of them
     QTimer turn_;               ///< one of them a turn
 };
 

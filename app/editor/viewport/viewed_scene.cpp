@@ -7,7 +7,6 @@
 #include <QWidget>
 
 #include "scene/environment.h"
-#include "viewport/program_worker.h"
 
 namespace patina {
 
@@ -30,21 +29,6 @@ int ViewedScene::wantedSamples() const {
     const Block* block =
         catalog_ == nullptr ? nullptr : blockOf(scene.parts, kinds::environment, *catalog_);
     return block == nullptr ? usualDirections : directionsOf(*environment, *block);
-}
-
-quint64 ViewedScene::askForPrograms(const Scene& scene, const View& view) const {
-    ProgramWorker::Frame frame{scene, {}, view, {}, 0, catalog_};
-    if (view.effects) {
-        frame.effects = *view.effects;
-    }
-    frame.view.effects = nullptr;
-    frame.view.environmentImage = nullptr;
-    for (const Object& object : scene.objects) {
-        const MeshView mesh = object.visible ? sources_.meshes(object) : MeshView();
-        frame.meshes.push_back(mesh.indices.empty() ? Bounds() : mesh.bounds);
-        frame.triangles += std::ssize(mesh.indices) / 3;
-    }
-    return sources_.programs->ask(std::move(frame));
 }
 
 glm::ivec2 pixelsOf(const QWidget& widget, const QSize& size) {

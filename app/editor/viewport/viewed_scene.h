@@ -48,10 +48,6 @@ class ViewedScene {
     /// the scene says.
     int wantedSamples() const;
 
-    /// Has the programs made of a frame of a scene, which ProgramWorker::finished() tells of with
-    /// this number. There must be a ProgramWorker.
-    quint64 askForPrograms(const Scene& scene, const View& view) const;
-
   private:
     Sources sources_;
     const QWidget& widget_;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/ordered_programs.h"
+
+#include <iterator>
+#include <utility>
+
+#include "viewport/program_worker.h"
+#include "viewport/viewed_scene.h"
+
+namespace patina {
+
+OrderedPrograms::OrderedPrograms(const ViewedScene& viewed) : viewed_(viewed) {
+    if (canOrder()) {
+        connect(viewed.sources().programs, &ProgramWorker::finished, this, &OrderedPrograms::take);
+    }
+}
+
+bool OrderedPrograms::canOrder() const {
+    return viewed_.sources().programs != nullptr;
+}
+
+void OrderedPrograms::order(const Scene& scene, const View& view) {
+    ProgramWorker::Frame frame{scene, {}, view, {}, 0, viewed_.catalog()};
+    if (view.effects) {
+        frame.effects = *view.effects;
+    }
+    frame.view.effects = nullptr;
+    frame.view.environmentImage = nullptr;
+    for (const Object& object : scene.objects) {
+        const MeshView mesh = object.visible ? viewed_.sources().meshes(object) : MeshView();
+        frame.meshes.push_back(mesh.indices.empty() ? Bounds() : mesh.bounds);
+        frame.triangles += std::ssize(mesh.indices) / 3;
+    }
+    number_ = viewed_.sources().programs->ask(std::move(frame));
+}
+
+void OrderedPrograms::take(quint64 number) {
+    if (number == number_) {
+        number_ = 0;
+        Q_EMIT came();
+    }
+}
+
+} // namespace patina
