@@ -31,6 +31,21 @@ TEST(Grid, ClickBesideTheItems_KeepsTheChoice) {
     EXPECT_EQ(grid.selectedItems().front(), grid.item(1));
 }
 
+TEST(Grid, EnterOnAHiddenItem_ChoosesNothing) {
+    PictureGrid grid(72);
+    grid.setEntries(entries(2));
+    grid.setCurrentRow(0);
+    std::vector<QString> chosen;
+    QObject::connect(&grid, &PictureGrid::chosen, &grid,
+                     [&](QListWidgetItem* item) { chosen.push_back(item->text()); });
+    grid.item(0)->setHidden(true);
+    QTest::keyClick(&grid, Qt::Key_Return);
+    EXPECT_TRUE(chosen.empty());
+    grid.item(0)->setHidden(false);
+    QTest::keyClick(&grid, Qt::Key_Return);
+    EXPECT_EQ(chosen, std::vector<QString>{"0"});
+}
+
 TEST(Grid, NewEntries_KeepThePlace) {
     PictureGrid grid(72);
     grid.resize(300, 300);

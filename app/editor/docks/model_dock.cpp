@@ -25,9 +25,7 @@ ModelDock::ModelDock(const DockContext& context)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(grid_);
     grid_->setAccessibleName(tr("Lighting models"));
-    connect(grid_, &QListWidget::itemClicked, this,
-            [this](QListWidgetItem* item) { choose(grid_->keyOf(item)); });
-    connect(grid_, &QListWidget::itemActivated, this,
+    connect(grid_, &PictureGrid::chosen, this,
             [this](QListWidgetItem* item) { choose(grid_->keyOf(item)); });
     grid_->setMouseTracking(true);
     rest_.setSingleShot(true);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QEvent>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QPainter>
 #include <QScrollBar>
@@ -47,6 +48,7 @@ PictureGrid::PictureGrid(int pictureSize, QWidget* parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setDragEnabled(true);
     setDragDropMode(QAbstractItemView::DragOnly);
+    connect(this, &QListWidget::itemClicked, this, &PictureGrid::chosen);
 }
 
 void PictureGrid::setEntries(const std::vector<Entry>& entries) {
@@ -93,12 +95,20 @@ void PictureGrid::wishPictures() {
 
 /// The keys need a place to start from; nothing is chosen by that.
 void PictureGrid::focusInEvent(QFocusEvent* event) {
-    for (int row = 0; !currentItem() && row < count(); ++row) {
-        if (!item(row)->isHidden()) {
-            setCurrentRow(row, QItemSelectionModel::NoUpdate);
-        }
+    if (QListWidgetItem* first = firstShown(); first && !currentItem()) {
+        setCurrentItem(first, QItemSelectionModel::NoUpdate);
     }
     QListWidget::focusInEvent(event);
+}
+
+void PictureGrid::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    QListWidgetItem* current = currentItem();
+    if (isEnter && current && !current->isHidden()) {
+        Q_EMIT chosen(current);
+        return;
+    }
+    QListWidget::keyPressEvent(event);
 }
 
 void PictureGrid::setPicture(const QString& key, const QImage& picture) {
@@ -129,6 +139,15 @@ QString PictureGrid::fileOf(const QListWidgetItem* item) const {
 QListWidgetItem* PictureGrid::find(const QString& key) const {
     for (int row = 0; row < count(); ++row) {
         if (keyOf(item(row)) == key) {
+            return item(row);
+        }
+    }
+    return nullptr;
+}
+
+QListWidgetItem* PictureGrid::firstShown() const {
+    for (int row = 0; row < count(); ++row) {
+        if (!item(row)->isHidden()) {
             return item(row);
         }
     }

@@ -9,7 +9,7 @@
 namespace patina {
 
 /// A grid of named pictures that fits its columns to its width. An item has a key, and may stand
-/// for a file, which can then be dragged out.
+/// for a file, which can then be dragged out. It is chosen by a click or Enter.
 class PictureGrid : public QListWidget {
     Q_OBJECT
 
@@ -35,8 +35,12 @@ class PictureGrid : public QListWidget {
     QString keyOf(const QListWidgetItem* item) const;
     QString fileOf(const QListWidgetItem* item) const;
     QListWidgetItem* find(const QString& key) const;
+    /// The first item that is not hidden; null where all are.
+    QListWidgetItem* firstShown() const;
 
   Q_SIGNALS:
+    /// By a click or Enter, also where it is the current one already; never one that is hidden.
+    void chosen(QListWidgetItem* item);
     /// An item without a picture of its own came into sight; once per item after
     /// setEntries() and wishAnew().
     void pictureWished(const QString& key);
@@ -49,6 +53,7 @@ class PictureGrid : public QListWidget {
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     void fitColumns();

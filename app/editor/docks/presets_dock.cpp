@@ -91,8 +91,13 @@ PresetsDock::PresetsDock(const DockContext& context)
     layout->addWidget(grid_, 1);
     connect(save, &QToolButton::clicked, &files_, &FileActions::exportPreset);
     connect(search_, &QLineEdit::textChanged, this, &PresetsDock::applyFilter);
-    connect(grid_, &QListWidget::itemActivated, this,
-            [this](QListWidgetItem* item) { apply(item, document_.activeSide()); });
+    const auto put = [this](QListWidgetItem* item) { apply(item, document_.activeSide()); };
+    connect(grid_, &PictureGrid::chosen, this, put);
+    connect(search_, &QLineEdit::returnPressed, grid_, [this, put] {
+        if (QListWidgetItem* found = grid_->currentItem()) {
+            put(found);
+        }
+    });
     connect(grid_, &QWidget::customContextMenuRequested, this, &PresetsDock::showMenu);
     connect(&presets_, &PresetLibrary::changed, this, &PresetsDock::fill);
     connect(&presets_, &PresetLibrary::checked, this, &PresetsDock::applyFilter);
@@ -140,6 +145,16 @@ void PresetsDock::applyFilter() {
                    : entries.empty()  ? tr("There are no presets yet.")
                                       : tr("No preset matches."));
     hint_->setVisible(shown == 0);
+    chooseAShownOne();
+}
+
+/// What Enter puts on a side is to be seen.
+void PresetsDock::chooseAShownOne() {
+    const QListWidgetItem* current = grid_->currentItem();
+    const bool isSearching = !search_->text().trimmed().isEmpty();
+    if (current ? current->isHidden() : isSearching) {
+        grid_->setCurrentItem(grid_->firstShown());
+    }
 }
 
 void PresetsDock::showMenu(const QPoint& place) {

@@ -15,8 +15,8 @@ namespace patina {
 class PictureGrid;
 struct PresetEntry;
 
-/// The presets that ship and the user's own, with search. A double click puts one on the active
-/// side; dragging puts it where it is dropped.
+/// The presets that ship and the user's own, with search. A click puts one on the active side, and
+/// so does Enter, also in the search; dragging puts it where it is dropped.
 class PresetsDock : public QWidget {
     Q_OBJECT
 
@@ -27,6 +27,7 @@ class PresetsDock : public QWidget {
     void fill();
     void askForPicture(const QString& file);
     void applyFilter();
+    void chooseAShownOne();
     void showMenu(const QPoint& place);
     void apply(const QListWidgetItem* item, Side side);
     void moveToTrash(const QString& file);
