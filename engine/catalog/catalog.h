@@ -46,6 +46,9 @@ std::vector<BlockRoot> standardBlockRoots();
 /// The folder that holds shaders/, presets/ and schemas/.
 std::filesystem::path dataFolder();
 
+/// Whether a file is one of the presets and scenes that ship, links and all.
+bool isShippedPreset(const std::filesystem::path& file);
+
 /// The scene that a new document starts as.
 std::filesystem::path defaultSceneFile();
 

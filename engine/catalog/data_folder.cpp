@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "catalog/xdg_folders.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 
@@ -60,6 +61,17 @@ std::filesystem::path dataFolder() {
     const fs::path installed = installedFolder();
     const fs::path sources = PATINA_SOURCE_FOLDER;
     return !isDataFolder(installed) && isDataFolder(sources) ? sources : installed;
+}
+
+bool isShippedPreset(const std::filesystem::path& file) {
+    std::error_code noFolder;
+    std::error_code circle; // of links, which leads nowhere
+    const fs::path folder = fs::weakly_canonical(dataFolder() / "presets", noFolder);
+    const fs::path path = fs::weakly_canonical(file, circle);
+    std::error_code status;
+    return !file.empty() && !noFolder && !circle && fs::is_regular_file(path, status) &&
+           std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+               folder.end();
 }
 
 std::filesystem::path defaultSceneFile() {

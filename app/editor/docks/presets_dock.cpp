@@ -170,11 +170,12 @@ void PresetsDock::showMenu(const QPoint& place) {
     QMenu menu;
     menu.addAction(tr("Put on side A"), this, [this, file] { files_.applyPreset(file, Side::A); });
     menu.addAction(tr("Put on side B"), this, [this, file] { files_.applyPreset(file, Side::B); });
-    menu.addAction(tr("Open to edit this file"), this,
+    const bool isShipped = entry == entries.end() || entry->shipped;
+    menu.addAction(isShipped ? tr("Open to edit a copy") : tr("Open to edit this file"), this,
                    [this, file] { files_.open({file}, document_.activeSide()); });
     menu.addSeparator();
     QAction* trash = menu.addAction(tr("Move to trash"), this, [this, file] { moveToTrash(file); });
-    trash->setEnabled(entry != entries.end() && !entry->shipped);
+    trash->setEnabled(!isShipped);
     menu.exec(grid_->viewport()->mapToGlobal(place));
 }
 

@@ -282,6 +282,11 @@ bool DocumentFiles::isOwnFile(const std::filesystem::path& path) const {
 }
 
 bool DocumentFiles::mayOverwrite(const std::filesystem::path& path) {
+    if (isShippedPreset(path)) {
+        Q_EMIT message({path.string(), 0, 0, "the file comes with Patina and stays as it is",
+                        "another file name or folder"});
+        return false;
+    }
     if (file_.readOnly && isOwnFile(path)) {
         Q_EMIT message({path.string(), 0, 0, "the file was written by a newer version of Patina",
                         "another file name, so that nothing in it is lost"});

@@ -55,7 +55,8 @@ class DocumentFiles : public QObject {
     bool savePreset(const std::filesystem::path& path, Side side);
     /// Saves under a name: the preset that is the document is then called so itself.
     bool savePreset(const std::filesystem::path& path, Side side, const std::string& name);
-    /// Saves to file(), by its kind; false when there is none or it is read-only.
+    /// Saves to file(), by its kind; false when there is none or it is not to be written. What
+    /// comes with Patina never is, whoever names it.
     bool save();
 
     /// What a scene or preset file names outside its folder and would not read with these rights.

@@ -35,6 +35,22 @@ std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::pat
     return missing ? std::nullopt : std::optional(time);
 }
 
+/// The folder of the user's own presets; where it cannot be made a dialog starts elsewhere.
+QString madePresetFolder() {
+    const std::filesystem::path folder = PresetLibrary::userFolder();
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    return QString::fromStdString(folder.string());
+}
+
+/// As much of a name as fits into 255 bytes with an ending.
+QString fitting(QString name) {
+    while (name.toUtf8().size() > maxNameBytes) {
+        name.chop(name.back().isLowSurrogate() ? 2 : 1);
+    }
+    return name;
+}
+
 QString withSuffix(QString file, const QString& suffix) {
     if (file.isEmpty() || file.endsWith(suffix)) {
         return file;
@@ -66,7 +82,8 @@ void FileActions::newDocument() {
 
 bool FileActions::save() {
     const DocumentFile& file = files_.file();
-    if (file.kind == DocumentFile::Kind::None || file.readOnly || files_.outgrewPreset()) {
+    if (file.kind == DocumentFile::Kind::None || file.readOnly || files_.outgrewPreset() ||
+        isShippedPreset(file.path)) {
         return saveAs();
     }
     // Also when nothing was edited: the camera is no edit, and the file may be gone or another.
@@ -81,11 +98,7 @@ bool FileActions::saveAs() {
     const bool isPreset =
         files_.file().kind == DocumentFile::Kind::Preset && !files_.outgrewPreset();
     QString filter = isPreset ? presetFilter() : sceneFilter();
-    const std::filesystem::path folder = files_.file().path.parent_path();
-    const QString start =
-        (folder.empty() ? session_.folder("scene") : QString::fromStdString(folder.string())) +
-        '/' + suggestedName();
-    QString file = QFileDialog::getSaveFileName(window_, tr("Save As"), start,
+    QString file = QFileDialog::getSaveFileName(window_, tr("Save As"), suggestedFile(),
                                                 sceneFilter() + ";;" + presetFilter(), &filter);
     if (file.isEmpty()) {
         return false;
@@ -138,11 +151,8 @@ void FileActions::exportPreset() {
     if (!material) {
         return;
     }
-    const std::filesystem::path folder = PresetLibrary::userFolder();
-    std::error_code ignored; // the dialog then starts elsewhere
-    std::filesystem::create_directories(folder, ignored);
     const QString name = asFileName(QString::fromStdString(material->name)) + presetSuffix;
-    const QString start = QString::fromStdString((folder / name.toStdString()).string());
+    const QString start = madePresetFolder() + '/' + name;
     const QString asked = QFileDialog::getSaveFileName(window_, tr("Save the material as a preset"),
                                                        start, presetFilter());
     const QString file = withSuffix(asked, presetSuffix);
@@ -386,6 +396,9 @@ QString FileActions::questionText() const {
                   "lights, fog, objects or side B.")
             .arg(file);
     }
+    if (isShippedPreset(files_.file().path)) {
+        return tr("Save the changes to a copy? %1 comes with Patina and stays as it is.").arg(file);
+    }
     return tr("Save the changes to %1?").arg(file.isEmpty() ? tr("the untitled scene") : file);
 }
 
@@ -410,10 +423,7 @@ QString FileActions::asFileName(const QString& name) {
     safe.replace(QRegularExpression(QStringLiteral("[^\\w.-]+"),
                                     QRegularExpression::UseUnicodePropertiesOption),
                  QStringLiteral("-"));
-    while (safe.toUtf8().size() > maxNameBytes) { // with an ending it must fit into 255
-        safe.chop(safe.back().isLowSurrogate() ? 2 : 1);
-    }
-    return safe.isEmpty() ? QStringLiteral("untitled") : safe;
+    return safe.isEmpty() ? QStringLiteral("untitled") : fitting(safe);
 }
 
 void FileActions::openDocument(const QString& file) {
@@ -421,9 +431,9 @@ void FileActions::openDocument(const QString& file) {
         return;
     }
     const bool isScene = kindOf(file) == Kind::Scene;
-    const ReadingRights rights = consent_.rightsFor(
-        file, isScene ? DocumentFile::Kind::Scene : DocumentFile::Kind::Preset,
-        document_.catalog());
+    const ReadingRights rights =
+        consent_.rightsFor(file, isScene ? DocumentFile::Kind::Scene : DocumentFile::Kind::Preset,
+                           document_.catalog());
     const bool opened = isScene ? files_.openScene(file.toStdString(), rights)
                                 : files_.openPreset(file.toStdString(), rights);
     if (opened) {
@@ -440,6 +450,30 @@ void FileActions::tellOutside(const QString& file) {
         tell({file.toStdString(), 0, 0, "names files outside its folder, which are not read",
               "File > Allow Files Outside, where you trust it"});
     }
+}
+
+/// What comes with Patina is saved as a copy: a preset among the user's own.
+QString FileActions::suggestedFile() const {
+    const std::filesystem::path& path = files_.file().path;
+    const std::filesystem::path folder = path.parent_path();
+    if (isShippedPreset(path)) {
+        const bool isPreset =
+            files_.file().kind == DocumentFile::Kind::Preset && !files_.outgrewPreset();
+        return isPreset ? madePresetFolder() + '/' + nameOfCopy() + presetSuffix
+                        : session_.folder("scene") + '/' + nameOfCopy() + sceneSuffix;
+    }
+    return (folder.empty() ? session_.folder("scene") : QString::fromStdString(folder.string())) +
+           '/' + suggestedName();
+}
+
+/// It names what is saved, too, and is written as names are.
+QString FileActions::nameOfCopy() const {
+    const Material* material = document_.material(Side::A);
+    const bool isPreset = files_.file().kind == DocumentFile::Kind::Preset;
+    const std::string& name = isPreset && material ? material->name : document_.scene().name;
+    const QString stem = QString::fromStdString(files_.file().path.filename().string());
+    const QString called = name.empty() ? stem.section('.', 0, 0) : QString::fromStdString(name);
+    return fitting(tr("Copy of %1").arg(called).replace('/', '-'));
 }
 
 QString FileActions::suggestedName() const {

@@ -91,7 +91,9 @@ class FileActions : public QObject {
     bool mayReplace(const QString& asked, const QString& file);
     bool mayReplaceChanged(const std::filesystem::path& file);
     QString questionText() const;
+    QString suggestedFile() const;
     QString suggestedName() const;
+    QString nameOfCopy() const;
 
     Document& document_;
     DocumentFiles& files_;

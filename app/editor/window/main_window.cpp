@@ -156,8 +156,9 @@ void MainWindow::updateTitle() {
     const DocumentFile& file = documentFiles_.file();
     const QString name =
         file.path.empty() ? tr("Untitled") : QString::fromStdString(file.path.filename().string());
-    setWindowTitle(file.readOnly ? tr("%1[*] (read-only) – Patina").arg(name)
-                                 : tr("%1[*] – Patina").arg(name));
+    const bool isReadOnly = file.readOnly || isShippedPreset(file.path);
+    setWindowTitle(isReadOnly ? tr("%1[*] (read-only) – Patina").arg(name)
+                              : tr("%1[*] – Patina").arg(name));
     setWindowFilePath(QString::fromStdString(file.path.string()));
     setWindowModified(document_.isModified());
 }
