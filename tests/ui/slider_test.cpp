@@ -254,6 +254,15 @@ TEST_F(Label, EscapeDuringADrag_LeavesNoStep) {
     release(row("roughness").label());
 }
 
+TEST_F(Label, EscapeAfterADragPastTheSlidersEnd_GivesTheSliderItsRangeBack) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    scrub(row("roughness").label(), 600);
+    ASSERT_GT(slider("roughness")->range().upper(), 1.0);
+    QTest::keyClick(row("roughness").label(), Qt::Key_Escape);
+    EXPECT_EQ(slider("roughness")->range().upper(), 1.0);
+    release(row("roughness").label());
+}
+
 TEST_F(Label, Clicked_ChangesNothing) {
     QTest::mouseClick(row("roughness").label(), Qt::LeftButton);
     EXPECT_EQ(fixture.steps(), 0);
@@ -288,6 +297,29 @@ TEST_F(Number, TypedBeyondTheSoftRange_WidensTheSlider) {
 TEST_F(Number, Reset_NarrowsTheSliderAgain) {
     type("roughness", "4");
     QTest::keyClick(slider("roughness"), Qt::Key_Backspace);
+    EXPECT_EQ(slider("roughness")->range().upper(), 1.0);
+}
+
+TEST_F(Number, UndoOfAValueBeyondTheSoftRange_GivesTheSliderItsRangeBack) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    type("roughness", "4");
+    ASSERT_GT(slider("roughness")->range().upper(), 4.0);
+    document.undoStack().undo();
+    EXPECT_EQ(slider("roughness")->range().upper(), 1.0);
+}
+
+TEST_F(Number, TypedIntoAWidenedSlider_LeavesItsRange) {
+    type("roughness", "4");
+    const double upper = slider("roughness")->range().upper();
+    type("roughness", "0.75");
+    EXPECT_EQ(slider("roughness")->range().upper(), upper);
+}
+
+TEST_F(Number, OfAnotherMaterialInsideTheSoftRange_NarrowsTheSlider) {
+    type("roughness", "4");
+    Material other = *document.material(Side::A);
+    other.model.parameters["roughness"] = 0.25;
+    document.replaceMaterial(Side::A, other, "Preset");
     EXPECT_EQ(slider("roughness")->range().upper(), 1.0);
 }
 

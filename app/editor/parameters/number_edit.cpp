@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include <QHBoxLayout>
+#include <QScopedValueRollback>
 
 #include "parameters/number_box.h"
 #include "parameters/scrub_label.h"
-#include "parameters/value_steps.h"
 #include "parameters/value_slider.h"
+#include "parameters/value_steps.h"
 
 namespace patina {
 
@@ -51,13 +52,18 @@ NumberEdit::NumberEdit(const Parameter& parameter, double defaultValue, const QS
     connect(box_, &NumberBox::stepped, this, &NumberEdit::step);
 }
 
+/// A handle stays under the pointer, and a number that is edited here where it is.
+bool NumberEdit::keepsRange(double value) const {
+    const bool isDefault = static_cast<float>(value) == static_cast<float>(defaultValue_);
+    return slider_->isDragging() || isScrubbing_ || (!isDefault && (isAsking_ || value == value_));
+}
+
 void NumberEdit::present(double value) {
-    value_ = value;
     SliderRange range = range_;
-    if (static_cast<float>(value) == static_cast<float>(defaultValue_) && !slider_->isDragging() &&
-        !isScrubbing_) {
+    if (!keepsRange(value)) {
         range.reset();
     }
+    value_ = value;
     range.widenFor(value);
     if (!(range == range_)) {
         range_ = range;
@@ -73,6 +79,7 @@ void NumberEdit::ask(double wanted) {
     }
     const bool isWhole = parameter_.type == ParameterType::Int;
     const double number = isWhole ? std::round(wanted) : wanted;
+    const QScopedValueRollback<bool> asking(isAsking_, true);
     Q_EMIT edited(std::clamp(number, parameter_.min, parameter_.max));
 }
 
@@ -91,7 +98,7 @@ void NumberEdit::scrubWith(ScrubLabel& label) {
     label.setDraggable();
     connect(&label, &ScrubLabel::scrubBegan, this, &NumberEdit::beginScrub);
     connect(&label, &ScrubLabel::scrubbed, this, &NumberEdit::scrub);
-    connect(&label, &ScrubLabel::scrubCancelled, this, [this] { ask(scrubStart_); });
+    connect(&label, &ScrubLabel::scrubCancelled, this, &NumberEdit::cancelScrub);
     connect(&label, &ScrubLabel::scrubEnded, this, &NumberEdit::endScrub);
 }
 
@@ -110,9 +117,14 @@ void NumberEdit::scrub(double pixels, Qt::KeyboardModifiers modifiers) {
     if (scrubRange_.isInHardRange(position)) {
         scrubPosition_ = position; // or the way back from the end would be as long as the way there
     }
-    ask(modifiers & Qt::ControlModifier
-            ? scrubRange_.continuedSnapAt(position, snapPixels * pixel)
-            : scrubRange_.continuedValueAt(position, pixel));
+    ask(modifiers & Qt::ControlModifier ? scrubRange_.continuedSnapAt(position, snapPixels * pixel)
+                                        : scrubRange_.continuedValueAt(position, pixel));
+}
+
+void NumberEdit::cancelScrub() {
+    ask(scrubStart_);
+    range_ = scrubRange_;
+    slider_->setRange(range_);
 }
 
 void NumberEdit::endScrub() {

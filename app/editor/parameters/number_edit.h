@@ -23,6 +23,8 @@ class NumberEdit : public QWidget {
     NumberEdit(const Parameter& parameter, double defaultValue, const QString& name,
                QWidget* parent = nullptr);
 
+    /// Shows a number. One that comes from elsewhere (an undo, another material) has the slider it
+    /// needs; while the number is edited here the slider only widens.
     void present(double value);
     double value() const { return value_; }
     ValueSlider* slider() const { return slider_; }
@@ -41,6 +43,8 @@ class NumberEdit : public QWidget {
 
   private:
     void ask(double wanted);
+    bool keepsRange(double value) const;
+    void cancelScrub();
     void step(double steps);
     void beginScrub();
     void scrub(double pixels, Qt::KeyboardModifiers modifiers);
@@ -55,6 +59,7 @@ class NumberEdit : public QWidget {
     double scrubPosition_ = 0.0;
     double scrubStart_ = 0.0; ///< where Esc goes back to
     bool isScrubbing_ = false;
+    bool isAsking_ = false; ///< what is presented meanwhile is the answer
     ValueSlider* slider_;
     NumberBox* box_;
     QTimer stepping_; ///< a held key or a turned wheel is one interaction until it rests
