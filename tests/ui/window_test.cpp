@@ -13,6 +13,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 
 #include "docks/picture_grid.h"
 #include "document/scene_edits.h"
@@ -110,6 +111,13 @@ TEST_F(Layout, HeightOfADock_IsKeptForTheNextStart) {
     window().dock("accuracy")->show();
     QTest::qWait(1000); // as long as it would take to grow
     EXPECT_NEAR(window().dock("accuracy")->height(), chosen, 2);
+}
+
+TEST_F(Layout, FirstWindow_LeavesRoomForItsFrameOnTheScreen) {
+    const QSize screen = window().screen()->availableSize();
+    EXPECT_LT(window().normalGeometry().height(), screen.height() - 30); // a title bar
+    EXPECT_LT(window().normalGeometry().width(), screen.width());
+    EXPECT_TRUE(window().isMaximized()); // a screen of 1600 x 1000 has no room around it
 }
 
 TEST_F(Window, Edit_MarksTheTitle) {

@@ -15,6 +15,11 @@ namespace {
 constexpr int layoutVersion = 5;
 
 constexpr QSize preferredSize{1600, 1000};
+
+/// A title bar and edges, at least as large as desktops draw them: nobody knows before the window
+/// is shown.
+constexpr QSize usualFrame{12, 48};
+
 constexpr int narrowWindow = 1400;
 
 Qt::DockWidgetArea areaOf(DockPlace place) {
@@ -122,10 +127,10 @@ void WindowLayout::reset() {
 }
 
 void WindowLayout::restore(const Session& session) {
-    const QSize available = window_.screen()->availableSize();
-    window_.resize(preferredSize.boundedTo(available));
+    const QSize room = window_.screen()->availableSize() - usualFrame;
+    window_.resize(preferredSize.boundedTo(room));
     const bool known = window_.restoreGeometry(session.windowGeometry());
-    if (!known && available.width() < preferredSize.width()) {
+    if (!known && window_.size() != preferredSize) {
         window_.setWindowState(Qt::WindowMaximized);
     }
     hideBottom();
