@@ -52,6 +52,26 @@ TEST_F(Form, ChangedValue_HasAMarkThatResets) {
     EXPECT_FALSE(mark->isVisible());
 }
 
+TEST_F(Form, AsNarrowAsItCanBe_ShowsItsResetMarks) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    ASSERT_LT(form->minimumSizeHint().width(), 300);
+    form->resize(form->minimumSizeHint().width(), form->height());
+    QTest::qWait(50); // a layout that was put off
+    const auto* mark = row("roughness").findChild<ResetMark*>();
+    const QRect place(mark->mapTo(form, QPoint()), mark->size());
+    EXPECT_TRUE(form->rect().contains(place)) << place.right() << " of " << form->width();
+}
+
+TEST_F(Form, Widened_HasItsLabelsAsWideAsBefore) {
+    const int before = row("roughness").label()->width();
+    form->resize(form->minimumSizeHint().width(), form->height());
+    QTest::qWait(50); // a layout that was put off
+    EXPECT_LT(row("roughness").label()->width(), before);
+    form->resize(420, form->height());
+    QTest::qWait(50);
+    EXPECT_EQ(row("roughness").label()->width(), before);
+}
+
 TEST_F(Form, RowThatDoesNotCount_IsFoldedAndCanBeOpened) {
     EXPECT_TRUE(row("strength").isFolded());
     EXPECT_TRUE(row("strength").isVisible());

@@ -18,6 +18,7 @@
 #include "docks/picture_grid.h"
 #include "document/scene_edits.h"
 #include "files/key_pause.h"
+#include "parameters/reset_mark.h"
 #include "ui/answer.h"
 #include "ui/window_fixture.h"
 
@@ -118,6 +119,21 @@ TEST_F(Layout, FirstWindow_LeavesRoomForItsFrameOnTheScreen) {
     EXPECT_LT(window().normalGeometry().height(), screen.height() - 30); // a title bar
     EXPECT_LT(window().normalGeometry().width(), screen.width());
     EXPECT_TRUE(window().isMaximized()); // a screen of 1600 x 1000 has no room around it
+}
+
+TEST_F(Layout, NarrowestParameters_ShowTheirResetMarks) {
+    window().resizeDocks({window().dock("parameters")}, {100}, Qt::Horizontal);
+    QTest::qWait(200); // layouts that were put off
+    const QDockWidget& dock = *window().dock("parameters");
+    int marks = 0;
+    for (const ResetMark* mark : dock.findChildren<ResetMark*>()) {
+        if (mark->isVisible()) {
+            ++marks;
+            EXPECT_LE(mark->mapTo(&dock, mark->rect().bottomRight()).x(), dock.width());
+        }
+    }
+    EXPECT_GT(marks, 0);
+    EXPECT_LT(dock.width(), 400);
 }
 
 TEST_F(Window, Edit_MarksTheTitle) {

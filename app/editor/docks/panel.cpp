@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/panel.h"
 
+#include <algorithm>
+
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -11,6 +15,26 @@ namespace patina {
 namespace {
 
 constexpr int margin = 6;
+constexpr int widest = 340; ///< pixels that a content may claim
+
+/// A scroll area that is as wide as its content needs, within reason.
+class ScrolledContent : public QScrollArea {
+  public:
+    QSize minimumSizeHint() const override {
+        const QSize least = QScrollArea::minimumSizeHint();
+        const int needed =
+            widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+        return {std::max(least.width(), std::min(needed, widest)), least.height()};
+    }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest) {
+            updateGeometry();
+        }
+        return QScrollArea::eventFilter(watched, event);
+    }
+};
 
 } // namespace
 
@@ -25,10 +49,9 @@ void fillPanel(QWidget* panel, const std::vector<QWidget*>& rows, QWidget* scrol
 }
 
 QWidget* scrolledUpDown(QWidget* content) {
-    auto* area = new QScrollArea;
+    auto* area = new ScrolledContent;
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setFocusPolicy(Qt::NoFocus);
     auto* holder = new QWidget;
     auto* layout = new QVBoxLayout(holder);

@@ -14,7 +14,8 @@ namespace patina {
 /// Lays out a dock's widget: fixed rows on top, and below them what may grow and scroll.
 void fillPanel(QWidget* panel, const std::vector<QWidget*>& rows, QWidget* scrolled);
 
-/// A widget in a scroll area without a frame that scrolls up and down only.
+/// A widget in a scroll area without a frame that scrolls up and down. It cannot be made narrower
+/// than its content; one that is very wide scrolls to the sides, too.
 QWidget* scrolledUpDown(QWidget* content);
 
 /// A label before a widget, as its buddy.

@@ -5,6 +5,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <QResizeEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -217,15 +218,45 @@ std::vector<ParameterRow*> ParameterForm::rows() const {
     return inOrder;
 }
 
-/// One column of labels for the whole form: as wide as its longest, within reason.
+int ParameterForm::narrowestLabel() const {
+    return 12 * fontMetrics().averageCharWidth();
+}
+
+/// One column of labels for the whole form: as wide as its longest, within reason, and narrower
+/// where the rows would not fit beside it; longer labels wrap.
 void ParameterForm::alignLabels() {
     const int letter = fontMetrics().averageCharWidth();
-    int width = 14 * letter;
+    int wished = 14 * letter;
+    int beside = 0;
     for (const auto& [id, row] : rows_) {
-        width = std::max(width, row->labelWidthHint());
+        wished = std::max(wished, row->labelWidthHint());
+        beside = std::max(beside, row->widthBesideLabel());
     }
+    const QMargins margins = column_->contentsMargins();
+    const int room = width() - margins.left() - margins.right() - beside - 6 * letter;
+    labelWidth_ = std::max(std::min({wished, 26 * letter, room}), narrowestLabel());
     for (const auto& [id, row] : rows_) {
-        row->setLabelWidth(std::min(width, 26 * letter)); // longer ones wrap
+        row->setLabelWidth(labelWidth_);
+    }
+}
+
+/// Labels give way.
+QSize ParameterForm::minimumSizeHint() const {
+    const QSize least = QWidget::minimumSizeHint();
+    return rows_.empty() ? least : least - QSize(labelWidth_ - narrowestLabel(), 0);
+}
+
+bool ParameterForm::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) {
+        alignLabels(); // a row may need more room now
+    }
+    return QWidget::event(event);
+}
+
+void ParameterForm::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width()) {
+        alignLabels();
     }
 }
 

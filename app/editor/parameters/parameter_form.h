@@ -48,8 +48,12 @@ class ParameterForm : public QWidget {
     /// The images on the form's values.
     FormTextures& textures() const { return *textures_; }
 
+    QSize minimumSizeHint() const override;
+
   protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
   private:
     using Rows = std::map<std::string, ParameterRow*, std::less<>>;
@@ -68,6 +72,7 @@ class ParameterForm : public QWidget {
     void updateDependents(const ParameterRow& changed);
     void updateCounting(ParameterRow& row);
     void alignLabels();
+    int narrowestLabel() const;
     void orderTabs();
 
     FormTextures* textures_;
@@ -79,6 +84,7 @@ class ParameterForm : public QWidget {
     std::map<std::string, Condition, std::less<>> conditions_; ///< by the id of their row
     std::vector<ParameterSection*> sections_;
     std::map<QString, bool> foldedSections_; ///< remembered while models are swapped
+    int labelWidth_ = 0;
     QLabel* empty_;
     QVBoxLayout* ungrouped_;
     QVBoxLayout* column_;

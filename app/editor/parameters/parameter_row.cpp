@@ -62,6 +62,7 @@ void ParameterRow::makeLayout() {
     line->addWidget(warning_, 0, Qt::AlignTop);
     line->addWidget(resetMark_, 0, Qt::AlignTop);
     label_->setWordWrap(true);
+    setLabelWidth(labelWidthHint());
     editor_->scrubWith(*label_);
     foldButton_->setAutoRaise(true);
     foldButton_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -154,6 +155,13 @@ void ParameterRow::updateSummary() {
 
 int ParameterRow::labelWidthHint() const {
     return label_->fontMetrics().horizontalAdvance(label_->text()) + 2;
+}
+
+/// A mark that comes must not need more room.
+int ParameterRow::widthBesideLabel() const {
+    const int mark = resetMark_->sizeHint().width() + layout()->spacing();
+    return layout()->minimumSize().width() - label_->minimumWidth() +
+           (resetMark_->isHidden() ? mark : 0);
 }
 
 void ParameterRow::setLabelWidth(int width) {

@@ -46,6 +46,8 @@ class ParameterRow : public QWidget {
     /// Whether the parameter counts at present; `reason` says when it would.
     void setCounting(bool counts, const QString& reason);
     int labelWidthHint() const;
+    /// The least that the row needs beside its label, its marks included.
+    int widthBesideLabel() const;
     void setLabelWidth(int width);
     /// What Tab goes through, in order.
     std::vector<QWidget*> focusChain() const;
