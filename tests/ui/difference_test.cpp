@@ -105,10 +105,13 @@ TEST_F(Difference, EndOfComparing_HidesIt) {
 
 TEST_F(Difference, NotWantedAnyMore_GivesTheCameraBack) {
     window().comparison().setComparing(true);
+    settle(); // the views have their sizes
     const Camera before = camera();
     window().views().setDifferenceWanted(true);
+    settle();
     EXPECT_GT(camera().distance, before.distance);
     window().views().setDifferenceWanted(false);
+    settle();
     EXPECT_EQ(camera(), before);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <QAbstractItemView>
 #include <QDockWidget>
@@ -14,6 +16,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "document/scene_edits.h"
 #include "ui/window_fixture.h"
 #include "viewport/side_view.h"
 
@@ -125,6 +128,27 @@ TEST_F(Viewports, ComparedForTheFirstTime_NameWhatTheyShow) {
         const QLabel& title = *each->findChild<QLabel*>("title");
         EXPECT_TRUE(title.text().contains(title.toolTip().left(4))) << title.text().toStdString();
     }
+}
+
+TEST_F(Viewports, NarrowerThanHigh_ShowTheWholeObject) {
+    window().dock("parameters")->hide();
+    window().dock("lights")->hide();
+    window().resize(620, 900);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().height() > 700; }));
+    newFrames();
+    ASSERT_LT(view().width(), 0.7 * view().height());
+    const Object& object = document().scene().objects[0];
+    const double edge =
+        std::tan(0.5 * glm::radians(camera().fieldOfView)) * view().width() / view().height();
+    double farthest = 0.0;
+    for (const Vertex& vertex : window().meshes().view(object).vertices) {
+        const glm::dvec4 seen =
+            viewMatrix(camera()) * worldMatrix(object) * glm::dvec4(vertex.position, 1.0);
+        farthest = std::max(farthest, std::abs(seen.x / seen.z / edge));
+    }
+    EXPECT_GT(farthest, 0.5);
+    EXPECT_LT(farthest, 1.0);
+    EXPECT_FALSE(document().isModified());
 }
 
 TEST_F(Viewports, LeftDrag_Orbits) {

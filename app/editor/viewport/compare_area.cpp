@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QShowEvent>
-
 #include "viewport/camera_moves.h"
 #include "viewport/difference_view.h"
 
@@ -66,14 +64,11 @@ SideView* CompareArea::addView(Side side) {
     addWidget(view);
     connect(view, &SideView::cameraWished, this,
             [this, side](const Camera& shown) { moveCamera(side, shown); });
+    connect(&view->viewport(), &Viewport::resized, this, &CompareArea::fitNarrowViews);
     connect(view, &SideView::resetWished, this, [this, side] { resetCamera(side); });
     connect(view, &SideView::filesDropped, this,
             [this, side](const QStringList& files) { Q_EMIT filesDropped(files, side); });
     return view;
-}
-
-int CompareArea::wantedViews() const {
-    return !document_.isComparing() ? 1 : wantsDifference_ ? 3 : 2;
 }
 
 void CompareArea::setDifferenceWanted(bool wanted) {
@@ -97,7 +92,7 @@ void CompareArea::showSides() {
         second_->setVisible(comparing);
     }
     showDifference(comparing && wantsDifference_);
-    fitNarrowViews(wantedViews());
+    fitNarrowViews();
 }
 
 void CompareArea::showDifference(bool shown) {
@@ -113,24 +108,24 @@ void CompareArea::showDifference(bool shown) {
     setSizes({1, 1, shown ? 1 : 0});
 }
 
-/// Fits the views again: only now the area has its size.
-void CompareArea::showEvent(QShowEvent* event) {
-    QSplitter::showEvent(event);
-    if (!event->spontaneous()) {
-        views_ = 0;
-        fitNarrowViews(wantedViews());
+/// The field of view is the height's: where a view is narrower than high all step back, so that
+/// what is in a square is not cut off. The document's camera stays where it is.
+void CompareArea::fitNarrowViews() {
+    double aspect = 1.0; // of the narrowest
+    for (SideView* view : {first_, second_}) {
+        if (view && !view->isHidden()) {
+            const QSize size = view->viewport().size();
+            aspect = std::min(aspect, std::max(size.width(), 1) / double(size.height()));
+        }
     }
-}
-
-/// A part of the area may be too narrow for what filled all of it: the views step back while the
-/// document compares, so that nothing is cut off. The document's camera stays where it is.
-void CompareArea::fitNarrowViews(int views) {
-    if (views == std::exchange(views_, views)) {
-        return;
+    const double stepBack = 1.0 / aspect;
+    const double change = stepBack / std::exchange(stepBack_, stepBack);
+    if (change != 1.0 && second_ && !linked_) {
+        second_->viewport().setCamera(dollied(second_->viewport().camera(), change));
     }
-    const double aspect = double(width()) / (views * std::max(height(), 1));
-    stepBack_ = views == 1 ? 1.0 : std::max(1.0, 1.0 / aspect);
-    showCamera();
+    if (change != 1.0) {
+        showCamera();
+    }
 }
 
 Camera CompareArea::shownFrom(const Camera& camera) const {

@@ -13,7 +13,7 @@ class DifferenceView;
 
 /// The middle of the window: one view, or two side by side while the document compares, and beside
 /// them their difference where that is wanted. Side A's camera is the document's, a step back where
-/// the views are narrow; side B's is the same one until they are unlinked.
+/// a view is narrower than high; side B's is the same one until they are unlinked.
 class CompareArea : public QSplitter {
     Q_OBJECT
 
@@ -46,15 +46,11 @@ class CompareArea : public QSplitter {
     void filesDropped(QStringList files, patina::Side side);
     void viewAdded(patina::SideView* view);
 
-  protected:
-    void showEvent(QShowEvent* event) override;
-
   private:
     SideView* addView(Side side);
     void showSides();
-    int wantedViews() const;
     void showDifference(bool shown);
-    void fitNarrowViews(int views);
+    void fitNarrowViews();
     void moveCamera(Side side, const Camera& shown);
     void showCamera();
     Camera shownFrom(const Camera& camera) const;
@@ -65,7 +61,6 @@ class CompareArea : public QSplitter {
     Camera home_;
     bool linked_ = true;
     bool wantsDifference_ = false;
-    int views_ = 1; ///< side by side
     bool inspecting_ = false;
     double stepBack_ = 1.0; ///< by so much farther away than the document has it
     SideView* first_;

@@ -93,6 +93,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
         doneCurrent();
     }
     frames_.refresh();
+    Q_EMIT resized();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {

@@ -49,6 +49,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
 
   Q_SIGNALS:
     void activated();                 ///< it was clicked
+    void resized();                   ///< it has another size
     void focusShown(bool byKeyboard); ///< the keyboard brought the focus here, or it went
     void filesDropped(QStringList files);
 
