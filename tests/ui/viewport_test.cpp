@@ -130,6 +130,12 @@ TEST_F(Viewports, ComparedForTheFirstTime_NameWhatTheyShow) {
     }
 }
 
+TEST_F(Viewports, ViewAAtTheStart_SaysWhatItShows) {
+    EXPECT_TRUE(view().accessibleDescription().contains(
+        QString::fromStdString(document().material(Side::A)->name)))
+        << view().accessibleDescription().toStdString();
+}
+
 TEST_F(Viewports, NarrowerThanHigh_ShowTheWholeObject) {
     window().dock("parameters")->hide();
     window().dock("lights")->hide();

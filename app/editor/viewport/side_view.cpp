@@ -236,6 +236,7 @@ void SideView::updateTitle() {
             .arg(letterOf(side_), font.elidedText(called, Qt::ElideRight, room).toHtmlEscaped(),
                  state);
     title_->setToolTip(called.toHtmlEscaped());
+    viewport_->setAccessibleDescription(tr("Shows %1").arg(called)); // also while nothing fits
     if (text != title_->text()) {
         title_->setText(text);
         // A style sheet takes margins away, but not in each case.
@@ -244,7 +245,6 @@ void SideView::updateTitle() {
                 .arg(active ? "#101010" : "#f0f0f0",
                      active ? colourOf(side_).name() : colourOf(side_).darker(260).name())
                 .arg(titlePadding));
-        viewport_->setAccessibleDescription(tr("Shows %1").arg(called));
     }
 }
 
