@@ -136,6 +136,17 @@ TEST_F(Layout, NarrowestParameters_ShowTheirResetMarks) {
     EXPECT_LT(dock.width(), 400);
 }
 
+TEST_F(Window, NoteOnAMesh_IsCountedAndOpensNoDock) {
+    auto* badge = window().findChild<QToolButton*>("messageBadge");
+    Q_EMIT window().meshes().remarked({"a.obj", 0, 0, "96 of 2304 triangles had no area", {}});
+    EXPECT_FALSE(window().dock("messages")->isVisible());
+    EXPECT_EQ(badge->text(), "1 note");
+    EXPECT_TRUE(messagesIn(window()).contains("had no area"));
+    window().messages().add({"b.obj", 0, 0, "the file cannot be read", {}});
+    EXPECT_TRUE(window().dock("messages")->isVisible());
+    EXPECT_EQ(badge->text(), "⚠ 2 messages");
+}
+
 TEST_F(Window, Edit_MarksTheTitle) {
     edit(document());
     EXPECT_TRUE(window().isWindowModified());

@@ -24,7 +24,9 @@ Errors MessageLog::messages() const {
             }
         }
     }
-    all.insert(all.end(), events_.begin(), events_.end());
+    for (const Event& event : events_) {
+        all.push_back(event.message);
+    }
     return all;
 }
 
@@ -32,13 +34,26 @@ int MessageLog::count() const {
     return static_cast<int>(messages().size());
 }
 
-void MessageLog::add(const Error& event) {
+int MessageLog::noteCount() const {
+    return static_cast<int>(
+        std::ranges::count_if(events_, [](const Event& event) { return event.isNote; }));
+}
+
+void MessageLog::append(const Event& event) {
     if (events_.size() == maxEvents) {
         events_.erase(events_.begin());
     }
     events_.push_back(event);
     Q_EMIT changed();
+}
+
+void MessageLog::add(const Error& event) {
+    append({event, false});
     Q_EMIT arrived(event);
+}
+
+void MessageLog::addNote(const Error& event) {
+    append({event, true});
 }
 
 void MessageLog::setGroup(const QString& group, const Errors& messages) {

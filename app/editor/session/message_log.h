@@ -10,8 +10,9 @@
 
 namespace patina {
 
-/// What went wrong so far. Events stay until they are cleared; what a group (the catalogue, a
-/// view) has to say is replaced whenever it changes, and gone when it is well again.
+/// What went wrong so far, and notes on what did not. Events stay until they are cleared; what a
+/// group (the catalogue, a view) has to say is replaced whenever it changes, and gone when it is
+/// well again.
 class MessageLog : public QObject {
     Q_OBJECT
 
@@ -21,19 +22,30 @@ class MessageLog : public QObject {
     /// All messages: the groups first, then the events, oldest first.
     Errors messages() const;
     int count() const;
+    /// How many of them are notes.
+    int noteCount() const;
 
     void add(const Error& event);
+    /// An event that nobody has to do anything about.
+    void addNote(const Error& event);
     void setGroup(const QString& group, const Errors& messages);
     void clearEvents();
 
   Q_SIGNALS:
     void changed();
-    /// Something new came, as opposed to something going away.
+    /// Something new went wrong, as opposed to a note and to something going away.
     void arrived(patina::Error message);
 
   private:
+    struct Event {
+        Error message;
+        bool isNote = false;
+    };
+
+    void append(const Event& event);
+
     std::map<QString, Errors> groups_;
-    Errors events_;
+    std::vector<Event> events_;
 };
 
 } // namespace patina

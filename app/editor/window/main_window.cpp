@@ -73,7 +73,7 @@ DockContext MainWindow::dockContext() {
 
 void MainWindow::connectParts() {
     connect(&documentFiles_, &DocumentFiles::message, &messages_, &MessageLog::add);
-    connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::add);
+    connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::addNote);
     connect(&textures_, &TextureLibrary::failed, this,
             [this](const QString&, const Error& why) { messages_.add(why); });
     onChange(document_, DocumentChange::Scene, &textures_, &TextureLibrary::forgetFailures);

@@ -159,7 +159,9 @@ void StatusLine::setSwitchedOff(int effects) {
 
 void StatusLine::showBadge() {
     const int count = messages_.count();
+    const bool onlyNotes = count == messages_.noteCount();
     badge_->setText(count == 0   ? tr("No messages")
+                    : onlyNotes  ? (count == 1 ? tr("1 note") : tr("%1 notes").arg(count))
                     : count == 1 ? tr("⚠ 1 message")
                                  : tr("⚠ %1 messages").arg(count));
     badge_->setAccessibleName(badge_->text());

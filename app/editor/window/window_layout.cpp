@@ -85,7 +85,8 @@ void WindowLayout::arrange() {
         dock->raise();
     }
     hideBottom();
-    if (messages_.count() > 0) { // of the files that were opened before the window came
+    if (messages_.count() >
+        messages_.noteCount()) { // of the files that were opened before the window came
         bringToFront("messages");
     }
     const bool narrow = window_.width() < narrowWindow;
