@@ -147,6 +147,29 @@ TEST_F(Window, NoteOnAMesh_IsCountedAndOpensNoDock) {
     EXPECT_EQ(badge->text(), "⚠ 2 messages");
 }
 
+TEST_F(Window, AddButtonOfTheLights_StaysWhereItIsAsTheyBecomeMore) {
+    QWidget& lights = *window().dock("lights");
+    const auto place = [&lights] {
+        QTest::qWait(50); // a layout that was put off
+        for (QToolButton* button : lights.findChildren<QToolButton*>()) {
+            if (button->text() == "Add") {
+                return button->mapTo(&lights, QPoint());
+            }
+        }
+        return QPoint();
+    };
+    while (!document().scene().lights.empty()) {
+        removeLight(document(), 0);
+    }
+    const QPoint before = place();
+    const std::string kind = document().catalog().ofKind(kinds::lights).front()->id;
+    for (int i = 0; i < 8; ++i) {
+        addLight(document(), kind);
+    }
+    EXPECT_EQ(place(), before);
+    EXPECT_FALSE(before.isNull());
+}
+
 TEST_F(Window, Edit_MarksTheTitle) {
     edit(document());
     EXPECT_TRUE(window().isWindowModified());

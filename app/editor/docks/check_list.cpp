@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/check_list.h"
 
-#include <algorithm>
-
 #include <QKeyEvent>
 #include <QSignalBlocker>
 
 namespace patina {
 namespace {
 
-constexpr int fewestRows = 3;
-constexpr int maxRows = 6;
+constexpr int rowsInSight = 4;
 
 } // namespace
 
@@ -43,7 +40,6 @@ void CheckList::setRows(const std::vector<Row>& rows, int current) {
             item->setCheckState(row.on ? Qt::Checked : Qt::Unchecked);
             item->setToolTip(row.detail);
         }
-        updateGeometry();
     }
     setCurrentRow(current);
 }
@@ -56,10 +52,9 @@ void CheckList::keyPressEvent(QKeyEvent* event) {
     QListWidget::keyPressEvent(event);
 }
 
+/// Always the same, so that what stands below does not move under the pointer.
 QSize CheckList::sizeHint() const {
-    const int rowHeight = count() > 0 ? sizeHintForRow(0) : fontMetrics().lineSpacing() + 4;
-    const int rows = std::clamp(count(), fewestRows, maxRows);
-    return {160, rows * rowHeight + 2 * frameWidth()};
+    return {160, rowsInSight * (fontMetrics().lineSpacing() + 4) + 2 * frameWidth()};
 }
 
 } // namespace patina
