@@ -53,6 +53,32 @@ TEST_F(DocumentFile_, SavedScene_OpensAsItWas) {
     EXPECT_EQ(messages, std::vector<std::string>());
 }
 
+TEST_F(DocumentFile_, PresetAfterAChangeOfModel_HoldsNoValuesOfTheFormerOne) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    document.setModel(Side::A, "second");
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
+    EXPECT_EQ(readFile(folder / "a.patina.json").find("roughness"), std::string::npos);
+    document.setModel(Side::A, "first");
+    EXPECT_EQ(fixture.number("roughness"), 0.75); // the document has it still
+}
+
+TEST_F(DocumentFile_, PresetThatKeepsParkedValues_HasThemWhenItIsOpened) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    document.setModel(Side::A, "second");
+    fixture.files.setKeepsParked(true);
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
+    fixture.files.startFrom(fixtureScene(*fixture.blocks.catalog()));
+    ASSERT_TRUE(fixture.files.openPreset(folder / "a.patina.json"));
+    document.setModel(Side::A, "first");
+    EXPECT_EQ(fixture.number("roughness"), 0.75);
+}
+
+TEST_F(DocumentFile_, CopyOfUnsavedWork_HasTheValuesOfTheFormerModel) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    document.setModel(Side::A, "second");
+    EXPECT_EQ(fixture.files.sceneToRecover().objects.front().material.parked["roughness"], 0.75);
+}
+
 TEST_F(DocumentFile_, SideB_StaysOnItsObject) {
     addObject(document, document.scene().objects.front());
     fixture.comparison.setComparing(true);

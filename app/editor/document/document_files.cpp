@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "document/commands/material_command.h"
+#include "material/parked.h"
 #include "material/preset_file.h"
 #include "scene/scene_file.h"
 
@@ -300,7 +301,7 @@ bool DocumentFiles::saveScene(const std::filesystem::path& path) {
         return false;
     }
     Scene saved = sceneToSave();
-    if (!isOwnFile(path)) { // under another name it is another scene
+    if (!isOwnFile(path)) {                       // under another name it is another scene
         saved.name = path.stem().stem().string(); // without .patina-scene.json
     }
     const Result<void> written = writeScene(path, saved);
@@ -332,8 +333,7 @@ bool DocumentFiles::savePreset(const std::filesystem::path& path, Side side,
     }
     Material saved = *held;
     saved.name = name;
-    return savePreset(path, pathOf(settings::material, document_.currentObject(), side),
-                      saved);
+    return savePreset(path, pathOf(settings::material, document_.currentObject(), side), saved);
 }
 
 /// Nothing is called otherwise before its file is written.
@@ -347,7 +347,8 @@ bool DocumentFiles::savePreset(const std::filesystem::path& path, const BlockPat
         kept = *own;
         kept.name = saved.name;
     }
-    const Result<void> written = writePreset(path, kept);
+    const Result<void> written =
+        writePreset(path, keepsParked_ ? kept : withoutParked(kept, document_.catalog()));
     if (!written) {
         Q_EMIT message(written.error());
         return false;

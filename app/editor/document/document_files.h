@@ -53,6 +53,9 @@ class DocumentFiles : public QObject {
     Scene sceneToRecover() const;
     bool saveScene(const std::filesystem::path& path);
     bool savePreset(const std::filesystem::path& path, Side side);
+    /// Whether presets that are saved keep the values that only other models use. The document
+    /// does, and so do scenes.
+    void setKeepsParked(bool keeps) { keepsParked_ = keeps; }
     /// Saves under a name: the preset that is the document is then called so itself.
     bool savePreset(const std::filesystem::path& path, Side side, const std::string& name);
     /// Saves to file(), by its kind; false when there is none or it is not to be written. What
@@ -83,6 +86,7 @@ class DocumentFiles : public QObject {
     DocumentFile file_;
     int presetObject_ = -1; ///< whose material is in file_, when that is a preset
     bool isRecovered_ = false;
+    bool keepsParked_ = false;
     DocumentState savedState_; ///< as opened or saved, to know what saving a preset leaves out
 };
 

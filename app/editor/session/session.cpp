@@ -123,6 +123,14 @@ void Session::setLook(Look look) {
                                                           : "system");
 }
 
+bool Session::keepsParked() const {
+    return settings_.value("files/keepParked", false).toBool();
+}
+
+void Session::setKeepsParked(bool keeps) {
+    settings_.setValue("files/keepParked", keeps);
+}
+
 QString Session::folder(const QString& purpose) const {
     const QString folder = settings_.value("folders/" + purpose).toString();
     return QDir(folder).exists() && !folder.isEmpty() ? folder : QDir::homePath();

@@ -36,6 +36,10 @@ class Session {
     Look look() const;
     void setLook(Look look);
 
+    /// Whether preset files keep what only other models use.
+    bool keepsParked() const;
+    void setKeepsParked(bool keeps);
+
     /// The folder a file dialog opened in last, one for each purpose ("preset", "scene", "mesh").
     QString folder(const QString& purpose) const;
     void setFolderOf(const QString& purpose, const QString& file);

@@ -53,6 +53,15 @@ void Menus::makeFileMenu() {
     add(menu, tr("&Export Material as Preset…"), QKeySequence("Ctrl+E"),
         [this] { parts_.files.exportPreset(); });
     add(menu, tr("Export Pict&ure…"), QKeySequence("Ctrl+Shift+E"), [this] { exportPicture(); });
+    QAction* parked = menu->addAction(tr("&Keep Values of Other Models in Presets"));
+    parked->setObjectName("keepParked");
+    parked->setCheckable(true);
+    parked->setToolTip(tr("Presets then also hold what models that were chosen before had"));
+    connect(parked, &QAction::toggled, this, [this](bool keeps) {
+        parts_.session.setKeepsParked(keeps);
+        parts_.documentFiles.setKeepsParked(keeps);
+    });
+    parked->setChecked(parts_.session.keepsParked());
     menu->addSeparator();
     add(menu, tr("&Import Mesh…"), QKeySequence("Ctrl+I"), [this] { parts_.files.importMesh(); });
     QAction* allow =
