@@ -157,6 +157,20 @@ TEST_F(Viewports, NarrowerThanHigh_ShowTheWholeObject) {
     EXPECT_FALSE(document().isModified());
 }
 
+TEST_F(Viewports, KeyFOnceMore_FramesAllObjects) {
+    Object other = document().scene().objects[0];
+    other.translation.x += 4.0;
+    addObject(document(), other);
+    QTest::keyClick(&view(), Qt::Key_F);
+    const Camera onOne = camera();
+    EXPECT_NEAR(onOne.pivot.x, other.translation.x, 0.5);
+    QTest::keyClick(&view(), Qt::Key_F);
+    EXPECT_GT(camera().distance, onOne.distance);
+    EXPECT_NEAR(camera().pivot.x, other.translation.x - 2.0, 0.5);
+    QTest::keyClick(&view(), Qt::Key_F);
+    EXPECT_NEAR(camera().distance, onOne.distance, 1e-6);
+}
+
 TEST_F(Viewports, LeftDrag_Orbits) {
     const Camera before = camera();
     drag(Qt::LeftButton, Qt::NoModifier, {40, 0});

@@ -46,6 +46,14 @@ class Fitting {
     double lower_ = std::numeric_limits<double>::infinity();
 };
 
+bool hasExtent(const MeshView& mesh) {
+    return !mesh.bounds.empty() && !mesh.vertices.empty();
+}
+
+glm::dvec3 middleOf(const PlacedMesh& placed) {
+    return worldMatrix(placed.object) * glm::dvec4(placed.mesh.bounds.center(), 1.0);
+}
+
 } // namespace
 
 Camera orbited(const Camera& camera, double yaw, double pitch) {
@@ -69,26 +77,48 @@ Camera dollied(const Camera& camera, double factor) {
     return moved;
 }
 
-Camera framed(const Camera& camera, const Object& object, const MeshView& mesh, double aspect) {
-    if (mesh.bounds.empty() || mesh.vertices.empty()) {
+Camera framed(const Camera& camera, std::span<const PlacedMesh> objects, double aspect) {
+    glm::dvec3 sum(0.0);
+    int counted = 0;
+    for (const PlacedMesh& placed : objects) {
+        if (hasExtent(placed.mesh)) {
+            sum += middleOf(placed);
+            ++counted;
+        }
+    }
+    if (counted == 0) {
         return camera;
     }
-    const glm::dmat4 world = worldMatrix(object);
-    const glm::dvec3 middle(world * glm::dvec4(mesh.bounds.center(), 1.0));
+    const glm::dvec3 middle = sum / double(counted);
     const double tangent = std::tan(halfAngle(camera)) / frameMargin;
     Fitting across(tangent * aspect);
     Fitting along(tangent);
     const glm::dmat3 axes(axis(camera, 0), axis(camera, 1), axis(camera, 2));
-    for (const Vertex& vertex : mesh.vertices) {
-        const glm::dvec3 place(world * glm::dvec4(vertex.position, 1.0));
-        const glm::dvec3 seen = (place - middle) * axes;
-        across.add(seen.x, seen.z);
-        along.add(seen.y, seen.z);
+    for (const PlacedMesh& placed : objects) {
+        const glm::dmat4 world = worldMatrix(placed.object);
+        for (const Vertex& vertex : placed.mesh.vertices) {
+            const glm::dvec3 place(world * glm::dvec4(vertex.position, 1.0));
+            const glm::dvec3 seen = (place - middle) * axes;
+            across.add(seen.x, seen.z);
+            along.add(seen.y, seen.z);
+        }
     }
     Camera moved = camera;
     moved.pivot = middle + axes[0] * across.sideways() + axes[1] * along.sideways();
     moved.distance = 1.0;
     return dollied(moved, std::max(across.distance(), along.distance()));
+}
+
+Camera framed(const Camera& camera, const Object& object, const MeshView& mesh, double aspect) {
+    const PlacedMesh placed{object, mesh};
+    return framed(camera, {&placed, 1}, aspect);
+}
+
+bool isSameView(const Camera& a, const Camera& b) {
+    constexpr double rounding = 1e-6; // of a distance; far less than a pixel
+    return glm::distance(a.pivot, b.pivot) <= rounding * b.distance &&
+           std::abs(a.distance - b.distance) <= rounding * b.distance && a.yaw == b.yaw &&
+           a.pitch == b.pitch && a.fieldOfView == b.fieldOfView;
 }
 
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot) {

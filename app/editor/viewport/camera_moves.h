@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include <glm/vec2.hpp>
 
 #include "core/mesh.h"
@@ -18,10 +20,21 @@ Camera panned(const Camera& camera, const glm::dvec2& pixels, double height);
 /// The camera with its distance multiplied; it stays within 1e-3 .. 1e5 metres.
 Camera dollied(const Camera& camera, double factor);
 
-/// The camera moved until the object, as it looks from that side, is in the middle of the view and
-/// fills it but for a little air; the pivot is as deep as the middle of its box. `aspect` is width
-/// over height. An empty mesh changes nothing.
+/// An object and its mesh, as they stand in a scene.
+struct PlacedMesh {
+    const Object& object;
+    MeshView mesh;
+};
+
+/// The camera moved until the objects, as they look from that side, are in the middle of the view
+/// and fill it but for a little air; the pivot is as deep as the middles of their boxes on average.
+/// `aspect` is width over height. Empty meshes do not count, and where there is no other nothing
+/// changes.
+Camera framed(const Camera& camera, std::span<const PlacedMesh> objects, double aspect);
 Camera framed(const Camera& camera, const Object& object, const MeshView& mesh, double aspect);
+
+/// Whether two cameras show the same but for rounding.
+bool isSameView(const Camera& a, const Camera& b);
 
 /// The camera with another pivot and the eye where it was.
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot);

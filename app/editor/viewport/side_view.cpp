@@ -129,15 +129,39 @@ void SideView::setInspecting(bool on) {
     viewport_->setInspecting(on);
 }
 
-void SideView::frameCurrentObject() {
+double SideView::aspect() const {
+    return double(viewport_->width()) / std::max(viewport_->height(), 1);
+}
+
+/// The camera as it is where no object is current.
+Camera SideView::framedOnCurrent() const {
     const int current = document_.currentObject();
     const Scene& scene = document_.scene(side_);
     if (current < 0 || current >= static_cast<int>(scene.objects.size())) {
         return;
     }
     const Object& object = scene.objects[static_cast<std::size_t>(current)];
-    const double aspect = double(viewport_->width()) / std::max(viewport_->height(), 1);
-    Q_EMIT cameraWished(framed(viewport_->camera(), object, meshes_.view(object), aspect));
+    return framed(viewport_->camera(), object, meshes_.view(object), aspect());
+}
+
+Camera SideView::framedOnAll() const {
+    std::vector<PlacedMesh> shown;
+    for (const Object& object : document_.scene(side_).objects) {
+        if (object.visible) {
+            shown.push_back({object, meshes_.view(object)});
+        }
+    }
+    return framed(viewport_->camera(), shown, aspect());
+}
+
+void SideView::frameCurrentObject() {
+    Q_EMIT cameraWished(framedOnCurrent());
+}
+
+void SideView::frameObjects() {
+    const Camera onCurrent = framedOnCurrent();
+    const bool isFramed = isSameView(onCurrent, viewport_->camera());
+    Q_EMIT cameraWished(isFramed ? framedOnAll() : onCurrent);
 }
 
 void SideView::connectNavigation() {
@@ -162,7 +186,7 @@ void SideView::connectNavigation() {
     connect(&navigation, &CameraNavigation::lightTurnWished, this, &SideView::turnLight);
     connect(&navigation, &CameraNavigation::dragFinished, this, &SideView::endTurn);
     connect(&navigation, &CameraNavigation::pivotWished, this, &SideView::pivotOn);
-    connect(&navigation, &CameraNavigation::frameWished, this, &SideView::frameCurrentObject);
+    connect(&navigation, &CameraNavigation::frameWished, this, &SideView::frameObjects);
     connect(&navigation, &CameraNavigation::resetWished, this, &SideView::resetWished);
 }
 

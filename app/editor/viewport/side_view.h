@@ -48,6 +48,9 @@ class SideView : public QFrame {
     /// Moves the camera so that the current object fills the view.
     void frameCurrentObject();
 
+    /// The same; where it does already, and where there is none, all visible objects fill it.
+    void frameObjects();
+
   Q_SIGNALS:
     void cameraWished(patina::Camera camera);
     void resetWished();
@@ -59,6 +62,9 @@ class SideView : public QFrame {
 
   private:
     void connectNavigation();
+    double aspect() const;
+    Camera framedOnCurrent() const;
+    Camera framedOnAll() const;
     void turnObject(double yaw, double pitch);
     void turnLight(double yaw, double pitch);
     void beginTurn();

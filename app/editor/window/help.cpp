@@ -25,7 +25,7 @@ void showKeys(QWidget* window) {
         row(helpText("L and left drag"), helpText("turn the key light")) +
         row(helpText("Double click"), helpText("turn about that point of the surface")) +
         row(helpText("N"), helpText("numerical check of every pixel")) +
-        row(helpText("F"), helpText("frame the object")) +
+        row(helpText("F"), helpText("frame the object; once more: all of them")) +
         row(helpText("Home"), helpText("reset the view")) +
         row(helpText("1, 3, 7 of the number pad"), helpText("from the front, the right, above")) +
         row(helpText("Drag on a slider or a name"),

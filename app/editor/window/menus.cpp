@@ -140,7 +140,7 @@ void Menus::makeViewMenu() {
         [this] { parts_.layout.bringToFront("accuracy"); });
     menu->addSeparator();
     add(menu, tr("&Frame Object"), QKeySequence("F"),
-        [this] { parts_.views.active().frameCurrentObject(); });
+        [this] { parts_.views.active().frameObjects(); });
     QAction* reset = add(menu, tr("&Reset View"), QKeySequence(Qt::Key_Home),
                          [this] { parts_.views.resetCamera(parts_.document.activeSide()); });
     // Home means something else in number boxes and lists.
