@@ -21,11 +21,11 @@ constexpr int quickMs = 300;
 PictureExport::PictureExport(Session& session, QWidget* window)
     : QObject(window), session_(session), window_(window) {}
 
-void PictureExport::ask(const QString& name, const Source& source) {
+void PictureExport::ask(const QString& title, const QString& name, const Source& source) {
     const QString png = tr("PNG, as on the screen (*.png)");
     const QString jpeg = tr("JPEG, as on the screen (*.jpg)");
     const QString exr = tr("OpenEXR, linear floats (*.exr)");
-    QFileDialog dialog(window_, tr("Export picture"), session_.folder("picture"),
+    QFileDialog dialog(window_, title, session_.folder("picture"),
                        QStringList{png, jpeg, exr}.join(";;"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("png");

@@ -31,8 +31,9 @@ class PictureExport : public QObject {
 
     PictureExport(Session& session, QWidget* window);
 
-    /// Asks for a file; `name` is the one that is offered, without its ending.
-    void ask(const QString& name, const Source& source);
+    /// Asks for a file under a title that says what is written; `name` is the one that is offered,
+    /// without its ending.
+    void ask(const QString& title, const QString& name, const Source& source);
     void save(const QString& file, const Source& source);
 
     /// True where the format of a file keeps linear light.

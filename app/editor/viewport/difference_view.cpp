@@ -108,6 +108,10 @@ void DifferenceView::setMode(Mode mode) {
     mode_->setCurrentIndex(mode == Mode::Difference ? 0 : 1);
 }
 
+QString DifferenceView::caption() const {
+    return mode_->currentText() + (mode() == Mode::Difference ? ' ' + gainText(gain()) : QString());
+}
+
 double DifferenceView::gain() const {
     return std::pow(10.0, double(slider_->value()) / stepsPerDecade);
 }

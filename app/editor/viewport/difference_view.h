@@ -37,6 +37,8 @@ class DifferenceView : public QFrame {
 
     /// What is shown, as it was measured; null before that.
     const FrameDifference* difference() const { return difference_.get(); }
+    /// What the picture is of.
+    QString caption() const;
     /// What is shown, as a picture.
     const QImage& picture() const { return picture_; }
     /// Whether that is of A and B as they are now.

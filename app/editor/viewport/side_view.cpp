@@ -138,7 +138,7 @@ Camera SideView::framedOnCurrent() const {
     const int current = document_.currentObject();
     const Scene& scene = document_.scene(side_);
     if (current < 0 || current >= static_cast<int>(scene.objects.size())) {
-        return;
+        return viewport_->camera();
     }
     const Object& object = scene.objects[static_cast<std::size_t>(current)];
     return framed(viewport_->camera(), object, meshes_.view(object), aspect());
@@ -238,7 +238,7 @@ void SideView::pivotOn(QPointF place) {
     }
 }
 
-void SideView::updateTitle() {
+QString SideView::caption() const {
     const Material* material = document_.material(side_);
     const Block* model =
         material ? document_.catalog().find(kinds::models, material->model.id) : nullptr;
@@ -246,12 +246,16 @@ void SideView::updateTitle() {
                               : material ? QString::fromStdString(material->model.id)
                                          : tr("nothing selected");
     const QString name = material ? QString::fromStdString(material->name) : QString();
-    const bool active = document_.activeSide() == side_;
-    const QString state = active ? tr(" (being edited)") : QString();
     const QString dash = tr(" \u2013 ");
     const QString accuracy = accuracyOfSide(document_, side_);
-    const QString called = (accuracy.isEmpty() ? modelName : accuracy + dash + modelName) +
-                           (name.isEmpty() ? name : dash + name);
+    return (accuracy.isEmpty() ? modelName : accuracy + dash + modelName) +
+           (name.isEmpty() ? name : dash + name);
+}
+
+void SideView::updateTitle() {
+    const bool active = document_.activeSide() == side_;
+    const QString state = active ? tr(" (being edited)") : QString();
+    const QString called = caption();
     const QFontMetrics font = title_->fontMetrics();
     const int room = title_->width() - 2 * titlePadding -
                      font.horizontalAdvance(QStringLiteral("   WW ") + state);

@@ -41,6 +41,8 @@ class SideView : public QFrame {
     Side side() const { return side_; }
     Viewport& viewport() { return *viewport_; }
     void setTitleVisible(bool visible);
+    /// What it shows: its model, the material's name, and how exactly where that is compared.
+    QString caption() const;
 
     /// The numerical check with its legend and the pointer's numbers, or the picture.
     void setInspecting(bool on);

@@ -19,13 +19,15 @@
 #include "session/session.h"
 #include "text/short_text.h"
 #include "viewport/compare_area.h"
+#include "viewport/views_capture.h"
 #include "window/help.h"
 #include "window/theme.h"
 #include "window/window_layout.h"
 
 namespace patina {
 
-Menus::Menus(const Parts& parts) : QObject(&parts.window), parts_(parts) {
+Menus::Menus(const Parts& parts)
+    : QObject(&parts.window), parts_(parts), capture_(new ViewsCapture(parts.views)) {
     makeFileMenu();
     makeEditMenu();
     makeViewMenu();
@@ -206,19 +208,24 @@ void Menus::makeToolBar() {
 }
 
 void Menus::exportPicture() {
-    const QPointer viewport(&parts_.views.active().viewport());
-    const auto capture = [viewport](bool display, PictureCapture::Taken taken) {
-        viewport ? viewport->capture().start(display, std::move(taken)) : taken({});
+    const QPointer views(capture_);
+    const auto capture = [views](bool display, PictureCapture::Taken taken) {
+        views ? views->start(display, std::move(taken)) : taken({});
     };
-    const auto cancel = [viewport] {
-        if (viewport) {
-            viewport->capture().cancel();
+    const auto cancel = [views] {
+        if (views) {
+            views->cancel();
         }
     };
-    const Material* material = parts_.document.material(parts_.document.activeSide());
-    parts_.pictures.ask(
-        FileActions::asFileName(material ? QString::fromStdString(material->name) : QString()),
-        {capture, cancel});
+    const auto nameOf = [this](Side side) {
+        const Material* material = parts_.document.material(side);
+        return material ? QString::fromStdString(material->name) : QString();
+    };
+    const bool isComparing = parts_.document.isComparing();
+    const QString title = isComparing ? tr("Export picture: A and B side by side, with titles")
+                                      : tr("Export picture");
+    const QString name = isComparing ? nameOf(Side::A) + ' ' + nameOf(Side::B) : nameOf(Side::A);
+    parts_.pictures.ask(title, FileActions::asFileName(name), {capture, cancel});
 }
 
 void Menus::checkStability() {

@@ -20,6 +20,7 @@ class FileActions;
 class PictureExport;
 class Session;
 class Theme;
+class ViewsCapture;
 class WindowLayout;
 
 /// The menus and the tool bar of the window: what can be asked for, under which name and key.
@@ -57,6 +58,7 @@ class Menus : public QObject {
                  std::function<void()> what);
 
     Parts parts_;
+    ViewsCapture* capture_; ///< the views'
     QMenu* recent_ = nullptr;
     QAction* compare_ = nullptr;
     QAction* link_ = nullptr;
