@@ -62,11 +62,6 @@ std::string chosenAt(const std::vector<const Block*>& blocks, const char* call, 
     return chosen(blocks, "kind", fmt::format(fmt::runtime(call), place).c_str());
 }
 
-void readFrom(SourceBuilder& out, const char* array) {
-    out.add(
-        fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array));
-}
-
 /// What models call for their slots, whatever fills them.
 void addSlots(SourceBuilder& out, const Catalog& catalog) {
     for (const char* kind : {"fresnel", "specular"}) {
@@ -103,7 +98,7 @@ void addModels(SourceBuilder& out, const std::vector<const Block*>& models) {
 }
 
 void addLights(SourceBuilder& out, const Catalog& catalog) {
-    readFrom(out, "sceneData");
+    out.add(unpackedFrom("sceneData"));
     for (const Block* light : catalog.ofKind("lights")) {
         addBlock(out, *light);
     }
@@ -184,7 +179,7 @@ ProgramSource sourceOf(const Catalog& catalog, const std::vector<const Block*>& 
             out.add(fmt::format("#define OBJECT_VEC4S {}\n#define SCENE_VEC4S {}\n", objectVec4s,
                                 SceneLayout::minCapacity));
             out.addFile("passes/surface.glsl");
-            readFrom(out, "objectData");
+            out.add(unpackedFrom("objectData"));
             addSlots(out, catalog);
             addModels(out, models);
             addBlend(out, catalog);

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "measure/stability/claim_trials.h"
 #include "measure/stability/hemisphere_rule.h"
 #include "random_cases.h"
 
@@ -152,18 +153,6 @@ inline Experiment isotropic(const Block& block, const Care& care) {
                 return std::abs(values[0][0] - values[1][0]) <=
                        care.rounding * (1.0 + values[0][0]);
             }};
-}
-
-/// The same case with every colour at its largest.
-inline EvalCase brightest(EvalCase request) {
-    for (EvalBlock* block : {&request.block, &request.slot}) {
-        for (auto& [id, value] : block->values) {
-            if (block->block->parameter(id)->type == ParameterType::Color) {
-                value = glm::dvec3(block->block->parameter(id)->max);
-            }
-        }
-    }
-    return request;
 }
 
 /// What finds lobes as sharp as sliders make them and what gathers at the horizon, within 1e-3.

@@ -23,7 +23,7 @@ constexpr QSize minSize{240, 130};
 } // namespace
 
 CostPlot::CostPlot(QWidget* parent)
-    : QWidget(parent), plot_(new QCustomPlot(this)),
+    : PlotWidget(parent), plot_(new QCustomPlot(this)),
       marks_(std::make_unique<PlotMarks>(*plot_)) {
     setObjectName("costPlot");
     setAccessibleName(tr("Chart of time against error"));
@@ -165,13 +165,6 @@ void CostPlot::moveSelection(int steps) {
         now == order.end() ? 0 : std::clamp(static_cast<int>(now - order.begin()) + steps, 0, last);
     select(order[static_cast<std::size_t>(next)]);
     Q_EMIT selectionMoved(selected_);
-}
-
-void CostPlot::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        draw();
-    }
 }
 
 void CostPlot::focusInEvent(QFocusEvent* event) {

@@ -3,9 +3,8 @@
 
 #include <memory>
 
-#include <QWidget>
-
 #include "accuracy/chart_export.h"
+#include "accuracy/plot_widget.h"
 
 class QCustomPlot;
 
@@ -14,7 +13,7 @@ namespace patina {
 /// The points of a chart: time per pixel against error, both on log axes, with the front as a line
 /// and what is chosen now in a ring. A click or Enter asks for a point, left and right go
 /// from one to the next.
-class CostPlot : public QWidget {
+class CostPlot : public PlotWidget {
     Q_OBJECT
 
   public:
@@ -44,14 +43,13 @@ class CostPlot : public QWidget {
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
     int currentPoint() const;
-    void draw();
+    void draw() override;
     void hover(QPoint place, QPoint global);
     void moveSelection(int steps);
     int pointAt(QPoint place) const;

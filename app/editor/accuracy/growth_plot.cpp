@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -36,7 +35,7 @@ std::string localNumber(double number, char format, int digits) {
 } // namespace
 
 GrowthPlot::GrowthPlot(ScalingCurve::Axis axis, QWidget* parent)
-    : QWidget(parent), curve_{axis, {}, {}}, plot_(new QCustomPlot(this)),
+    : PlotWidget(parent), curve_{axis, {}, {}}, plot_(new QCustomPlot(this)),
       line_(plot_->addGraph()), points_(plot_->addGraph()),
       intervals_(new QCPErrorBars(plot_->xAxis, plot_->yAxis)), law_(new QLabel(this)) {
     setAccessibleName(tr("Time against %1").arg(nameOf(axis)));
@@ -51,10 +50,8 @@ GrowthPlot::GrowthPlot(ScalingCurve::Axis axis, QWidget* parent)
         each->setScaleType(QCPAxis::stLogarithmic);
         each->setSubTicks(false);
     }
-    plot_->xAxis->setTicker(
-        QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot_->xAxis, shortText)));
-    plot_->yAxis->setTicker(
-        QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot_->yAxis, roundText)));
+    plot_->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot_->xAxis, shortText)));
+    plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new AxisTicks(*plot_->yAxis, roundText)));
     plot_->xAxis->setLabel(nameOf(axis));
     plot_->yAxis->setLabel(tr("ms"));
     law_->setWordWrap(true);
@@ -90,14 +87,6 @@ QString GrowthPlot::law() const {
     return law_->text();
 }
 
-/// The page hears of another look before its plots have the new palette.
-void GrowthPlot::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        draw();
-    }
-}
-
 void GrowthPlot::draw() {
     points_->data()->clear();
     QVector<double> below;
@@ -112,9 +101,8 @@ void GrowthPlot::draw() {
     drawLaw();
     scaleAxes();
     colour();
-    law_->setText(curve_.samples.empty()
-                      ? QString()
-                      : QString::fromStdString(lawText(curve_, localNumber)));
+    law_->setText(curve_.samples.empty() ? QString()
+                                         : QString::fromStdString(lawText(curve_, localNumber)));
     plot_->setToolTip(isSure(curve_) ? QString()
                                      : tr("Hollow points: too few rounds to say how sure they are. "
                                           "Their bars go from the least to the greatest."));

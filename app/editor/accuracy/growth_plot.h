@@ -3,8 +3,7 @@
 
 #include <optional>
 
-#include <QWidget>
-
+#include "accuracy/plot_widget.h"
 #include "measure/cost/scaling_curve.h"
 
 class QCPErrorBars;
@@ -16,7 +15,7 @@ namespace patina {
 
 /// Time against how many there are of something, both on log axes: what was measured, how sure it
 /// is, and the law as a line; below it the law in words.
-class GrowthPlot : public QWidget {
+class GrowthPlot : public PlotWidget {
     Q_OBJECT
 
   public:
@@ -30,11 +29,8 @@ class GrowthPlot : public QWidget {
     /// "pixels", "lights", "objects".
     static QString nameOf(ScalingCurve::Axis axis);
 
-  protected:
-    void changeEvent(QEvent* event) override;
-
   private:
-    void draw();
+    void draw() override;
     void drawLaw();
     void scaleAxes();
     void colour();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractButton>
 #include <glm/vec3.hpp>
+
+#include "parameters/preview_button.h"
 
 namespace patina {
 
 /// A button that shows a linear colour as it looks on screen.
-class ColorSwatch : public QAbstractButton {
+class ColorSwatch : public PreviewButton {
     Q_OBJECT
 
   public:
@@ -15,10 +16,6 @@ class ColorSwatch : public QAbstractButton {
 
     void setColor(const glm::dvec3& linear);
     QSize sizeHint() const override;
-
-  protected:
-    void keyPressEvent(QKeyEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
 
   private:
     glm::dvec3 color_{0.0};

@@ -5,9 +5,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QMimeData>
 #include <QToolButton>
 
+#include "parameters/dropped_files.h"
 #include "session/session.h"
 
 namespace patina {
@@ -17,12 +17,7 @@ const QString purpose = QStringLiteral("picture");
 
 /// The first file that is dragged; empty for anything else.
 QString fileIn(const QMimeData& data) {
-    for (const QUrl& url : data.urls()) {
-        if (url.isLocalFile()) {
-            return url.toLocalFile();
-        }
-    }
-    return {};
+    return draggedFiles(data).value(0);
 }
 
 } // namespace
@@ -55,9 +50,9 @@ QWidget* PictureFileEditor::focusTarget() {
 void PictureFileEditor::choose() {
     Session session;
     const QString start = file_.isEmpty() ? session.folder(purpose) : file_;
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Choose a picture"), start,
-        tr("HDR pictures") + " (*.hdr *.exr);;" + tr("All files") + " (*)");
+    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a picture"), start,
+                                                      tr("HDR pictures") + " (*.hdr *.exr);;" +
+                                                          tr("All files") + " (*)");
     if (!file.isEmpty()) {
         session.setFolderOf(purpose, file);
         take(file);

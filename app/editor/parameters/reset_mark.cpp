@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "parameters/mark_size.h"
+
 namespace patina {
 
 ResetMark::ResetMark(QWidget* parent) : QAbstractButton(parent) {
@@ -16,8 +18,7 @@ ResetMark::ResetMark(QWidget* parent) : QAbstractButton(parent) {
 }
 
 QSize ResetMark::sizeHint() const {
-    const int side = fontMetrics().height() + 2;
-    return {side, side};
+    return markSize(*this);
 }
 
 void ResetMark::enterEvent(QEnterEvent*) {

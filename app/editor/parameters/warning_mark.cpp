@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <QPolygonF>
 
+#include "parameters/mark_size.h"
+
 namespace patina {
 
 namespace {
@@ -25,8 +27,7 @@ void WarningMark::setWarning(const QString& warning) {
 }
 
 QSize WarningMark::sizeHint() const {
-    const int side = fontMetrics().height() + 2;
-    return {side, side};
+    return markSize(*this);
 }
 
 void WarningMark::paintEvent(QPaintEvent*) {

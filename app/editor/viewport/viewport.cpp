@@ -6,12 +6,11 @@
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QLineEdit>
-#include <QMimeData>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QResizeEvent>
-#include <QUrl>
 
+#include "parameters/dropped_files.h"
 #include "render/gpu/stretched_picture.h"
 
 namespace patina {
@@ -173,18 +172,11 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void Viewport::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) {
-        event->acceptProposedAction();
-    }
+    acceptFiles(*event);
 }
 
 void Viewport::dropEvent(QDropEvent* event) {
-    QStringList files;
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (url.isLocalFile()) {
-            files << url.toLocalFile();
-        }
-    }
+    const QStringList files = draggedFiles(*event->mimeData());
     if (!files.isEmpty()) {
         event->acceptProposedAction();
         Q_EMIT filesDropped(files);

@@ -5,10 +5,9 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
-#include <QMimeData>
-#include <QUrl>
 
 #include "gl/driver_cache.h"
+#include "parameters/dropped_files.h"
 #include "window/focus_order.h"
 
 namespace patina {
@@ -175,19 +174,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) {
-        event->acceptProposedAction();
-    }
+    acceptFiles(*event);
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    QStringList dropped;
-    for (const QUrl& url : event->mimeData()->urls()) {
-        dropped << url.toLocalFile();
-    }
-    dropped.removeAll(QString());
     event->acceptProposedAction();
-    files_->drop(dropped, document_.activeSide());
+    files_->drop(draggedFiles(*event->mimeData()), document_.activeSide());
 }
 
 } // namespace patina

@@ -12,8 +12,7 @@ ConvergedFrame::ConvergedFrame(Wish wish)
 
 Result<bool> ConvergedFrame::step(std::chrono::milliseconds patience) {
     patience_ = patience;
-    run_.step();
-    return problem_ ? Result<bool>(tl::unexpected(*problem_)) : isDone();
+    return proceed(run_, problem_);
 }
 
 Steps ConvergedFrame::run() {

@@ -24,8 +24,7 @@ GroundTruthFrame::GroundTruthFrame(Wish wish) : wish_(std::move(wish)), run_(run
 
 Result<bool> GroundTruthFrame::step(std::chrono::milliseconds patience) {
     patience_ = patience;
-    run_.step();
-    return problem_ ? Result<bool>(tl::unexpected(*problem_)) : isDone();
+    return proceed(run_, problem_);
 }
 
 Steps GroundTruthFrame::run() {
@@ -73,8 +72,8 @@ Steps GroundTruthFrame::compute(std::optional<LinearFrame>& computed) {
 }
 
 std::optional<SurfaceBuffer> GroundTruthFrame::surfaces(int round) {
-    auto buffer = wish_.renderer.surfaces().capture(wish_.exact.scene, wish_.exact.view,
-                                                    wish_.meshes, round);
+    auto buffer =
+        wish_.renderer.surfaces().capture(wish_.exact.scene, wish_.exact.view, wish_.meshes, round);
     if (!buffer) {
         problem_ = buffer.error();
         return std::nullopt;

@@ -77,6 +77,11 @@ Result<LinearFrame> IncrementalCapture::frame() const {
     return frame;
 }
 
+Result<bool> proceed(Steps& run, const std::optional<Error>& problem) {
+    run.step();
+    return problem ? Result<bool>(tl::unexpected(*problem)) : run.isDone();
+}
+
 Steps draw(IncrementalCapture capture, const std::chrono::milliseconds& patience,
            std::function<void(double)> tell, Result<LinearFrame>& drawn) {
     Result<bool> done = capture.step(patience);

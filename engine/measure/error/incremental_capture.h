@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 
 #include "core/steps.h"
 #include "measure/choice/choices.h"
@@ -38,6 +39,9 @@ class IncrementalCapture {
     bool isDone_ = false;
     bool continued_ = false; ///< an environment's light is added to what is there
 };
+
+/// Goes on with steps that set a problem when they fail; true when they are done.
+Result<bool> proceed(Steps& run, const std::optional<Error>& problem);
 
 /// Draws the frame in steps, each of about the patience that there is then, and tells after each of
 /// them how much is done (0 .. 1).

@@ -13,11 +13,6 @@
 namespace patina {
 namespace {
 
-void readFrom(SourceBuilder& out, const char* array) {
-    out.add(
-        fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array));
-}
-
 std::string sizeSource(const OutlineLayout& layout) {
     return fmt::format("#define OBJECT_VEC4S {}\n", layout.vec4s());
 }
@@ -26,7 +21,7 @@ std::string sizeSource(const OutlineLayout& layout) {
 void addOutlineBlock(SourceBuilder& out, const BlockUse& use) {
     const Block& block = use.block();
     out.addFile("passes/blocks.glsl");
-    readFrom(out, "objectData");
+    out.add(unpackedFrom("objectData"));
     out.add(constantsSource(block) + structSource(block));
     out.addBlock(block);
     out.add(unpackSource(block, {"unpackOutline", use.compiled()}));
@@ -53,7 +48,7 @@ void addLineFog(SourceBuilder& out, const BlockUse& use, int sceneVec4s) {
     const Block& block = use.block();
     out.add(fmt::format("layout(std140) uniform SceneBlock {{\n    vec4 sceneData[{}];\n}};\n",
                         sceneVec4s));
-    readFrom(out, "sceneData");
+    out.add(unpackedFrom("sceneData"));
     out.add(constantsSource(block) + structSource(block));
     out.addBlock(block);
     out.add(unpackSource(block, {"unpackFog", use.compiled()}));

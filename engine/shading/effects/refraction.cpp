@@ -240,7 +240,7 @@ void RefractionEffect::write(SurfaceText& text) const {
     text.out.addFile(text.set.isShownRefracted ? "passes/refraction_behind.glsl"
                                                : "passes/refraction_alone.glsl");
     writePassage(text, block);
-    text.out.addFile("passes/refraction.glsl");
+    text.out.addFile("passes/refraction_color.glsl");
     text.last += fmt::format("    {0} = refracted(s, {0}, {1}, unpackRefraction({2}));\n",
                              text.stored, text.alpha, text.object.refraction->first);
     text.alpha = "1.0";

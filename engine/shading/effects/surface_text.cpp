@@ -13,9 +13,8 @@ bool SurfaceText::isPicture() const {
     return output == SurfaceOutput::Picture && set.ground == GroundMode::Off;
 }
 
-void SurfaceText::readFrom(const std::string& array) {
-    out.add(
-        fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array));
+void SurfaceText::readFrom(std::string_view array) {
+    out.add(unpackedFrom(array));
 }
 
 void SurfaceText::addBlock(const Block& block, std::span<const CompiledValue> compiled) {

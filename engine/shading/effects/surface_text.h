@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shading/effects/data_layout.h"
@@ -46,8 +47,8 @@ class SurfaceText {
     bool leavesNormals() const { return isPicture() && set.leavesNormals; }
     bool fogsAtVertices() const { return isPicture() && set.fogsAtVertices; }
 
-    /// Which array unpack functions read that are declared from now on.
-    void readFrom(const std::string& array);
+    /// Tells which array unpack functions read that are declared from now on.
+    void readFrom(std::string_view array);
 
     /// The block's constants, struct and functions, with its tables: once, however often it is
     /// asked for.

@@ -159,6 +159,10 @@ std::string slotFunctionName(std::string_view kind) {
     return "slot" + capitalised(kind);
 }
 
+std::string unpackedFrom(std::string_view array) {
+    return fmt::format("#undef PARAMETER_DATA\n#define PARAMETER_DATA(i) {}[base + (i)]\n", array);
+}
+
 int vec4Count(const Block& block) {
     return static_cast<int>(layoutOf(block).floats / 4);
 }

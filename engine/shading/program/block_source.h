@@ -37,6 +37,9 @@ struct UnpackRequest {
 /// which must be declared before.
 std::string unpackSource(const Block& block, const UnpackRequest& request);
 
+/// Has unpack functions and what stands behind structs read an array from here on.
+std::string unpackedFrom(std::string_view array);
+
 /// The number of vec4s a block's own values take (without its slots).
 int vec4Count(const Block& block);
 
