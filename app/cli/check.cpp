@@ -50,10 +50,10 @@ Checked<std::vector<EvalCase>> variantsOfBlocks(const Catalog& catalog, const st
         }
         for (const Block& block : catalog.blocks) {
             if (block.id == name || block.kind + '/' + block.id == name) {
-                return tl::unexpected(oneError(
-                    failure(fmt::format("\"{}\" gives no single values to check", name),
-                            "a preset, or a block of a kind that `patina eval` takes")
-                        .value()));
+                return tl::unexpected(
+                    oneError(failure(fmt::format("\"{}\" gives no single values to check", name),
+                                     "a preset, or a block of a kind that `patina eval` takes")
+                                 .value()));
             }
         }
         return tl::unexpected(oneError(
@@ -86,6 +86,16 @@ Checked<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const std::str
     const bool file =
         std::filesystem::is_regular_file(subject, ignored) || subject.ends_with(".json");
     return file ? variantsOfPreset(catalog, subject) : variantsOfBlocks(catalog, subject);
+}
+
+/// Tells of a sweep that takes more cases than were asked for.
+void tellMinimum(const StabilitySweep& sweep, const CheckOptions& options) {
+    const std::size_t planned = sweep.plannedCases();
+    if (planned > options.cases + options.cases / 10) {
+        std::cerr << fmt::format("{} cases, not {}: every edge-case pair, and 16 with each set of "
+                                 "edge-case values, are always evaluated\n",
+                                 planned, options.cases);
+    }
 }
 
 void runSweep(StabilitySweep& sweep) {
@@ -159,6 +169,7 @@ Checked<int> check(const CheckOptions& options) {
     how.cases = options.cases;
     how.shaders = catalog.roots.front().folder;
     StabilitySweep sweep(*variants, how);
+    tellMinimum(sweep, options);
     runSweep(sweep);
     print(sweep, options);
     remark(sweep, how);
@@ -185,7 +196,8 @@ void addCheck(CLI::App& program, int& status) {
                      "About how many cases to evaluate, shared out among the block's compiled\n"
                      "choices. A case is one pair of directions with one set of values, evaluated\n"
                      "in both precisions and counted once. Every edge-case pair, and 16 with each\n"
-                     "set of edge-case values, are always evaluated")
+                     "set of edge-case values, are always evaluated, which is more than this for\n"
+                     "some blocks: standard error says so, and how many, before they begin")
         ->check(CLI::Range(1UL, 100000000UL))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON");

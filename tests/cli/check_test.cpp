@@ -44,6 +44,15 @@ TEST_F(CheckCommand, SoundPreset_Succeeds) {
     EXPECT_NE(outcome.out.find("nothing breaks"), std::string::npos);
 }
 
+TEST_F(CheckCommand, FewerCasesThanTheEdgesTake_AreToldBeforeTheyBegin) {
+    writeModel("vec3(d.nl * p.width)");
+    const Outcome few = run({"check", "tried", "--cases", "1", "--json"});
+    const std::size_t done = nlohmann::json::parse(few.out)["cases"];
+    EXPECT_TRUE(few.err.starts_with(std::to_string(done) + " cases, not 1: ")) << few.err;
+    const Outcome enough = run({"check", "tried", "--cases", "20000"});
+    EXPECT_EQ(enough.err.find(" cases, not "), std::string::npos) << enough.err;
+}
+
 TEST_F(CheckCommand, UnknownSubject_SaysWhatThereIs) {
     const Outcome outcome = run({"check", "lambrt"});
     EXPECT_EQ(outcome.exitCode, 1);
