@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/typed_value.h"
+#include "core/ordinary_file.h"
 #include "shading/effects/textures.h"
 
 namespace patina {
@@ -19,9 +20,9 @@ std::string fullPath(const std::string& file) {
 
 Result<void> layOn(Material& material, const std::string& key, const std::string& file,
                    const Catalog& catalog) {
-    std::error_code failed;
-    if (!fs::is_regular_file(file, failed)) {
-        return tl::unexpected(Error{file, 0, 0, "no such file", "an image"});
+    if (const auto opened = OrdinaryFile::open(file, maxAssetBytes); !opened) {
+        const Error& why = opened.error();
+        return tl::unexpected(Error{why.file, 0, 0, why.problem, "an image"});
     }
     const TextureUse use = textureUse(key, fullPath(file));
     if (const char* why = textureTarget(key, use, material, catalog).whyNot) {
@@ -40,10 +41,9 @@ Result<void> change(Material& material, const std::string& key, const std::strin
                        fmt::format("--texture {}=FILE before it", key));
     }
     const TextureTarget target = textureTarget(key, use->second, material, catalog);
-    const Block settings =
-        target.parameter == nullptr
-            ? textureSettings(target.role)
-            : textureSettings(target.role, target.parameter->textureChannels);
+    const Block settings = target.parameter == nullptr
+                               ? textureSettings(target.role)
+                               : textureSettings(target.role, target.parameter->textureChannels);
     const Parameter* parameter = settings.parameter(setting);
     if (parameter == nullptr) {
         std::string known;

@@ -17,7 +17,7 @@ class TextureOption : public testing::Test {
     }
 
     Outcome drawn(std::vector<std::string> more, const std::string& name = "out.png") {
-        std::vector<std::string> all{"render", "--model", "phong",          "--size",
+        std::vector<std::string> all{"render", "--model", "phong",       "--size",
                                      "16x16",  "-o",      folder_ / name};
         all.insert(all.end(), more.begin(), more.end());
         return patina(all);
@@ -37,8 +37,8 @@ TEST_F(TextureOption, ImageOnAColor_ChangesThePicture) {
 
 TEST_F(TextureOption, Setting_ChangesHowItLies) {
     ASSERT_EQ(drawn({"--texture", "diffuse.color=" + image()}, "plain.png").exitCode, 0);
-    const Outcome outcome = drawn({"--texture", "diffuse.color=" + image(), "--texture",
-                                   "diffuse.color:scale=3,3"});
+    const Outcome outcome =
+        drawn({"--texture", "diffuse.color=" + image(), "--texture", "diffuse.color:scale=3,3"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(readFile(folder_ / "out.png"), readFile(folder_ / "plain.png"));
 }
@@ -75,6 +75,14 @@ TEST_F(TextureOption, MissingFile_IsAnError) {
     EXPECT_NE(outcome.err.find("/nowhere/a.png: no such file"), std::string::npos) << outcome.err;
 }
 
+TEST_F(TextureOption, WhatIsNoOrdinaryFile_IsToldSo) {
+    const Outcome device = drawn({"--texture", "diffuse.color=/dev/zero"});
+    EXPECT_EQ(device.exitCode, 1);
+    EXPECT_EQ(device.err, "/dev/zero: is a device; expected an image\n");
+    const Outcome folder = drawn({"--texture", "diffuse.color=" + folder_.path().string()});
+    EXPECT_EQ(folder.err, folder_.path().string() + ": is a folder; expected an image\n");
+}
+
 TEST_F(TextureOption, FileCutShort_IsAnErrorWithoutAPicture) {
     const std::string whole = readFile(image());
     writeFile(folder_ / "half.png", whole.substr(0, whole.size() / 2));
@@ -97,8 +105,8 @@ TEST_F(TextureOption, MissingFileInAPreset_IsAMessageAndAPicture) {
     writeFile(folder_ / "a.patina.json",
               R"({"format": "patina.preset", "version": 1, "model": {"id": "lambert"},)"
               R"( "textures": {"diffuse.color": {"file": "gone.png"}}})");
-    const Outcome outcome = patina(
-        {"render", folder_ / "a.patina.json", "--size", "16x16", "-o", folder_ / "out.png"});
+    const Outcome outcome =
+        patina({"render", folder_ / "a.patina.json", "--size", "16x16", "-o", folder_ / "out.png"});
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_NE(outcome.err.find("gone.png: no such file"), std::string::npos) << outcome.err;
     const Outcome effects = patina({"effects", "--no-cost", folder_ / "a.patina.json"});
@@ -130,9 +138,8 @@ TEST_F(TextureOption, MeshWithTextureCoordinates_IsNot) {
 }
 
 TEST_F(TextureOption, Effects_NameTheImage) {
-    const Outcome outcome =
-        patina({"effects", "--no-cost", "--model", "phong", "--texture",
-                "diffuse.color=" + image()});
+    const Outcome outcome = patina(
+        {"effects", "--no-cost", "--model", "phong", "--texture", "diffuse.color=" + image()});
     EXPECT_NE(outcome.out.find("texture/diffuse.color"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("(colour, in place of the value)"), std::string::npos)
         << outcome.out;
