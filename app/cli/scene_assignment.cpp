@@ -88,8 +88,18 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
+/// In the light's block, or what every light has.
+Result<void> assignInLight(Light& light, const Block* block, const Assignment& own,
+                           const std::string& what) {
+    const bool isSetting = settingsBlock(settings::light)->parameter(own.id) != nullptr;
+    if (isSetting && (block == nullptr || block->parameter(own.id) == nullptr)) {
+        return assignSetting(light, settings::light, own);
+    }
+    return assignInBlock(block, &light.block, own, what, "--light");
+}
+
 /// "key.intensity": the light's name, and what is set of it.
-Result<void> assignInLight(Scene& scene, const Assignment& inner, const Catalog& catalog) {
+Result<void> assignInLights(Scene& scene, const Assignment& inner, const Catalog& catalog) {
     for (Light& light : scene.lights) {
         const std::string name = lowered(light.name);
         const std::string what = fmt::format("the light \"{}\"", light.name);
@@ -109,8 +119,7 @@ Result<void> assignInLight(Scene& scene, const Assignment& inner, const Catalog&
                                      fmt::format("--{}", word));
             }
         }
-        return assignInBlock(catalog.find(kinds::lights, light.block.id), &light.block, own, what,
-                             "--light");
+        return assignInLight(light, catalog.find(kinds::lights, light.block.id), own, what);
     }
     const std::string name = firstWord(inner.id);
     return failure(fmt::format("there is no light \"{}\"", name), expectedLights(scene, name));
@@ -164,7 +173,7 @@ Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog&
         return assignSettings(scene, settings::scene, *assignment);
     }
     if (word == findKind(kinds::lights)->singular) {
-        return assignInLight(scene, inner, catalog);
+        return assignInLights(scene, inner, catalog);
     }
     const std::string_view kind = kindCalled(word)->folder;
     return assignInBlock(blockOf(scene.parts, kind, catalog), scene.part(kind), inner,

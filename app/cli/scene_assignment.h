@@ -9,8 +9,9 @@
 
 namespace patina {
 
-/// Whether an assignment of `--set` is about a scene and not about a material: "fog.density=0.1",
-/// "light.key.intensity=2", "scene.exposure=1", "camera.yaw=0", "object.visible=false" ...
+/// Tells whether an assignment of `--set` is about a scene and not about a material:
+/// "fog.density=0.1", "light.key.intensity=2", "light.key.enabled=false", "scene.exposure=1",
+/// "camera.yaw=0", "object.visible=false" ...
 bool isForScene(const std::string& assignment);
 
 /// Sets the value in the scene, or in its first object.

@@ -11,13 +11,14 @@
 
 namespace patina {
 
-/// What every scene, camera, object and material has, whatever blocks are chosen. Each set of such
-/// values has a descriptor without a shader (settings/<word>.json) and goes by a word, as blocks go
-/// by their kind.
+/// What every scene, camera, object, light and material has, whatever blocks are chosen. Each set
+/// of such values has a descriptor without a shader (settings/<word>.json) and goes by a word, as
+/// blocks go by their kind.
 namespace settings {
 inline constexpr std::string_view scene = "scene";
 inline constexpr std::string_view camera = "camera";
 inline constexpr std::string_view object = "object";
+inline constexpr std::string_view light = "light";
 inline constexpr std::string_view material = "material";
 inline constexpr std::string_view accuracy = "accuracy"; ///< the choices of a material's blocks
 } // namespace settings

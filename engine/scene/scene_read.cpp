@@ -175,7 +175,7 @@ class SceneReader {
             JsonReader reader(document_, fmt::format("/lights/{}", i), errors_);
             Light light;
             reader.read("name", light.name);
-            reader.read("enabled", light.enabled);
+            readSettingsOf(light, settings::light, reader);
             light.parts = partsOf(reader, BlockOwner::Light);
             light.block = blocks_.read(reader, kinds::lights);
             light.block.unknown.update(reader.unknown());

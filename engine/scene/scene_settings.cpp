@@ -102,6 +102,11 @@ const MemberTable<Object>& objectMembers() {
     return members;
 }
 
+const MemberTable<Light>& lightMembers() {
+    static const MemberTable<Light> members{{"enabled", member(&Light::enabled)}};
+    return members;
+}
+
 } // namespace
 
 std::optional<Value> settingOf(const Scene& scene, std::string_view id) {
@@ -116,6 +121,10 @@ std::optional<Value> settingOf(const Object& object, std::string_view id) {
     return readMember(objectMembers(), object, id);
 }
 
+std::optional<Value> settingOf(const Light& light, std::string_view id) {
+    return readMember(lightMembers(), light, id);
+}
+
 void storeSetting(Scene& scene, std::string_view id, const Value& value) {
     writeMember(sceneMembers(), scene, id, value);
 }
@@ -126,6 +135,10 @@ void storeSetting(Camera& camera, std::string_view id, const Value& value) {
 
 void storeSetting(Object& object, std::string_view id, const Value& value) {
     writeMember(objectMembers(), object, id, value);
+}
+
+void storeSetting(Light& light, std::string_view id, const Value& value) {
+    writeMember(lightMembers(), light, id, value);
 }
 
 } // namespace patina

@@ -54,7 +54,7 @@ void writeParts(Json& json, const BlockParts& parts, BlockOwner owner,
 Json toJson(const Light& light, const std::filesystem::path& folder) {
     Json json = toJson(light.block);
     json["name"] = light.name;
-    json["enabled"] = light.enabled;
+    writeSettingsOf(light, settings::light, json);
     writeParts(json, light.parts, BlockOwner::Light, folder);
     return json;
 }

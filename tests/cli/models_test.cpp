@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -44,6 +46,17 @@ TEST(ModelsCommand, Json_HasTheDescriptorFieldsAndTheKind) {
             EXPECT_TRUE(block.contains(field)) << block["id"] << " lacks " << field;
         }
     }
+}
+
+TEST(ModelsCommand, Json_ListsTheSwitchesOfObjectsAndLights) {
+    std::map<std::string, std::string> firstSettings;
+    for (const auto& block : nlohmann::json::parse(patina({"models", "--json"}).out)) {
+        if (block["kind"] == "settings" && !block["parameters"].empty()) {
+            firstSettings[block["id"]] = block["parameters"][0]["id"];
+        }
+    }
+    EXPECT_EQ(firstSettings["object"], "visible");
+    EXPECT_EQ(firstSettings["light"], "enabled");
 }
 
 TEST(ModelsCommand, Json_IsTheSameUnderAGermanLocale) {

@@ -72,6 +72,18 @@ TEST(SceneOptions, ALightsValue_IsSetByItsName) {
     EXPECT_EQ(scene.lights[0].block.parameters.at("intensity"), Value(2.0));
 }
 
+TEST(SceneOptions, ALight_IsSwitchedOffByItsName) {
+    const Scene scene = sceneWith({"--set", "light.key.enabled=false"});
+    EXPECT_FALSE(scene.lights[0].enabled);
+    EXPECT_TRUE(scene.lights[1].enabled);
+    EXPECT_EQ(scene.lights[0].block, sceneWith({}).lights[0].block);
+}
+
+TEST(SceneOptions, ALightThatIsNeitherOnNorOff_IsAnError) {
+    const std::string error = errorWith({"--set", "light.key.enabled=dim"});
+    EXPECT_NE(error.find("enabled: \"dim\" is not a value for it"), std::string::npos) << error;
+}
+
 TEST(SceneOptions, AShadow_IsChosenAndSet) {
     const Scene scene =
         sceneWith({"--shadow", "key=filtered", "--set", "light.key.shadow.width=0.25"});

@@ -43,7 +43,7 @@ void expectEachHeld(std::string_view word) {
 TEST(Settings, EachDescriptor_HasNoMistake) {
     const auto schema = JsonSchema::load("descriptor");
     ASSERT_TRUE(schema);
-    EXPECT_EQ(settingsDescriptors().size(), 4u);
+    EXPECT_EQ(settingsDescriptors().size(), 5u);
     for (const Descriptor& descriptor : settingsDescriptors()) {
         EXPECT_EQ(text(schema->check(descriptor.document)), "");
         EXPECT_EQ(text(descriptorMistakes(descriptor)), "");
@@ -54,6 +54,7 @@ TEST(Settings, EachParameter_IsAMemberWithItsDefault) {
     expectEachHeld<Scene>(settings::scene);
     expectEachHeld<Camera>(settings::camera);
     expectEachHeld<Object>(settings::object);
+    expectEachHeld<Light>(settings::light);
     expectEachHeld<Material>(settings::material);
 }
 
