@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What CONTRIBUTING.md shows how to add to the editor, as it stands there.
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
 #include "docks/object_count_dock.h"
 #include "document/commands/solo_command.h"
 #include "document/scene_edits.h"
+#include "parameters/parameter_editor.h"
+#include "text/display_number.h"
 #include "ui/window_fixture.h"
 #include "window/lazy_dock.h"
+
+namespace patina {
+ParameterEditor* makeStopsEditor(const Parameter& parameter, QWidget* parent);
+} // namespace patina
 
 namespace patina::tests::recipes_test {
 namespace {
@@ -22,6 +32,21 @@ TEST_F(RecipesTest, DockOfTheGuide_FollowsTheDocument) {
     EXPECT_EQ(label->text(), "1 object(s)");
     window().files().addBeside(Object());
     EXPECT_EQ(label->text(), "2 object(s)");
+}
+
+TEST_F(RecipesTest, EditorOfTheGuidesType_TellsOfEdits) {
+    Parameter parameter;
+    parameter.defaultValue = 0.0;
+    parameter.min = -4.0;
+    parameter.max = 4.0;
+    const std::unique_ptr<ParameterEditor> editor(makeStopsEditor(parameter, nullptr));
+    editor->present(Value(1.0));
+    const auto* box = editor->findChild<QLineEdit*>();
+    ASSERT_NE(box, nullptr);
+    EXPECT_EQ(numberLocale().toDouble(box->text()), 1.0);
+    QSignalSpy edits(editor.get(), &ParameterEditor::edited);
+    QTest::keyClick(editor->focusTarget(), Qt::Key_Up);
+    EXPECT_EQ(edits.count(), 1);
 }
 
 /// Which of the document's lights are on.
