@@ -16,7 +16,7 @@ struct Assignment {
     std::string id;
     std::string text; ///< of the value
 
-    /// What follows "<word>." in the id; empty where the id begins otherwise.
+    /// Returns what follows "<word>." in the id; empty where the id begins otherwise.
     std::string inside(std::string_view word) const;
 };
 

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What `patina cost` is asked for.
+/// Holds what `patina cost` is asked for.
 struct CostRequest {
     std::vector<std::string> presets;
     PictureOptions picture; ///< its size is 0 unless given: as the machine is up to
@@ -36,8 +36,8 @@ void addCostOptions(CLI::App& command, CostRequest& request);
 /// ".png" of "Errors.PNG"; empty where a name has none.
 std::string endingOf(const std::string& file);
 
-/// What is wrong with the request, before anything is measured: what would be left out silently and
-/// what could not be written afterwards are mistakes.
+/// Returns what is wrong with the request, before anything is measured: what would be left out
+/// silently and what could not be written afterwards are mistakes.
 Errors checkRequest(const CostRequest& request);
 
 } // namespace patina

@@ -17,8 +17,8 @@ struct Sweep {
     std::vector<double> errors; ///< as CostSweep::errorMap(); empty where it is not asked for
 };
 
-/// What `patina cost` measures, with a context current. Work that is stopped ends with what it has,
-/// or with an error where it has nothing.
+/// Returns what `patina cost` measures, with a context current. Work that is stopped ends with what
+/// it has, or with an error where it has nothing.
 Checked<Sweep> swept(CostSweep::Subject subject, const CostRequest& options, LongWork& work);
 Checked<std::vector<ScalingCurve>> scaled(CostSweep::Subject subject, const CostRequest& options,
                                           LongWork& work);

@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// Which object of a scene is shown.
+/// Says which object of a scene is shown.
 struct ShownObject {
     std::string name;       ///< may be empty
     std::size_t number = 1; ///< from 1
@@ -22,7 +22,7 @@ struct ShownObject {
 /// "Ball, object 1 of 3".
 std::string objectText(const ShownObject& object);
 
-/// What `patina effects` prints: the effects of one object, and what they cost where that was
+/// Holds what `patina effects` prints: the effects of one object, and what they cost where that was
 /// measured.
 struct EffectTable {
     ShownObject object;

@@ -22,8 +22,8 @@ Result<std::shared_ptr<const EnvironmentImage>>
 environmentPicture(const Scene& scene, const PictureOptions& options, const Catalog& catalog,
                    AssetClient& client);
 
-/// How many directions per pixel the environment's light is summed from: `--samples`, else what the
-/// scene says, but no more than 256. Any number without an environment.
+/// Returns how many directions per pixel the environment's light is summed from: `--samples`, else
+/// what the scene says, but no more than 256. Any number without an environment.
 int directionsFor(const Scene& scene, const PictureOptions& options, const Catalog& catalog);
 
 } // namespace patina

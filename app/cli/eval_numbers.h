@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What a key of a line of `patina eval` holds; the error says what is missing or wrong.
+/// Returns what a key of a line of `patina eval` holds; the error says what is missing or wrong.
 Result<double> number(const nlohmann::json& json, const std::string& key);
 Result<glm::dvec3> vector(const nlohmann::json& json, const std::string& key);
 

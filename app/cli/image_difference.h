@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// How far two display images of the same size are apart. Channel values are 0 .. 1.
+/// Says how far two display images of the same size are apart. Channel values are 0 .. 1.
 struct ImageDifference {
     double rootMeanSquare = 0.0; ///< over all channels but alpha
     double largest = 0.0;

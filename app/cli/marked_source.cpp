@@ -33,8 +33,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> effectsOf
     {"shadow", "shadows/"},
 }};
 
-/// Whether a file, by its folder and its name without an ending, is that of an effect. Those of the
-/// passes begin with the name of an effect or of a kind of them: passes/fog.glsl.
+/// Tells whether a file, by its folder and its name without an ending, is that of an effect. Those
+/// of the passes begin with the name of an effect or of a kind of them: passes/fog.glsl.
 bool belongsTo(const std::string& folder, const std::string& stem, const std::string& effect) {
     if (folder != "passes") {
         return effect == folder + '/' + stem;

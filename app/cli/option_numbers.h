@@ -12,7 +12,7 @@ class App;
 
 namespace patina {
 
-/// What a number on the command line has to be.
+/// Holds what a number on the command line has to be.
 struct OptionNumber {
     const char* what;     ///< "a time"
     std::string expected; ///< "seconds above 0 such as 30"

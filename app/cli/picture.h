@@ -23,7 +23,7 @@ class PictureMaker {
     /// no picture; a checker stands for any other that cannot be read.
     void setTextures(TextureLoader& textures, std::vector<std::string> needed);
 
-    /// What the scenes' environments show, and how many samples their light has.
+    /// Sets what the scenes' environments show, and how many samples their light has.
     void setEnvironment(std::shared_ptr<const EnvironmentImage> image, int samples);
 
     /// With display the 8-bit display values / 255, else linear floats. An error when the picture
@@ -44,7 +44,7 @@ class PictureMaker {
     int samples_ = 0;
 };
 
-/// Where an image goes: a file, or "-" for a PNG on standard output.
+/// Says where an image goes: a file, or "-" for a PNG on standard output.
 struct PictureFile {
     std::string name;
 
@@ -60,7 +60,8 @@ struct PictureFile {
     Result<void> check() const;
 };
 
-/// Where program binaries are kept between runs; empty where a user has no folder for such things.
+/// Returns where program binaries are kept between runs; empty where a user has no folder for such
+/// things.
 std::filesystem::path programCacheFolder();
 
 } // namespace patina

@@ -9,7 +9,8 @@
 
 namespace patina {
 
-/// Whether an assignment of `--set` is about the picture's accuracy: "picture.<choice>=<level>".
+/// Tells whether an assignment of `--set` is about the picture's accuracy:
+/// "picture.<choice>=<level>".
 bool isOfPicture(const std::string& assignment);
 
 /// Makes such an assignment.

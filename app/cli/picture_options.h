@@ -15,7 +15,7 @@ class App;
 
 namespace patina {
 
-/// What the commands that draw have in common.
+/// Holds what the commands that draw have in common.
 struct PictureOptions {
     std::string model;             ///< id; empty: from the preset
     std::map<std::string, std::string, std::less<>> parts; ///< kind -> id, of material and scene
@@ -30,7 +30,7 @@ struct PictureOptions {
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};
 
-    /// What is chosen of a kind; empty: what the preset or the scene has.
+    /// Returns what is chosen of a kind; empty: what the preset or the scene has.
     const std::string& part(std::string_view kind) const;
 };
 

@@ -23,7 +23,7 @@ const BlockKind* kindCalled(std::string_view singular);
 /// The light of a name, in capitals or not; null where there is none.
 Light* lightNamed(Scene& scene, std::string_view name);
 
-/// What an error expects in place of a name that no light has: those there are.
+/// Returns what an error expects in place of a name that no light has: those there are.
 std::string expectedLights(const Scene& scene, std::string_view name);
 
 } // namespace patina

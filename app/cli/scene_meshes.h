@@ -20,8 +20,8 @@ class SceneMeshes {
 
     MeshView view(const Object& object) const;
 
-    /// What had to be left out of the meshes that were read, and which of those with images have
-    /// no texture coordinates.
+    /// Returns what had to be left out of the meshes that were read, and which of those with images
+    /// have no texture coordinates.
     Errors remarks() const;
 
   private:

@@ -25,13 +25,13 @@ namespace {
 
 constexpr std::string_view builtin = "builtin:";
 
-/// Whether a block is chosen that the shown object's material would have.
+/// Tells whether a block is chosen that the shown object's material would have.
 bool choosesPart(const PictureOptions& options) {
     return std::ranges::any_of(partKinds(BlockOwner::Material),
                                [&](std::string_view kind) { return !options.part(kind).empty(); });
 }
 
-/// Whether an option speaks of the object that is shown.
+/// Tells whether an option speaks of the object that is shown.
 bool needsObject(const std::string& preset, const PictureOptions& options) {
     return !preset.empty() || !options.model.empty() || !options.mesh.empty() ||
            !options.sets.empty() || choosesPart(options) || !options.textures.empty();

@@ -63,7 +63,8 @@ Errors descriptorMistakesIn(const fs::path& file, const Catalog& catalog) {
     return mistakes;
 }
 
-/// Whether a mesh can be read from its place; of the names of those made by code the reader tells.
+/// Tells whether a mesh can be read from its place; of the names of those made by code the reader
+/// tells.
 bool isMissing(const std::string& mesh) {
     std::error_code absent;
     return !builtinName(mesh) && !fs::is_regular_file(mesh, absent);

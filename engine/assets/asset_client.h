@@ -15,7 +15,7 @@
 
 namespace patina {
 
-/// What to do to a mesh while it is read.
+/// Holds what to do to a mesh while it is read.
 struct MeshRequest {
     std::filesystem::path file;
     bool fitUnitBox = false; ///< uniform scale and centring into [-0.5, 0.5]^3 * 2 (radius one)
@@ -32,8 +32,8 @@ class SharedMesh {
     virtual ~SharedMesh() = default;
     virtual MeshView view() const = 0;
 
-    /// What was repaired while reading ("12 of 500 triangles had no area and were left out");
-    /// empty when nothing was. A sentence for the message list, without a final stop.
+    /// Returns what was repaired while reading ("12 of 500 triangles had no area and were left
+    /// out"); empty when nothing was. A sentence for the message list, without a final stop.
     virtual const std::string& remarks() const = 0;
 };
 
@@ -57,11 +57,11 @@ class AssetClient {
     AssetClient(const AssetClient&) = delete;
     AssetClient& operator=(const AssetClient&) = delete;
 
-    /// What may be read from now on. Before, nothing is withheld and no link is allowed.
+    /// Sets what may be read from now on. Before, nothing is withheld and no link is allowed.
     void setRights(FileRights rights);
 
-    /// Where the links lie that a mesh was last read without: they are outside its folder, and
-    /// nobody allowed them.
+    /// Returns where the links lie that a mesh was last read without: they are outside its folder,
+    /// and nobody allowed them.
     std::vector<std::string> refusedLinks(const std::filesystem::path& mesh) const;
 
     /// A triangle list of the whole file: node transforms applied, normals and tangents there,

@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// What a process may have that works on files of strangers, in bytes; nothing: as much as this
-/// one.
+/// Holds what a process may have that works on files of strangers, in bytes; nothing: as much as
+/// this one.
 struct Confinement {
     std::optional<std::size_t> addressSpace{};
     /// Memory that only it may write. Drivers reserve far more addresses than they ever use.

@@ -8,7 +8,7 @@ namespace patina {
 
 using FileSet = std::set<std::string, std::less<>>; ///< full paths with forward slashes
 
-/// What is read of that which files name rather than the user.
+/// Holds what is read of that which files name rather than the user.
 struct FileRights {
     /// Meshes and pictures that are not read: somebody named them who may not. Of images on
     /// surfaces each says so itself (`TextureUse::outside`).

@@ -24,7 +24,8 @@ class FilesProcess {
 
     const Channel& channel() const;
 
-    /// How long the process has computed so far, on all processors together; 0 when it has ended.
+    /// Returns how long the process has computed so far, on all processors together; 0 when it has
+    /// ended.
     double workSeconds() const;
 
     /// Ends the process at once; does nothing when it has ended.

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// How an image lies in a shared block: a 32-byte header, then the floats.
+/// Tells how an image lies in a shared block: a 32-byte header, then the floats.
 class ImageBlock {
   public:
     /// The block's size in bytes; 0 when there can be no such image (no pixels, a number of

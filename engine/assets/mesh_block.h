@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// How a mesh lies in a shared block: a 64-byte header, the vertices, the indices.
+/// Tells how a mesh lies in a shared block: a 64-byte header, the vertices, the indices.
 class MeshBlock {
   public:
     /// The block's size in bytes; 0 when such a mesh cannot be (too large for 32-bit indices).

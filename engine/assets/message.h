@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// What a message between the client and the files process says.
+/// Tells what a message between the client and the files process says.
 enum class MessageKind : std::uint32_t {
     warmImages = 1, ///< client: load the image formats in the background
     readMesh,       ///< client: texts {file, paths of links that may be read}; numbers {scale,

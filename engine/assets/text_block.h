@@ -10,7 +10,8 @@
 
 namespace patina {
 
-/// How plain bytes (an encoded picture) lie in a shared block: a 16-byte header, then the bytes.
+/// Tells how plain bytes (an encoded picture) lie in a shared block: a 16-byte header, then the
+/// bytes.
 class TextBlock {
   public:
     static std::size_t sizeFor(std::size_t length);

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// How the numbers of an image file become light or data.
+/// Tells how the numbers of an image file become light or data.
 enum class TextureDecoding {
     Linear, ///< the numbers themselves
     Srgb,   ///< encoded in sRGB

@@ -34,11 +34,11 @@ struct Slot {
     friend bool operator==(const Slot&, const Slot&) = default;
 };
 
-/// What share of a surface a fog hides, said in its descriptor so that nobody has to run its shader
-/// to know: 1 - exp(-(rate x)^power) of what is x metres away, or none up to `from`, all behind
-/// `to` and evenly more between them. With `base` and `thickness` the rate is that up to the height
-/// `base` and falls above it to 1/e with each `thickness`, and x stands for its mean over the way.
-/// With `center` and `size` it fills a box along the axes of the scene. Ids of parameters.
+/// Holds what share of a surface a fog hides, said in its descriptor so that nobody has to run its
+/// shader to know: 1 - exp(-(rate x)^power) of what is x metres away, or none up to `from`, all
+/// behind `to` and evenly more between them. With `base` and `thickness` the rate is that up to the
+/// height `base` and falls above it to 1/e with each `thickness`, and x stands for its mean over
+/// the way. With `center` and `size` it fills a box along the axes of the scene. Ids of parameters.
 struct Hiding {
     std::string rate; ///< empty: by `from` and `to`
     double power = 1.0;
@@ -66,9 +66,9 @@ struct NeutralValue {
 /// in its descriptor so that it can be left out.
 using NeutralCase = std::vector<NeutralValue>;
 
-/// Which points a light cannot reach, said in its descriptor: those farther than `range` from the
-/// point `from` (a range of 0 has no end), and those outside of the cone with `angle` between its
-/// axis and its side. Ids of parameters; an empty one sets no limit.
+/// Names the points a light cannot reach, said in its descriptor: those farther than `range` from
+/// the point `from` (a range of 0 has no end), and those outside of the cone with `angle` between
+/// its axis and its side. Ids of parameters; an empty one sets no limit.
 struct Reach {
     std::string from;
     std::string range;

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// What holds a block of a kind.
+/// Tells what holds a block of a kind.
 enum class BlockOwner { Material, Light, Scene, Object };
 
 /// A function that the program calls of every block of a kind. It is named as the block and
@@ -21,8 +21,8 @@ struct BlockFunction {
     bool isSigned = false;       ///< its result may be below 0: it is a direction
 };
 
-/// What the program itself reads of a block: a parameter has it by its key `role`, whatever it is
-/// called.
+/// Holds what the program itself reads of a block: a parameter has it by its key `role`, whatever
+/// it is called.
 struct ParameterRole {
     std::string_view word;
     ParameterType type = ParameterType::Float;

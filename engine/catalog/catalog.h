@@ -39,8 +39,8 @@ struct Catalog {
 /// A root that is missing or unreadable is an error only when it is shipped.
 Catalog loadCatalog(std::span<const BlockRoot> roots);
 
-/// Where the blocks are: the shipped folder ($PATINA_DATA_DIR/shaders, beside the sources in a
-/// build tree, or the installed one) and $XDG_DATA_HOME/patina/shaders.
+/// Returns where the blocks are: the shipped folder ($PATINA_DATA_DIR/shaders, beside the sources
+/// in a build tree, or the installed one) and $XDG_DATA_HOME/patina/shaders.
 std::vector<BlockRoot> standardBlockRoots();
 
 /// The folder that holds shaders/, presets/ and schemas/.

@@ -29,7 +29,7 @@ CurvePoints curvePoints(const Value& value);
 
 Value curveValue(std::span<const glm::dvec2> points);
 
-/// Whether the curve is y = x for every x from 0 to 1.
+/// Tells whether the curve is y = x for every x from 0 to 1.
 bool isLinear(std::span<const glm::dvec2> points);
 
 /// Points between which a curve is drawn, as the shader has it.

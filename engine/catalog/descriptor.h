@@ -18,7 +18,7 @@ struct Descriptor {
 /// The schema is "descriptor". All mistakes of the file are reported at once.
 Checked<Descriptor> readDescriptor(const std::filesystem::path& path, const JsonSchema& schema);
 
-/// What the text of a descriptor without a shader declares; its file's stem is the id.
+/// Returns what the text of a descriptor without a shader declares; its file's stem is the id.
 Descriptor settingsDescriptor(const LocatedJson& document);
 
 /// A block under the field names of descriptor files, every field written, and its kind.

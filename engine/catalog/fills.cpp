@@ -19,7 +19,7 @@ const Value& valueIn(const Values& values, const Parameter& parameter) {
     return found == values.end() ? parameter.defaultValue : found->second;
 }
 
-/// Whether the choice sets nothing, or what it sets is so.
+/// Tells whether the choice sets nothing, or what it sets is so.
 bool tellsTheTruth(const Block& block, const Values& values, const EnumValue* choice) {
     return choice == nullptr ||
            std::all_of(choice->fills.begin(), choice->fills.end(), [&](const auto& fill) {

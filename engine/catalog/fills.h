@@ -9,7 +9,7 @@ namespace patina {
 /// EnumValue::fills), and a choice without fills stands for values of one's own. The functions here
 /// keep choice and values telling the same. Such an enum never reaches a shader.
 
-/// Whether any choice of the parameter sets other parameters.
+/// Tells whether any choice of the parameter sets other parameters.
 bool isShorthand(const Parameter& parameter);
 
 /// Every value that setting `parameter` to `wanted` decides: its own; for a shorthand all that its

@@ -8,7 +8,8 @@
 
 namespace patina {
 
-/// What the block calls of a value that is a function; null where the field holds the value.
+/// Returns what the block calls of a value that is a function; null where the field holds the
+/// value.
 const ShaderFunction* functionOf(const ParameterField& field);
 
 /// "hatchingToneCurve": what a block calls of the field.

@@ -69,7 +69,7 @@ class JsonReader {
 /// A reference token of a JSON pointer (RFC 6901): "~" and "/" escaped.
 std::string escapedToken(std::string_view key);
 
-/// How a value is called in a message: "the number 5", "an array of 3",
+/// Returns how a value is called in a message: "the number 5", "an array of 3",
 /// "an array of 3 with the text "x" at place 2" where the others are numbers.
 std::string described(const nlohmann::json& json);
 

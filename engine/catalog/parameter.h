@@ -12,14 +12,14 @@
 
 namespace patina {
 
-/// How a slider maps its length to the value.
+/// Tells how a slider maps its length to the value.
 enum class Scale { Linear, Log };
 
-/// Where a vec3's numbers are counted from; the packer turns camera space into world space, so
-/// that a block only ever sees world space.
+/// Tells where a vec3's numbers are counted from; the packer turns camera space into world space,
+/// so that a block only ever sees world space.
 enum class Space { None, WorldPoint, WorldDirection, CameraPoint, CameraDirection };
 
-/// What the shader generator does with a parameter.
+/// Tells what the shader generator does with a parameter.
 enum class Compiled {
     No,       ///< a uniform: changing it never compiles
     Yes,      ///< its state is part of the program: a choice, a bool, whether a curve bends
@@ -105,8 +105,8 @@ std::size_t indexOf(const std::vector<EnumValue>& values, std::string_view id);
 /// Number of float components a value of this type has in the shader (an enum, int or bool has 1).
 int componentCount(ParameterType type);
 
-/// What the numbers of a vec2 or vec3 are called: as its descriptor says, else x, y, z. Empty for
-/// the other types.
+/// Returns what the numbers of a vec2 or vec3 are called: as its descriptor says, else x, y, z.
+/// Empty for the other types.
 std::vector<std::string> componentNames(const Parameter& parameter);
 
 /// `value` forced into the parameter's type and hard range; the default where the alternative is

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// Where the values of a block lie when they are packed into vec4s, the one layout that the
+/// Says where the values of a block lie when they are packed into vec4s, the one layout that the
 /// uniform blocks, `patina eval`'s data texture and the double-precision reference share.
 /// A parameter never straddles two vec4s, but one that takes more begins with one. Compiled enums
 /// and bools have no place in it when the program holds them, but the reference packs them too, so

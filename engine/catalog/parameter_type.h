@@ -31,7 +31,8 @@ enum class ParameterType { PATINA_PARAMETER_TYPES(PATINA_ENUMERATOR) };
 /// The most numbers that a value takes in the data of a shader.
 inline constexpr int maxComponents = 72;
 
-/// What a block calls of a value that is a function: `<result> <block><Field>(float x, <Block> p)`.
+/// Holds what a block calls of a value that is a function: `<result> <block><Field>(float x,
+/// <Block> p)`.
 struct ShaderFunction {
     std::string_view result; ///< "float", "vec3"
 

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// How a ramp comes from one stop to the next, in linear light.
+/// Tells how a ramp comes from one stop to the next, in linear light.
 enum class RampInterpolation {
     Linear,  ///< evenly
     Smooth,  ///< slowly at both stops (smoothstep)

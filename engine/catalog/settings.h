@@ -26,7 +26,7 @@ inline constexpr std::string_view accuracy = "accuracy"; ///< the choices of a m
 /// The descriptors, sorted by their words.
 std::span<const Descriptor> settingsDescriptors();
 
-/// What describes the settings of a word; null where nothing does.
+/// Returns what describes the settings of a word; null where nothing does.
 const Block* settingsBlock(std::string_view word);
 
 /// Stores the value of a parameter, and tells what is held then.

@@ -16,8 +16,8 @@ using ShaderNames = std::set<std::string, std::less<>>;
 /// of lib/ declare, and every word of passes/, where the blocks' functions are called.
 ShaderNames shaderNames(const std::filesystem::path& shaders);
 
-/// What is wrong with the id of a block, whose struct and function would have one of these names or
-/// that of a function of GLSL.
+/// Returns what is wrong with the id of a block, whose struct and function would have one of these
+/// names or that of a function of GLSL.
 Errors nameMistakes(const Descriptor& descriptor, const ShaderNames& taken);
 
 } // namespace patina

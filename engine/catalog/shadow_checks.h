@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// What is missing for the shadows that a descriptor promises: a map looks from somewhere, some
-/// way, and reaches to an angle.
+/// Returns what is missing for the shadows that a descriptor promises: a map looks from somewhere,
+/// some way, and reaches to an angle.
 Errors shadowMistakes(const Descriptor& descriptor);
 
 } // namespace patina

@@ -3,7 +3,7 @@
 
 namespace patina {
 
-/// How the rays of a light run, which is how its depth map looks at the scene.
+/// Tells how the rays of a light run, which is how its depth map looks at the scene.
 enum class ShadowProjection {
     None,     ///< it casts no shadows
     Parallel, ///< along its direction, from very far away

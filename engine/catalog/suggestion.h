@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// What the user may have meant by `word`: the nearest candidate when it is near enough (at most a
-/// third of its letters differ), else "".
+/// Returns what the user may have meant by `word`: the nearest candidate when it is near enough (at
+/// most a third of its letters differ), else "".
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
 /// "one of a, b, c", or "'b' (or one of a, c)" when one of them is near to `word`.

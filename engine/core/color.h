@@ -18,7 +18,7 @@ double srgbDecoded(double encoded);
 glm::dvec3 srgbEncoded(const glm::dvec3& linear);
 glm::dvec3 srgbDecoded(const glm::dvec3& encoded);
 
-/// How bright a linear colour is: the Y of sRGB's primaries (IEC 61966-2-1).
+/// Returns how bright a linear colour is: the Y of sRGB's primaries (IEC 61966-2-1).
 double luminance(const glm::dvec3& linear);
 
 /// "#8c8c8c": a linear colour encoded as sRGB, eight bits per channel.

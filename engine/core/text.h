@@ -6,10 +6,10 @@
 
 namespace patina {
 
-/// Whether a line has nothing but spaces and tabs.
+/// Tells whether a line has nothing but spaces and tabs.
 bool isBlank(std::string_view line);
 
-/// Whether a character may stand in a name of GLSL or C++.
+/// Tells whether a character may stand in a name of GLSL or C++.
 bool isNameCharacter(char c);
 
 /// "fresnel" -> "Fresnel".

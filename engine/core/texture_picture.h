@@ -8,7 +8,8 @@
 
 namespace patina {
 
-/// How a texel lies in memory. Grey stands for all three colours; what has no alpha is opaque.
+/// Tells how a texel lies in memory. Grey stands for all three colours; what has no alpha is
+/// opaque.
 enum class TexelFormat {
     Grey8,
     Color8, ///< four bytes

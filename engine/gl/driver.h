@@ -14,7 +14,8 @@ std::string driverText();
 /// True when the driver draws on the CPU, as far as its name tells.
 bool isSoftware();
 
-/// Whether instances may begin elsewhere than at the first one (OpenGL 4.2, or its extension).
+/// Tells whether instances may begin elsewhere than at the first one (OpenGL 4.2, or its
+/// extension).
 bool hasBaseInstances();
 
 /// Bytes that one uniform block may hold here; at least 16 KiB.

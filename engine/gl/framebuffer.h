@@ -14,7 +14,8 @@ namespace patina::gl {
 
 void deleteFramebuffer(unsigned name);
 
-/// Where a program's output of this location goes: GL_COLOR_ATTACHMENT0 and what follows it.
+/// Returns where a program's output of this location goes: GL_COLOR_ATTACHMENT0 and what follows
+/// it.
 unsigned colorAttachment(std::size_t location);
 
 /// A framebuffer object. What is attached must outlive it.
@@ -35,7 +36,7 @@ class Framebuffer {
     /// A layer of depths; it may be attached again and again, and no colours are drawn then.
     void attachDepth(const TextureArray& texture, int layer);
 
-    /// Whether it can be drawn to; the error says what the driver does not like.
+    /// Tells whether it can be drawn to; the error says what the driver does not like.
     Result<void> check() const;
 
     unsigned name() const { return name_.get(); }

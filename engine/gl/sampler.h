@@ -7,7 +7,7 @@ namespace patina::gl {
 
 void deleteSampler(unsigned name);
 
-/// How a texture is read, apart from the texture itself.
+/// Tells how a texture is read, apart from the texture itself.
 class Sampler {
   public:
     /// `wrap` is a GL constant for both directions. Smooth ones blend texels and smaller versions,

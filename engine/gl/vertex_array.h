@@ -10,7 +10,7 @@ namespace patina::gl {
 
 void deleteVertexArray(unsigned name);
 
-/// How vertices lie in buffers.
+/// Tells how vertices lie in buffers.
 class VertexArray {
   public:
     static VertexArray create();

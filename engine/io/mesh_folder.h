@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What may be read outside a mesh's folder: the user agreed to it.
+/// Holds what may be read outside a mesh's folder: the user agreed to it.
 struct LinkRights {
     bool everything = false;
     std::vector<std::string> files{}; ///< full paths, links followed
@@ -48,7 +48,7 @@ class MeshFolder {
     std::vector<Refused> refused_;
 };
 
-/// What a mesh names is not read; `what` is a file, a buffer.
+/// Returns the error that what a mesh names is not read; `what` is a file, a buffer.
 Error refusal(std::string_view what, const std::string& path);
 bool isRefusal(const Error& error);
 

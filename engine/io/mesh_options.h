@@ -3,7 +3,7 @@
 
 namespace patina {
 
-/// What to do to a mesh while it is read.
+/// Holds what to do to a mesh while it is read.
 struct MeshOptions {
     double scale = 1.0;
     bool fitUnitBox = false; ///< centred, and scaled so that the longest side is 2; then `scale`

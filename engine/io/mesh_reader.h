@@ -13,7 +13,7 @@
 
 namespace patina {
 
-/// What there is besides the mesh itself.
+/// Holds what there is besides the mesh itself.
 struct MeshReading {
     std::string remarks;             ///< what had to be repaired; empty when nothing
     std::shared_ptr<void> leftovers; ///< freeing it may take a while: hand on the mesh first
@@ -26,7 +26,7 @@ struct MeshReading {
 Result<MeshReading> readMesh(const std::shared_ptr<MeshFolder>& folder, const MeshOptions& options,
                              const MeshStorage& storage, const ReportProgress& report);
 
-/// Where the files lie that were refused and that the mesh is not whole without; each once.
+/// Returns where the files lie that were refused and that the mesh is not whole without; each once.
 std::vector<std::string> missedPlaces(const MeshFolder& folder);
 
 } // namespace patina

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// Where a finished mesh is to be written.
+/// Says where a finished mesh is to be written.
 struct MeshSpans {
     std::span<Vertex> vertices;
     std::span<std::uint32_t> indices;

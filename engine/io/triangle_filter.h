@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// How many triangles were removed, by the first reason that holds.
+/// Says how many triangles were removed, by the first reason that holds.
 struct UselessTriangles {
     std::size_t notFinite = 0; ///< a corner is at NaN or infinity
     std::size_t tooFar = 0;    ///< a corner is beyond 1e15

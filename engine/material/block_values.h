@@ -20,7 +20,7 @@ BlockValues carriedOver(const BlockValues& values, const Block* from, const Bloc
 /// Moves all values to `parked`.
 void park(const Values& values, nlohmann::json& parked);
 
-/// Where notes go and what blocks there are while a file is read.
+/// Says where notes go and what blocks there are while a file is read.
 struct BlockReader {
     const Catalog& catalog;
     Errors& notes;

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// What the first lines of one of Patina's own files say.
+/// Holds what the first lines of one of Patina's own files say.
 struct FileFormat {
     const char* name;   ///< the value of "format"
     int version;        ///< the newest that can be read
@@ -18,8 +18,8 @@ enum class FileAge { Readable, Newer };
 /// file is read as well as it can be.
 FileAge readHeader(JsonReader& reader, const FileFormat& format, Errors& notes);
 
-/// What reading gave: a file of a newer version may mean something else by a key, so there a wrong
-/// type is no reason to refuse the file.
+/// Returns what reading gave: a file of a newer version may mean something else by a key, so there
+/// a wrong type is no reason to refuse the file.
 template <class Reading>
 Checked<Reading> settled(Reading reading, Errors errors) {
     if (errors.empty()) {

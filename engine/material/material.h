@@ -29,7 +29,7 @@ struct BlockValues {
 /// What is chosen of the kinds that an owner may do without (partKinds()), by kind; absent: off.
 using BlockParts = std::map<std::string, BlockValues, std::less<>>;
 
-/// What is chosen of a kind; null where nothing is.
+/// Returns what is chosen of a kind; null where nothing is.
 const BlockValues* partOf(const BlockParts& parts, std::string_view kind);
 BlockValues* partOf(BlockParts& parts, std::string_view kind);
 

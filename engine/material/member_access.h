@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// How one member of `Owner` is read and written as the value of a setting.
+/// Says how one member of `Owner` is read and written as the value of a setting.
 template <class Owner>
 struct MemberAccess {
     std::function<Value(const Owner&)> read;

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// Whether a part of this kind does anything with the model: it fills a slot, or blends the sum of
-/// the lights, as Fresnel blocks do without one.
+/// Tells whether a part of this kind does anything with the model: it fills a slot, or blends the
+/// sum of the lights, as Fresnel blocks do without one.
 bool hasPlaceFor(const Block& model, std::string_view kind);
 
 /// The material with another model of the catalogue: its values as withModel carries them over, and

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// What reading a preset gave. Notes are things the user should know that lost nothing (an unknown
-/// model whose values are parked, a value outside its range that was brought in, ...).
+/// Holds what reading a preset gave. Notes are things the user should know that lost nothing (an
+/// unknown model whose values are parked, a value outside its range that was brought in, ...).
 struct PresetReading {
     Material material;
     Errors notes;

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether links and all lead to a place below the folder.
+/// Tells whether links and all lead to a place below the folder.
 bool isBelow(const fs::path& file, const fs::path& folder) {
     std::error_code noFolder;
     std::error_code circle; // of links, which leads nowhere

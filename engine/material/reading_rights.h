@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// What opening a preset or a scene may read beside it. Files in its folder, in Patina's data and
-/// in the user's own folder of Patina need no leave; for others the user is asked.
+/// Holds what opening a preset or a scene may read beside it. Files in its folder, in Patina's data
+/// and in the user's own folder of Patina need no leave; for others the user is asked.
 struct ReadingRights {
     std::filesystem::path
         folder{}; ///< counts in place of the file's own: that of which it is a copy
@@ -46,10 +46,10 @@ class References {
     /// Judges what this file names; `rights` outlive it.
     References(const std::filesystem::path& file, const ReadingRights& rights);
 
-    /// Where relative paths begin.
+    /// Returns where relative paths begin.
     const std::filesystem::path& base() const { return base_; }
 
-    /// Whether a file may be read, as it is named.
+    /// Tells whether a file may be read, as it is named.
     bool mayRead(std::string_view named, OutsideFile::Kind kind);
 
     /// The rights of a preset that this file names and may read.
@@ -58,7 +58,7 @@ class References {
     /// Adds what another file's reading left out.
     void add(const OutsideFiles& others);
 
-    /// What was not read, each once.
+    /// Returns what was not read, each once.
     const OutsideFiles& outside() const { return outside_; }
 
   private:

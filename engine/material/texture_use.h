@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// What an image on a surface is for; follows from the key under which a material has it.
+/// Tells what an image on a surface is for; follows from the key under which a material has it.
 enum class TextureRole {
     Input,   ///< it drives a parameter of the model or of a part
     Normal,  ///< "normal": a normal map in tangent space, green up

@@ -62,7 +62,7 @@ using glm::step;
 using glm::tan;
 using glm::transpose;
 
-/// What fills a model's slot of one kind, and where it is lit and seen from.
+/// Holds what fills a model's slot of one kind, and where it is lit and seen from.
 struct FilledSlot {
     const Filler* filler = nullptr;
     const Geometry* geometry = nullptr;

@@ -16,7 +16,7 @@ namespace patina::reference {
 /// The values of a block, packed by the catalogue's ParameterLayout.
 using Parameters = std::span<const double>;
 
-/// Where a surface is lit and seen from. All unit, away from the surface; n, t, b orthogonal.
+/// Says where a surface is lit and seen from. All unit, away from the surface; n, t, b orthogonal.
 struct Geometry {
     glm::dvec3 n{0.0, 0.0, 1.0};
     glm::dvec3 t{1.0, 0.0, 0.0};
@@ -32,7 +32,7 @@ struct Geometry {
 Geometry geometry(const glm::dvec3& n, const glm::dvec3& t, const glm::dvec3& l,
                   const glm::dvec3& v);
 
-/// What a light sends to a point.
+/// Holds what a light sends to a point.
 struct Illumination {
     glm::dvec3 l{0.0, 0.0, 1.0}; ///< unit, towards the light
     glm::dvec3 radiance{0.0};    ///< E / pi
@@ -109,15 +109,15 @@ struct Block {
     Illumination light(const glm::dvec3& x, Parameters) const;
     double fog(const FogRay& ray, Parameters) const;
     glm::dvec3 fogColor(Parameters) const;
-    /// What comes from the unit direction d, E / pi, and the picture's colour there.
+    /// Returns what comes from the unit direction d, E / pi, and the picture's colour there.
     glm::dvec3 environment(const glm::dvec3& d, const glm::dvec3& picture, Parameters) const;
-    /// How much a surface at the depth 0 .. 1 counts.
+    /// Returns how much a surface at the depth 0 .. 1 counts.
     double transparency(double depth, double opacity, Parameters) const;
     /// Refraction: the way on, the share mirrored, and what is left after so many metres.
     glm::dvec3 refract(const Crossing&, Parameters) const;
     double mirrored(const Crossing&, Parameters) const;
     glm::dvec3 left(double way, Parameters) const;
-    /// How wide an edge's lines are, in pixels: outside of the shape, and on it.
+    /// Returns how wide an edge's lines are, in pixels: outside of the shape, and on it.
     glm::dvec2 outline(const Edge& edge, Parameters) const;
     glm::dvec3 lineColor(Parameters) const;
 
@@ -138,8 +138,8 @@ std::span<const Block> blocks();
 /// The block, or null.
 const Block* findBlock(std::string_view kind, std::string_view id);
 
-/// What the model's function returns, with the gates its descriptor names and not yet cut at 0:
-/// pi f cos(theta_l). `parameters` holds model.size numbers.
+/// Returns what the model's function returns, with the gates its descriptor names and not yet cut
+/// at 0: pi f cos(theta_l). `parameters` holds model.size numbers.
 glm::dvec3 modelValue(const Block& model, const Geometry& geometry, Parameters parameters,
                       Fillers fillers = {});
 

@@ -39,8 +39,8 @@ class Renderer {
     /// Holds for all views that share.
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// Where the images of materials come from; without one none are shown. Holds for all views
-    /// that share.
+    /// Sets where the images of materials come from; without one none are shown. Holds for all
+    /// views that share.
     void setTextures(TextureSource source);
 
     /// Begins a frame in place of the last one, done or not: the view has one job at a time. A job
@@ -66,7 +66,7 @@ class Renderer {
     /// The numerical check. A frame for a window gives back what it took.
     InspectionDrawer& inspection();
 
-    /// What the pixels of a frame are shaded from.
+    /// Returns what the pixels of a frame are shaded from.
     SurfaceBufferDrawer& surfaces();
 
     /// The figures of the last frame or numerical check.

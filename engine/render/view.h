@@ -18,7 +18,7 @@ namespace patina {
 
 struct EnvironmentImage;
 
-/// Which frame is wanted, apart from the scene.
+/// Says which frame is wanted, apart from the scene.
 struct View {
     glm::ivec2 size{512, 512};      ///< pixels, each at least 1
     Camera camera;
@@ -41,7 +41,7 @@ struct View {
     bool isContinued = false;
 };
 
-/// What a frame is drawn for.
+/// Tells what a frame is drawn for.
 enum class FramePurpose {
     Window,  ///< to be seen, in a window that must not stand still
     Sketch,  ///< a first look before that: half as wide and high, with one sample per pixel
@@ -53,7 +53,7 @@ enum class FramePurpose {
 /// Gives the triangles of a mesh name, or an empty view while it is not there yet.
 using MeshSource = std::function<MeshView(const Object&)>;
 
-/// What drawing a frame took and what it was made of.
+/// Holds what drawing a frame took and what it was made of.
 struct FrameReport {
     int programs = 0;         ///< different programs used
     int compiled = 0;         ///< programs compiled (not found in memory or on disk) for this frame

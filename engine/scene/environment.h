@@ -14,7 +14,7 @@ const Parameter* pictureParameter(const Block& environment);
 /// The picture that is chosen, as a path; empty for none.
 std::string_view pictureFile(const BlockValues& environment, const Block& block);
 
-/// How an environment is seen behind the objects.
+/// Tells how an environment is seen behind the objects.
 enum class Backdrop { Sharp, Blurred, Hidden };
 
 /// By the parameter whose role is `background`; sharp for a block without one.

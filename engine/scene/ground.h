@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// How a scene's ground is drawn.
+/// Tells how a scene's ground is drawn.
 enum class GroundMode {
     Off,
     Shadows, ///< only its shadows are seen: it darkens what is behind
@@ -23,7 +23,7 @@ struct Ground {
     friend bool operator==(const Ground&, const Ground&) = default;
 };
 
-/// Whether anything of it can be seen.
+/// Tells whether anything of it can be seen.
 inline bool isSeen(const Ground& ground) {
     return ground.mode != GroundMode::Off && ground.opacity > 0.0;
 }

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// What makes the triangles of one object differ from another's.
+/// Holds what makes the triangles of one object differ from another's.
 struct MeshKey {
     std::string mesh;
     bool fitUnitBox = false;

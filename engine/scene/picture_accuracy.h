@@ -7,7 +7,8 @@
 
 namespace patina {
 
-/// What a picture may compute less exactly, whatever its materials (see picture_choice_text.h).
+/// Tells what a picture may compute less exactly, whatever its materials (see
+/// picture_choice_text.h).
 enum class PictureChoice : std::uint8_t {
     Samples,
     Lighting,
@@ -37,7 +38,8 @@ class PictureAccuracy {
     bool lightsAtVertices() const { return level(PictureChoice::Lighting) > 0; }
     bool leavesNormals() const { return level(PictureChoice::Normals) > 0; }
     bool widensHighlights() const { return level(PictureChoice::Highlights) > 0; }
-    /// Whether an environment's light is that of fitted lobes instead of a mean over directions.
+    /// Tells whether an environment's light is that of fitted lobes instead of a mean over
+    /// directions.
     bool fitsEnvironment() const { return level(PictureChoice::Environment) > 0; }
 
     bool fogsAtVertices() const { return level(PictureChoice::Fog) > 0; }
@@ -45,7 +47,7 @@ class PictureAccuracy {
     /// Pixels that are drawn for a pixel of the picture, along each side: 1, 0.75 or 0.5.
     double scale() const { return 1.0 - 0.25 * static_cast<double>(level(PictureChoice::Scale)); }
 
-    /// Whether light is summed in 32 bits a channel instead of 16.
+    /// Tells whether light is summed in 32 bits a channel instead of 16.
     bool hasWholeNumbers() const { return level(PictureChoice::Numbers) == 0; }
 
     friend bool operator==(const PictureAccuracy&, const PictureAccuracy&) = default;

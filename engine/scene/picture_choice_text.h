@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// What a choice of the picture's accuracy is called: in scene files, on the command line, in forms
-/// and on charts.
+/// Holds what a choice of the picture's accuracy is called: in scene files, on the command line, in
+/// forms and on charts.
 struct PictureChoiceText {
     struct Level {
         const char* id;

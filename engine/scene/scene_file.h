@@ -22,7 +22,7 @@ struct SceneReading {
 Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog,
                                 const ReadingRights& rights = {});
 
-/// Whether a JSON file says by its "format" that it is a scene, whatever it is called.
+/// Tells whether a JSON file says by its "format" that it is a scene, whatever it is called.
 bool saysItIsAScene(const std::filesystem::path& path);
 
 /// The scene's JSON; mesh paths relative to `folder`.

@@ -10,7 +10,7 @@ namespace patina {
 /// order, one after the other. Null for one that mixes them all at once.
 const Parameter* layersParameter(const Block& transparency);
 
-/// How many surfaces are put in order, at least 1; 0 where all are mixed at once.
+/// Returns how many surfaces are put in order, at least 1; 0 where all are mixed at once.
 int layersOf(const BlockValues& transparency, const Block& block);
 
 } // namespace patina

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What a process is asked to try.
+/// Holds what a process is asked to try.
 struct TrialRequest {
     std::filesystem::path shaders;   ///< the blocks that ship
     std::filesystem::path own;       ///< the user's

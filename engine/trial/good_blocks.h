@@ -6,8 +6,8 @@
 
 namespace patina {
 
-/// What did no harm when it was tried, as empty files of a cache folder that bear its keys. A
-/// folder that cannot be written to costs nothing but the time to try again.
+/// Remembers what did no harm when it was tried, as empty files of a cache folder that bear its
+/// keys. A folder that cannot be written to costs nothing but the time to try again.
 class GoodBlocks {
   public:
     /// Empty: nothing is kept.

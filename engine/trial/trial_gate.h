@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// What one block may take to be compiled and drawn once.
+/// Holds what one block may take to be compiled and drawn once.
 struct TrialLimits {
     double seconds = 20.0;     ///< of the process' own work, on all processors together
     double waitSeconds = 60.0; ///< by the clock, for one that hangs

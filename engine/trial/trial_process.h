@@ -32,13 +32,13 @@ class TrialProcess {
     /// Its output is at its end.
     bool hasEnded() const;
 
-    /// How long it has computed, on all processors together; 0 once it has gone.
+    /// Returns how long it has computed, on all processors together; 0 once it has gone.
     double workSeconds() const;
 
-    /// What it holds in memory now; 0 once it has gone.
+    /// Returns what it holds in memory now; 0 once it has gone.
     std::size_t memoryBytes() const;
 
-    /// How it ended.
+    /// Says how it ended.
     struct End {
         int signal = 0;                  ///< that ended it; 0: none
         int status = 0;                  ///< it gave back

@@ -7,8 +7,9 @@
 
 namespace patina {
 
-/// What accuracy costs, on four pages, of which one measures at a time: the ways to compute the
-/// active material and to draw the picture, all models beside each other, and how the time grows.
+/// Shows what accuracy costs, on four pages, of which one measures at a time: the ways to compute
+/// the active material and to draw the picture, all models beside each other, and how the time
+/// grows.
 class AccuracyDock : public QTabWidget {
     Q_OBJECT
 

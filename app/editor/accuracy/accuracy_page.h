@@ -18,9 +18,9 @@ class CostList;
 class CostPlot;
 struct ChartHeading;
 
-/// What accuracy costs: every way to compute a material or to draw the picture, in time and error,
-/// measured on demand; one of them is taken by a click, or by a budget. Charts are kept
-/// in files: who starts Patina again finds that of the document.
+/// Shows what accuracy costs: every way to compute a material or to draw the picture, in time and
+/// error, measured on demand; one of them is taken by a click, or by a budget. Charts are kept in
+/// files: who starts Patina again finds that of the document.
 class AccuracyPage : public MeasurePage {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ class AccuracyPage : public MeasurePage {
     /// measured.
     void measure(CostSweep::Options options = {});
 
-    /// What is shown; without points where nothing was measured.
+    /// Returns what is shown; without points where nothing was measured.
     const CostChart& chart() const { return numbers<MeasuredChart>().chart; }
 
     /// Gives the target what a point of the chart has, as one undo step.

@@ -16,8 +16,8 @@ namespace patina {
 
 class BoundBox;
 
-/// What may be spent, and which point of a chart that buys: "at most 2 ms at 1080p", "error below
-/// 1/255".
+/// Asks what may be spent, and shows which point of a chart that buys: "at most 2 ms at 1080p",
+/// "error below 1/255".
 class BudgetRow : public QWidget {
     Q_OBJECT
 

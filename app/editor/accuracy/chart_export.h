@@ -14,7 +14,7 @@ namespace patina {
 /// Asks for a file with the given ending ("csv") and returns it, or an empty text.
 QString askForChartFile(QWidget* parent, const QString& ending);
 
-/// What stands above the chart: what it is of, and below that how it was measured.
+/// Holds what stands above the chart: what it is of, and below that how it was measured.
 struct ChartHeading {
     QString title;
     QStringList lines;

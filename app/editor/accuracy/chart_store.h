@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// Which document a chart is of, on which page.
+/// Says which document a chart is of, on which page.
 struct ChartKey {
     std::string page;
     std::string file; ///< empty: the document has none yet

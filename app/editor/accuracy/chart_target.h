@@ -10,20 +10,20 @@
 
 namespace patina {
 
-/// What the points of a chart are measured of and given to: a material or the picture.
+/// Is what the points of a chart are measured of and given to: a material or the picture.
 class ChartTarget {
   public:
     virtual ~ChartTarget() = default;
 
     virtual Choice::Scope scope() const = 0;
 
-    /// What of it can be computed more cheaply now.
+    /// Returns what of it can be computed more cheaply now.
     virtual std::vector<Choice> choices() const = 0;
 
-    /// What it has of these, without what is exact.
+    /// Returns what it has of these, without what is exact.
     virtual ChosenLevels levels(const std::vector<Choice>& choices) const = 0;
 
-    /// What a chart of now is of. It is of all choices, so which of them are taken makes no
+    /// Returns what a chart of now is of. It is of all choices, so which of them are taken makes no
     /// difference to it.
     virtual MeasuredSubject subject() const = 0;
 

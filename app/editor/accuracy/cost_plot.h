@@ -26,7 +26,7 @@ class CostPlot : public PlotWidget {
     int selected() const { return selected_; }
     void select(int point);
 
-    /// Where a point is drawn, in this widget.
+    /// Returns where a point is drawn, in this widget.
     QPoint placeOf(int point) const;
 
     /// The chart as files.

@@ -28,7 +28,7 @@ QString ratioText(const MedianInterval& ratio);
 /// of it.
 QString costRatioText(const ChoiceCost& cost, RatioBound bound);
 
-/// How sure that is.
+/// Returns how sure that is.
 QString ratioNote(const ChoiceCost& cost, RatioBound bound);
 
 /// Nanoseconds per pixel, as sure as the ratio is; "< 12.3" of a bound. Without how sure they are
@@ -40,27 +40,28 @@ QString countText(const std::optional<InstructionCount>& count);
 QString kindsText(const std::optional<InstructionCount>& count);
 double countOf(const std::optional<InstructionCount>& count);
 
-/// Which other points cannot be told from this one, neither in time nor in error, and whether only
-/// the noise keeps it from the front; empty: neither.
+/// Returns which other points cannot be told from this one, neither in time nor in error, and
+/// whether only the noise keeps it from the front; empty: neither.
 QString tieText(const CostPoint& point, const CostChart& chart, Standing standing);
 
-/// What the errors are against of points that are compared with the chart's converged render.
+/// Returns what the errors are against of points that are compared with the chart's converged
+/// render.
 QString convergedNote(const CostChart& chart);
 
 /// The name and the numbers of the chart's point of that number, line by line.
 QString pointText(std::size_t number, const CostChart& chart);
 
-/// What a measurement is doing, and how much of it is done.
+/// Returns what a measurement is doing, and how much of it is done.
 QString stepText(const SweepStep& step, const CostChart& chart);
 
-/// What is said beside points that were measured before something changed.
+/// Returns what is said beside points that were measured before something changed.
 QString staleText();
 
-/// How it was measured: pixels, timer, what errors are against.
+/// Returns how it was measured: pixels, timer, what errors are against.
 QString methodText(const CostChart& chart);
 
-/// What else is to be known of it: what was left out, errors that are against something else,
-/// levels without a point.
+/// Returns what else is to be known of it: what was left out, errors that are against something
+/// else, levels without a point.
 QString notesText(const CostChart& chart);
 
 } // namespace patina

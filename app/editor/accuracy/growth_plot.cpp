@@ -20,7 +20,7 @@ constexpr double margin = 1.3; ///< of the axes, times what they hold
 constexpr int lawSteps = 48;   ///< of the line, which is bent on log axes
 constexpr QSize minGrowthSize{140, 110};
 
-/// Whether the bars are intervals of 95 %.
+/// Tells whether the bars are intervals of 95 %.
 bool isSure(const ScalingCurve& curve) {
     return std::ranges::all_of(curve.samples, &GrowthSample::isSure);
 }

@@ -24,7 +24,7 @@ class KeptCharts : public KeptResults {
     const PageResult* find(const MeasuredSubject& subject, const std::string& file) override;
 
   private:
-    /// What was read, while it is of another subject.
+    /// Holds what was read, while it is of another subject.
     struct Earlier {
         PageResult result; ///< of a subject of which no more than the object is known
         std::string hash;  ///< of the subject; see hashOf()

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// What a page measured, perhaps not to the end.
+/// Holds what a page measured, perhaps not to the end.
 struct PageResult {
     MeasuredSubject subject;
     std::string file; ///< of the document; empty: it has none yet
@@ -21,7 +21,7 @@ struct PageResult {
     QString problem; ///< why it ended before its time; else empty
 };
 
-/// What was measured in this session, so that who comes back to a document finds it.
+/// Keeps what was measured in this session, so that who comes back to a document finds it.
 class KeptResults {
   public:
     virtual ~KeptResults() = default;

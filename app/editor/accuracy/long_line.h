@@ -15,7 +15,7 @@ class LongLine : public QLabel {
 
     void tell(const QString& text);
 
-    /// What is drawn of the text now.
+    /// Returns what is drawn of the text now.
     QString shown() const;
 
   protected:

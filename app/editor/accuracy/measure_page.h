@@ -30,12 +30,12 @@ class MeasurePage : public QWidget {
 
   public:
     bool isMeasuring() const { return !worker_.isIdle(); }
-    /// What is shown; null where nothing was measured.
+    /// Returns what is shown; null where nothing was measured.
     const PageResult* shown() const { return shown_; }
     /// What is shown is of another scene than is on the screen; where it is seen from does not
     /// matter.
     bool isStale() const { return stale_; }
-    /// What the page says about its numbers.
+    /// Returns what the page says about its numbers.
     QString state() const;
     /// Writes what was measured, in the form of the file's ending.
     void exportTo(const QString& file);
@@ -47,7 +47,7 @@ class MeasurePage : public QWidget {
                 std::unique_ptr<KeptResults> results = std::make_unique<KeptResults>());
 
     virtual void startMeasuring() = 0;
-    /// What numbers of now are of.
+    /// Returns what numbers of now are of.
     virtual MeasuredSubject subject() const = 0;
     virtual void showNumbers(bool stale) = 0;
     virtual QByteArray bytesFor(const QString& ending) const = 0;
@@ -67,7 +67,7 @@ class MeasurePage : public QWidget {
     /// There are more numbers of what is being measured.
     void take(std::any numbers, const QString& method);
 
-    /// What is shown; the empty value where there is nothing.
+    /// Returns what is shown; the empty value where there is nothing.
     template <class Numbers>
     const Numbers& numbers() const {
         static const Numbers none{};

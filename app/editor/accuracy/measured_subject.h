@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// What numbers were measured of, wherever it was seen from.
+/// Holds what numbers were measured of, wherever it was seen from.
 struct MeasuredSubject {
     Scene scene; ///< without what makes no difference to the numbers
     int object = -1;
@@ -14,7 +14,7 @@ struct MeasuredSubject {
     friend bool operator==(const MeasuredSubject&, const MeasuredSubject&) = default;
 };
 
-/// Which blocks the numbers depend on.
+/// Tells which blocks the numbers depend on.
 enum class SubjectBlocks { OfScene, All };
 
 /// The numbers are the same whatever a scene is called and wherever its camera stands, and however

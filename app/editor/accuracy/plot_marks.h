@@ -17,13 +17,13 @@ namespace patina {
 
 class AxisTicks;
 
-/// What is drawn of a chart of costs in a plot: points, their intervals, the front, rings, axes.
+/// Draws a chart of costs in a plot: points, their intervals, the front, rings, axes.
 class PlotMarks {
   public:
     /// The plot owns what is made in it.
     explicit PlotMarks(QCustomPlot& plot);
 
-    /// What is to be drawn, and in which colours.
+    /// Holds what is to be drawn, and in which colours.
     struct Content {
         const CostChart& chart;
         int current = -1;  ///< in a ring of the text's colour
@@ -40,7 +40,7 @@ class PlotMarks {
         void colour(const QColor& edge, const QColor& inside) const;
     };
 
-    /// Where a point is drawn, in the plot.
+    /// Returns where a point is drawn, in the plot.
     QPointF placeOf(const CostPoint& point, const CostChart& chart) const;
 
   private:

@@ -11,7 +11,7 @@ namespace patina {
 
 class GrowthPlot;
 
-/// How the time of a frame grows with its pixels, its lights and its objects, for the current
+/// Shows how the time of a frame grows with its pixels, its lights and its objects, for the current
 /// object with its material.
 class ScalingPage : public MeasurePage {
     Q_OBJECT

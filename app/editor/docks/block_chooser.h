@@ -35,7 +35,7 @@ class BlockChooser : public ChoiceBox {
     QString shown_;
 };
 
-/// What hovering over a block says: its summary and what it is good for.
+/// Returns what hovering over a block says: its summary and what it is good for.
 QString blockToolTip(const Block& block);
 
 } // namespace patina

@@ -16,7 +16,7 @@ class PresetLibrary;
 class TextureLibrary;
 class ThumbnailMaker;
 
-/// What docks are made from. Everything in it outlives them.
+/// Holds what docks are made from. Everything in it outlives them.
 struct DockContext {
     Document& document;
     Comparison& comparison;

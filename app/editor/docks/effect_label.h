@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What an artist calls an effect (EffectLine::effect): a block's label, what an image of a
+/// Returns what an artist calls an effect (EffectLine::effect): a block's label, what an image of a
 /// material changes, or a word such as "Ambient". `first` is the material whose images are meant
 /// where it has such; else those of the scene's objects. Null: none.
 QString effectLabel(const std::string& effect, const Material* first, const Scene& scene,

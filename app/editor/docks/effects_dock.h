@@ -41,7 +41,7 @@ class EffectsDock : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    /// What costs were measured of.
+    /// Holds what costs were measured of.
     struct Measured {
         Scene scene;
         int object = -1;

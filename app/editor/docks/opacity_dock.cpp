@@ -15,7 +15,8 @@ namespace patina {
 
 namespace {
 
-/// Whether another dock or panel has the blocks of this kind; all others of a material stand here.
+/// Tells whether another dock or panel has the blocks of this kind; all others of a material stand
+/// here.
 bool hasPlaceElsewhere(std::string_view kind) {
     return kind == kinds::fresnel || kind == kinds::specular || kind == kinds::refraction;
 }

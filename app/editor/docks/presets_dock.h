@@ -41,7 +41,7 @@ class PresetsDock : public QWidget {
     PictureGrid* grid_;
 };
 
-/// Whether every word of a search occurs in a preset's name, description, tags or model.
+/// Tells whether every word of a search occurs in a preset's name, description, tags or model.
 bool matches(const PresetEntry& entry, const QString& modelLabel, const QString& search);
 
 } // namespace patina

@@ -19,7 +19,7 @@ struct StabilityFailure {
     friend bool operator==(const StabilityFailure&, const StabilityFailure&) = default;
 };
 
-/// What a check has found, as texts: it outlives the blocks it is about.
+/// Holds what a check has found, as texts: it outlives the blocks it is about.
 struct StabilityOutcome {
     bool complete = false; ///< false: it was cancelled, or could not begin
     std::size_t cases = 0;

@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// How finely a side draws its picture while ways to draw it are compared: what is laid over the
-/// values of the scene, which keeps its own.
+/// Says how finely a side draws its picture while ways to draw it are compared: what is laid over
+/// the values of the scene, which keeps its own.
 struct SidePicture {
     PictureAccuracy accuracy;
     std::optional<BlockValues> transparency; ///< absent: the scene's own
@@ -30,8 +30,8 @@ struct ComparedPicture {
     friend bool operator==(const ComparedPicture&, const ComparedPicture&) = default;
 };
 
-/// What is to be laid over a scene so that its picture is that of another one, which differs in
-/// how finely it is drawn alone.
+/// Returns what is to be laid over a scene so that its picture is that of another one, which
+/// differs in how finely it is drawn alone.
 SidePicture pictureOf(const Scene& shown, const Scene& own);
 
 /// Lays it over the scene. What it names and the scene has no more is passed over.

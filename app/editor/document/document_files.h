@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// What the document was opened from or saved to last.
+/// Holds what the document was opened from or saved to last.
 struct DocumentFile {
     enum class Kind { None, Preset, Scene };
     Kind kind = Kind::None;
@@ -47,7 +47,8 @@ class DocumentFiles : public QObject {
     bool applyPreset(const std::filesystem::path& path, Side side,
                      const ReadingRights& rights = {});
 
-    /// What a scene file of this document holds: the scene, in its extras side B and its object.
+    /// Returns what a scene file of this document holds: the scene, in its extras side B and its
+    /// object.
     Scene sceneToSave() const;
     /// The same for a copy that is not its file: it says too what is not to be read.
     Scene sceneToRecover() const;
@@ -62,7 +63,8 @@ class DocumentFiles : public QObject {
     /// comes with Patina never is, whoever names it.
     bool save();
 
-    /// What a scene or preset file names outside its folder and would not read with these rights.
+    /// Returns what a scene or preset file names outside its folder and would not read with these
+    /// rights.
     static OutsideFiles outsideOf(const std::filesystem::path& path, DocumentFile::Kind kind,
                                   const Catalog& catalog, const ReadingRights& rights);
     WithheldFiles& withheld() { return withheld_; }

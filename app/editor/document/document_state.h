@@ -15,7 +15,8 @@ namespace patina {
 /// The two materials that are compared. A is the object's own, B the second one.
 enum class Side { A, B };
 
-/// What side A shows for as long as it is compared, and its own material, which was put aside.
+/// Holds what side A shows for as long as it is compared, and its own material, which was put
+/// aside.
 struct LookedAt {
     int object = 0;
     Material own;
@@ -63,16 +64,16 @@ Scene shownScene(const DocumentState& state, int object, Side side);
 /// The same without what is laid over it where ways to draw its picture are compared.
 Scene ownScene(const DocumentState& state, int object, Side side);
 
-/// What is laid over a side's scene while its picture is compared; null: nothing.
+/// Returns what is laid over a side's scene while its picture is compared; null: nothing.
 const SidePicture* pictureLaidOver(const DocumentState& state, Side side);
 
-/// Whether side A shows another value than this one, which the scene has.
+/// Tells whether side A shows another value than this one, which the scene has.
 bool isLaidOver(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
 
-/// Whether side B has another material than what its object has.
+/// Tells whether side B has another material than what its object has.
 bool hasSecondMaterial(const DocumentState& state);
 
-/// Whether values at this path may have images.
+/// Tells whether values at this path may have images.
 bool takesTextures(const BlockPath& path);
 
 /// The key of a value's image in Material::textures.

@@ -44,7 +44,7 @@ bool isCompared(const NeutralValue& value, const Parameter& one, const Parameter
            (value.id == other.id && value.word == one.id);
 }
 
-/// Whether the program, or what says when the block does nothing, compares the two.
+/// Tells whether the program, or what says when the block does nothing, compares the two.
 bool areCompared(const Block& block, const Parameter& one, const Parameter& other) {
     return one.equalTo == other.id || other.equalTo == one.id ||
            std::ranges::any_of(block.neutral, [&](const NeutralCase& neutral) {
@@ -114,7 +114,7 @@ bool mayMoveLight(const DocumentState& state, const BlockPath& path, const Catal
            });
 }
 
-/// Whether it also depends on where things are.
+/// Tells whether it also depends on where things are.
 bool decidesByPlace(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
     return mayHideFog(state, path) || mayMoveLight(state, path, catalog);
 }

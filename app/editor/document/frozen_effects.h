@@ -12,9 +12,9 @@
 
 namespace patina {
 
-/// What changing a value may soon call other programs for: a state of each kind that differs from
-/// this one in its programs, and this one where it lacks something because of its place, which a
-/// drag brings in.
+/// Returns what changing a value may soon call other programs for: a state of each kind that
+/// differs from this one in its programs, and this one where it lacks something because of its
+/// place, which a drag brings in.
 std::vector<DocumentState> prewarmed(const DocumentState& state, const BlockPath& path,
                                      const Parameter& parameter, const Catalog& catalog);
 
@@ -24,8 +24,8 @@ std::vector<DocumentState> prewarmed(const DocumentState& state, const BlockPath
 /// where that one value has an effect, which are made when the drag begins.
 class FrozenEffects {
   public:
-    /// What is held, as of the state when the drag begins. `object` is the current one, on which
-    /// side B's material is. Holds nothing when the value never decides about programs.
+    /// Holds the effects of the state in which the drag begins. `object` is the current one, on
+    /// which side B's material is. Holds nothing when the value never decides about programs.
     void begin(const DocumentState& state, int object, const BlockPath& path,
                const Parameter& parameter, const Catalog& catalog);
 
@@ -39,7 +39,7 @@ class FrozenEffects {
     /// Stops holding.
     void end() { held_.reset(); }
 
-    /// Whether the document by itself calls for other programs than the held ones.
+    /// Tells whether the document by itself calls for other programs than the held ones.
     bool differs(const DocumentState& state, const Catalog& catalog) const;
 
     /// The scene whose effects a side's programs have; null while nothing is held.

@@ -23,7 +23,7 @@ class WithheldFiles : public QObject {
 
     /// All of them, the images of materials too.
     OutsideFiles all() const;
-    /// What may be read of meshes, of the picture and of the links of meshes.
+    /// Returns what may be read of meshes, of the picture and of the links of meshes.
     FileRights rights() const;
     /// Withholds these alone, beside images, which know it themselves.
     void set(OutsideFiles files);

@@ -34,10 +34,10 @@ class Autosave : public QObject {
              QObject* parent = nullptr);
     ~Autosave() override;
 
-    /// Where the copies are.
+    /// Returns where the copies are.
     const std::filesystem::path& folder() const { return folder_; }
 
-    /// How long after the last change, and how long after the first one at most.
+    /// Sets how long after the last change, and how long after the first one at most.
     void setIntervals(int quietMs, int longestMs);
 
     /// Puts the last edits into a copy that is to be recovered. Where that fails, which is said,
@@ -54,7 +54,7 @@ class Autosave : public QObject {
     /// given up where it is offered.
     void giveUp();
 
-    /// What can be recovered, newest first.
+    /// Returns what can be recovered, newest first.
     static std::vector<Recovery> found(const std::filesystem::path& folder);
     static void remove(const Recovery& recovery);
 

@@ -17,7 +17,7 @@ constexpr qint64 settleMs = 120;
 /// What never settles is read all the same, so long after the first change.
 constexpr qint64 patienceMs = 400;
 
-/// Whether the block's descriptor, or a folder that it lies in, is the file of a mistake.
+/// Tells whether the block's descriptor, or a folder that it lies in, is the file of a mistake.
 bool hasMistake(const Catalog& catalog, const Block& block) {
     return std::any_of(catalog.errors.begin(), catalog.errors.end(), [&](const Error& error) {
         const std::string file = block.descriptorFile.string();

@@ -10,7 +10,7 @@ class QPlainTextEdit;
 
 namespace patina {
 
-/// What a material says of itself: name, description, author, licence and tags.
+/// Shows what a material says of itself: name, description, author, licence and tags.
 class DetailsDialog : public QDialog {
     Q_OBJECT
 

@@ -29,7 +29,7 @@ class EditJournal {
     /// not read at all.
     static Result<void> join(const std::filesystem::path& copy);
 
-    /// Where the journal of a copy is.
+    /// Returns where the journal of a copy is.
     static std::filesystem::path beside(const std::filesystem::path& copy);
 
   private:

@@ -15,13 +15,13 @@ class QWidget;
 
 namespace patina {
 
-/// What the File menu, a drop and the command line do with files: asks where to, asks before
+/// Does what the File menu, a drop and the command line do with files: asks where to, asks before
 /// unsaved work would be lost, remembers folders and recent files.
 class FileActions : public QObject {
     Q_OBJECT
 
   public:
-    /// What a file is, by its name, and where that says no more than JSON, by its "format".
+    /// Tells what a file is, by its name, and where that says no more than JSON, by its "format".
     enum class Kind { Preset, Scene, Panorama, Mesh };
 
     FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes, Session& session,
@@ -42,7 +42,7 @@ class FileActions : public QObject {
     /// document, a mesh an object in it: beside the others, or in place of a new document's.
     void open(const QStringList& files, Side side);
 
-    /// What a drop does: a preset goes onto the side it was dropped on, undoably.
+    /// Does what a drop asks for: a preset goes onto the side it was dropped on, undoably.
     void drop(const QStringList& files, Side side);
 
     /// Puts a preset on a side; asks about what it names outside its folder.

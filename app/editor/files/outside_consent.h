@@ -14,7 +14,7 @@ class OutsideConsent {
   public:
     OutsideConsent(Session& session, QWidget* window) : session_(session), window_(window) {}
 
-    /// What the file may read; asks about what nobody was asked before.
+    /// Returns what the file may read; asks about what nobody was asked before.
     ReadingRights rightsFor(const QString& file, DocumentFile::Kind kind, const Catalog& catalog);
 
     /// Asks about these files, and remembers the answer unless the document has no file yet.

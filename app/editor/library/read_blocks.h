@@ -25,7 +25,7 @@ ReadBlocks readBlocksOf(const Scene& scene, const Catalog& catalog);
 /// All blocks of a catalogue.
 ReadBlocks readBlocks(const Catalog& catalog);
 
-/// What something was found out with: whether the same blocks are still there.
+/// Knows what something was found out with: whether the same blocks are still there.
 class KnownBlocks {
   public:
     KnownBlocks() = default;
@@ -33,7 +33,8 @@ class KnownBlocks {
 
     const std::shared_ptr<const Catalog>& catalog() const { return catalog_; }
 
-    /// Whether another catalogue has them, too. One that is the same has; no file is read then.
+    /// Tells whether another catalogue has them, too. One that is the same has; no file is read
+    /// then.
     bool areIn(const std::shared_ptr<const Catalog>& catalog) const;
 
   private:

@@ -12,8 +12,8 @@ namespace patina {
 /// A value as text for the clipboard: "0.5", "true", "ggx", "[0.8, 0.1, 0.1]".
 std::string copiedText(const Value& value);
 
-/// What pasted text means to a parameter, inside its hard range; a colour may be sRGB hex too.
-/// Nothing when it means nothing.
+/// Returns what pasted text means to a parameter, inside its hard range; a colour may be sRGB hex
+/// too. Nothing when it means nothing.
 std::optional<Value> pastedValue(const Parameter& parameter, std::string_view text);
 
 } // namespace patina

@@ -10,8 +10,8 @@ class ColorSource {
   public:
     virtual ~ColorSource() = default;
 
-    /// What the widget shows as linear light, at the screen's own resolution; empty when there is
-    /// nothing.
+    /// Returns what the widget shows as linear light, at the screen's own resolution; empty when
+    /// there is nothing.
     virtual Image linearPicture() = 0;
 };
 

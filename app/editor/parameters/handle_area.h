@@ -28,7 +28,7 @@ class HandleArea : public QWidget {
     Q_OBJECT
 
   public:
-    /// How many handles there may be, and how far apart their x are at least.
+    /// Says how many handles there may be, and how far apart their x are at least.
     struct Limits {
         std::size_t min = 1;
         std::size_t max = 1;
@@ -48,7 +48,7 @@ class HandleArea : public QWidget {
     void replaceChosen(const Handle& wanted);
     void removeChosen();
 
-    /// Where a handle is in the widget.
+    /// Returns where a handle is in the widget.
     virtual QPointF pixelOf(const Handle& handle) const = 0;
 
   Q_SIGNALS:

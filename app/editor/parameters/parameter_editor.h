@@ -23,7 +23,7 @@ class ParameterEditor : public QWidget {
 
     virtual void present(const Value& value) = 0;
 
-    /// What takes the focus when the row's label is activated.
+    /// Returns what takes the focus when the row's label is activated.
     virtual QWidget* focusTarget() = 0;
 
     /// Lets the row's label change the value by dragging, where there is one number to change.

@@ -43,13 +43,13 @@ class ParameterRow : public QWidget {
     /// Shows the image of the value; none may be put there while nothing `takes` them.
     void presentTexture(bool takes, const std::optional<TextureUse>& use,
                         const TexturePreview& preview);
-    /// Whether the parameter counts at present; `reason` says when it would.
+    /// Sets whether the parameter counts at present; `reason` says when it would.
     void setCounting(bool counts, const QString& reason);
     int labelWidthHint() const;
     /// The least that the row needs beside its label, its marks included.
     int widthBesideLabel() const;
     void setLabelWidth(int width);
-    /// What Tab goes through, in order.
+    /// Returns what Tab goes through, in order.
     std::vector<QWidget*> focusChain() const;
 
   Q_SIGNALS:

@@ -12,14 +12,14 @@
 
 namespace patina {
 
-/// What is known of an image that lies on a value.
+/// Holds what is known of an image that lies on a value.
 struct TexturePreview {
     QImage image;          ///< small; null while it is on its way
     QString problem;       ///< why it is missing; empty while it is not
     bool hasAlpha = false; ///< and not only 1
 };
 
-/// Where a form's values come from and where its edits go.
+/// Tells where a form's values come from and where its edits go.
 class ParameterSource {
   public:
     virtual ~ParameterSource() = default;
@@ -34,7 +34,7 @@ class ParameterSource {
     virtual int beginInteraction(std::string_view parameterId) = 0;
     virtual void endInteraction(int token) = 0;
 
-    /// Whether values may have images.
+    /// Tells whether values may have images.
     virtual bool takesTextures() const { return false; }
     virtual std::optional<TextureUse> texture(std::string_view) const { return std::nullopt; }
     virtual void setTexture(std::string_view, const std::optional<TextureUse>&) {}

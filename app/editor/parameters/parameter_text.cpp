@@ -65,7 +65,7 @@ struct Shower {
     }
 };
 
-/// Whether the range of a type tells more than the editor shows.
+/// Tells whether the range of a type tells more than the editor shows.
 bool tellsRange(ParameterType type) {
     return infoOf(type).hasRange && infoOf(type).function == nullptr &&
            type != ParameterType::Color;

@@ -12,7 +12,7 @@ namespace patina {
 /// A value as a form writes it: few digits, the unit, the label of a choice.
 QString shownValue(const Parameter& parameter, const Value& value);
 
-/// What hovering over a parameter says, in plain words.
+/// Returns what hovering over a parameter says, in plain words.
 QString tooltipOf(const Parameter& parameter);
 
 /// Why a parameter counts or does not: "Falloff is Polynomial".

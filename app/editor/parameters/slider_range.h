@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// How a slider's length maps to values. It spans the soft range and widens when a value beyond it
+/// Maps a slider's length to values. It spans the soft range and widens when a value beyond it
 /// is set, up to the hard range, until it is reset.
 class SliderRange {
   public:

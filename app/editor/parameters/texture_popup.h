@@ -10,8 +10,8 @@ namespace patina {
 
 class ParameterForm;
 
-/// How the image of a value is read and laid on, in a small window that goes with a click beside
-/// it.
+/// Edits how the image of a value is read and laid on, in a small window that goes with a click
+/// beside it.
 class TexturePopup : public QFrame {
     Q_OBJECT
 

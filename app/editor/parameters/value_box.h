@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Whether a field is asked if a key for undo or redo is its own.
+/// Tells whether a field is asked if a key for undo or redo is its own.
 bool asksForUndo(const QEvent& event);
 
 /// A field in which a value is typed. Enter or leaving it asks for what was typed, Esc takes the

@@ -10,8 +10,8 @@ class QWheelEvent;
 
 namespace patina {
 
-/// How many steps an arrow up or down or a page key asks for; with Shift an arrow asks for a
-/// tenth. Nothing for other keys.
+/// Returns how many steps an arrow up or down or a page key asks for; with Shift an arrow asks for
+/// a tenth. Nothing for other keys.
 std::optional<double> stepsOf(const QKeyEvent& key);
 
 /// Counts whole notches of a wheel, whose events may bring parts of one; with Shift each is worth
@@ -29,7 +29,7 @@ class WheelSteps {
 /// round number, far enough to be felt and hit.
 inline constexpr double snapPixels = 6.0;
 
-/// What Shift makes of a step.
+/// Returns what Shift makes of a step.
 double fineness(Qt::KeyboardModifiers modifiers);
 
 } // namespace patina

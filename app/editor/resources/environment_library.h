@@ -29,7 +29,7 @@ class EnvironmentLibrary : public QObject {
     bool isLoading() const { return !worker_.isIdle(); }
     const std::string& file() const { return file_; }
 
-    /// Whether the file was asked for last and could not be read.
+    /// Tells whether the file was asked for last and could not be read.
     bool isMissing(std::string_view file) const { return hasFailed_ && file == file_; }
 
     /// Files that are not read from now on; those that were and are no more are tried again.

@@ -47,7 +47,7 @@ class MeshLibrary : public QObject {
     /// The files process, for whoever else has files to read.
     AssetClient& client();
 
-    /// What is read from now on; what failed with other rights is tried again, and what lacks
+    /// Sets what is read from now on; what failed with other rights is tried again, and what lacks
     /// links is read again.
     void setRights(const FileRights& rights);
 
@@ -67,7 +67,7 @@ class MeshLibrary : public QObject {
     void linksRefused(QString file, std::vector<std::string> places);
 
   private:
-    /// What a file gave, and what picking in it needs.
+    /// Holds what a file gave, and what picking in it needs.
     struct Loaded {
         std::shared_ptr<const SharedMesh> mesh;
         std::vector<Bounds> runs;

@@ -30,16 +30,16 @@ class TextureLibrary : public QObject {
     /// `client` gives the files process; it outlives the library.
     explicit TextureLibrary(Client client, QObject* parent = nullptr);
 
-    /// What there is of an image. A file that was not asked for yet starts loading.
+    /// Returns what there is of an image. A file that was not asked for yet starts loading.
     TextureLookup find(const TextureUse& use, TextureDecoding decoding);
 
-    /// What there is now, for another thread: nothing more is loaded for it.
+    /// Returns what there is now, for another thread: nothing more is loaded for it.
     TextureSource snapshot() const;
 
     /// A small picture of a file, as far as it is known; null while it is not.
     QImage preview(const std::string& file) const;
 
-    /// Whether some of the file is not opaque, as far as it is known.
+    /// Tells whether some of the file is not opaque, as far as it is known.
     bool hasAlpha(const std::string& file) const;
 
     /// Why a file is missing; empty while it is not.
@@ -82,7 +82,7 @@ class TextureLibrary : public QObject {
     void dropUnused();
 
     Client client_;
-    /// What is known; nothing where nobody asked or nobody answered yet.
+    /// Returns what is known; nothing where nobody asked or nobody answered yet.
     static std::optional<TextureLookup> among(const Pictures& pictures, const Failures& failures,
                                               const TextureUse& use, TextureDecoding decoding);
     Pictures pictures_;

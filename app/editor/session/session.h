@@ -10,10 +10,10 @@
 
 namespace patina {
 
-/// Which look the user asked for.
+/// Tells which look the user asked for.
 enum class Look { System, Light, Dark };
 
-/// What is remembered from one start to the next, in $XDG_CONFIG_HOME/patina/patina.ini.
+/// Keeps what is remembered from one start to the next, in $XDG_CONFIG_HOME/patina/patina.ini.
 class Session {
   public:
     Session();
@@ -28,8 +28,8 @@ class Session {
     void addRecentFile(const QString& file);
     void clearRecentFiles();
 
-    /// What a file may read outside of its folder, and what not, as the user said. The files that
-    /// were asked about last are remembered.
+    /// Returns what a file may read outside of its folder, and what not, as the user said. The
+    /// files that were asked about last are remembered.
     QStringList outside(const QString& file, bool allowed) const;
     void addOutside(const QString& file, bool allowed, const QStringList& others);
 
@@ -55,7 +55,7 @@ std::filesystem::path cacheFolder();
 std::filesystem::path stateFolder();
 std::filesystem::path userDataFolder();
 
-/// Where compiled programs are kept.
+/// Returns where compiled programs are kept.
 std::filesystem::path programFolder();
 
 } // namespace patina

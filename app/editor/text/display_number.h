@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// How the window writes numbers, in every language.
+/// Returns how the window writes numbers, in every language.
 inline QLocale numberLocale() {
     return QLocale::c();
 }

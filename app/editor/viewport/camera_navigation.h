@@ -19,7 +19,7 @@ class CameraNavigation : public QObject {
     Q_OBJECT
 
   public:
-    /// What a drag does, from the press to the release.
+    /// Tells what a drag does, from the press to the release.
     enum class Drag { None, Orbit, Pan, Dolly, TurnObject, TurnLight };
 
     explicit CameraNavigation(QObject* parent = nullptr);

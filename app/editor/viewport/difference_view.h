@@ -35,13 +35,13 @@ class DifferenceView : public QFrame {
     double gain() const; ///< 1 .. maxGain
     void setGain(double gain);
 
-    /// What is shown, as it was measured; null before that.
+    /// Returns what is shown, as it was measured; null before that.
     const FrameDifference* difference() const { return difference_.get(); }
-    /// What the picture is of.
+    /// Says what the picture is of.
     QString caption() const;
-    /// What is shown, as a picture.
+    /// Returns what is shown, as a picture.
     const QImage& picture() const { return picture_; }
-    /// Whether that is of A and B as they are now.
+    /// Tells whether that is of A and B as they are now.
     bool isUpToDate() const;
 
   protected:

@@ -21,7 +21,7 @@ class DifferenceWorker : public QObject {
     Q_OBJECT
 
   public:
-    /// What one side shows.
+    /// Holds what one side shows.
     struct Side {
         Scene scene;
         std::optional<Scene> effects; ///< see View::effects
@@ -44,7 +44,7 @@ class DifferenceWorker : public QObject {
     /// anything.
     void ask(Request request);
 
-    /// Whether nothing is asked for that is not finished.
+    /// Tells whether nothing is asked for that is not finished.
     bool isIdle() const { return worker_.isIdle(); }
 
   Q_SIGNALS:

@@ -170,9 +170,9 @@ FrameJob& FrameLoop::beginJob(FramePurpose purpose) {
     return renderer_->begin(viewed_.sources().scene(), view(), viewed_.sources().meshes, purpose);
 }
 
-/// Whether the frame to be drawn lacks programs that are made elsewhere meanwhile. The first frame
-/// has no window yet that could stand still. What came and is still lacking was not kept by the
-/// driver or the disk: it is made here.
+/// Tells whether the frame to be drawn lacks programs that are made elsewhere meanwhile. The first
+/// frame has no window yet that could stand still. What came and is still lacking was not kept by
+/// the driver or the disk: it is made here.
 bool FrameLoop::waitsForPrograms(FrameJob& job) {
     if (!programs_.canOrder() || frameCount_ == 0) {
         return false;

@@ -68,10 +68,10 @@ class FrameLoop : public QObject {
     /// A frame is being drawn that takes several turns, or the renderer is lent.
     bool isDrawing() const { return progress_ != Progress::Idle; }
 
-    /// Whether the picture shows what would be drawn now.
+    /// Tells whether the picture shows what would be drawn now.
     bool isUpToDate() const { return !stale_ && !isDrawing(); }
 
-    /// How the scene is drawn now.
+    /// Returns how the scene is drawn now.
     View view() const;
 
     /// Samples that the picture has; 0 without an environment.

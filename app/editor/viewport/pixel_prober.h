@@ -20,7 +20,7 @@ class PixelProber : public QObject {
     /// Both outlive it; `widget` shows the frames.
     PixelProber(FrameLoop& frames, const QWidget& widget);
 
-    /// Where the pointer is; nothing when it is not over the view.
+    /// Sets where the pointer is; nothing when it is not over the view.
     void setPointer(std::optional<QPoint> pointer);
 
   Q_SIGNALS:

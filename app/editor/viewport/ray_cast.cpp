@@ -36,8 +36,8 @@ double distanceTo(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, cons
     return t > 0.0 ? t : never;
 }
 
-/// Whether the ray comes through the box before `limit`. The slabs' ends are rounded, so a little
-/// more than the box counts.
+/// Tells whether the ray comes through the box before `limit`. The slabs' ends are rounded, so a
+/// little more than the box counts.
 bool meets(const Ray& ray, const Bounds& box, double limit) {
     constexpr double slack = 1e-12;
     double enter = 0.0;

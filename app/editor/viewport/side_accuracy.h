@@ -7,8 +7,8 @@
 
 namespace patina {
 
-/// How exactly a side is computed while the sides differ in nothing else: "Exact", or what is not
-/// ("Grazing terms: Table"). Empty in any other case.
+/// Returns how exactly a side is computed while the sides differ in nothing else: "Exact", or what
+/// is not ("Grazing terms: Table"). Empty in any other case.
 QString accuracyOfSide(const Document& document, Side side);
 
 } // namespace patina

@@ -18,7 +18,7 @@ namespace patina {
 class InspectionPanel;
 class ProgramWorker;
 
-/// What views show.
+/// Holds what views show.
 struct ViewSources {
     Document& document;
     MeshLibrary& meshes;

@@ -15,7 +15,7 @@ glm::dvec3 turnedRotation(const glm::dvec3& rotation, const Camera& camera, doub
 Values turnedLight(const Values& values, const Block& light, const Camera& camera, double yaw,
                    double pitch);
 
-/// Whether turnedLight() has something to turn.
+/// Tells whether turnedLight() has something to turn.
 bool canTurn(const Block& light);
 
 /// The light that the mouse turns: `preferred` when that is on and can turn, or the first such

@@ -26,7 +26,8 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     explicit Viewport(ViewedScene::Sources sources, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    /// What a context must offer; the application's default before the first window is made.
+    /// Returns what a context must offer; the application's default before the first window is
+    /// made.
     static QSurfaceFormat surfaceFormat();
 
     CameraNavigation& navigation() { return navigation_; }

@@ -12,7 +12,7 @@ class QWidget;
 
 namespace patina {
 
-/// Where a dock stands in the layout of a first start. Docks of one place are tabs.
+/// Tells where a dock stands in the layout of a first start. Docks of one place are tabs.
 enum class DockPlace { LeftTop, LeftBottom, RightTop, RightBottom, Bottom };
 
 /// One dock: its name in saved layouts, its title, its place, and how its widget is made, which

@@ -50,8 +50,8 @@ class MainWindow : public QMainWindow {
     QDockWidget* dock(const QString& name) const { return layout_->dock(name); }
     DockContext dockContext();
 
-    /// What can wait until the first frame is on the screen: presets, thumbnails, watching, the
-    /// desktop's look.
+    /// Starts what can wait until the first frame is on the screen: presets, thumbnails, watching,
+    /// the desktop's look.
     void startRest();
 
     /// Asks about work that an earlier program could not save, the newest first.

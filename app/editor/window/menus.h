@@ -28,7 +28,7 @@ class Menus : public QObject {
     Q_OBJECT
 
   public:
-    /// What is asked. Everything in it outlives the menus.
+    /// Holds what is asked. Everything in it outlives the menus.
     struct Parts {
         QMainWindow& window;
         WindowLayout& layout;

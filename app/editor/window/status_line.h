@@ -29,7 +29,7 @@ class StatusLine : public QStatusBar {
     /// Whose frames are told about.
     void setViewport(Viewport* viewport);
 
-    /// How many effects the views do not show because they are switched off.
+    /// Sets how many effects the views do not show because they are switched off.
     void setSwitchedOff(int effects);
 
   Q_SIGNALS:

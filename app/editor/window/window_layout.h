@@ -15,7 +15,7 @@ namespace patina {
 class LazyDock;
 class Session;
 
-/// How large the window is and where its docks stand, at a first start and again at the next.
+/// Knows how large the window is and where its docks stand, at a first start and again at the next.
 class WindowLayout {
   public:
     /// Makes every dock. What the context has and the window outlive it.
@@ -26,7 +26,7 @@ class WindowLayout {
 
     /// Null where there is none of that name.
     QDockWidget* dock(const QString& name) const;
-    /// What shows and hides each dock.
+    /// Returns what shows and hides each dock.
     std::vector<QAction*> dockActions() const;
     /// Shows a dock, which may lie behind other tabs.
     void bringToFront(const QString& name) const;

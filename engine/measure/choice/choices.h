@@ -24,7 +24,8 @@ struct ChoiceLevel {
 
 /// Something that can be computed more cheaply.
 struct Choice {
-    /// What a choice belongs to, which says where it is kept and what its errors are measured by.
+    /// Tells what a choice belongs to, which says where it is kept and what its errors are measured
+    /// by.
     enum class Scope {
         Material, ///< shading: in Material::accuracy, against double precision
         Picture,  ///< how often and how finely: in View or the scene, against the finest picture
@@ -46,15 +47,15 @@ struct Choice {
 /// Which level of each choice is taken, by Choice::id; what is missing is exact.
 using ChosenLevels = std::map<std::string, std::string, std::less<>>;
 
-/// What levelsText() writes, read again; nothing where a word is no "<choice>=<level>".
+/// Returns what levelsText() writes, read again; nothing where a word is no "<choice>=<level>".
 std::optional<ChosenLevels> levelsFromText(const std::string& text);
 
-/// What shading the object's material in its scene could do more cheaply: the accuracy choices of
-/// every block that is in its effect set. Where the model and a part have a choice of the same name
-/// they share it, and it is listed once. None where there is no such object.
+/// Returns what shading the object's material in its scene could do more cheaply: the accuracy
+/// choices of every block that is in its effect set. Where the model and a part have a choice of
+/// the same name they share it, and it is listed once. None where there is no such object.
 std::vector<Choice> materialChoices(const Scene& scene, std::size_t object, const Catalog& catalog);
 
-/// What the picture of the scene could do more cheaply, whatever is in it.
+/// Returns what the picture of the scene could do more cheaply, whatever is in it.
 std::vector<Choice> choicesOfPicture(const Scene& scene, const Catalog& catalog);
 
 /// The levels that the material has now, without those that are exact.

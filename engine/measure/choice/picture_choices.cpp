@@ -204,7 +204,7 @@ constexpr std::array rows{
 
 constexpr std::string_view prefix = "picture.";
 
-/// Whether anything of the scene depends on it.
+/// Tells whether anything of the scene depends on it.
 bool counts(PictureChoice choice, const Scene& scene, const Catalog& catalog) {
     if (choice == PictureChoice::Environment) {
         return false; // a level of the row of its directions

@@ -11,10 +11,10 @@ namespace patina {
 void choosePicture(ChosenFrame& frame, const Choice& choice, const std::string& level,
                    const Catalog& catalog);
 
-/// Whether its levels are numbers of samples per pixel.
+/// Tells whether its levels are numbers of samples per pixel.
 bool isOfSamples(const Choice& choice);
 
-/// Whether its levels are numbers of directions of an environment.
+/// Tells whether its levels are numbers of directions of an environment.
 bool isOfDirections(const Choice& choice);
 
 } // namespace patina

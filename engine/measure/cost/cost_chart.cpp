@@ -76,7 +76,7 @@ bool comesBefore(const CostPoint& a, const CostPoint& b) {
     return a.isExact() != b.isExact() ? a.isExact() : timeOf(a) < timeOf(b);
 }
 
-/// Whether it is faster than all of the front that err no more, if by no more than the noise.
+/// Tells whether it is faster than all of the front that err no more, if by no more than the noise.
 bool isNearlyFaster(const CostPoint& point, const std::vector<CostPoint>& points,
                     const std::vector<std::size_t>& front) {
     return std::ranges::all_of(front, [&](std::size_t before) {

@@ -37,7 +37,7 @@ struct SameLevel {
     friend bool operator==(const SameLevel&, const SameLevel&) = default;
 };
 
-/// What was measured of a material in a scene.
+/// Holds what was measured of a material in a scene.
 struct CostChart {
     std::vector<Choice> choices;
     std::vector<CostPoint> points; ///< the exact one first, the others in the order of measuring
@@ -51,10 +51,10 @@ struct CostChart {
     std::optional<ConvergedRender> converged{}; ///< what some errors are against instead
     std::size_t leftOut = 0; ///< combinations that may be on the front, for which there was no time
 
-    /// Whether the point's errors are against that render.
+    /// Tells whether the point's errors are against that render.
     bool isAgainstConverged(const CostPoint& point) const;
 
-    /// What the point's ratio to the exact time says.
+    /// Returns what the point's ratio to the exact time says.
     RatioBound boundOf(const CostPoint& point) const;
 
     /// The levels by which the points go: in place of one that is the same as another, that one.
@@ -70,7 +70,7 @@ struct CostChart {
 /// Exact" of other choices; empty where all levels differ.
 std::string sameText(const CostChart& chart);
 
-/// Which errors are against a converged render, and how good that is; empty where none are.
+/// Returns which errors are against a converged render, and how good that is; empty where none are.
 std::string convergedText(const CostChart& chart);
 
 /// That combinations were left out for want of time, and how many; empty where none were.
@@ -79,7 +79,7 @@ std::string leftOutText(const CostChart& chart);
 /// The error by which points are compared: the relative error that 99 of 100 pixels keep.
 double errorOf(const CostPoint& point);
 
-/// Whether nobody can tell the two apart in time, or in their errors.
+/// Tells whether nobody can tell the two apart in time, or in their errors.
 bool tiesInTime(const CostPoint& a, const CostPoint& b);
 bool tiesInError(const CostPoint& a, const CostPoint& b);
 
@@ -92,7 +92,7 @@ std::vector<std::size_t> tiesOf(const std::vector<CostPoint>& points, const Cost
 /// points that nobody can tell apart one is on it: the exact one where it is among them.
 std::vector<std::size_t> costFront(const std::vector<CostPoint>& points);
 
-/// What a point is beside the front.
+/// Tells what a point is beside the front.
 enum class Standing {
     OnFront,
     Tie, ///< only the noise keeps it from the front: it ties with one that is on it, or is faster
@@ -106,7 +106,7 @@ std::vector<Standing> standings(const std::vector<CostPoint>& points);
 /// The points that may be worth choosing: the front, the fastest first, then its ties.
 std::vector<std::size_t> frontAndTies(const std::vector<CostPoint>& points);
 
-/// What may be spent: milliseconds of a frame, or an error as errorOf() has it.
+/// Holds what may be spent: milliseconds of a frame, or an error as errorOf() has it.
 struct CostBudget {
     std::optional<double> milliseconds;
     std::optional<double> error;

@@ -103,7 +103,7 @@ CostChart chartFrom(const json& from) {
     return chart;
 }
 
-/// Whether every choice has a level, and the first point, if any, is the exact one.
+/// Tells whether every choice has a level, and the first point, if any, is the exact one.
 bool isWhole(const CostChart& chart) {
     for (const Choice& choice : chart.choices) {
         if (choice.levels.empty()) {

@@ -15,7 +15,7 @@ namespace patina {
 /// soon as they are measured. Made, used and destroyed with one context current.
 class CostSweep {
   public:
-    /// What is measured. The catalogue and the meshes must stay while it is.
+    /// Holds what is measured. The catalogue and the meshes must stay while it is.
     struct Subject {
         Scene scene; ///< its ground is left out: nothing of it can be computed more cheaply
         std::size_t object = 0;
@@ -59,8 +59,8 @@ class CostSweep {
     /// environment; null before it is there.
     const LinearFrame* groundTruth() const;
 
-    /// Where the levels go wrong: the relative error of each pixel, rows from the top. Draws a
-    /// frame; empty before there is one to compare with.
+    /// Returns where the levels go wrong: the relative error of each pixel, rows from the top.
+    /// Draws a frame; empty before there is one to compare with.
     std::vector<double> errorMap(const ChosenLevels& levels);
 
   private:

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What `patina cost` prints about a chart, for people: the points on the front and those
+/// Returns what `patina cost` prints about a chart, for people: the points on the front and those
 /// that tie with one of them marked.
 std::string costText(const CostChart& chart);
 
@@ -19,12 +19,12 @@ std::string costCsv(const CostChart& chart, const std::string& name, bool withNa
 
 nlohmann::json costJson(const CostChart& chart);
 
-/// What costJson() wrote, to the precision of floats; bounds of too few runs are the median. An
-/// error where something is missing or of another type.
+/// Returns what costJson() wrote, to the precision of floats; bounds of too few runs are the
+/// median. An error where something is missing or of another type.
 Result<CostChart> costFromJson(const nlohmann::json& json);
 
-/// What tables of measurements have in common: an interval of so many samples, whose bounds are
-/// null or left empty where those are too few for one, and a count, null where there is none.
+/// Returns what tables of measurements have in common: an interval of so many samples, whose bounds
+/// are null or left empty where those are too few for one, and a count, null where there is none.
 nlohmann::json intervalJson(const MedianInterval& interval, int samples);
 std::string boundsCsv(const MedianInterval& interval, int samples); ///< "<lower>,<upper>" or ","
 nlohmann::json countJson(const std::optional<InstructionCount>& count);

@@ -13,8 +13,8 @@
 
 namespace patina {
 
-/// What a frame takes because of one effect: that of the frame with it, less that of the frame
-/// without it, of pairs of frames that follow each other.
+/// Holds what a frame takes because of one effect: that of the frame with it, less that of the
+/// frame without it, of pairs of frames that follow each other.
 struct EffectCost {
     std::string effect; ///< EffectLine::effect
     MedianInterval milliseconds;
@@ -62,7 +62,7 @@ class EffectCostMeter {
         bool mayShrink = false; ///< frames too slow for 7 rounds in that time are drawn smaller
     };
 
-    /// What is measured. The catalogue and the meshes must stay while it is.
+    /// Holds what is measured. The catalogue and the meshes must stay while it is.
     struct Subject {
         Scene scene;
         Camera camera;

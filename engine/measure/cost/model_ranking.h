@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// What a model costs with its defaults.
+/// Holds what a model costs with its defaults.
 struct ModelCost {
     std::string model;
     std::string label;
@@ -43,7 +43,7 @@ class ModelRanking {
     bool finished() const;
     double progress() const; ///< 0 .. 1
 
-    /// Which model is measured now.
+    /// Says which model is measured now.
     struct Turn {
         std::string label;
         std::size_t number = 1; ///< from 1 on

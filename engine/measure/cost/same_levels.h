@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// Whether a picture of the scene has more triangles than pixels.
+/// Tells whether a picture of the scene has more triangles than pixels.
 bool isDense(const Scene& scene, const MeshSource& meshes, glm::ivec2 size);
 
 /// Levels of the picture's samples per pixel that the device of the current context cannot tell

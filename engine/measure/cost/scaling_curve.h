@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// What a frame takes for more and more of one thing.
+/// Holds what a frame takes for more and more of one thing.
 struct ScalingCurve {
     enum class Axis { Pixels, Lights, Objects };
 

@@ -38,7 +38,7 @@ class ScalingSweep {
     bool finished() const;
     double progress() const; ///< 0 .. 1
 
-    /// Which axis is measured now, and how often it was.
+    /// Says which axis is measured now, and how often it was.
     struct Turn {
         ScalingCurve::Axis axis = ScalingCurve::Axis::Pixels;
         std::size_t number = 1; ///< of the axis, from 1 on

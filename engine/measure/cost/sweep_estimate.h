@@ -6,7 +6,7 @@
 
 namespace patina {
 
-/// How long all single choices of a picture will take, about, where frames have hundreds of
+/// Returns how long all single choices of a picture will take, about, where frames have hundreds of
 /// directions of an environment: a few of them tell. 0: that is not known before.
 double secondsOfSingles(const SweepFrames& frames, TimedFrames& drawn);
 

@@ -12,7 +12,7 @@ class SweepFrames {
     /// The subject's scene loses what is not measured.
     SweepFrames(CostSweep::Subject subject, const CostSweep::Options& options, glm::ivec2 size);
 
-    /// What can be computed more cheaply, as far as the options ask for it.
+    /// Returns what can be computed more cheaply, as far as the options ask for it.
     const std::vector<Choice>& choices() const { return choices_; }
     bool isOfMaterial() const { return scope_ == Choice::Scope::Material; }
     const CostSweep::Subject& subject() const { return subject_; }

@@ -46,7 +46,7 @@ SweepPlan::SweepPlan(std::vector<Choice> choices, bool combinations, ChosenLevel
     add({});
 }
 
-/// Whether all of it is among the choices.
+/// Tells whether all of it is among the choices.
 bool SweepPlan::isMeant(const ChosenLevels& levels) const {
     return std::ranges::all_of(levels, [this](const auto& level) {
         return std::ranges::any_of(choices_, [&level](const Choice& choice) {

@@ -9,9 +9,10 @@
 
 namespace patina {
 
-/// Which points of a chart are worth measuring, and in which order: the exact one, each level by
-/// itself, then combinations of those levels that gain something. All of them where they are fewer
-/// than 512, those that promise most first; else one level more at a time, from the exact point on.
+/// Decides which points of a chart are worth measuring, and in which order: the exact one, each
+/// level by itself, then combinations of those levels that gain something. All of them where they
+/// are fewer than 512, those that promise most first; else one level more at a time, from the exact
+/// point on.
 class SweepPlan {
   public:
     static constexpr std::size_t maxCombinations = 512;
@@ -22,10 +23,10 @@ class SweepPlan {
     /// The next point, given what was measured; nothing: all are.
     std::optional<ChosenLevels> next(const CostChart& chart);
 
-    /// How many points it would name that are not on the chart, if all times were sure.
+    /// Returns how many points it would name that are not on the chart, if all times were sure.
     std::size_t leftOver(CostChart chart) const;
 
-    /// How many are known to be still to come.
+    /// Returns how many are known to be still to come.
     std::size_t waiting() const { return waiting_.size(); }
 
   private:

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// What a sweep is doing.
+/// Holds what a sweep is doing.
 struct SweepStep {
     enum class Work {
         GroundTruthFrame, ///< what errors are measured against

@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// What errors are against where points draw fewer directions of an environment than the exact
-/// one: all others have the same directions as that.
+/// Holds what errors are against where points draw fewer directions of an environment than the
+/// exact one: all others have the same directions as that.
 struct ConvergedRender {
     std::string choice; ///< Choice::id: points with a level of it are compared with the render
     int directions = 0; ///< per pixel; no point draws any of them
@@ -27,7 +27,7 @@ struct ConvergedRender {
 /// current.
 class ConvergedFrame {
   public:
-    /// What is wanted. All that is referred to must stay.
+    /// Holds what is wanted. All that is referred to must stay.
     struct Wish {
         Renderer& renderer;
         const MeshSource& meshes;

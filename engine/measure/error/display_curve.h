@@ -7,15 +7,15 @@
 
 namespace patina {
 
-/// How linear light becomes what a display shows: exposure, tone mapping and the sRGB curve, in
-/// double precision, as passes/display.frag does it on the device.
+/// Says how linear light becomes what a display shows: exposure, tone mapping and the sRGB curve,
+/// in double precision, as passes/display.frag does it on the device.
 struct DisplayCurve {
     double exposure = 0.0; ///< powers of two
     ToneMapping toneMapping = ToneMapping::KhronosNeutral;
 
     static DisplayCurve of(const Scene& scene) { return {scene.exposure, scene.toneMapping}; }
 
-    /// What the light is multiplied by.
+    /// Returns what the light is multiplied by.
     double factor() const;
 
     /// 0 .. 1 per channel, not rounded to steps.

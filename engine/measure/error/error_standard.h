@@ -8,9 +8,9 @@
 
 namespace patina {
 
-/// What the errors of a sweep are measured against: the ground truth and, where points differ in
-/// their directions of an environment, a converged one. Made, used and destroyed with one context
-/// current.
+/// Makes what the errors of a sweep are measured against: the ground truth and, where points differ
+/// in their directions of an environment, a converged one. Made, used and destroyed with one
+/// context current.
 class ErrorStandard {
   public:
     /// `directions`: Choice::id of the points' choice of directions; empty where there is none.
@@ -28,7 +28,7 @@ class ErrorStandard {
     /// directions.
     std::optional<ConvergedRender> converged() const;
 
-    /// What a point of these levels is compared by, when all is done.
+    /// Returns what a point of these levels is compared by, when all is done.
     const ErrorMeter& meterOf(const ChosenLevels& levels) const;
 
   private:

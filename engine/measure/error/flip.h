@@ -11,10 +11,10 @@
 
 namespace patina {
 
-/// How different two pictures look to somebody who flips between them: P. Andersson, J. Nilsson,
-/// T. Akenine-Möller, M. Oskarsson, K. Åström, M. D. Fairchild, FLIP: A Difference Evaluator for
-/// Alternating Images, Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020. For pictures of a
-/// display, which it compares as the eye filters them.
+/// Measures how different two pictures look to somebody who flips between them: P. Andersson, J.
+/// Nilsson, T. Akenine-Möller, M. Oskarsson, K. Åström, M. D. Fairchild, FLIP: A Difference
+/// Evaluator for Alternating Images, Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020. For
+/// pictures of a display, which it compares as the eye filters them.
 class Flip {
   public:
     /// A display 0.7 m wide with 3840 pixels, seen from 0.7 m.
@@ -38,7 +38,7 @@ class Flip {
                         std::vector<double>& map) const;
 
   private:
-    /// What the eye makes of a picture.
+    /// Holds what the eye makes of a picture.
     struct Seen {
         std::vector<glm::dvec3> colors; ///< filtered, in Hunt-adjusted L*a*b*
         std::vector<double> edges;      ///< how strong an edge is there

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// How far two frames of one view are apart, in linear light with the exposure in it.
+/// Says how far two frames of one view are apart, in linear light with the exposure in it.
 struct FrameDifference {
     glm::ivec2 size{0};
     std::vector<glm::vec3> apart; ///< |A - B| of each channel, 0 or more, rows from the top

@@ -12,9 +12,9 @@
 
 namespace patina {
 
-/// How far a frame is from the ground truth, over the pixels that count. Relative errors are those
-/// of a pixel's channel that is off by most, in linear light, relative to the pixel's brightest
-/// channel; where that is too dark for half of an 8-bit step, relative to that.
+/// Says how far a frame is from the ground truth, over the pixels that count. Relative errors are
+/// those of a pixel's channel that is off by most, in linear light, relative to the pixel's
+/// brightest channel; where that is too dark for half of an 8-bit step, relative to that.
 struct FrameError {
     double max = 0.0;
     double mean = 0.0;

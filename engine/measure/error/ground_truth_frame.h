@@ -16,7 +16,7 @@ namespace patina {
 /// compute it, else as the device draws it. Made, used and destroyed with one context current.
 class GroundTruthFrame {
   public:
-    /// What is wanted. Everything in it must stay.
+    /// Holds what is wanted. Everything in it must stay.
     struct Wish {
         Renderer& renderer;
         const MeshSource& meshes;

@@ -18,7 +18,7 @@ class ParallelJob {
     /// A stage begins when all places of the one before are done.
     void add(std::size_t places, Stage stage);
 
-    /// What is done once, on the thread that asks.
+    /// Adds what is done once, on the thread that asks.
     void addOnce(std::function<void()> work);
 
     /// Works for about so long; true when all is done.

@@ -27,10 +27,10 @@ class ReferenceFrame {
     /// environment that `next` has, which is the same buffer otherwise.
     void goOn(SurfaceBuffer next);
 
-    /// Whether directions of an environment make any difference.
+    /// Tells whether directions of an environment make any difference.
     bool isSampled() const;
 
-    /// What was computed so far; black where it is not yet, and where nothing counts.
+    /// Returns what was computed so far; black where it is not yet, and where nothing counts.
     const LinearFrame& frame() const { return frame_; }
 
   private:

@@ -18,7 +18,7 @@ inline double greatestOf(const glm::dvec3& v) {
     return std::max({v.x, v.y, v.z});
 }
 
-/// How far a colour is from the right one: the channel that is off by most, relative to the
+/// Returns how far a colour is from the right one: the channel that is off by most, relative to the
 /// brightest channel, or to `floor` where that is darker. What is not a number is infinitely wrong.
 inline double relativeError(const glm::dvec3& right, const glm::dvec3& got, double floor) {
     const glm::dvec3 off = glm::abs(got - right);

@@ -21,7 +21,7 @@ struct SurfaceCode {
         BlockCode block;
         std::optional<std::size_t> share; ///< the number of its share among a pixel's
     };
-    /// What images change, or what is emitted.
+    /// Holds what images change, or what is emitted.
     struct FieldPlace {
         std::size_t block = 0; ///< in blocks
         std::size_t offset = 0;
@@ -63,7 +63,7 @@ class SurfaceShader {
     /// Looks at a pixel of the buffer that shows the code's object.
     void lookAt(const SurfaceBuffer& buffer, std::size_t pixel);
 
-    /// What its model makes of lamps and ambient light.
+    /// Returns what its model makes of lamps and ambient light.
     glm::dvec3 still() const;
 
     /// The mean of what the buffer's samples of an environment make of it.

@@ -24,7 +24,7 @@ struct EvalBlock {
     std::vector<double> packedValues() const { return packed(*block, values, accuracy); }
 };
 
-/// Where a block is evaluated. Each kind of block reads what it is a function of.
+/// Says where a block is evaluated. Each kind of block reads what it is a function of.
 struct EvalPlace {
     /// As given, of any length. A light's point is in `l`; fog's eye is there, and in `v` the unit
     /// direction from it.
@@ -54,17 +54,18 @@ struct EvalCase : EvalPlace {
     std::vector<double> arguments;
 };
 
-/// How many numbers the answer of a block is, by what the first function of its kind returns.
+/// Returns how many numbers the answer of a block is, by what the first function of its kind
+/// returns.
 std::size_t resultsOf(const EvalCase& request);
 
-/// How many of them, from the first on, say a direction: their sign says nothing.
+/// Returns how many of them, from the first on, say a direction: their sign says nothing.
 std::size_t signedResultsOf(const EvalCase& request);
 
 /// The fields that the block is a function of; none of another subject.
 std::span<const EvalField> fieldsOf(const EvalCase& request);
 
-/// What blocks of a kind are evaluated as, by what the kind's first function takes; nothing where
-/// that cannot be said in a line.
+/// Returns what blocks of a kind are evaluated as, by what the kind's first function takes; nothing
+/// where that cannot be said in a line.
 std::optional<EvalCase::Subject> subjectOfKind(std::string_view kind);
 
 /// The case as a line that `patina eval` reads, all its values included.

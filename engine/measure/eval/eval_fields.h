@@ -39,7 +39,7 @@ using FieldNumbers = std::array<double, 8>;
 /// none where it cannot be said in a line.
 std::span<const EvalField> evalFieldsOf(std::string_view type);
 
-/// How many numbers they are.
+/// Returns how many numbers they are.
 std::size_t numbersOf(std::span<const EvalField> fields);
 
 } // namespace patina

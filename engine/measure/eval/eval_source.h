@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// How a program's cases and results lie in textures.
+/// Says how a program's cases and results lie in textures.
 struct EvalShape {
     int caseTexels = 1;
     int resultPixels = 1;
@@ -20,14 +20,14 @@ struct EvalShape {
 /// Rows of the textures, in texels.
 constexpr int evalWidth = 1024;
 
-/// What a program holds instead of its data, as in the renderer's programs.
+/// Returns what a program holds instead of its data, as in the renderer's programs.
 std::vector<CompiledValue> compiledValues(const EvalBlock& block);
 
 /// Two cases with the same key are answered by the same program.
 std::string evalKey(const EvalCase& request);
 
-/// What the program of a case needs; an error when there is no such function or it is called with
-/// the wrong number of arguments.
+/// Returns what the program of a case needs; an error when there is no such function or it is
+/// called with the wrong number of arguments.
 Result<EvalShape> evalShape(const EvalCase& request);
 
 /// The fragment stage that answers the case and those with the same key.

@@ -18,7 +18,7 @@ struct ReferenceCode {
     static Result<ReferenceCode> find(const EvalCase& request);
 };
 
-/// Where a model is evaluated at a place, its vectors normalised.
+/// Returns where a model is evaluated at a place, its vectors normalised.
 reference::Geometry geometryOf(const EvalPlace& place);
 
 /// The numbers that answer a case; what is not used is 0.

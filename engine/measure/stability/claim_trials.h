@@ -16,8 +16,8 @@ struct ClaimTrial {
     bool brightest = false;                ///< with every colour of the block at its largest
     std::vector<EvalPlace> places;
 
-    /// What shows the claim to be false: the place, its value and what that had to be or not to
-    /// exceed.
+    /// Holds what shows the claim to be false: the place, its value and what that had to be or not
+    /// to exceed.
     struct Broken {
         std::size_t place = 0;
         double value = 0.0;
@@ -29,7 +29,7 @@ struct ClaimTrial {
     std::function<std::optional<Broken>(std::span<const double>)> judge;
 };
 
-/// What a block claims beyond what single values show, tried: that light and viewer can be
+/// Returns what a block claims beyond what single values show, tried: that light and viewer can be
 /// exchanged, that turning both changes nothing, that no more light comes back than arrives, that
 /// nothing is cut off at the horizon, that a reflectance rises towards grazing light. Empty where a
 /// claim is about the block without what fills its slot.

@@ -127,8 +127,9 @@ void moveTowardsMirror(reference::Geometry& geometry) {
     geometry.v -= step;
 }
 
-/// Whether the normal is exact in floats and picks a component of vectors, so that cosines with it
-/// are as exact as that component, however small. A grain mixes the other two with their roundings.
+/// Tells whether the normal is exact in floats and picks a component of vectors, so that cosines
+/// with it are as exact as that component, however small. A grain mixes the other two with their
+/// roundings.
 bool hasExactCosines(const ReferenceCase& bound, const reference::Geometry& geometry,
                      const ReferenceNumbers& exact) {
     if (geometry.n != glm::dvec3(0.0, 0.0, 1.0)) {

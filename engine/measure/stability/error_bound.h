@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// How far a float result may be from the double-precision one on the same float inputs:
+/// Tells how far a float result may be from the double-precision one on the same float inputs:
 /// (16 noise + 32 * 2^-24) |value| + 1e-30. noise |value| is what the exact value changes by when
 /// its inputs move by half a unit in the last place of a float: the sum of the changes as each
 /// moves in turn, or, where that is larger, the change as all move together, or as light and viewer
@@ -25,12 +25,12 @@ class ErrorBound {
     ReferenceNumbers at(const ReferenceCase& bound, const EvalPlace& place,
                         const ReferenceNumbers& exact) const;
 
-    /// How many times its bound the largest error of an answer is. The noise is looked at only
-    /// until what is known of it covers the error: of that part the answer is then, at most 1.
+    /// Returns how many times its bound the largest error of an answer is. The noise is looked at
+    /// only until what is known of it covers the error: of that part the answer is then, at most 1.
     double excess(const ReferenceCase& bound, const EvalPlace& place, const ReferenceNumbers& exact,
                   const ReferenceNumbers& answer) const;
 
-    /// What is allowed without looking at the noise.
+    /// Returns what is allowed without looking at the noise.
     static double floor(double exact);
 
     /// Whether the noise that is known so far says all that is asked; more only adds to it.

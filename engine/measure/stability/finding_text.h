@@ -9,7 +9,8 @@
 
 namespace patina {
 
-/// Where a case is, in words: "light 0.57 degrees above the horizon, viewer along the normal, ...".
+/// Returns where a case is, in words: "light 0.57 degrees above the horizon, viewer along the
+/// normal, ...".
 std::string placeText(const EvalCase& request);
 
 /// By how much a value is wrong: "gives (nan, 0, 0)", "gives 0.153, exactly 0.05, 3.2 times ...".
@@ -18,8 +19,8 @@ std::string amountText(const SweepFinding& finding);
 /// "on the graphics device" or "on the CPU in double precision".
 const char* precisionText(bool gpu);
 
-/// What a verdict has to add where not everything was evaluated twice: " on the graphics device
-/// only", " in double precision only", or nothing.
+/// Returns what a verdict has to add where not everything was evaluated twice: " on the graphics
+/// device only", " in double precision only", or nothing.
 const char* limitText(const SweepReport& report);
 
 /// Everything of a report; what is not finite is the text "nan", "inf" or "-inf".

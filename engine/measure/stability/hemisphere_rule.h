@@ -13,7 +13,7 @@ struct WeightedDirection {
     double weight = 0.0;
 };
 
-/// How fine a hemisphereRule() is.
+/// Says how fine a hemisphereRule() is.
 struct HemisphereRuleSize {
     int nodes = 6;             ///< of Gauss and Legendre in each panel, along each angle
     double widestPanel = 0.25; ///< in radians

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// Where a sweep evaluates, and how much of it.
+/// Says where a sweep evaluates, and how much of it.
 struct SweepOptions {
     bool cpu = true;
     bool gpu = true;   ///< an OpenGL context must be current while the sweep exists
@@ -38,7 +38,7 @@ class StabilitySweep {
     /// 0 .. 1.
     double progress() const;
 
-    /// How many cases it evaluates from beginning to end.
+    /// Returns how many cases it evaluates from beginning to end.
     std::size_t plannedCases() const;
 
     /// Does one slice of the work: compiles at most one program.

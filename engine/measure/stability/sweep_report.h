@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// What can be wrong with a value, and then with the values that a claim is about.
+/// Tells what can be wrong with a value, and then with the values that a claim is about.
 enum class Defect {
     NotANumber,
     Infinite,
@@ -43,7 +43,7 @@ struct SweepTally {
     SweepFinding worst;
 };
 
-/// What a sweep has found so far.
+/// Holds what a sweep has found so far.
 struct SweepReport {
     std::size_t cases = 0; ///< evaluated, on the CPU, the graphics device or both
     std::size_t programs = 0;

@@ -18,7 +18,7 @@ class ValueChecks {
     std::optional<Defect> check(const EvalPlace& place, std::span<const double> numbers,
                                 double& excess) const;
 
-    /// How many numbers the block answers.
+    /// Returns how many numbers the block answers.
     std::size_t numbers() const { return numbers_; }
 
   private:

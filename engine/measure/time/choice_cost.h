@@ -12,7 +12,7 @@ namespace patina {
 /// many that three at each end do not.
 constexpr int emptyFrames = 15;
 
-/// What a way to compute a frame takes beside the exact one.
+/// Holds what a way to compute a frame takes beside the exact one.
 struct ChoiceCost {
     MedianInterval ratio{1.0, 1.0, 1.0}; ///< to the exact time, both without the empty frame's
     MedianInterval milliseconds;      ///< of the whole frame: by the ratio, from the exact one's
@@ -28,7 +28,7 @@ struct ChoiceCost {
     friend bool operator==(const ChoiceCost&, const ChoiceCost&) = default;
 };
 
-/// What a ratio of two times says where one of them, or both, cannot be told from none.
+/// Tells what a ratio of two times says where one of them, or both, cannot be told from none.
 enum class RatioBound { None, AtMost, AtLeast, Unknown };
 
 /// Says whether the ratio of `cost` to `from`, or to the bound of that, is a bound itself.

@@ -56,7 +56,7 @@ class FrameTimer {
     double milliseconds_ = 0.0;
 };
 
-/// Whether the device's timer can be trusted in the current context.
+/// Tells whether the device's timer can be trusted in the current context.
 FrameTimer::Method trustedMethod();
 
 } // namespace patina

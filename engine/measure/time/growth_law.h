@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// What so many of something take.
+/// Holds what so many of something take.
 struct GrowthSample {
     double count = 0.0; ///< pixels, lights, objects: more than 0
     MedianInterval milliseconds;
@@ -19,8 +19,8 @@ struct GrowthSample {
     friend bool operator==(const GrowthSample&, const GrowthSample&) = default;
 };
 
-/// How a time grows with a count: t = base + each * count by least squares of the relative errors,
-/// and t ~ count^exponent by a line through the logarithms.
+/// Says how a time grows with a count: t = base + each * count by least squares of the relative
+/// errors, and t ~ count^exponent by a line through the logarithms.
 struct GrowthLaw {
     double base = 0.0;     ///< milliseconds
     double each = 0.0;     ///< milliseconds for one

@@ -19,7 +19,7 @@ struct MedianInterval {
 /// So few samples have no interval of 95 %.
 constexpr int fewestForInterval = 6;
 
-/// Whether so many samples have one; 0: the numbers are given, not measured.
+/// Tells whether so many samples have one; 0: the numbers are given, not measured.
 constexpr bool haveInterval(int samples) {
     return samples == 0 || samples >= fewestForInterval;
 }

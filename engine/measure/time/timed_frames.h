@@ -14,7 +14,7 @@ namespace patina {
 /// context current.
 class TimedFrames {
   public:
-    /// What frames are drawn with. The catalogue and the meshes must stay.
+    /// Holds what frames are drawn with. The catalogue and the meshes must stay.
     struct Supplies {
         std::shared_ptr<const Catalog> catalog;
         MeshSource meshes;
@@ -34,7 +34,7 @@ class TimedFrames {
     Renderer& renderer() { return *renderer_; }
     const MeshSource& meshes() const { return supplies_.meshes; }
 
-    /// What could not be drawn in the last frame that lacked something.
+    /// Returns what could not be drawn in the last frame that lacked something.
     const Errors& problems() const { return problems_; }
 
   private:

@@ -27,7 +27,7 @@ struct FunctionDeclaration {
     std::string signature() const;
 };
 
-/// What a shader text without comments declares at its top level.
+/// Holds what a shader text without comments declares at its top level.
 struct Declarations {
     std::vector<StructDeclaration> structs;
     std::vector<FunctionDeclaration> functions;

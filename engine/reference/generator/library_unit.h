@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// What a generated file of library functions holds.
+/// Holds what a generated file of library functions holds.
 struct LibraryUnit {
     std::string function;  ///< that gives the table: "functions"
     std::string scope;     ///< inner namespace of the shader code

@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// What a frame was made of, as its report says it. Effects and messages are put into words again
-/// only where they are not those of the last frame.
+/// Tells what a frame was made of, as its report says it. Effects and messages are put into words
+/// again only where they are not those of the last frame.
 class FrameDescription {
   public:
     /// Fills the report of a frame that is drawn.

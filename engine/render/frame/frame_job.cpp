@@ -146,8 +146,8 @@ FrameJob::Progress FrameJob::fail(const Error& error) {
     return Progress::Done;
 }
 
-/// Whether the frame may be drawn in this step. A window's frame is prepared one thing at a step,
-/// and drawing, too, may compile: it begins only while most of the time is left.
+/// Tells whether the frame may be drawn in this step. A window's frame is prepared one thing at a
+/// step, and drawing, too, may compile: it begins only while most of the time is left.
 bool FrameJob::prepare(Deadline began, Deadline deadline) {
     const bool isStepwise = purpose_ == FramePurpose::Window && deadline != never;
     const bool wasPrepared = at_.prepared == passCount();
@@ -180,7 +180,7 @@ bool FrameJob::prepareSome() {
     return true;
 }
 
-/// Whether it has so many triangles that it is drawn in steps.
+/// Tells whether it has so many triangles that it is drawn in steps.
 bool FrameJob::isLarge() {
     return plan_.hasManyTriangles(passes_.shadows.pendingTriangles(plan_, gpu_));
 }

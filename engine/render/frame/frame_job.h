@@ -53,11 +53,11 @@ class FrameJob {
     /// Says of a sketch that the whole frame takes little, or hardly more than it did.
     bool isNeedless() const { return isNeedless_; }
 
-    /// Whether the frame has the same meshes in view as this scene, so that it is worth finishing
-    /// first. It is one that takes several steps.
+    /// Tells whether the frame has the same meshes in view as this scene, so that it is worth
+    /// finishing first. It is one that takes several steps.
     bool hasMeshesOf(const Scene& scene) const;
 
-    /// What the frame for a window has taken, with all its steps: the next one goes by it.
+    /// Notes what the frame for a window has taken, with all its steps: the next one goes by it.
     void noteTime(double milliseconds) { passes_.solid.noteTime(milliseconds); }
 
     /// Brings the frame into a framebuffer, tone mapped and sRGB encoded.
@@ -70,7 +70,7 @@ class FrameJob {
     /// Samples per pixel of the environment's light in the picture; 0 where programs look at none.
     int environmentSamples() const { return gpu_.environment.samples(); }
 
-    /// Whether the picture of an environment is there, in this size.
+    /// Tells whether the picture of an environment is there, in this size.
     bool holdsPicture(glm::ivec2 size) const { return gpu_.environment.holds(size); }
 
     /// Gives the buffers that a frame is drawn in back to the driver; the next frame makes them
@@ -81,13 +81,13 @@ class FrameJob {
     const FrameReport& report() const { return gpu_.report; }
 
   private:
-    /// What a frame that takes several steps shows.
+    /// Holds what a frame that takes several steps shows.
     struct Kept {
         Scene scene;
         std::optional<Scene> effects;
     };
 
-    /// How far the frame is.
+    /// Says how far the frame is.
     struct Cursor {
         std::size_t prepared = 0; ///< so many of the passes
         bool isFirstStep = true;

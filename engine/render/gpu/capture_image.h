@@ -13,7 +13,7 @@ namespace patina {
 /// The linear image of a framebuffer, times two to the power of the exposure.
 Image readLinear(unsigned framebuffer, glm::ivec2 size, double exposure);
 
-/// What `show` draws into a framebuffer of 8-bit channels, divided by 255.
+/// Returns what `show` draws into a framebuffer of 8-bit channels, divided by 255.
 Result<Image> readDisplay(glm::ivec2 size, const std::function<void(unsigned)>& show);
 
 } // namespace patina

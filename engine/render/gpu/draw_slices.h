@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// Where drawing many objects of one mesh goes on: in slices of whole objects, or of one object's
-/// triangles where those are many.
+/// Knows where drawing many objects of one mesh goes on: in slices of whole objects, or of one
+/// object's triangles where those are many.
 class DrawSlices {
   public:
     /// The next slice, of about `most` triangles, of objects of `triangles` each, `count` of them

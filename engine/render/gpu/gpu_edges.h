@@ -25,7 +25,7 @@ class GpuEdges {
     void proceed(const MeshView& mesh);
     bool isComplete() const { return finder_ == nullptr; }
 
-    /// How many edges there are, once they are complete.
+    /// Returns how many edges there are, once they are complete.
     int count() const { return static_cast<int>(indices_.size() / bytesPerEdge); }
 
     /// Draws complete ones; a range counts edges as triangles.

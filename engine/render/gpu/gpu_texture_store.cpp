@@ -47,7 +47,7 @@ const std::shared_ptr<const TexturePicture>& placeholder(TextureRole role) {
     }
 }
 
-/// Whether the alpha itself is meant, of an image that has none. Else its grey counts there.
+/// Tells whether the alpha itself is meant, of an image that has none. Else its grey counts there.
 bool showsOpaque(const TexturePicture& picture, const TextureUse& use) {
     return !picture.hasAlpha && use.channel == TextureChannel::Alpha;
 }

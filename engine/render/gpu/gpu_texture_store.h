@@ -19,8 +19,8 @@
 
 namespace patina {
 
-/// How many bytes of images a frame still takes into the GPU's memory, and whether some are not
-/// whole yet, so that another frame shows more of them.
+/// Says how many bytes of images a frame still takes into the GPU's memory, and whether some are
+/// not whole yet, so that another frame shows more of them.
 struct TextureBudget {
     static constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
 

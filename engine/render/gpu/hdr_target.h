@@ -10,11 +10,12 @@
 
 namespace patina {
 
-/// Whether the device of the current context draws pictures of this size; else the sizes it does.
+/// Tells whether the device of the current context draws pictures of this size; else the sizes it
+/// does.
 Result<void> checkPictureSize(glm::ivec2 size);
 
-/// Where a frame is summed up: RGBA16F (or RGBA32F) with several samples per pixel and depth, and
-/// its resolved image, which may be drawn smaller than it is and stretched.
+/// Is where a frame is summed up: RGBA16F (or RGBA32F) with several samples per pixel and depth,
+/// and its resolved image, which may be drawn smaller than it is and stretched.
 class HdrTarget {
   public:
     /// Makes the target fit; nothing happens when it does already. Fewer samples are used where
@@ -41,7 +42,7 @@ class HdrTarget {
     /// The size of the image that is drawn.
     glm::ivec2 drawnSize() const { return built_.fineness * built_.scaled; }
 
-    /// What the device made of what was asked for.
+    /// Returns what the device made of what was asked for.
     PixelSampling sampling() const;
 
     /// Averages the samples into averaged(): what has been drawn until now, not yet stretched.
@@ -52,10 +53,10 @@ class HdrTarget {
     /// Behind resolve(): stretches that to the resolved image where it is smaller.
     void stretch() const;
 
-    /// How wide a pixel that is drawn is in pixels of the resolved image.
+    /// Returns how wide a pixel that is drawn is in pixels of the resolved image.
     double pixelWidth() const { return double(built_.size.x) / drawnSize().x; }
 
-    /// What is drawn into: its framebuffer and the depths in it.
+    /// Returns what is drawn into: its framebuffer and the depths in it.
     unsigned framebuffer() const { return framebuffer_.name(); }
     const gl::Renderbuffer& depth() const { return depth_; }
 

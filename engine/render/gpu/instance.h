@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// What the vertex shader reads once per object: attributes 5 to 7 are the rows of the matrix to
-/// world space, 8 to 10 those of its inverse transpose (passes/surface.vert).
+/// Holds what the vertex shader reads once per object: attributes 5 to 7 are the rows of the matrix
+/// to world space, 8 to 10 those of its inverse transpose (passes/surface.vert).
 struct Instance {
     static constexpr unsigned firstAttribute = 5;
     static constexpr unsigned attributes = 6;

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// Where objects are, in the GPU's memory; only what changed is written there.
+/// Holds where objects are, in the GPU's memory; only what changed is written there.
 class InstanceBuffer {
   public:
     /// The next content is put together anew.

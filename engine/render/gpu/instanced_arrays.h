@@ -23,8 +23,8 @@ struct DrawRange {
     std::int64_t total() const { return std::int64_t(triangles) * std::int64_t(instances); }
 };
 
-/// How the vertices of a mesh lie, together with the instances of one buffer or of several. Drivers
-/// take a vertex array that changes for another one, and may compile for it.
+/// Tells how the vertices of a mesh lie, together with the instances of one buffer or of several.
+/// Drivers take a vertex array that changes for another one, and may compile for it.
 class InstancedArrays {
   public:
     /// Makes an array that has the vertices and the indices.

@@ -3,7 +3,7 @@
 
 namespace patina {
 
-/// How the edges in a frame were looked for: what the device did, not what was asked for.
+/// Says how the edges in a frame were looked for: what the device did, not what was asked for.
 struct PixelSampling {
     int samples = 1;  ///< of each pixel that is drawn
     int fineness = 1; ///< pixels that are drawn for one of the picture, along each side

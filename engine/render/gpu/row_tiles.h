@@ -30,7 +30,7 @@ class RowTiles {
                int rounds = 0);
     Pace pace() const;
 
-    /// What the frame that was begun has taken, from its beginning to its end.
+    /// Notes what the frame that was begun has taken, from its beginning to its end.
     void noteTime(double milliseconds);
 
     bool isDone() const { return row_ >= work_.drawn.y; }

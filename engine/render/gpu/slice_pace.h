@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// How many triangles a step of a frame draws at once: as many as took some milliseconds.
+/// Decides how many triangles a step of a frame draws at once: as many as took some milliseconds.
 class SlicePace {
   public:
     using Clock = std::chrono::steady_clock;
@@ -27,7 +27,7 @@ class SlicePace {
         drawn_ += triangles;
     }
 
-    /// Whether it is time to look at the clock.
+    /// Tells whether it is time to look at the clock.
     bool isDue() const { return drawn_ >= most_; }
 
     /// The device is done with what was added.

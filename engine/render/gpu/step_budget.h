@@ -10,8 +10,8 @@
 
 namespace patina {
 
-/// How long a step of a frame may take, and how far the device is with what the steps so far have
-/// given it.
+/// Counts how long a step of a frame may take, and how far the device is with what the steps so far
+/// have given it.
 class StepBudget {
   public:
     using Clock = std::chrono::steady_clock;
@@ -31,7 +31,7 @@ class StepBudget {
     /// Begins a step. False where the device is at the last one's work beyond the deadline.
     bool beginStep(Deadline deadline);
 
-    /// Whether the step draws all there is.
+    /// Tells whether the step draws all there is.
     bool isEndless() const { return deadline_ == never; }
     bool isOver() const { return Clock::now() >= deadline_; }
 
@@ -41,7 +41,7 @@ class StepBudget {
     }
     void addTriangles(std::int64_t triangles);
 
-    /// Whether so much was drawn that it is time to look at the clock, and that says so.
+    /// Tells whether so much was drawn that it is time to look at the clock, and that says so.
     bool isDue() { return !isEndless() && pace_.isDue() && mustStop(); }
 
     /// Asks the clock. A device that is the CPU works in the background, and what the window

@@ -14,7 +14,7 @@ class StretchedPicture {
   public:
     explicit StretchedPicture(glm::ivec2 size);
 
-    /// Where it is drawn.
+    /// Returns where it is drawn.
     unsigned framebuffer() const { return kept_.name(); }
 
     /// Copies what a framebuffer of its size shows.

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// What there is of an image now.
+/// Holds what there is of an image now.
 struct TextureLookup {
     std::shared_ptr<const TexturePicture> picture;
     bool isMissing = false; ///< and will not come: a placeholder is drawn
@@ -21,7 +21,7 @@ using TextureSource = std::function<TextureLookup(const TextureUse&, TextureDeco
 
 struct BoundTexture;
 
-/// How the numbers of the use's file are taken, for what it does in a program.
+/// Returns how the numbers of the use's file are taken, for what it does in a program.
 TextureDecoding decodingOf(const TextureUse& use, const BoundTexture& image);
 
 } // namespace patina

@@ -16,7 +16,7 @@ class UniformBuffer {
     /// Makes room for at least `vec4s`; grows when asked for more, never shrinks.
     void reserve(std::size_t vec4s);
 
-    /// Where the next content is put together.
+    /// Returns where the next content is put together.
     std::span<glm::vec4> staging() { return staged_; }
 
     /// Sends the first `vec4s` of the staging area if they differ from what was sent; true if so.

@@ -28,7 +28,7 @@ class UniformPool {
     /// Memory for all blocks that were added; before staging() and upload().
     void makeRoom();
 
-    /// Where a block's content is put together.
+    /// Returns where a block's content is put together.
     std::span<glm::vec4> staging(const Place& place);
 
     /// Sends the block if it differs from what was sent; true if so.

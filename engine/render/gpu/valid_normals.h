@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// Whether each normal is zero or has a length from 1/2 to 2, which no rounding of a unit normal
-/// leaves. Shaders scale normals and make them unit, and look for nothing else.
+/// Tells whether each normal is zero or has a length from 1/2 to 2, which no rounding of a unit
+/// normal leaves. Shaders scale normals and make them unit, and look for nothing else.
 bool haveValidNormals(std::span<const Vertex> vertices);
 
 /// The same vertices with such normals. Of others those that have a direction keep it and become

@@ -18,8 +18,8 @@
 
 namespace patina {
 
-/// What the frames of a scene know of its environment: its values, its picture, and where it is
-/// bright. Programs read it at the places of binding.h.
+/// Holds what the frames of a scene know of its environment: its values, its picture, and where it
+/// is bright. Programs read it at the places of binding.h.
 class EnvironmentLight {
   public:
     /// Follows the scene; `effects` is the one whose effects the programs have. Allocates nothing
@@ -35,13 +35,13 @@ class EnvironmentLight {
                     const std::shared_ptr<const EnvironmentImage>& image, const Catalog& catalog,
                     ProgramCache& cache);
 
-    /// Whether programs look at an environment.
+    /// Tells whether programs look at an environment.
     bool isIn() const { return current_ != nullptr; }
 
-    /// What a white matte surface that faces up reflects.
+    /// Returns what a white matte surface that faces up reflects.
     glm::dvec3 upward() const { return table_.upward(); }
 
-    /// Which samples programs draw.
+    /// Says which samples programs draw.
     struct Samples {
         int firstRound = 0;
         int count = 0;  ///< whole rounds or a part of one
@@ -63,7 +63,7 @@ class EnvironmentLight {
     void forget();
 
   private:
-    /// What is kept of a block as long as its text stays.
+    /// Holds what is kept of a block as long as its text stays.
     struct Known {
         BlockUse use;
         ParameterLayout layout;

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What directions are drawn from by the brightness of an environment, as
+/// Holds what directions are drawn from by the brightness of an environment, as
 /// shaders/passes/environment_light.glsl reads it: a texture with a row for each row of directions
 /// and one more. Red holds running shares, which end at 1: of a row's light up to a column, and in
 /// the last row of all light up to a row. Green holds the density of each place over the unit

@@ -17,8 +17,8 @@
 
 namespace patina {
 
-/// Whether rays from the eye to what is drawn may meet the box that a scene's fog fills, and how
-/// much of fog that gets thinner with height. Where nobody knows they meet all of it.
+/// Decides whether rays from the eye to what is drawn may meet the box that a scene's fog fills,
+/// and how much of fog that gets thinner with height. Where nobody knows they meet all of it.
 class FogReach {
   public:
     /// The eight corners of a box, numbered as by cornerOf().
@@ -27,7 +27,7 @@ class FogReach {
     /// `eye` is in world space.
     FogReach(const Scene& scene, const Catalog& catalog, const glm::dvec3& eye);
 
-    /// Whether it matters what is drawn.
+    /// Tells whether it matters what is drawn.
     bool asks() const { return box_ || layer_; }
 
     /// Adds a box of world space, which need not stand along its axes. Of more than `most` the rest
@@ -55,7 +55,7 @@ class FogReach {
     double lowest_ = std::numeric_limits<double>::infinity(); ///< what is drawn
 };
 
-/// What depths and fog say to the choice of effects.
+/// Returns what depths and fog say to the choice of effects.
 EffectView effectView(const DepthRange& depths, const FogReach& fog);
 
 } // namespace patina

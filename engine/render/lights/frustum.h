@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// How deep what is drawn reaches, seen from the camera.
+/// Measures how deep what is drawn reaches, seen from the camera.
 class DepthRange {
   public:
     /// Adds a box of object space.

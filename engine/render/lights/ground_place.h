@@ -13,13 +13,13 @@
 
 namespace patina {
 
-/// Where the ground's disk lies.
+/// Says where the ground's disk lies.
 struct GroundPlace {
     glm::dvec3 middle{0.0};
     double radius = 1.0; ///< metres
 };
 
-/// What stands on the ground, and so where it lies.
+/// Finds what stands on the ground, and so where it lies.
 class GroundUnder {
   public:
     /// Adds an object: a box of its own space, its way into the world, its lowest height there.

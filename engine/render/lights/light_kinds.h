@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// Which kinds of lights reach the objects of a list: what no light of reaches them is not in their
-/// programs. Lists in which lights but no kinds are missing have the same programs. Keeps its
+/// Knows which kinds of lights reach the objects of a list: what no light of reaches them is not in
+/// their programs. Lists in which lights but no kinds are missing have the same programs. Keeps its
 /// memory from frame to frame.
 class LightKinds {
   public:

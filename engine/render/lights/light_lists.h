@@ -27,9 +27,9 @@ Ball ballAround(const Bounds& bounds, const glm::dmat4& world);
 /// The ball around the ground's square.
 Ball ballAround(const GroundPlace& ground);
 
-/// Which of a scene's lights reach which objects, by what the lights' descriptors say of their
-/// reach: a light is on the list of every object that it may reach. Objects that are reached by the
-/// same lights share a list. Keeps its memory from frame to frame.
+/// Knows which of a scene's lights reach which objects, by what the lights' descriptors say of
+/// their reach: a light is on the list of every object that it may reach. Objects that are reached
+/// by the same lights share a list. Keeps its memory from frame to frame.
 class LightLists {
   public:
     /// A new frame: only the list with all lights is there, number 0.
@@ -45,7 +45,7 @@ class LightLists {
     /// The lights that are not on the list.
     LightSet unreached(std::size_t list) const;
 
-    /// Whether every object has all lights.
+    /// Tells whether every object has all lights.
     bool isOne() const { return bounded_.empty(); }
 
     std::size_t count() const { return words_ == 0 ? 1 : bits_.size() / words_; }

@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// Where an object is, in world space: what follows from its transform and its mesh's box.
+/// Says where an object is, in world space: what follows from its transform and its mesh's box.
 struct Placement {
     glm::dmat4 world{1.0};
     glm::dvec3 middle{0.0};              ///< of the box
@@ -25,8 +25,8 @@ struct Placement {
 
 Placement placementOf(const Object& object, const Bounds& bounds);
 
-/// Whether nothing of the box can be in the picture. `worldToClip` is a perspective whose near and
-/// far plane do not matter.
+/// Tells whether nothing of the box can be in the picture. `worldToClip` is a perspective whose
+/// near and far plane do not matter.
 bool isOutside(const Placement& placement, const glm::dmat4& worldToClip);
 
 /// The placements of a scene's objects, computed again only when one has changed.

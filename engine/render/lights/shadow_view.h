@@ -12,8 +12,8 @@
 
 namespace patina {
 
-/// How the depth map of one light looks at the scene: a right-handed frame whose `forward` is the
-/// way the light travels, and the window of the map in it. The first value is a map of nothing.
+/// Says how the depth map of one light looks at the scene: a right-handed frame whose `forward` is
+/// the way the light travels, and the window of the map in it. The first value is a map of nothing.
 struct ShadowView {
     glm::dvec3 right{1.0, 0.0, 0.0};
     glm::dvec3 up{0.0, 1.0, 0.0};
@@ -35,7 +35,7 @@ struct ShadowView {
 /// One of the eight corners of a box, as a point.
 glm::dvec4 cornerOf(const Bounds& box, int corner);
 
-/// What casts shadows: a box of its own space and its way into the world.
+/// Holds what casts shadows: a box of its own space and its way into the world.
 struct CasterBox {
     Bounds bounds;
     glm::dmat4 world{1.0};

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// What is behind the objects: the target, cleared, and an environment's picture.
+/// Draws what is behind the objects: the target, cleared, and an environment's picture.
 class BackgroundPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

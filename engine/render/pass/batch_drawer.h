@@ -21,7 +21,7 @@ class BatchDrawer {
     bool drawLines(const FramePlan& plan, FrameGpu& gpu, const DrawBatch& batch,
                    StepBudget& budget);
 
-    /// Whether nothing of a batch is drawn yet, or all of it.
+    /// Tells whether nothing of a batch is drawn yet, or all of it.
     bool isAtStart() const { return slices_.isAtStart(); }
 
   private:

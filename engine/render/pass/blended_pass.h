@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// What is transparent and not put together in layers: each object by itself, far ones first, with
-/// its lines. What was drawn before it is what is seen through one that refracts.
+/// Draws what is transparent and not put together in layers: each object by itself, far ones first,
+/// with its lines. What was drawn before it is what is seen through one that refracts.
 class BlendedPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

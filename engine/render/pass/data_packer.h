@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// How many vec4s were written, and how many lights did not fit.
+/// Says how many vec4s were written, and how many lights did not fit.
 struct PackedScene {
     std::size_t vec4s = 0;
     int lostLights = 0;
@@ -52,7 +52,7 @@ struct LayersToPack {
 void packLayers(std::span<glm::vec4> out, const Pipeline& pipeline, const LayersToPack& packing,
                 const glm::dmat4& cameraToWorld);
 
-/// Where the ground is, and the environment's light on it if it were white.
+/// Says where the ground is, and the environment's light on it if it were white.
 struct GroundToPack {
     const GroundPlace& place;
     glm::dvec3 environment{0.0};

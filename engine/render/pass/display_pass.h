@@ -25,7 +25,7 @@ class DisplayPass : public Pass {
     /// to be seen leaves what is shown with as it is.
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
-    /// Whether prepare() would find it, made before.
+    /// Tells whether prepare() would find it, made before.
     bool has(const Scene& scene) const { return stages_[indexOf(scene)].has_value(); }
 
     bool isPrepared() const { return current_ != nullptr; }

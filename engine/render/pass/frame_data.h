@@ -16,8 +16,8 @@
 
 namespace patina {
 
-/// What the programs of a frame read: uniform blocks, instances and tables, each written to the GPU
-/// only where it changed.
+/// Holds what the programs of a frame read: uniform blocks, instances and tables, each written to
+/// the GPU only where it changed.
 class FrameData : public Pass {
   public:
     /// Serves the frames of `gpu`, which holds it.

@@ -17,17 +17,17 @@ class FrameEnvironment {
     Result<bool> begin(const SceneToPack& scene, const View& view, const Catalog& catalog,
                        ProgramCache& cache);
 
-    /// Whether the frame that was prepared looks at an environment.
+    /// Tells whether the frame that was prepared looks at an environment.
     bool isIn() const { return light_.isIn(); }
 
-    /// Whether its picture is a mean of frames, because some material's light is sampled.
+    /// Tells whether its picture is a mean of frames, because some material's light is sampled.
     bool isSampled() const { return isIn() && count_ > 0; }
 
     /// As begin() for a frame that is not to be seen: what the mean holds stays.
     void prewarm(const SceneToPack& scene, const View& view, const Catalog& catalog,
                  ProgramCache& cache);
 
-    /// What a level white surface that faces up reflects of it, seen from anywhere.
+    /// Returns what a level white surface that faces up reflects of it, seen from anywhere.
     glm::dvec3 upward() const { return isIn() ? light_.upward() : glm::dvec3(0.0); }
 
     /// Draws into the target that is bound, whose viewport is all of it.
@@ -49,13 +49,13 @@ class FrameEnvironment {
     /// Rounds of samples of the frame that was prepared; 0 without an environment.
     int rounds() const;
 
-    /// Whether what was drawn last is in the mean.
+    /// Tells whether what was drawn last is in the mean.
     bool hasPicture() const { return done_ > 0; }
 
     const gl::Texture& picture() const { return accumulation_.mean(); }
     unsigned framebuffer() const { return accumulation_.framebuffer(); }
 
-    /// Whether the mean is a picture of this size.
+    /// Tells whether the mean is a picture of this size.
     bool holds(glm::ivec2 size) const;
 
     void forget();

@@ -8,14 +8,14 @@
 
 namespace patina {
 
-/// What the frames of one view are drawn with: what it shares with other views, and its own data,
-/// environment and targets.
+/// Holds what the frames of one view are drawn with: what it shares with other views, and its own
+/// data, environment and targets.
 struct FrameGpu {
     /// `resources` outlives it.
     explicit FrameGpu(RenderResources& resources)
         : shared(resources), textures{shared.textures}, data(*this) {}
 
-    /// What is drawn into: a sketch leaves the frames' own one as it is.
+    /// Returns what is drawn into: a sketch leaves the frames' own one as it is.
     HdrTarget& target() { return isSketch ? sketchTarget : frameTarget; }
 
     /// Makes the target fit the plan; true where it was made anew. `isReadBetween`: it is read

@@ -22,7 +22,7 @@ namespace patina {
 /// Its memory (24 bytes for each sample) is there only while it is in use.
 class LayerComposer {
   public:
-    /// What the objects are drawn for.
+    /// Tells what the objects are drawn for.
     enum class Stage {
         Depths, ///< with useDepths()
         Layers  ///< with their own programs
@@ -41,7 +41,7 @@ class LayerComposer {
 
     bool isIn() const { return isIn_; }
 
-    /// Whether layers are put in order.
+    /// Tells whether layers are put in order.
     bool isPeeled() const { return shape_.isPeeled; }
 
     /// Makes what useDepths() needs of a pipeline. Does nothing where layers are not put in order.
@@ -73,7 +73,7 @@ class LayerComposer {
         gl::SampleQuery isAnySeen;
     };
 
-    /// What of the frame is drawn.
+    /// Holds what of the frame is drawn.
     struct Progress {
         bool isCleared = false;
         int layer = 0;

@@ -8,7 +8,8 @@
 
 namespace patina {
 
-/// What is transparent and put together in no order of its objects: layer by layer, or all at once.
+/// Draws what is transparent and put together in no order of its objects: layer by layer, or all at
+/// once.
 class LayerPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

@@ -29,7 +29,7 @@ class PipelineStore {
 
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// What a pipeline is made for beside the material; the key is EffectKey::ofScene().
+    /// Holds what a pipeline is made for beside the material; the key is EffectKey::ofScene().
     struct Surroundings {
         const Scene& scene;
         std::uint64_t key = 0;
@@ -40,12 +40,12 @@ class PipelineStore {
     const Entry& get(const Material& material, std::uint64_t materialKey,
                      const Surroundings& surroundings);
 
-    /// Whether get() would find it, made before.
+    /// Tells whether get() would find it, made before.
     bool has(std::uint64_t materialKey, std::uint64_t sceneKey) const {
         return hasFinal({materialKey, sceneKey});
     }
 
-    /// Whether ground() would find it, made before.
+    /// Tells whether ground() would find it, made before.
     bool hasGround(GroundMode mode, std::uint64_t sceneKey) const {
         return hasFinal({keyOf(mode), sceneKey});
     }

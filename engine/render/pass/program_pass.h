@@ -27,11 +27,11 @@ class ProgramPass : public Pass {
     /// are missing.
     std::size_t missing(const FramePlan& plan, RenderResources& shared);
 
-    /// Whether those are there that a drag is drawn with, in which places and distances decide
-    /// nothing.
+    /// Tells whether those are there that a drag is drawn with, in which places and distances
+    /// decide nothing.
     bool hasHeld(const Scene& effects, RenderResources& shared);
 
-    /// What the program of a material is, as it was chosen; there may be none but messages.
+    /// Returns what the program of a material is, as it was chosen; there may be none but messages.
     const PipelineStore::Entry& entryOf(const FramePlan& plan, const DrawMaterial& material,
                                         RenderResources& shared);
 

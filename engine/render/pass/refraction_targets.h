@@ -12,12 +12,12 @@
 
 namespace patina {
 
-/// What objects that refract light need before they are drawn: the farthest surface of each, and
-/// the picture and the depths of what was drawn before. Its memory (at most 24 bytes for each
+/// Makes what objects that refract light need before they are drawn: the farthest surface of each,
+/// and the picture and the depths of what was drawn before. Its memory (at most 24 bytes for each
 /// pixel) is there only while it is in use.
 class RefractionTargets {
   public:
-    /// What a frame's objects look at.
+    /// Holds what a frame's objects look at.
     struct Needs {
         bool back = false;   ///< the surface through which light leaves them
         bool behind = false; ///< the scene

@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// What the views of one context share: programs, meshes, images and shadow maps on the GPU.
+/// Holds what the views of one context share: programs, meshes, images and shadow maps on the GPU.
 struct RenderResources {
     explicit RenderResources(std::filesystem::path folder)
         : programCache(std::move(folder)), pipelines(programCache) {}

@@ -13,7 +13,8 @@
 
 namespace patina {
 
-/// What casts shadows in a frame, and whether that has changed since the depth maps were drawn.
+/// Knows what casts shadows in a frame, and whether that has changed since the depth maps were
+/// drawn.
 class ShadowCasters {
   public:
     static constexpr std::size_t solid = std::numeric_limits<std::size_t>::max();
@@ -38,7 +39,7 @@ class ShadowCasters {
     std::span<const CasterBox> boxes() const { return boxes_; }
     std::int64_t triangles() const;
 
-    /// Whether they are others, or stand elsewhere, than at noteDrawn().
+    /// Tells whether they are others, or stand elsewhere, than at noteDrawn().
     bool hasChanged() const;
     void noteDrawn();
 
@@ -51,7 +52,7 @@ class ShadowCasters {
     }
 
   private:
-    /// What of a caster decides its shadow, beside where it stands.
+    /// Holds what of a caster decides its shadow, beside where it stands.
     struct Shape {
         std::uint64_t serial = 0; ///< of its mesh
         std::size_t holes = solid;

@@ -30,7 +30,7 @@ class ShadowDrawer {
 
     Result<void> prepare(const Catalog& catalog, ProgramCache& programs);
 
-    /// Whether it can draw into the images.
+    /// Tells whether it can draw into the images.
     Result<void> check(const gl::TextureArray& texture);
 
     /// Begins with the first layer.

@@ -32,7 +32,7 @@ class ShadowHoles {
     Result<void> prepare(const std::shared_ptr<const Catalog>& catalog, ProgramCache& programs,
                          const GpuTextureStore& textures);
 
-    /// Whether what decides their holes has changed since noteDrawn().
+    /// Tells whether what decides their holes has changed since noteDrawn().
     bool hasChanged() const { return hasChanged_; }
     void noteDrawn() { hasChanged_ = false; }
 
@@ -40,7 +40,7 @@ class ShadowHoles {
     void use(std::size_t number, const glm::mat4& worldToMap, FrameTextures& textures);
 
   private:
-    /// What of a material its shadows depend on.
+    /// Holds what of a material its shadows depend on.
     struct Holes {
         Material material; ///< its opacity and the image of that alone
         std::uint64_t state = 0; ///< of the image

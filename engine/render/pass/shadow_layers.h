@@ -19,7 +19,7 @@ struct ShadowedScene {
     std::span<const CasterBox> casters;
 };
 
-/// Which layer of the depth maps shows what of which light, and whether it is drawn.
+/// Knows which layer of the depth maps shows what of which light, and whether it is drawn.
 class ShadowLayers {
   public:
     struct Layer {
@@ -32,7 +32,7 @@ class ShadowLayers {
     /// is memory for, at most `maxTexels`.
     int place(const ShadowedScene& shown, int maxTexels);
 
-    /// How many layers the views need.
+    /// Returns how many layers the views need.
     int needed() const;
 
     /// Makes a layer of each face; those that show the same as before stay drawn, unless all are to

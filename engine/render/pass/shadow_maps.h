@@ -26,17 +26,17 @@ class ShadowMaps {
         casters_.add(mesh, box, material);
     }
 
-    /// Which maps the scene's lights need, and which of them must be drawn. The lights of `effects`
-    /// say whether there are shadows, those of `scene` where they fall. Without a map, or where the
-    /// error says why none can be drawn, everything is lit.
+    /// Returns which maps the scene's lights need, and which of them must be drawn. The lights of
+    /// `effects` say whether there are shadows, those of `scene` where they fall. Without a map, or
+    /// where the error says why none can be drawn, everything is lit.
     Result<void> plan(const Scene& scene, const Scene& effects, const glm::dmat4& cameraToWorld,
                       ProgramCache& programs, const GpuTextureStore& textures);
 
-    /// How often plan() was called: another number than one's own says that somebody else's plan
-    /// has taken its place.
+    /// Returns how often plan() was called: another number than one's own says that somebody else's
+    /// plan has taken its place.
     std::uint64_t planNumber() const { return planNumber_; }
 
-    /// Whether the last plan() has made the images of the maps.
+    /// Tells whether the last plan() has made the images of the maps.
     bool hasNewImages() const { return hasNewImages_; }
 
     /// Maps (faces) that are still to be drawn, and their triangles.

@@ -15,7 +15,7 @@ class SolidPass : public Pass {
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
     bool draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) override;
 
-    /// How long the frame that was prepared may take, and what it has taken.
+    /// Returns how long the frame that was prepared may take, and what it has taken.
     const RowTiles& tiles() const { return tiles_; }
     void noteTime(double milliseconds) { tiles_.noteTime(milliseconds); }
 

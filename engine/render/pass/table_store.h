@@ -41,7 +41,7 @@ class TableStore {
         gl::Texture texture;
         gl::Framebuffer framebuffer;
     };
-    /// What filling needs, once something is to be filled.
+    /// Holds what filling needs, once something is to be filled.
     struct Filling {
         UniformBuffer data;
         gl::VertexArray noVertices = gl::VertexArray::create();

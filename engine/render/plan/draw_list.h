@@ -45,8 +45,8 @@ struct DrawItem {
     bool isInPicture = true;
 };
 
-/// What is drawn with one call: the same mesh, material and list of lights. Of transparent objects
-/// there is one in each.
+/// Holds what is drawn with one call: the same mesh, material and list of lights. Of transparent
+/// objects there is one in each.
 struct DrawBatch {
     std::size_t material = 0;
     GpuMesh* mesh = nullptr; ///< the items'

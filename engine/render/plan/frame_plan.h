@@ -27,9 +27,10 @@ struct PlannedGround {
     std::shared_ptr<const Pipeline> pipeline; ///< null: there is nothing to draw it with
 };
 
-/// What a frame shows: which objects with which materials, the lights that reach them, the ground,
-/// where the camera is and how deep all of it reaches. FramePlanner makes it from a scene and a
-/// view alone; what prepares the frame adds meshes of the GPU, programs and the order of drawing.
+/// Holds what a frame shows: which objects with which materials, the lights that reach them, the
+/// ground, where the camera is and how deep all of it reaches. FramePlanner makes it from a scene
+/// and a view alone; what prepares the frame adds meshes of the GPU, programs and the order of
+/// drawing.
 struct FramePlan {
     const Scene* scene = nullptr;   ///< whose values are drawn
     const Scene* effects = nullptr; ///< whose effects the programs have: often the scene itself
@@ -57,7 +58,7 @@ struct FramePlan {
     /// The scene's values for the block by which the programs put together what is transparent.
     const BlockValues& transparency() const;
 
-    /// Whether there are so many triangles that they, not the pixels, are what takes long.
+    /// Tells whether there are so many triangles that they, not the pixels, are what takes long.
     bool hasManyTriangles(std::int64_t more = 0) const;
 
     /// Goes on with copies of the scene and the one of the effects.

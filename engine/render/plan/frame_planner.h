@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// What is asked of a plan, apart from its scene, view and meshes.
+/// Holds what is asked of a plan, apart from its scene, view and meshes.
 struct PlanWish {
     bool holdsEffects = false; ///< as while a value is dragged: places and distances decide nothing
     bool isUnseen = false;     ///< only programs are wanted: nothing lies outside the picture

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// What is known of a scene's images.
+/// Holds what is known of a scene's images.
 struct KnownImages {
     TextureSource textures{};          ///< empty: nothing is known of those on surfaces
     bool isEnvironmentMissing = false; ///< a placeholder is in its place

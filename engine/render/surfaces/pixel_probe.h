@@ -9,11 +9,11 @@
 
 namespace patina {
 
-/// What the numerical check finds in a pixel; the last of several is shown. The numbers are those
-/// of shaders/passes/inspection.glsl.
+/// Tells what the numerical check finds in a pixel; the last of several is shown. The numbers are
+/// those of shaders/passes/inspection.glsl.
 enum class PixelDefect { None, AboveOne, Negative, Infinite, NotANumber };
 
-/// What one light sends to the viewer from a point.
+/// Holds what one light sends to the viewer from a point.
 struct LightShare {
     std::size_t light = 0; ///< its place in the scene
     glm::vec3 value{0.0f}; ///< its light times the model's value, before that is cut at 0

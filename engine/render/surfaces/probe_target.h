@@ -26,7 +26,7 @@ class ProbeTarget {
     /// ((0, 0) at the bottom left).
     void begin(glm::ivec2 size, glm::ivec2 pixel) const;
 
-    /// What was written for the pixel.
+    /// Returns what was written for the pixel.
     Outputs read(glm::ivec2 pixel) const;
 
   private:

@@ -8,12 +8,12 @@
 
 namespace patina {
 
-/// What a camera's view says to the choice of effects: what the renderer takes for its programs,
-/// but for the lights, which are another matter for each object.
+/// Returns what a camera's view says to the choice of effects: what the renderer takes for its
+/// programs, but for the lights, which are another matter for each object.
 EffectView effectView(const Scene& scene, const Camera& camera, const Catalog& catalog,
                       const MeshSource& meshes);
 
-/// What the renderer takes for the program of one object, seen by the scene's camera.
+/// Returns what the renderer takes for the program of one object, seen by the scene's camera.
 EffectView objectView(const Scene& scene, std::size_t object, const Catalog& catalog,
                       const MeshSource& meshes);
 

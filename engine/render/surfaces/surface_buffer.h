@@ -14,7 +14,7 @@
 
 namespace patina {
 
-/// What the program of an object is fed with.
+/// Holds what the program of an object is fed with.
 struct BufferedObject {
     std::shared_ptr<const Pipeline> pipeline; ///< null: it is not drawn
     std::vector<glm::vec4> data;              ///< objectData, by pipeline->object
@@ -39,7 +39,7 @@ struct SurfaceBuffer {
 
     std::size_t pixels() const { return positions.size(); }
 
-    /// What a pixel shows; nothing: the background.
+    /// Returns what a pixel shows; nothing: the background.
     std::optional<std::size_t> objectAt(std::size_t pixel) const;
 
     /// The place of its middle as shaders know it, (0, 0) at the bottom left.

@@ -50,7 +50,7 @@ class SurfaceItems {
 
     std::span<Item> items() { return items_; }
 
-    /// What the scene's block holds.
+    /// Returns what the scene's block holds.
     std::span<const glm::vec4> sceneData() { return sceneData_.staging(); }
 
     PipelineStore& pipelines() { return pipelines_; }

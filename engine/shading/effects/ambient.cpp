@@ -16,8 +16,8 @@ bool claimsIsotropic(const Block& block) {
     return std::ranges::find(block.claims, "isotropic") != block.claims.end();
 }
 
-/// Whether the model, and what fills its slots, look the same however a surface is turned about its
-/// normal. A Fresnel term knows no more than the angle of incidence.
+/// Tells whether the model, and what fills its slots, look the same however a surface is turned
+/// about its normal. A Fresnel term knows no more than the angle of incidence.
 bool isIsotropic(const EffectSet& set) {
     return claimsIsotropic(set.model->block()) &&
            std::ranges::all_of(set.slots, [](const BlockUse& slot) {

@@ -12,7 +12,8 @@ namespace patina {
 
 struct EffectSet;
 
-/// Where one light's values lie in those of its group: the light's, its shadows' and its map's.
+/// Says where one light's values lie in those of its group: the light's, its shadows' and its
+/// map's.
 struct LightPlace {
     BlockPlace light;                 ///< `first` is the index of the group's header
     std::optional<BlockPlace> shadow; ///< `first` counts from the light's first vec4
@@ -20,7 +21,7 @@ struct LightPlace {
     int vec4s() const;
 };
 
-/// How a light's depth map looks at the scene (passes/shadow.glsl says what is where).
+/// Says how a light's depth map looks at the scene (passes/shadow.glsl says what is where).
 struct ShadowLayout {
     static constexpr int vec4s = 6;
 };
@@ -48,7 +49,7 @@ struct ObjectLayout {
 
     int refractionBackground() const { return refraction->first + refraction->vec4s(); }
 
-    /// Whether such surfaces are put in order, one layer after the other.
+    /// Tells whether such surfaces are put in order, one layer after the other.
     bool isPeeled() const;
 
     /// x: the depth of the nearest surface of that sort; y: one over that from there to the last.

@@ -5,8 +5,8 @@
 
 namespace patina {
 
-/// What happens to the picture after the objects are drawn. It is in no program of theirs, so it is
-/// not in EffectSet.
+/// Holds what happens to the picture after the objects are drawn. It is in no program of theirs, so
+/// it is not in EffectSet.
 struct DisplayEffect {
     bool isExposed = false;
     ToneMapping toneMapping = ToneMapping::None;

@@ -47,7 +47,7 @@ class EffectListing {
     std::vector<EffectLine> lines_;
 };
 
-/// What a listing says of something that is always the same.
+/// Returns what a listing says of something that is always the same.
 EffectListing::Reason always(std::string sentence);
 
 /// Appends to the detail of a line.

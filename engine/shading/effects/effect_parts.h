@@ -33,7 +33,7 @@ struct ObjectLayout;
 struct SceneLayout;
 class SurfaceText;
 
-/// What is taken out: "lights/<id>" has a kind and an id, "ambient" only the first.
+/// Holds what is taken out: "lights/<id>" has a kind and an id, "ambient" only the first.
 struct EffectName {
     std::string_view kind;
     std::string_view id;

@@ -19,7 +19,7 @@ struct EffectRow {
     friend bool operator==(const EffectRow&, const EffectRow&) = default;
 };
 
-/// What one object of the scene is drawn with, then what is left out and why.
+/// Returns what one object of the scene is drawn with, then what is left out and why.
 std::vector<EffectRow> effectRows(const Scene& scene, std::size_t object, const Catalog& catalog,
                                   const EffectView& view = {});
 

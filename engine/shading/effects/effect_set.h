@@ -72,25 +72,27 @@ struct EffectSet : AllEffects {
 void chooseEffects(EffectSet& set, const MaterialSubject& subject);
 void chooseEffects(EffectSet& set, const SceneSubject& subject);
 
-/// What the scene brings into every program that is used in it, and nothing of any material.
+/// Returns what the scene brings into every program that is used in it, and nothing of any
+/// material.
 EffectSet sceneEffects(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
-/// What shading `material` in the scene calls for. A pure function of its arguments.
+/// Returns what shading `material` in the scene calls for. A pure function of its arguments.
 EffectSet effectSet(const Material& material, const Scene& scene, const Catalog& catalog,
                     const EffectView& view = {});
 
-/// What drawing the scene's ground calls for; its `ground` is Off when there is nothing to draw.
+/// Returns what drawing the scene's ground calls for; its `ground` is Off when there is nothing to
+/// draw.
 EffectSet groundEffects(const Scene& scene, const Catalog& catalog, const EffectView& view = {});
 
-/// Whether the program asks what lights the surface: the fallback for a model knows no light.
+/// Tells whether the program asks what lights the surface: the fallback for a model knows no light.
 bool isLit(const EffectSet& set);
 
-/// What is in the program, in its order: names and details, and reasons with a subject, which is
-/// what the set was chosen for.
+/// Returns what is in the program, in its order: names and details, and reasons with a subject,
+/// which is what the set was chosen for.
 std::vector<EffectLine> effectLines(const EffectSet& set);
 std::vector<EffectLine> effectLines(const EffectSet& set, const EffectSubject& subject);
 
-/// What the document has and the program has not, and why.
+/// Returns what the document has and the program has not, and why.
 std::vector<EffectLine> leftOut(const EffectSet& set, const EffectSubject& subject);
 
 /// The same, and what the document does not have at all.

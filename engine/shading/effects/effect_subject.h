@@ -8,13 +8,13 @@
 
 namespace patina {
 
-/// What a material's effects are chosen from. They do not depend on the scene around it.
+/// Holds what a material's effects are chosen from. They do not depend on the scene around it.
 struct MaterialSubject {
     const Material& material;
     const Catalog& catalog;
 };
 
-/// What the effects that a scene brings into all programs are chosen from.
+/// Holds what the effects that a scene brings into all programs are chosen from.
 struct SceneSubject {
     const Scene& scene;
     const Catalog& catalog;
@@ -22,7 +22,7 @@ struct SceneSubject {
     bool isGround = false; ///< the scene's ground is drawn, in place of a material
 };
 
-/// What a set was chosen for, for sentences that say why.
+/// Holds what a set was chosen for, for sentences that say why.
 struct EffectSubject {
     const Material* material = nullptr; ///< null: it was chosen for the scene, or its ground
     const Scene& scene;

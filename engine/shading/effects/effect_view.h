@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// What the choice of effects knows of the view beside the scene.
+/// Holds what the choice of effects knows of the view beside the scene.
 struct EffectView {
     /// Metres from the eye to the farthest point of what is drawn; infinite where nobody knows, so
     /// that nothing is left out because of it.

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// Whether the block's parameter is a colour that is emitted and not black.
+/// Tells whether the block's parameter is a colour that is emitted and not black.
 bool isEmitted(const Parameter& parameter, const Values& values);
 
 /// The light that the surface sends out by itself: the model's colours that are emitted and not

@@ -12,15 +12,15 @@
 
 namespace patina {
 
-/// What an environment is made of, when it sends light or an object refracts what is behind it,
-/// which shows a dark one as well; else a null block and a sentence why not.
+/// Holds what an environment is made of, when it sends light or an object refracts what is behind
+/// it, which shows a dark one as well; else a null block and a sentence why not.
 struct EnvironmentChoice {
     const Block* block = nullptr;
     const char* whyNot = ""; ///< empty where there is no environment at all
 };
 EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog);
 
-/// How the light of an environment comes to a surface.
+/// Tells how the light of an environment comes to a surface.
 enum class EnvironmentWay : std::uint8_t {
     Sampled,  ///< a mean over directions
     Fitted,   ///< by a table of lobes that the material's reflectance was taken apart into
@@ -58,7 +58,7 @@ struct EnvironmentEffect {
 /// block's.
 void addEnvironment(SourceBuilder& out, const BlockUse& use, int more = 0);
 
-/// What an environment's own programs draw.
+/// Tells what an environment's own programs draw.
 enum class EnvironmentOutput {
     Small,             ///< the small picture that its table is made from
     Octahedral,        ///< level 0 of its octahedral picture

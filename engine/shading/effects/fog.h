@@ -40,7 +40,7 @@ struct FogLayer {
     double between(double one, double other) const;
 };
 
-/// How the fog's density falls with height, by what its descriptor says.
+/// Returns how the fog's density falls with height, by what its descriptor says.
 std::optional<FogLayer> fogLayer(const Block& block, const Values& values);
 
 /// Half of a step between two display values of 8 bits.

@@ -7,7 +7,8 @@
 
 namespace patina {
 
-/// Whether the block has a parameter that says how wide its highlight is (Parameter::highlight).
+/// Tells whether the block has a parameter that says how wide its highlight is
+/// (Parameter::highlight).
 bool hasHighlightWidth(const Block& block);
 
 /// Statements that widen each of them in the struct `variable` by the float `spread` (see

@@ -6,9 +6,9 @@
 
 namespace patina {
 
-/// Which groups of lights stand in a program line by line, not as a loop: those of few lights that
-/// reach everything, for loops are slow where a device keeps their values in memory. A light with
-/// an end stays in a loop, since an object that it does not reach has a shorter one.
+/// Decides which groups of lights stand in a program line by line, not as a loop: those of few
+/// lights that reach everything, for loops are slow where a device keeps their values in memory. A
+/// light with an end stays in a loop, since an object that it does not reach has a shorter one.
 class LightLines {
   public:
     struct Group {

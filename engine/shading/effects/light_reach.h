@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// How far a light can be seen, by what its descriptor says of its reach.
+/// Says how far a light can be seen, by what its descriptor says of its reach.
 struct LightReach {
     glm::dvec3 from{0.0};
     double range = 0.0; ///< metres; 0: without end

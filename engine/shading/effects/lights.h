@@ -34,10 +34,10 @@ std::optional<LightGroup> lightGroup(const Light& light, const Catalog& catalog,
 /// The key of a light's group; 0 when it is left out.
 std::uint64_t lightKey(const Light& light, const Catalog& catalog, bool hasShadows);
 
-/// Whether a light can send anything.
+/// Tells whether a light can send anything.
 bool canShine(const Light& light, const Block& block);
 
-/// What people call a light: by its name, or by its number where it has none.
+/// Returns what people call a light: by its name, or by its number where it has none.
 std::string lightName(const Scene& scene, std::size_t index);
 
 /// The names of the lights in some groups, group by group, in the scene's order.
@@ -47,7 +47,7 @@ std::vector<std::string> lightNames(const std::vector<const LightGroup*>& groups
 /// "Key, Fill and Rim", or how many where they are many.
 std::string namesText(const std::vector<std::string>& names);
 
-/// What is compiled of blocks of one kind, which differ in nothing else: each text once.
+/// Returns what is compiled of blocks of one kind, which differ in nothing else: each text once.
 std::string compiledText(const std::vector<const BlockUse*>& uses);
 
 /// The scene's lights. One is left out when it is switched off, cannot send anything, or, with all

@@ -26,7 +26,7 @@ struct ModelEffect {
 /// Declares the model and what fills its slots, and reads its values into `model`.
 void writeModel(SurfaceText& text);
 
-/// Whether the model is asked for light that arrives from behind.
+/// Tells whether the model is asked for light that arrives from behind.
 bool isLitFromBehind(const SurfaceText& text);
 
 } // namespace patina

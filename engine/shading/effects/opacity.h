@@ -13,18 +13,18 @@ double saidShare(const Material& material, const Catalog& catalog);
 /// by the rest (see ObjectLayout::surface).
 double passedShare(const Material& material, const Catalog& catalog);
 
-/// How much of what is behind the material it hides, 0 .. 1: its opacity and its model's share
-/// together.
+/// Returns how much of what is behind the material it hides, 0 .. 1: its opacity and its model's
+/// share together.
 double opacityOf(const Material& material, const Catalog& catalog);
 
-/// Whether anything of the material may be there.
+/// Tells whether anything of the material may be there.
 bool canBeSeen(const Material& material);
 
-/// Whether a frame has anything of the object.
+/// Tells whether a frame has anything of the object.
 bool isDrawn(const Object& object);
 
-/// Whether the material may be transparent: by its opacity, or by an image of it that does not only
-/// cut out, or by its model.
+/// Tells whether the material may be transparent: by its opacity, or by an image of it that does
+/// not only cut out, or by its model.
 bool isTransparent(const Material& material, const Catalog& catalog);
 
 /// The material hides less than everything.

@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// What of a set decides where a surface is there at all, for programs that draw no colours: its
-/// opacity, and the image that changes it. The data of the whole program serve these too.
+/// Holds what of a set decides where a surface is there at all, for programs that draw no colours:
+/// its opacity, and the image that changes it. The data of the whole program serve these too.
 struct OpacityPart {
     EffectSet set;
     ObjectLayout layout;

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// What the scene's picture accuracy changes in programs, where nothing stands against it.
+/// Holds what the scene's picture accuracy changes in programs, where nothing stands against it.
 struct PictureEffect {
     bool wantsVertexLight = false;
     bool wantsBlendedNormals = false;
@@ -23,7 +23,7 @@ struct PictureEffect {
     friend bool operator==(const PictureEffect&, const PictureEffect&) = default;
 };
 
-/// Whether a model draws marks on the picture, which is known by a parameter in pixels.
+/// Tells whether a model draws marks on the picture, which is known by a parameter in pixels.
 bool drawsMarks(const Block& model);
 
 } // namespace patina

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// What refracts the light that a material transmits; a null block: nothing does, and why.
+/// Holds what refracts the light that a material transmits; a null block: nothing does, and why.
 struct RefractionChoice {
     const Block* block = nullptr;
     const Values* values = nullptr;
@@ -24,17 +24,17 @@ RefractionChoice refractionChoice(const Material& material, const Catalog& catal
 /// the model's `index`. 0.1 .. 10.
 double bodyIndex(const Material& material, const RefractionChoice& choice, const Catalog& catalog);
 
-/// Whether light leaves it in its old direction: a pane, which has a thickness.
+/// Tells whether light leaves it in its old direction: a pane, which has a thickness.
 bool isSheet(const Block& refraction);
 
-/// Whether an object that is seen refracts what is behind it. Allocates nothing.
+/// Tells whether an object that is seen refracts what is behind it. Allocates nothing.
 bool hasRefraction(const Scene& scene, const Catalog& catalog);
 
-/// Whether an object refracts what is behind it and there is something of the scene to be behind
-/// it.
+/// Tells whether an object refracts what is behind it and there is something of the scene to be
+/// behind it.
 bool showsSceneRefracted(const Scene& scene, const Catalog& catalog);
 
-/// What refracts the light that the material transmits.
+/// Holds what refracts the light that the material transmits.
 struct RefractionEffect {
     std::optional<BlockUse> refraction;
 
@@ -52,7 +52,7 @@ struct RefractionEffect {
     friend bool operator==(const RefractionEffect&, const RefractionEffect&) = default;
 };
 
-/// What is seen through a body that refracts light: the scene, or only what is far behind it.
+/// Holds what is seen through a body that refracts light: the scene, or only what is far behind it.
 struct RefractedSceneEffect {
     bool isShownRefracted = false; ///< see showsSceneRefracted()
 

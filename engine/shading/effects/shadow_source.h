@@ -12,10 +12,11 @@ namespace patina {
 /// The program that draws depths into the map of a light, with the uniform `worldToMap`.
 Checked<ProgramSource> shadowMapProgram(const Catalog& catalog);
 
-/// Whether an image of the material decides where it casts shadows.
+/// Tells whether an image of the material decides where it casts shadows.
 bool hasHoles(const Material& material);
 
-/// What such a material's shadows depend on, with data of its own; nothing where no image decides.
+/// Returns what such a material's shadows depend on, with data of its own; nothing where no image
+/// decides.
 std::optional<OpacityPart> holesOf(const Material& material, const Catalog& catalog);
 
 /// The program for a surface with holes: also with the block of the object's data, and

@@ -5,24 +5,26 @@
 
 namespace patina {
 
-/// Whether the material hides enough to keep light from others: half of it.
+/// Tells whether the material hides enough to keep light from others: half of it.
 bool canShadow(const Material& material, const Catalog& catalog);
 
-/// Whether an object keeps light from others: it is drawn, may do so, and lets less than half of
-/// the light through.
+/// Tells whether an object keeps light from others: it is drawn, may do so, and lets less than half
+/// of the light through.
 bool isCaster(const Object& object, const Catalog& catalog);
 bool hasCaster(const Scene& scene, const Catalog& catalog);
 
-/// Whether a shadow can fall on anything: on the ground, or on an object whose model is known.
+/// Tells whether a shadow can fall on anything: on the ground, or on an object whose model is
+/// known.
 bool hasReceiver(const Scene& scene, const Catalog& catalog);
 
-/// Whether the scene is one object that is flat: it keeps no light from itself.
+/// Tells whether the scene is one object that is flat: it keeps no light from itself.
 bool isLoneFlat(const Scene& scene, const Catalog& catalog);
 
-/// Whether shadows can be seen in lights that have some: something casts one, something catches it.
+/// Tells whether shadows can be seen in lights that have some: something casts one, something
+/// catches it.
 bool hasShadows(const Scene& scene, const Catalog& catalog);
 
-/// Whether a light of the set has shadows.
+/// Tells whether a light of the set has shadows.
 bool hasShadows(const EffectSet& set);
 
 /// The block that draws the shadows in a light of kind `light`; null where it has none.

@@ -16,11 +16,11 @@ struct SlotChoice {
 };
 SlotChoice slotChoice(const Slot& slot, const Material& material, const Catalog& catalog);
 
-/// Whether every slot of the model that needs a block has one.
+/// Tells whether every slot of the model that needs a block has one.
 bool areSlotsFilled(const Block& model, const MaterialSubject& subject);
 
-/// What fills the model's slots, in the descriptor's order. A block that gives 0 everywhere leaves
-/// its slot empty.
+/// Holds what fills the model's slots, in the descriptor's order. A block that gives 0 everywhere
+/// leaves its slot empty.
 struct SlotsEffect {
     boost::container::small_vector<BlockUse, 2> slots;
 

@@ -9,7 +9,7 @@ namespace patina {
 struct EffectSet;
 class SurfaceText;
 
-/// What a program of SurfaceOutput::Buffer writes: place and number of the object, normal and
+/// Holds what a program of SurfaceOutput::Buffer writes: place and number of the object, normal and
 /// opacity, tangent, then a window of its values (shaders/passes/surface_buffer.glsl).
 struct SurfaceBufferLayout {
     static constexpr int outputs = 8;      ///< what every driver offers at once

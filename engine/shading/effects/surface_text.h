@@ -55,7 +55,7 @@ class SurfaceText {
     void addBlock(const Block& block, std::span<const CompiledValue> compiled = {});
     void addUnpack(const BlockUse& use, const std::string& function);
 
-    /// What a probe can read, as a statement of main behind the one that made it.
+    /// Notes what a probe can read, as a statement of main behind the one that made it.
     void noteTerm(const std::string& term, const std::string& value, const std::string& detail);
 
   private:

@@ -14,7 +14,7 @@ namespace patina {
 /// So many images of one material are in its program: texture units are few.
 inline constexpr std::size_t maxTextures = 8;
 
-/// What an image of a material changes, or why it changes nothing.
+/// Holds what an image of a material changes, or why it changes nothing.
 struct TextureTarget {
     TextureRole role = TextureRole::Input;
     std::string_view kind{};              ///< "models" or a part's, for the role Input
@@ -30,10 +30,10 @@ TextureTarget textureTarget(std::string_view key, const TextureUse& use, const M
 /// alpha counts (see TexturePicture::hasAlpha).
 TextureChannel channelOf(const TextureUse& use, const TextureTarget& target);
 
-/// Whether the colours of the file are taken as light: those that Auto takes for encoded.
+/// Tells whether the colours of the file are taken as light: those that Auto takes for encoded.
 bool isColorUse(TextureRole role, TextureChannel channel);
 
-/// Whether an image gives the parameter another value than the form's.
+/// Tells whether an image gives the parameter another value than the form's.
 bool isTextured(std::string_view parameterId, const Material& material);
 
 /// An image that is in a program. Which image, and where it lies on the surface, is data.
@@ -49,7 +49,7 @@ struct BoundTexture {
     std::string key() const;
     bool hasKey(std::string_view key) const;
 
-    /// What the material says of it; null where it says nothing any more.
+    /// Returns what the material says of it; null where it says nothing any more.
     const TextureUse* in(const Material& material) const;
 
     bool isColor() const;
@@ -57,7 +57,7 @@ struct BoundTexture {
     friend bool operator==(const BoundTexture&, const BoundTexture&) = default;
 };
 
-/// How an image is used that has an effect.
+/// Returns how an image is used that has an effect.
 BoundTexture boundTexture(const TextureUse& use, const TextureTarget& target);
 
 /// The material's images, sorted by their keys.

@@ -7,18 +7,18 @@
 
 namespace patina {
 
-/// Whether an object is drawn and transparent; how many of a scene's are.
+/// Tells whether an object is drawn and transparent; how many of a scene's are.
 bool isVisiblyTransparent(const Object& object, const Catalog& catalog);
 int countTransparent(const Scene& scene, const Catalog& catalog);
 
-/// Whether what is drawn with the set may be transparent.
+/// Tells whether what is drawn with the set may be transparent.
 bool isVisiblyTransparent(const EffectSet& set);
 
 /// The block that puts together what is transparent; null where nothing is, or each object is
 /// blended by itself.
 const Block* transparencyBlock(const Scene& scene, const Catalog& catalog);
 
-/// How what is transparent is put together, in the programs that draw it; without a block each
+/// Says how what is transparent is put together, in the programs that draw it; without a block each
 /// object is blended over what is behind it.
 struct TransparencyEffect {
     std::optional<BlockUse> transparency;

@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Where the text of a block computes an entry of a table from more than the parameters that the
-/// table names: its tables would not be filled anew when those change.
+/// Returns where the text of a block computes an entry of a table from more than the parameters
+/// that the table names: its tables would not be filled anew when those change.
 Errors entryMistakes(const Block& block, std::span<const GlslToken> tokens);
 
 } // namespace patina

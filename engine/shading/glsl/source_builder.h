@@ -32,12 +32,12 @@ class SourceBuilder {
     /// withPrivateNames).
     void addBlock(const Block& block);
 
-    /// What was put together; or every file that could not be read (with the place of its include),
-    /// and the blocks' mistakes.
+    /// Returns what was put together; or every file that could not be read (with the place of its
+    /// include), and the blocks' mistakes.
     Checked<ShaderSource> finish() const;
 
   private:
-    /// Where a file is included from; nowhere: it was asked for.
+    /// Says where a file is included from; nowhere: it was asked for.
     struct Place {
         std::string file;
         int line = 0;

@@ -32,16 +32,16 @@ GlslTokens directiveTokens(const GlslToken& directive);
 /// The tokens with those of each directive in its place.
 GlslTokens opened(const GlslTokens& tokens);
 
-/// What a directive is called: "ifdef" of "#  ifdef X"; empty for what is none.
+/// Returns what a directive is called: "ifdef" of "#  ifdef X"; empty for what is none.
 std::string_view directiveName(const GlslToken& token);
 
 /// The file that `#include "..."` names; empty for what is no such line.
 std::string_view includedFile(std::string_view line);
 
-/// Whether a word says how precise a number is.
+/// Tells whether a word says how precise a number is.
 bool isPrecision(std::string_view word);
 
-/// Whether a word stands before the type of a function's argument.
+/// Tells whether a word stands before the type of a function's argument.
 bool isQualifier(std::string_view word);
 
 } // namespace patina

@@ -6,7 +6,7 @@
 
 namespace patina {
 
-/// Where the values of one block lie in an array of vec4s.
+/// Says where the values of one block lie in an array of vec4s.
 struct BlockPlace {
     const Block* block = nullptr;
     ParameterLayout layout;

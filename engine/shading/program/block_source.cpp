@@ -60,7 +60,7 @@ const CompiledValue* compiledOf(const ParameterField& field, const UnpackRequest
     return isRead || functionOf(field) != nullptr ? nullptr : &*found;
 }
 
-/// Whether the program knows that the function of a field is the plain one.
+/// Tells whether the program knows that the function of a field is the plain one.
 bool isPlain(const ParameterField& field, std::span<const CompiledValue> compiled) {
     const auto found = std::ranges::find(compiled, idOf(field), &CompiledValue::id);
     return found != compiled.end() && functionOf(field) != nullptr &&
@@ -113,7 +113,7 @@ std::string unpackEqual(const ParameterField& field, const UnpackRequest& reques
                        fieldName(field.parameter->equalTo));
 }
 
-/// Whether a field lies in this vec4; what a function reads is no field.
+/// Tells whether a field lies in this vec4; what a function reads is no field.
 bool isReadByField(const ParameterLayout& layout, std::size_t vec4) {
     return std::ranges::none_of(layout.fields, [vec4](const ParameterField& field) {
         const std::size_t first = field.offset / 4;

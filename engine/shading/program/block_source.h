@@ -24,7 +24,7 @@ struct SlotFill {
     int vec4s = 0;
 };
 
-/// How an unpack function is written.
+/// Says how an unpack function is written.
 struct UnpackRequest {
     std::string function;                      ///< its name, "unpackModel"
     std::span<const CompiledValue> compiled{}; ///< assigned from a #define instead of read
@@ -43,7 +43,7 @@ std::string unpackedFrom(std::string_view array);
 /// The number of vec4s a block's own values take (without its slots).
 int vec4Count(const Block& block);
 
-/// What stands for an empty slot: a struct without values, and a call that is black.
+/// Returns what stands for an empty slot: a struct without values, and a call that is black.
 std::string emptySlotSource(std::string_view kind);
 
 /// The names by which a model knows the block that fills its slot.

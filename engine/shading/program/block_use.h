@@ -37,7 +37,7 @@ class BlockUse {
     /// The level of an accuracy choice of the block.
     const EnumValue& level(const AccuracyChoice& choice) const;
 
-    /// Whether two compiled floats are taken to be the same everywhere.
+    /// Tells whether two compiled floats are taken to be the same everywhere.
     bool isEqual(const Parameter& parameter) const;
 
     /// Makes them differ; makes a level the exact one.

@@ -12,7 +12,7 @@ namespace patina {
 /// default. Points into one of the arguments.
 const Value& givenValue(const Parameter& parameter, const Values& values);
 
-/// Whether no part of a number, a vector or a colour is above 0.
+/// Tells whether no part of a number, a vector or a colour is above 0.
 bool notPositive(const Value& value);
 
 /// The state of a value that can be compiled: an enum's index. Index of the chosen accuracy level;
@@ -23,8 +23,8 @@ std::size_t chosenIndex(const AccuracyChoice& choice, const AccuracyLevels& leve
 /// True when the parameter is a number that is 0, or a vector or colour without a positive part.
 bool isZero(const Parameter& parameter, const Values& values);
 
-/// What a compiled parameter contributes to the program, as a small number: the state of its value,
-/// or whether a float is zero or the same as another one of its block.
+/// Returns what a compiled parameter contributes to the program, as a small number: the state of
+/// its value, or whether a float is zero or the same as another one of its block.
 std::size_t compiledState(const Block& block, const Parameter& parameter, const Values& values);
 
 } // namespace patina

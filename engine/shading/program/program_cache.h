@@ -29,10 +29,10 @@ class ProgramCache {
 
     Found get(const ProgramSource& source);
 
-    /// How many programs were compiled since the start.
+    /// Returns how many programs were compiled since the start.
     int compiledCount() const { return compiledCount_; }
 
-    /// How many were compiled or loaded from the disk since the start.
+    /// Returns how many were compiled or loaded from the disk since the start.
     int builtCount() const { return static_cast<int>(found_.size()); }
 
   private:

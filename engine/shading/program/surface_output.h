@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// What a program writes that is made from a set of effects.
+/// Tells what a program writes that is made from a set of effects.
 enum class SurfaceOutput {
     Picture,     ///< the light that the surface sends to the viewer
     Inspection,  ///< its luminance, what is wrong with its numbers, and the numbers themselves
@@ -17,13 +17,13 @@ enum class SurfaceOutput {
     AlbedoTable, ///< the model's albedo by the viewer's direction, without mesh, lights or fog
 };
 
-/// Whether such programs draw no mesh but cover a target of their own.
+/// Tells whether such programs draw no mesh but cover a target of their own.
 inline bool isTable(SurfaceOutput output) {
     return output == SurfaceOutput::AlbedoTable || output == SurfaceOutput::Tables ||
            output == SurfaceOutput::LobeSamples;
 }
 
-/// How finely a table of albedos is made.
+/// Says how finely a table of albedos is made.
 struct AlbedoTableShape {
     glm::ivec2 size{24, 16}; ///< roots of n.v, azimuths of the viewer
     int sectors = 48;        ///< directions of light in each ring around the mirror direction
@@ -34,8 +34,8 @@ struct AlbedoTableShape {
 /// A model that claims to be isotropic has one azimuth and needs fewer directions.
 AlbedoTableShape albedoTableShape(const Block& model);
 
-/// How finely a model's reflectance is taken apart into lobes, as passes/lobe_directions.glsl has
-/// it.
+/// Says how finely a model's reflectance is taken apart into lobes, as passes/lobe_directions.glsl
+/// has it.
 struct LobeTableShape {
     int viewers = 16;  ///< roots of n.v
     int azimuths = 16; ///< of the viewer

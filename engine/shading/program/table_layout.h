@@ -34,7 +34,7 @@ struct TableLayout {
     /// Adds those that the block's levels in `use` read. It keeps pointers into the block.
     void add(const BlockPlace& place, const BlockUse& use, TableReader reader);
 
-    /// Whether the program reads this table.
+    /// Tells whether the program reads this table.
     bool has(const BlockTable& table) const;
 };
 

@@ -8,12 +8,12 @@
 
 namespace patina {
 
-/// Whether the program looks tables of the block up (passes/block_tables.glsl); other outputs than
-/// a picture compute the entries they need.
+/// Tells whether the program looks tables of the block up (passes/block_tables.glsl); other outputs
+/// than a picture compute the entries they need.
 bool looksUp(const Block& block, const TableLayout& tables, SurfaceOutput output);
 
-/// What stands before a block's text and behind it, so that it can call its tables. Those that the
-/// program does not read are macros that no entry and no texture belongs to.
+/// Returns what stands before a block's text and behind it, so that it can call its tables. Those
+/// that the program does not read are macros that no entry and no texture belongs to.
 std::string textBeforeBlock(const Block& block, const TableLayout& tables, SurfaceOutput output);
 std::string textBehindBlock(const Block& block, const TableLayout& tables, SurfaceOutput output);
 

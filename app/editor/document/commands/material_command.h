@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Which material of a document is meant.
+/// Says which material of a document is meant.
 struct MaterialPlace {
     int object = 0;
     Side side = Side::A;
