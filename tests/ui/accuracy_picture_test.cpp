@@ -189,8 +189,8 @@ TEST_F(PicturePanel, PicturesAccuracy_LeavesTheMaterialsChartFresh) {
     pages().setCurrentWidget(&material);
     CostSweep::Options options;
     options.size = {32, 32};
-    options.pairs.fewest = 3;
-    options.pairs.most = 3;
+    options.pairs.min = 3;
+    options.pairs.max = 3;
     options.combinations = false;
     material.measure(options);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !material.isMeasuring(); }, waitMs));
@@ -321,8 +321,8 @@ TEST_F(ComparedPicturePanel, SwappedSides_SwapThePictures) {
 
 TEST_F(ComparedPicturePanel, MaterialsThatAreComparedNext_HaveTheScenesPicture) {
     compareHalf();
-    window().comparison().look(*document().material(Side::A), *document().material(Side::B),
-                               "Compare");
+    window().comparison().previewMaterials(
+        *document().material(Side::A), *document().material(Side::B), "Compare");
     EXPECT_EQ(document().scene(Side::A), document().scene());
     EXPECT_EQ(scaleOf(document().scene(Side::B)), scaleOf(document().scene()));
 }

@@ -96,8 +96,8 @@ void MaterialTarget::compare(const std::vector<Choice>& choices, const ChosenLev
     if (isSo) {
         return;
     }
-    comparison_.look(exact, chosen,
-                     QCoreApplication::translate("MaterialTarget", "Compare with exact"));
+    comparison_.previewMaterials(
+        exact, chosen, QCoreApplication::translate("MaterialTarget", "Compare with exact"));
 }
 
 QString MaterialTarget::measureText() const {

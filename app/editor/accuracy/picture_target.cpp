@@ -76,7 +76,7 @@ void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels
     const Scene wanted = withLevels(choices, levels);
     const bool isSo =
         levelsOfPicture(wanted, choices, document_.catalog()) == this->levels(choices);
-    if (isSo && pictureLaidOver(document_.state(), Side::A) == nullptr) {
+    if (isSo && overlaidPicture(document_.state(), Side::A) == nullptr) {
         return;
     }
     document_.editAsOneStep(label, [&] {
@@ -87,8 +87,8 @@ void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels
 
 void PictureTarget::compare(const std::vector<Choice>& choices, const ChosenLevels& levels) {
     views_.setDifferenceWanted(true);
-    comparison_.lookAtPictures(withLevels(choices, {}), withLevels(choices, levels),
-                               tr("Compare with exact"));
+    comparison_.previewPictures(withLevels(choices, {}), withLevels(choices, levels),
+                                tr("Compare with exact"));
 }
 
 QString PictureTarget::measureText() const {

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "document/commands/look_command.h"
 #include "document/commands/material_command.h"
+#include "document/commands/preview_command.h"
 #include "document/picture_parameters.h"
 
 namespace patina {
@@ -29,7 +29,7 @@ void Comparison::setComparing(bool on) {
 
 /// Side A gets its own material back, if another one was there just to be looked at.
 void Comparison::end() {
-    if (!document_.state().lookedAt && !document_.state().picture) {
+    if (!document_.state().preview && !document_.state().picture) {
         document_.setSecondMaterial(std::nullopt);
         return;
     }
@@ -37,26 +37,27 @@ void Comparison::end() {
         putBack();
         document_.setComparedPicture(std::nullopt);
         document_.setSecondMaterial(std::nullopt);
-        setLookedAt(std::nullopt);
+        setPreview(std::nullopt);
     });
 }
 
 /// Gives the object whose side A shows another material its own one.
 void Comparison::putBack() {
-    const int object = document_.state().lookedAt ? document_.state().lookedAt->object : -1;
+    const int object = document_.state().preview ? document_.state().preview->object : -1;
     if (const std::optional<Material> own = materialAside(document_.state(), object)) {
         document_.undoStack().push(
             new MaterialCommand(document_, {object, Side::A}, *own, tr("Stop comparing")));
     }
 }
 
-void Comparison::setLookedAt(std::optional<LookedAt> lookedAt) {
-    if (lookedAt != document_.state().lookedAt) {
-        document_.undoStack().push(new LookCommand(document_, std::move(lookedAt)));
+void Comparison::setPreview(std::optional<MaterialPreview> preview) {
+    if (preview != document_.state().preview) {
+        document_.undoStack().push(new PreviewCommand(document_, std::move(preview)));
     }
 }
 
-void Comparison::look(const Material& first, const Material& second, const QString& label) {
+void Comparison::previewMaterials(const Material& first, const Material& second,
+                                  const QString& label) {
     const Material* held = document_.material(Side::A);
     if (!held) {
         return;
@@ -67,12 +68,13 @@ void Comparison::look(const Material& first, const Material& second, const QStri
         const Material own = *document_.material(Side::A);
         document_.replaceMaterial(Side::A, first, label);
         document_.setSecondMaterial(second);
-        setLookedAt(own == first ? std::nullopt
-                                 : std::optional(LookedAt{document_.currentObject(), own, first}));
+        setPreview(own == first
+                       ? std::nullopt
+                       : std::optional(MaterialPreview{document_.currentObject(), own, first}));
     });
 }
 
-void Comparison::lookAtPictures(const Scene& first, const Scene& second, const QString& label) {
+void Comparison::previewPictures(const Scene& first, const Scene& second, const QString& label) {
     const Material* held = document_.material(document_.activeSide());
     if (!held) {
         return;
@@ -90,7 +92,7 @@ void Comparison::lookAtPictures(const Scene& first, const Scene& second, const Q
     document_.editAsOneStep(label, [&] {
         if (!document_.isComparing() || !(*document_.material(Side::A) == wanted.material) ||
             !(*document_.material(Side::B) == wanted.material)) {
-            look(wanted.material, wanted.material, label);
+            previewMaterials(wanted.material, wanted.material, label);
         }
         document_.setComparedPicture(wanted);
     });
@@ -108,7 +110,7 @@ void Comparison::setLevels(Side side, const AccuracyLevels& levels, const QStrin
         return;
     }
     document_.editAsOneStep(label, [&] {
-        setLookedAt(std::nullopt);
+        setPreview(std::nullopt);
         document_.replaceMaterial(side, wanted, label);
     });
 }

@@ -18,10 +18,10 @@ class Comparison : public QObject {
     void setComparing(bool on);
     /// Compares two materials. Side A shows the first one until comparing ends, keeps its own
     /// meanwhile, also in files, and then has it again.
-    void look(const Material& first, const Material& second, const QString& label);
+    void previewMaterials(const Material& first, const Material& second, const QString& label);
     /// Compares two ways to draw the scene's picture, which is otherwise the active side's, until
     /// comparing ends: the scene keeps its own.
-    void lookAtPictures(const Scene& first, const Scene& second, const QString& label);
+    void previewPictures(const Scene& first, const Scene& second, const QString& label);
     /// Chooses levels for good, also where side A shows others just to be looked at.
     void setLevels(Side side, const AccuracyLevels& levels, const QString& label);
     void swapSides();
@@ -29,7 +29,7 @@ class Comparison : public QObject {
   private:
     void end();
     void putBack();
-    void setLookedAt(std::optional<LookedAt> lookedAt);
+    void setPreview(std::optional<MaterialPreview> preview);
 
     Document& document_;
     std::optional<Material> lastSecond_;

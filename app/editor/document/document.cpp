@@ -160,7 +160,7 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
     const auto edit = [&] {
         undoStack_.push(new ParameterCommand(*this, path, *described, *parameter, after));
     };
-    if (!isLaidOver(state_, path, parameterId)) {
+    if (!isOverlaid(state_, path, parameterId)) {
         edit();
         return;
     }

@@ -225,7 +225,7 @@ bool DocumentFiles::openPreset(const std::filesystem::path& path, const ReadingR
         return false;
     }
     DocumentState state = document_.state();
-    state.lookedAt.reset();
+    state.preview.reset();
     if (!hasSecondMaterial(state)) {
         state.second.reset();
     }
@@ -268,7 +268,7 @@ Scene DocumentFiles::sceneToRecover() const {
 
 Scene DocumentFiles::sceneToSave() const {
     Scene scene = document_.state().scene;
-    const int object = document_.state().lookedAt ? document_.state().lookedAt->object : -1;
+    const int object = document_.state().preview ? document_.state().preview->object : -1;
     if (const std::optional<Material> own = materialAside(document_.state(), object)) {
         scene.objects[static_cast<std::size_t>(object)].material = *own;
     }

@@ -79,7 +79,7 @@ bool hasSecondMaterial(const DocumentState& state) {
     return state.second && !(state.picture && state.picture->material == *state.second);
 }
 
-const SidePicture* pictureLaidOver(const DocumentState& state, Side side) {
+const SidePicture* overlaidPicture(const DocumentState& state, Side side) {
     if (!state.picture || !state.second) {
         return nullptr;
     }
@@ -87,8 +87,8 @@ const SidePicture* pictureLaidOver(const DocumentState& state, Side side) {
     return picture ? &*picture : nullptr;
 }
 
-bool isLaidOver(const DocumentState& state, const BlockPath& path, std::string_view parameterId) {
-    const SidePicture* picture = pictureLaidOver(state, Side::A);
+bool isOverlaid(const DocumentState& state, const BlockPath& path, std::string_view parameterId) {
+    const SidePicture* picture = overlaidPicture(state, Side::A);
     if (picture == nullptr) {
         return false;
     }
@@ -108,7 +108,7 @@ bool isLaidOver(const DocumentState& state, const BlockPath& path, std::string_v
 
 Scene shownScene(const DocumentState& state, int object, Side side) {
     Scene scene = ownScene(state, object, side);
-    if (const SidePicture* picture = pictureLaidOver(state, side)) {
+    if (const SidePicture* picture = overlaidPicture(state, side)) {
         layOver(scene, *picture);
     }
     return scene;
@@ -139,10 +139,10 @@ Material* materialAt(DocumentState& state, int object, Side side) {
 
 std::optional<Material> materialAside(const DocumentState& state, int object) {
     const Material* now = materialAt(state, object, Side::A);
-    if (!now || !state.lookedAt || state.lookedAt->object != object) {
+    if (!now || !state.preview || state.preview->object != object) {
         return std::nullopt;
     }
-    const LookedAt& looked = *state.lookedAt;
+    const MaterialPreview& looked = *state.preview;
     if (*now == looked.shown) {
         return looked.own;
     }

@@ -17,19 +17,19 @@ enum class Side { A, B };
 
 /// Holds what side A shows for as long as it is compared, and its own material, which was put
 /// aside.
-struct LookedAt {
+struct MaterialPreview {
     int object = 0;
     Material own;
     Material shown;
 
-    friend bool operator==(const LookedAt&, const LookedAt&) = default;
+    friend bool operator==(const MaterialPreview&, const MaterialPreview&) = default;
 };
 
 /// Everything an edit can change.
 struct DocumentState {
     Scene scene;
     std::optional<Material> second; ///< side B, shown on the current object; absent: no comparing
-    std::optional<LookedAt> lookedAt = std::nullopt;       ///< absent: side A shows its own
+    std::optional<MaterialPreview> preview = std::nullopt; ///< absent: side A shows its own
     std::optional<ComparedPicture> picture = std::nullopt; ///< absent: both draw as the scene says
 
     friend bool operator==(const DocumentState&, const DocumentState&) = default;
@@ -65,10 +65,10 @@ Scene shownScene(const DocumentState& state, int object, Side side);
 Scene ownScene(const DocumentState& state, int object, Side side);
 
 /// Returns what is laid over a side's scene while its picture is compared; null: nothing.
-const SidePicture* pictureLaidOver(const DocumentState& state, Side side);
+const SidePicture* overlaidPicture(const DocumentState& state, Side side);
 
 /// Tells whether side A shows another value than this one, which the scene has.
-bool isLaidOver(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
+bool isOverlaid(const DocumentState& state, const BlockPath& path, std::string_view parameterId);
 
 /// Tells whether side B has another material than what its object has.
 bool hasSecondMaterial(const DocumentState& state);

@@ -215,7 +215,7 @@ void FrozenEffects::showSides() {
     const DocumentState& state = held_->state;
     for (const Side side : {Side::A, Side::B}) {
         const bool differs = state.second && held_->object >= 0 &&
-                             (side == Side::B || pictureLaidOver(state, side) != nullptr);
+                             (side == Side::B || overlaidPicture(state, side) != nullptr);
         held_->shown[static_cast<std::size_t>(side)] =
             differs ? std::optional(shownScene(state, held_->object, side)) : std::nullopt;
     }

@@ -6,7 +6,7 @@
 namespace patina {
 
 const Scene& ShownScenes::scene(const DocumentState& state, int object, Side side) {
-    const bool isOwn = side == Side::A && pictureLaidOver(state, side) == nullptr;
+    const bool isOwn = side == Side::A && overlaidPicture(state, side) == nullptr;
     if (isOwn || !state.second || object < 0) {
         return state.scene;
     }
@@ -48,7 +48,7 @@ void ShownScenes::update(Side side, const DocumentState& state, int object, cons
     }
     DocumentState changed{std::move(*shown), std::nullopt};
     storeValue(changed, there, parameterId, *stored);
-    if (const SidePicture* picture = pictureLaidOver(state, side)) {
+    if (const SidePicture* picture = overlaidPicture(state, side)) {
         layOver(changed.scene, *picture);
     }
     shown = std::move(changed.scene);

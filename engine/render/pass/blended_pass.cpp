@@ -18,7 +18,7 @@ Result<bool> BlendedPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     if (auto fitted = fitRefraction(plan, gpu); !fitted || *fitted) {
         return fitted;
     }
-    return refraction_ && refraction_->looksBehind() ? gpu.fitTarget(plan, true)
+    return refraction_ && refraction_->needsSceneColor() ? gpu.fitTarget(plan, true)
                                                      : Result<bool>(false);
 }
 

@@ -32,7 +32,7 @@ class RefractionTargets {
 
     /// Takes what is in the target now for what is behind the next objects.
     void takeBehind(const HdrTarget& target) const;
-    bool looksBehind() const { return built_.behind; }
+    bool needsSceneColor() const { return built_.behind; }
 
     /// Binds all this for a program that draws a body within the ball and is in use.
     void bind(const gl::Program& program, const Ball& ball, const HdrTarget& target) const;

@@ -6,12 +6,12 @@
 namespace patina {
 
 /// Notes that side A shows a material just to be looked at, or that it does no more.
-class LookCommand : public ChangeCommand<int, std::optional<LookedAt>> {
+class PreviewCommand : public ChangeCommand<int, std::optional<MaterialPreview>> {
   public:
-    LookCommand(Document& document, std::optional<LookedAt> after);
+    PreviewCommand(Document& document, std::optional<MaterialPreview> after);
 
   private:
-    void apply(const std::optional<LookedAt>& lookedAt) override;
+    void apply(const std::optional<MaterialPreview>& preview) override;
 };
 
 } // namespace patina

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/commands/preview_command.h"
+
+namespace patina {
+
+PreviewCommand::PreviewCommand(Document& document, std::optional<MaterialPreview> after)
+    : ChangeCommand(document, Document::tr("Compare"), document.currentObject(),
+                    document.state().preview, std::move(after)) {}
+
+void PreviewCommand::apply(const std::optional<MaterialPreview>& preview) {
+    state().preview = preview;
+    document().announce({DocumentChange::Material});
+}
+
+} // namespace patina
