@@ -329,7 +329,7 @@ ParameterTypeInfo curveInfo() {
     };
     row.state = &curveState;
     row.stateWord = [](const Parameter&, std::size_t state) {
-        return std::string_view(state == 0 ? "linear" : "bent");
+        return std::string_view(state == 0 ? "linear" : "curved");
     };
     row.function = &function;
     return row;
