@@ -55,15 +55,15 @@ struct Axes {
 };
 
 Axes axesOf(const CostChart& chart, glm::ivec2 size) {
-    double least = 0.0;
-    double most = 0.0;
+    double lowest = 0.0;
+    double highest = 0.0;
     double worst = std::log10(minError) + 1.0;
     for (const CostPoint& point : chart.points) {
-        least = std::min(least, std::log2(std::max(point.cost.ratio.lower, 1e-3)));
-        most = std::max(most, std::log2(std::max(point.cost.ratio.upper, 1e-3)));
+        lowest = std::min(lowest, std::log2(std::max(point.cost.ratio.lower, 1e-3)));
+        highest = std::max(highest, std::log2(std::max(point.cost.ratio.upper, 1e-3)));
         worst = std::max(worst, std::log10(std::max(errorOf(point), minError)));
     }
-    return {{std::floor(least - 0.2), std::ceil(most + 0.2), marginLeft, size.x - marginRight},
+    return {{std::floor(lowest - 0.2), std::ceil(highest + 0.2), marginLeft, size.x - marginRight},
             {std::log10(minError) - 0.3, std::ceil(worst + 0.1), size.y - marginBottom, marginTop}};
 }
 

@@ -314,14 +314,14 @@ Result<glm::dvec3> readNumbers(const Json& json, const EvalField& field) {
     if (!value) {
         return value;
     }
-    const double most = field.isTriple() ? std::numeric_limits<double>::max() : field.most;
+    const double maxNumber = field.isTriple() ? std::numeric_limits<double>::max() : field.max;
     const bool isWhole = field.type != EvalField::Type::Whole || std::round(value->x) == value->x;
     const bool isInside = glm::all(glm::greaterThanEqual(*value, glm::dvec3(0.0))) &&
-                          glm::all(glm::lessThanEqual(*value, glm::dvec3(most)));
+                          glm::all(glm::lessThanEqual(*value, glm::dvec3(maxNumber)));
     if (!isInside || !isWhole) {
         return failure(fmt::format("{} is {}", key, json[key].dump()),
                        field.isTriple() ? std::string("0 or more")
-                                        : fmt::format("0 .. {}", shortestText(float(most))));
+                                        : fmt::format("0 .. {}", shortestText(float(maxNumber))));
     }
     return value;
 }

@@ -24,8 +24,8 @@ constexpr bool underSanitizer = false;
 
 void limit(__rlimit_resource resource, std::optional<std::size_t> bytes) {
     if (bytes) {
-        const rlimit most{*bytes, *bytes};
-        ::setrlimit(resource, &most);
+        const rlimit limit{*bytes, *bytes};
+        ::setrlimit(resource, &limit);
     }
 }
 

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-constexpr float most = 65504.0f; ///< of a half float; sums of these stay finite
+constexpr float maxHalf = 65504.0f; ///< of a half float; sums of these stay finite
 
 const SrgbTable& srgb() {
     static const SrgbTable table;
@@ -24,7 +24,7 @@ const SrgbTable& srgb() {
 }
 
 float usable(float x) {
-    return std::isfinite(x) ? std::clamp(x, -most, most) : 0.0f;
+    return std::isfinite(x) ? std::clamp(x, -maxHalf, maxHalf) : 0.0f;
 }
 
 std::uint8_t code(float x) {

@@ -17,9 +17,9 @@ float anisotropy() {
     if (!epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || isSoftware()) {
         return 1.0f;
     }
-    GLfloat most = 1.0f;
-    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
-    return std::min(most, maxAnisotropy);
+    GLfloat deviceMax = 1.0f;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &deviceMax);
+    return std::min(deviceMax, maxAnisotropy);
 }
 
 } // namespace
@@ -38,8 +38,8 @@ Sampler Sampler::create(unsigned wrap, bool isSmooth) {
     glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER,
                         isSmooth ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST);
     glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, isSmooth ? GL_LINEAR : GL_NEAREST);
-    if (const float most = anisotropy(); isSmooth && most > 1.0f) {
-        glSamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, most);
+    if (const float deviceMax = anisotropy(); isSmooth && deviceMax > 1.0f) {
+        glSamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, deviceMax);
     }
     return sampler;
 }

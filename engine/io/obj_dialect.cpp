@@ -14,8 +14,8 @@ constexpr std::string_view blanks = " \t\r";
 struct Statement {
     std::string_view keyword;
     std::string_view characters; ///< empty: any
-    std::size_t fewest = 0;      ///< words
-    std::size_t most = std::string_view::npos;
+    std::size_t minWords = 0;      ///< words
+    std::size_t maxWords = std::string_view::npos;
 };
 constexpr std::string_view real = "0123456789+-.eE \t\r";
 constexpr std::string_view cornerText = "0123456789-/ \t\r";
@@ -67,7 +67,7 @@ bool isPlainLine(std::string_view line) {
             return false;
         }
         const std::size_t words = wordsIn(rest);
-        return words >= statement.fewest && words <= statement.most;
+        return words >= statement.minWords && words <= statement.maxWords;
     });
 }
 

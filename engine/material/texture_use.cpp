@@ -156,7 +156,7 @@ Parameter strengthSetting(TextureRole role) {
 }
 
 void addPlacement(Block& block) {
-    constexpr double most = 10000.0;
+    constexpr double maxNumber = 10000.0;
     block.parameters.push_back(chosen("wrap", "Wrap", "What lies beside the image.",
                                       {{"repeat", "Repeat", "The image again."},
                                        {"clamp", "Clamp", "Its edge, drawn out."},
@@ -167,11 +167,11 @@ void addPlacement(Block& block) {
     block.parameters.push_back(ranged(described(ParameterType::Vec2, "scale", "Scale",
                                                 "How often the image fits, across and up.",
                                                 glm::dvec2(1.0)),
-                                      {-most, most}, {0.0, 8.0}, 0.01));
+                                      {-maxNumber, maxNumber}, {0.0, 8.0}, 0.01));
     block.parameters.push_back(ranged(described(ParameterType::Vec2, "offset", "Offset",
                                                 "How far it is moved, in images.",
                                                 glm::dvec2(0.0)),
-                                      {-most, most}, {-1.0, 1.0}, 0.01));
+                                      {-maxNumber, maxNumber}, {-1.0, 1.0}, 0.01));
     Parameter rotation = ranged(described(ParameterType::Float, "rotation", "Rotation",
                                           "Counter-clockwise.", 0.0),
                                 {-360000.0, 360000.0}, {-180.0, 180.0}, 1.0);

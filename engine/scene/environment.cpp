@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-constexpr int fewestDirections = 4; ///< one round
+constexpr int minDirections = 4; ///< one round
 
 const std::string* textOf(const BlockValues& values, const Parameter& parameter) {
     const auto found = values.parameters.find(parameter.id);
@@ -53,7 +53,7 @@ int directionsOf(const BlockValues& environment, const Block& block) {
     const auto given = environment.parameters.find(parameter->id);
     const bool isGiven = given != environment.parameters.end();
     const Value value = conformed(*parameter, isGiven ? given->second : parameter->defaultValue);
-    return std::max(std::get<int>(value), fewestDirections);
+    return std::max(std::get<int>(value), minDirections);
 }
 
 double environmentNumber(const BlockValues& environment, const Block& block,

@@ -15,9 +15,9 @@ float toonRise(float x, float softness) {
 vec3 toonEdge(float x, float softness, vec3 below, vec3 above) {
     float place = x / max(softness, 1e-3);
     float u = max(0.5 - abs(place), 0.0);
-    float least = u * u * (3.0 - 2.0 * u);
-    float most = 1.0 - least;
-    return (place > 0.0 ? least : most) * below + (place > 0.0 ? most : least) * above;
+    float minShare = u * u * (3.0 - 2.0 * u);
+    float maxShare = 1.0 - minShare;
+    return (place > 0.0 ? minShare : maxShare) * below + (place > 0.0 ? maxShare : minShare) * above;
 }
 
 // n.l - edge; near the normal as (1 - edge) - (1 - n.l), which keeps its digits.

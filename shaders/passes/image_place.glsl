@@ -18,10 +18,10 @@ float imageGrey(vec3 color) {
 }
 
 // A value that an image has changed, in the range that forms and files keep it in.
-vec3 imaged(vec3 value, vec3 made, int rows, float least, float most) {
-    return clamp(mix(value, made, objectData[rows].w), least, most);
+vec3 imaged(vec3 value, vec3 made, int rows, float lowest, float highest) {
+    return clamp(mix(value, made, objectData[rows].w), lowest, highest);
 }
 
-float imaged(float value, float made, int rows, float least, float most) {
-    return clamp(mix(value, made, objectData[rows].w), least, most);
+float imaged(float value, float made, int rows, float lowest, float highest) {
+    return clamp(mix(value, made, objectData[rows].w), lowest, highest);
 }

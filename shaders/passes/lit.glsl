@@ -18,8 +18,8 @@ vec3 lit(Surface s, Illumination light, Model p) {
 
 // From a light with an end or with shadows. Where nothing arrives the model is not asked.
 vec3 litWhereItArrives(Surface s, Illumination light, Model p) {
-    float most = max(max(light.radiance.r, light.radiance.g), light.radiance.b);
-    if (!(most > 0.0) || IS_UNLIT(dot(s.n, light.l))) {
+    float brightest = max(max(light.radiance.r, light.radiance.g), light.radiance.b);
+    if (!(brightest > 0.0) || IS_UNLIT(dot(s.n, light.l))) {
         return vec3(0.0);
     }
     return litAnyway(s, light, p);

@@ -118,8 +118,8 @@ FacePlane planeOf(vec4 corner) {
 
 // How much deeper a plane is beside its edge.
 float depthBeside(FacePlane plane, vec2 offset, vec4 end) {
-    float most = max(STEEPEST * length(offset) * abs(LINE_DATA.z), plane.reach * end.w);
-    return clamp(dot(plane.slope, offset) * end.w, -most, most);
+    float maxShift = max(STEEPEST * length(offset) * abs(LINE_DATA.z), plane.reach * end.w);
+    return clamp(dot(plane.slope, offset) * end.w, -maxShift, maxShift);
 }
 
 void emitAt(vec4 end, vec3 point, vec2 offset, LineSide s) {

@@ -47,11 +47,11 @@ vec4 backPlane(vec3 x) {
 float wayThrough(vec3 x, vec3 d) {
     vec3 m = x - refractionBody.xyz;
     float b = dot(m, d);
-    float most = safeSqrt(b * b - dot(m, m) + refractionBody.w * refractionBody.w) - b;
+    float maxWay = safeSqrt(b * b - dot(m, m) + refractionBody.w * refractionBody.w) - b;
     float low = 0.0;
-    float high = most;
+    float high = maxWay;
     for (int i = 1; i <= STEPS_THROUGH; ++i) {
-        float way = most * float(i) / float(STEPS_THROUGH);
+        float way = maxWay * float(i) / float(STEPS_THROUGH);
         high = way;
         if (!isInBody(x + way * d)) {
             break;

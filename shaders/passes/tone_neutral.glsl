@@ -6,8 +6,8 @@
 vec3 toneMapped(vec3 light) {
     const float start = 0.8 - 0.04;
     const float desaturation = 0.15;
-    float least = min(light.r, min(light.g, light.b));
-    float offset = least < 0.08 ? least - 6.25 * least * least : 0.04;
+    float minChannel = min(light.r, min(light.g, light.b));
+    float offset = minChannel < 0.08 ? minChannel - 6.25 * minChannel * minChannel : 0.04;
     vec3 color = light - vec3(offset);
     float peak = max(color.r, max(color.g, color.b));
     if (peak < start) {

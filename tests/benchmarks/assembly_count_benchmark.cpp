@@ -27,8 +27,8 @@ struct Row {
 };
 
 std::string rangeOf(const Row& row) {
-    const auto [least, most] = std::ranges::minmax(row.ratios);
-    const std::string range = fmt::format("{:.3f} .. {:.3f}", least, most);
+    const auto [smallest, largest] = std::ranges::minmax(row.ratios);
+    const std::string range = fmt::format("{:.3f} .. {:.3f}", smallest, largest);
     return row.beyond.empty() ? range : range + ";" + row.beyond;
 }
 

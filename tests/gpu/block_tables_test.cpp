@@ -280,11 +280,11 @@ class UserFresnelTableTest : public BlockTablesTest {
         const auto one = renderer->capture(scene, wholeView(scene), source_, false);
         const auto two = renderer->capture(other, wholeView(other), source_, false);
         EXPECT_TRUE(one && two);
-        float most = 0.0f;
+        float largest = 0.0f;
         for (std::size_t i = 0; i < one->pixels.size(); ++i) {
-            most = std::max(most, std::abs(one->pixels[i] - two->pixels[i]));
+            largest = std::max(largest, std::abs(one->pixels[i] - two->pixels[i]));
         }
-        return most;
+        return largest;
     }
 
     TemporaryFolder folder_;

@@ -68,7 +68,7 @@ vec3 burnTest(Directions d, BurnTest p) {
     CostChart measured(bool combinations) {
         CostSweep::Options options;
         options.size = {24, 24};
-        options.pairs.most = 25;
+        options.pairs.max = 25;
         options.combinations = combinations;
         return measured(options);
     }
@@ -143,7 +143,7 @@ TEST_F(CostTimesTest, Twice_GivesTheSameFront) {
 TEST_F(CostSweepTest, WhatIsDone_IsToldFromTheStart) {
     CostSweep::Options options;
     options.size = {16, 16};
-    options.pairs.most = 3;
+    options.pairs.max = 3;
     options.combinations = false;
     auto sweep = CostSweep::create({scene_, 0, scene_.camera, meshSource(), catalog}, options);
     ASSERT_TRUE(sweep);
@@ -213,7 +213,7 @@ vec3 burnTwiceTest(Directions d, BurnTwiceTest p) {
     EXPECT_EQ(chart.leftOut, 1u);
     EXPECT_EQ(leftOutText(chart), "1 combination of choices was left out for want of time");
     options.seconds = 60.0;
-    options.pairs.most = 7;
+    options.pairs.max = 7;
     const CostChart whole = measured(options);
     EXPECT_EQ(whole.points.size(), 4u);
     EXPECT_EQ(whole.leftOut, 0u);
@@ -225,7 +225,7 @@ TEST_F(CostSweepTest, LevelsThatChangeNothing_AreFolded) {
     scene_.objects[0].material.parts["fresnel"].parameters["polarisation"] = std::string("s");
     CostSweep::Options options;
     options.size = {16, 16};
-    options.pairs.most = 7;
+    options.pairs.max = 7;
     options.present = {{"fresnel.reflectance.clear", "schlick"}};
     const CostChart chart = measured(options);
     EXPECT_EQ(chart.points.size(), 1u);
@@ -244,7 +244,7 @@ TEST_F(CostTimesTest, OtherMaterial_TakesNoneOfTheTime) {
     // With the other object's time in both frames it would be (0.25 + 0.25) / (1 + 0.25).
     CostSweep::Options options;
     options.size = {32, 32};
-    options.pairs.most = 15;
+    options.pairs.max = 15;
     options.combinations = false;
     const CostChart chart = measured(options);
     EXPECT_NEAR(chart.find({{"work", "quarter"}})->cost.ratio.median, 0.25, 0.08);
@@ -255,8 +255,8 @@ TEST_F(CostSweepTest, LinesOfAnOutline_AreNoError) {
     CostSweep::Options options;
     options.size = {32, 32};
     options.only = {"nothing"};
-    options.pairs.fewest = 1;
-    options.pairs.most = 1;
+    options.pairs.min = 1;
+    options.pairs.max = 1;
     EXPECT_EQ(measured(options).find({})->error.max, 0.0);
 }
 
@@ -300,8 +300,8 @@ TEST_F(CostSweepTest, UnderAnEnvironment_TheExactFrameErrsByRoundingOnly) {
     CostSweep::Options options;
     options.size = {16, 16};
     options.only = {"nothing"};
-    options.pairs.fewest = 1;
-    options.pairs.most = 1;
+    options.pairs.min = 1;
+    options.pairs.max = 1;
     const CostChart chart = measured(options);
     EXPECT_GT(chart.find({})->error.max, 0.0);
     EXPECT_LE(chart.find({})->error.p99, 1e-4);
@@ -314,8 +314,8 @@ TEST_F(CostSweepTest, LevelsThatTheDeviceDrawsAlike_ShareAPoint) {
     options.size = {64, 64};
     options.scope = Choice::Scope::Picture;
     options.only = {"picture.samples"};
-    options.pairs.fewest = 2;
-    options.pairs.most = 2;
+    options.pairs.min = 2;
+    options.pairs.max = 2;
     options.combinations = false;
     options.present = {{"picture.samples", "4"}};
     auto sweep = CostSweep::create({scene, 0, scene.camera, meshSource(), catalog}, options);

@@ -164,11 +164,11 @@ TEST(MaterialHash, WhateverIsDrawn_Counts) {
 
 /// All slices of `count` objects of `triangles` each.
 std::vector<std::array<std::size_t, 4>> slices(int triangles, std::size_t count,
-                                               std::int64_t most) {
+                                               std::int64_t maxTriangles) {
     std::vector<std::array<std::size_t, 4>> all;
     DrawSlices next;
     while (!next.isDone(count)) {
-        const DrawRange range = next.next(triangles, 7, count, most);
+        const DrawRange range = next.next(triangles, 7, count, maxTriangles);
         all.push_back({std::size_t(range.firstTriangle), std::size_t(range.triangles),
                        range.firstInstance, range.instances});
     }

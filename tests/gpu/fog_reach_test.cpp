@@ -117,11 +117,11 @@ bool meets(const FogBox& box, const glm::dvec3& eye, const glm::dvec3& point) {
 /// are met by one.
 TEST_F(FogReachTest, RandomBoxes_AreMissedWhereNoRayMeetsThem) {
     std::mt19937 random(4);
-    const auto within = [&random](double most) {
-        return std::uniform_real_distribution<double>(-most, most)(random);
+    const auto within = [&random](double bound) {
+        return std::uniform_real_distribution<double>(-bound, bound)(random);
     };
-    const auto point = [&within](double most) {
-        return glm::dvec3(within(most), within(most), within(most));
+    const auto point = [&within](double bound) {
+        return glm::dvec3(within(bound), within(bound), within(bound));
     };
     int missed = 0;
     int met = 0;
@@ -308,8 +308,8 @@ TEST_F(FogLayerTest, MeanDensity_IsThatOfManySteps) {
 /// The whole bound: the greatest thickness on the way to a corner, of many ways into a box.
 TEST_F(FogLayerTest, RandomWays_HaveNoMoreOfItThanIsSaid) {
     std::mt19937 random(7);
-    const auto within = [&random](double most) {
-        return std::uniform_real_distribution<double>(-most, most)(random);
+    const auto within = [&random](double bound) {
+        return std::uniform_real_distribution<double>(-bound, bound)(random);
     };
     for (int i = 0; i < 300; ++i) {
         Scene scene = fogUpTo(within(3.0), 1.0 + within(1.0));

@@ -68,7 +68,7 @@ class FrameHashes : public GpuTest {
         });
     }
 
-    std::vector<NamedScene> presetScenes(std::size_t most) {
+    std::vector<NamedScene> presetScenes(std::size_t maxPresets) {
         std::vector<fs::path> files;
         for (const auto& entry : fs::recursive_directory_iterator(PATINA_SOURCE_DIR "/presets")) {
             if (entry.path().string().ends_with(".patina.json")) {
@@ -76,7 +76,7 @@ class FrameHashes : public GpuTest {
             }
         }
         std::ranges::sort(files);
-        files.resize(std::min(files.size(), most));
+        files.resize(std::min(files.size(), maxPresets));
         std::vector<NamedScene> scenes;
         for (const fs::path& file : files) {
             auto preset = readPreset(file, *catalog);

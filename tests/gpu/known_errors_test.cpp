@@ -19,8 +19,8 @@ class KnownErrorsTest : public GpuTest {
         options.size = size;
         options.only = {choice};
         options.combinations = false;
-        options.pairs.fewest = 1;
-        options.pairs.most = 1;
+        options.pairs.min = 1;
+        options.pairs.max = 1;
         auto sweep = CostSweep::create({scene, 0, scene.camera, meshSource(), catalog}, options);
         while (!(*sweep)->finished()) {
             (*sweep)->step(std::chrono::milliseconds(20));

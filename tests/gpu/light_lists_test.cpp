@@ -150,7 +150,7 @@ TEST_F(LightListsTest, MoreListsThanThereMayBe_GetAllLights) {
         last = lists.listFor({{10.0 * i, 0, 0}, 0.5});
     }
     EXPECT_EQ(last, 0u);
-    EXPECT_LE(lists.count(), LightLists::most + 1);
+    EXPECT_LE(lists.count(), LightLists::maxCount + 1);
 }
 
 /// The range of the lamp makes it black there anyway, so the picture does not tell; a lamp whose
@@ -357,7 +357,7 @@ TEST_F(LightListsTest, ObjectWithoutAListOfItsOwn_NamesAllLights) {
         scene.objects.back().translation.x = 10.0 * i;
         scene.lights.push_back(lamp({10.0 * i, 0, 0}, 2.0));
     }
-    constexpr std::size_t last = LightLists::most - 2; // beside the list of all lights
+    constexpr std::size_t last = LightLists::maxCount - 2; // beside the list of all lights
     EXPECT_EQ(row(scene, last, "lights/point")->line.reason,
               fmt::format("light {} shines.", last + 1));
     EXPECT_TRUE(row(scene, last, "light 1"));

@@ -16,7 +16,7 @@ class ModelRankingTest : public GpuTest {
         const Scene scene = simpleScene();
         CostSweep::Options options;
         options.size = {16, 16};
-        options.pairs.most = 7;
+        options.pairs.max = 7;
         auto ranking =
             ModelRanking::create({scene, 0, scene.camera, meshSource(), catalog}, options);
         EXPECT_TRUE(ranking);
@@ -72,7 +72,7 @@ TEST_F(ModelRankingTest, ShortOfTime_MeasuresAsFewPairsAsAnIntervalNeeds) {
         before = progress;
     }
     for (const ModelCost& each : (*ranking)->costs()) {
-        EXPECT_EQ(each.cost.runs, options.pairs.fewest) << each.model;
+        EXPECT_EQ(each.cost.runs, options.pairs.min) << each.model;
     }
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int size = 64;
 
 struct Difference {
-    double most = 0.0;
+    double max = 0.0;
     double mean = 0.0;
 };
 
@@ -45,18 +45,18 @@ class PictureAccuracyTest : public GpuTest {
         Difference found;
         for (std::size_t i = 0; i < exact.pixels.size(); ++i) {
             const double error = std::abs(double(other.pixels[i]) - double(exact.pixels[i]));
-            found.most = std::max(found.most, error);
+            found.max = std::max(found.max, error);
             found.mean += error / double(exact.pixels.size());
         }
         return found;
     }
 
     static float brightest(const Image& image) {
-        float most = 0.0f;
+        float max = 0.0f;
         for (int i = 0; i < image.width * image.height; ++i) {
-            most = std::max(most, pixel(image, i % image.width, i / image.width).r);
+            max = std::max(max, pixel(image, i % image.width, i / image.width).r);
         }
-        return most;
+        return max;
     }
 
     Scene foggy() const {
@@ -86,20 +86,20 @@ TEST_F(PictureAccuracyTest, NormalsAsBlended_DarkenASphereALittle) {
     }
     const Difference found = difference(scene, "normals", "interpolated");
     EXPECT_GT(found.mean, 0.0);
-    EXPECT_LT(found.most, 0.01);
+    EXPECT_LT(found.max, 0.01);
 }
 
 TEST_F(PictureAccuracyTest, FogAtVertices_IsNearlyThatOfPixelsOnAFineMesh) {
     const Difference found = difference(foggy(), "fog", "vertex");
     EXPECT_GT(found.mean, 0.0);
-    EXPECT_LT(found.most, 0.002);
+    EXPECT_LT(found.max, 0.002);
 }
 
 TEST_F(PictureAccuracyTest, LightAtVertices_IsNearlyThatOfPixelsOnAMattSphere) {
     const Difference found = difference(simpleScene(), "lighting", "vertex");
     EXPECT_GT(found.mean, 0.0);
     EXPECT_LT(found.mean, 0.002);
-    EXPECT_LT(found.most, 0.05);
+    EXPECT_LT(found.max, 0.05);
 }
 
 TEST_F(PictureAccuracyTest, LightAtVertices_LosesAHighlightBetweenThem) {
@@ -114,7 +114,7 @@ TEST_F(PictureAccuracyTest, LightAtVertices_LightsBackSidesAsPixelsDo) {
     scene.objects[0] = object("lambert", "plane");
     scene.objects[0].rotation = glm::dvec3(-90.0, 0.0, 0.0); // its back to the viewer
     EXPECT_GT(middle(linear(scene)).r, 0.3f);
-    EXPECT_LT(difference(scene, "lighting", "vertex").most, 0.001);
+    EXPECT_LT(difference(scene, "lighting", "vertex").max, 0.001);
 }
 
 TEST_F(PictureAccuracyTest, WideHighlights_DoNotSparkle) {
@@ -166,8 +166,8 @@ TEST_F(PictureAccuracyTest, OneSample_LeavesNothingBetweenAShapeAndWhatIsBehind)
 
 TEST_F(PictureAccuracyTest, WholeNumbers_AreFinerThanHalfOnesByTheirRounding) {
     const Difference found = difference(simpleScene(), "numbers", "full");
-    EXPECT_GT(found.most, 0.0);
-    EXPECT_LT(found.most, 0.001); // a half float below 1 has steps of 0.0005
+    EXPECT_GT(found.max, 0.0);
+    EXPECT_LT(found.max, 0.001); // a half float below 1 has steps of 0.0005
 }
 
 TEST_F(PictureAccuracyTest, ChartOfThePicture_HasAPointForEveryLevel) {
@@ -176,7 +176,7 @@ TEST_F(PictureAccuracyTest, ChartOfThePicture_HasAPointForEveryLevel) {
     CostSweep::Options options;
     options.size = {24, 24};
     options.scope = Choice::Scope::Picture;
-    options.pairs.most = 7;
+    options.pairs.max = 7;
     options.combinations = false;
     auto sweep = CostSweep::create({scene, 0, scene.camera, meshSource(), catalog}, options);
     ASSERT_TRUE(sweep);

@@ -148,11 +148,11 @@ class PreparedFrame : public EnvironmentTest {
     }
 
     static int maxInAStep(const std::vector<Pieces>& steps) {
-        int most = 0;
+        int largest = 0;
         for (const Pieces& step : steps) {
-            most = std::max(most, step.all());
+            largest = std::max(largest, step.all());
         }
-        return most;
+        return largest;
     }
 
   private:

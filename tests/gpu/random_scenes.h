@@ -57,8 +57,8 @@ class RandomScenes {
         return z ^ (z >> 31);
     }
 
-    double between(double least, double most) {
-        return least + (most - least) * double(next() >> 11) * 0x1p-53;
+    double between(double lowest, double highest) {
+        return lowest + (highest - lowest) * double(next() >> 11) * 0x1p-53;
     }
 
     glm::dvec3 point(double reach) {

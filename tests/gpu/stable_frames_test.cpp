@@ -162,13 +162,13 @@ class ExaminedFrame : public GpuTest {
     }
 
     static glm::vec3 worst(const Image& image) {
-        glm::vec3 most(0.0f);
+        glm::vec3 largest(0.0f);
         for (int y = 0; y < image.height; ++y) {
             for (int x = 0; x < image.width; ++x) {
-                most = glm::max(most, pixel(image, x, y));
+                largest = glm::max(largest, pixel(image, x, y));
             }
         }
-        return most;
+        return largest;
     }
 
     void expectSound(const Scene& scene, const std::string& what) {

@@ -152,11 +152,11 @@ TEST_F(TextureTest, MissingReliefOrOpacity_IsSeen) {
         const Image plain = drawn(64);
         use(id, "missing").filter = TextureFilter::Nearest;
         const Image image = drawn(64);
-        float most = 0.0f;
+        float largest = 0.0f;
         for (int x = 0; x < image.width; ++x) {
-            most = std::max(most, glm::distance(pixel(image, x, 4), pixel(plain, x, 4)));
+            largest = std::max(largest, glm::distance(pixel(image, x, 4), pixel(plain, x, 4)));
         }
-        EXPECT_GT(most, 0.1f) << id;
+        EXPECT_GT(largest, 0.1f) << id;
     }
 }
 

@@ -14,7 +14,7 @@ constexpr double halfFloat = 1.0 / 1024.0;
 
 /// How far pixels are from what they are by hand, and how many could be compared.
 struct Distance {
-    double most = 0.0;
+    double max = 0.0;
     int pixels = 0;
 };
 
@@ -30,7 +30,7 @@ class Peeling : public TransparencyTest {
             }
             const glm::dvec3 wanted = inOrder(met, layers);
             const glm::dvec3 off = glm::abs(glm::dvec3(pixel(image, at.x, at.y)) - wanted);
-            found.most = std::max({found.most, off.x, off.y, off.z});
+            found.max = std::max({found.max, off.x, off.y, off.z});
             ++found.pixels;
         }
         return found;
@@ -41,7 +41,7 @@ TEST_F(Peeling, SheetsBehindEachOther_AreInTheirOrder) {
     choose("peeled");
     addRandomSheets(8, 3, 0.0);
     const Distance off = distance(drawn(size), 8);
-    EXPECT_LT(off.most, halfFloat);
+    EXPECT_LT(off.max, halfFloat);
     EXPECT_GT(off.pixels, size * size / 2);
 }
 
@@ -51,28 +51,28 @@ TEST_F(Peeling, SheetsThatCross_AreInTheOrderOfEachPixel) {
         scene_.objects.clear();
         addRandomSheets(8, seed);
         const Distance off = distance(drawn(size), 8);
-        EXPECT_LT(off.most, halfFloat) << seed;
+        EXPECT_LT(off.max, halfFloat) << seed;
         EXPECT_GT(off.pixels, size * size / 2) << seed;
     }
 }
 
 TEST_F(Peeling, SheetsThatCross_AreWrongWhenSortedByObject) {
     addRandomSheets(8, 1);
-    EXPECT_GT(distance(drawn(size), 8).most, 0.05);
+    EXPECT_GT(distance(drawn(size), 8).max, 0.05);
 }
 
 TEST_F(Peeling, MoreSheetsThanLayers_LoseTheFarthest) {
     choose("peeled");
     scene_.part(kinds::transparency)->parameters["layers"] = 3;
     addRandomSheets(8, 2);
-    EXPECT_LT(distance(drawn(size), 3).most, halfFloat);
+    EXPECT_LT(distance(drawn(size), 3).max, halfFloat);
 }
 
 TEST_F(Peeling, OfOneLayer_IsTheNearestAlone) {
     choose("peeled");
     scene_.part(kinds::transparency)->parameters["layers"] = 1;
     addRandomSheets(5, 4);
-    EXPECT_LT(distance(drawn(size), 1).most, halfFloat);
+    EXPECT_LT(distance(drawn(size), 1).max, halfFloat);
 }
 
 TEST_F(Peeling, OrderOfTheObjects_DoesNotShow) {

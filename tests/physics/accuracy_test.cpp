@@ -367,11 +367,12 @@ TEST(WaveLimit, OfRoughSurfaces_IsTheSeries) {
 }
 
 /// The largest share of the series by which the limit is off, where `least` of the peak is left.
-double limitShareError(double g, double least) {
+double limitShareError(double g, double minShare) {
     const double peak = call("wave_series", {g, 0.0, 20.0, 8.0, 8.0})[0];
     return largest([&](double u) {
         const double value = call("wave_series", {g, 30.0 * g * u, 20.0, 8.0, 8.0})[0];
-        return value < least * peak ? 0.0 : call("wave_limit", {g, 30.0 * g * u})[0] / value - 1.0;
+        return value < minShare * peak ? 0.0
+                                       : call("wave_limit", {g, 30.0 * g * u})[0] / value - 1.0;
     });
 }
 

@@ -86,7 +86,7 @@ class RandomCases {
         double* number = request.fields.data();
         glm::dvec3 direction(0.0);
         for (const EvalField& field : fieldsOf(request)) {
-            glm::dvec3 value(std::min(std::abs(cosine()), 1.0) * field.most);
+            glm::dvec3 value(std::min(std::abs(cosine()), 1.0) * field.max);
             if (field.isDirection()) {
                 value = inFloat(someDirection());
                 value = field.type == EvalField::Type::Normal && glm::dot(value, direction) < 0.0

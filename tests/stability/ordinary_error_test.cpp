@@ -78,14 +78,14 @@ bool isDifference(const EvalBlock& block, const Json& choice) {
 
 /// What an error is judged against where the value is smaller.
 double smallestOf(const EvalBlock& block) {
-    double least = smallestJudged;
+    double smallest = smallestJudged;
     for (const Json& choice : bounds().at("differences")) {
         if (isDifference(block, choice)) {
             const auto& color = std::get<glm::dvec3>(block.values.at("diffuse.color"));
-            least = std::max(least, 0.1 * std::max({color.x, color.y, color.z}));
+            smallest = std::max(smallest, 0.1 * std::max({color.x, color.y, color.z}));
         }
     }
-    return least;
+    return smallest;
 }
 
 /// The bound of the relative error. A matte model with a highlight in its slot has a lobe.

@@ -100,8 +100,8 @@ class AccuracyPanel : public WindowFixture {
     void start(int size = 48) {
         CostSweep::Options options;
         options.size = {size, size};
-        options.pairs.fewest = 7; // fewer let a noisy neighbour turn the order of two ways
-        options.pairs.most = 9;
+        options.pairs.min = 7; // fewer let a noisy neighbour turn the order of two ways
+        options.pairs.max = 9;
         options.combinations = false;
         dock().measure(options);
     }

@@ -22,8 +22,8 @@ class ModelsPanel : public AccuracyPanel {
     void measureSome() {
         CostSweep::Options options;
         options.size = {16, 16};
-        options.pairs.fewest = 3;
-        options.pairs.most = 3;
+        options.pairs.min = 3;
+        options.pairs.max = 3;
         page().measure(options);
         ASSERT_TRUE(QTest::qWaitFor([this] { return page().costs().size() >= 2; }, waitMs));
         for (QToolButton* button : page().findChildren<QToolButton*>()) {

@@ -37,13 +37,13 @@ class Difference : public AccuracyPanel {
     DifferenceView& view() { return *window().views().difference(); }
 
     static int brightest(const QImage& picture) {
-        int most = 0;
+        int largest = 0;
         for (int y = 0; y < picture.height(); ++y) {
             for (int x = 0; x < picture.width(); ++x) {
-                most = std::max(most, qGray(picture.pixel(x, y)));
+                largest = std::max(largest, qGray(picture.pixel(x, y)));
             }
         }
-        return most;
+        return largest;
     }
 
     /// Sums over all pixels.

@@ -166,14 +166,14 @@ TEST_F(LargeMeshExport, Picture_IsWhatTheViewShows) {
     ASSERT_TRUE(saved.wait(limitMs));
     const QImage picture = written();
     ASSERT_EQ(picture.size(), shown.size());
-    int most = 0;
+    int largest = 0;
     for (int y = 0; y < shown.height(); ++y) {
         for (int i = 0; i < 3 * shown.width(); ++i) {
             const int wanted = shown.constScanLine(y)[i];
-            most = std::max(most, std::abs(picture.constScanLine(y)[i] - wanted));
+            largest = std::max(largest, std::abs(picture.constScanLine(y)[i] - wanted));
         }
     }
-    EXPECT_EQ(most, 0);
+    EXPECT_EQ(largest, 0);
 }
 
 TEST_F(LargeMeshExport, ViewResizedMeanwhile_IsExportedInItsNewSize) {

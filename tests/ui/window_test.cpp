@@ -257,14 +257,14 @@ TEST_F(Window, ExportedPicture_IsWhatTheViewShows) {
     const QImage shown = view().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
     const QImage written = QImage(file).convertToFormat(QImage::Format_RGB888);
     ASSERT_EQ(written.size(), shown.size());
-    int most = 0;
+    int largest = 0;
     for (int y = 0; y < shown.height(); ++y) {
         for (int i = 0; i < 3 * shown.width(); ++i) {
             const int wanted = shown.constScanLine(y)[i];
-            most = std::max(most, std::abs(written.constScanLine(y)[i] - wanted));
+            largest = std::max(largest, std::abs(written.constScanLine(y)[i] - wanted));
         }
     }
-    EXPECT_EQ(most, 0);
+    EXPECT_EQ(largest, 0);
 }
 
 TEST_F(Window, PictureThatCannotBeWritten_IsAMessage) {

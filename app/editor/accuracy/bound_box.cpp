@@ -10,8 +10,8 @@ namespace patina {
 namespace {
 
 struct Limits {
-    double least;
-    double most;
+    double min;
+    double max;
 };
 constexpr Limits millisecondLimits{1e-6, 1e7};
 constexpr Limits shareLimits{1e-7, 10.0};
@@ -50,7 +50,7 @@ BoundBox::BoundBox(Of of, double usual, QWidget* parent)
 
 void BoundBox::take(double wanted) {
     const Limits& limits = of_ == Of::Milliseconds ? millisecondLimits : shareLimits;
-    const double inside = std::clamp(wanted, limits.least, limits.most);
+    const double inside = std::clamp(wanted, limits.min, limits.max);
     if (inside != value()) {
         setValue(inside);
         Q_EMIT valueChanged();

@@ -173,11 +173,11 @@ double countOf(const std::optional<InstructionCount>& count) {
 }
 
 QString tieText(const CostPoint& point, const CostChart& chart, Standing standing) {
-    constexpr int most = 4;
+    constexpr int maxNames = 4;
     QStringList names;
     int more = 0;
     for (const std::size_t other : tiesOf(chart.points, point)) {
-        if (names.size() < most) {
+        if (names.size() < maxNames) {
             names << wayName(chart.points[other], chart);
         } else {
             ++more;

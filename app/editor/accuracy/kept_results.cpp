@@ -8,14 +8,14 @@ namespace patina {
 namespace {
 
 /// Numbers are few, but the scene that they are of may be large.
-constexpr std::size_t most = 8;
+constexpr std::size_t maxResults = 8;
 
 } // namespace
 
 const PageResult& KeptResults::keep(PageResult result) {
     std::erase_if(results_,
                   [&result](const PageResult& each) { return each.subject == result.subject; });
-    if (results_.size() >= most) {
+    if (results_.size() >= maxResults) {
         results_.pop_front();
     }
     return results_.emplace_back(std::move(result));

@@ -10,13 +10,13 @@ namespace patina {
 namespace {
 
 /// With choices of at most so many letters, of which none is no choice at all.
-QString withShortChoices(const std::vector<WayPart>& parts, qsizetype most) {
+QString withShortChoices(const std::vector<WayPart>& parts, qsizetype maxLetters) {
     QStringList names;
     for (const WayPart& part : parts) {
-        const QString choice = part.choice.size() <= most
+        const QString choice = part.choice.size() <= maxLetters
                                    ? part.choice
-                                   : part.choice.left(most).trimmed() + QStringLiteral("…");
-        names << (most > 0 ? QStringLiteral("%1: %2").arg(choice, part.level) : part.level);
+                                   : part.choice.left(maxLetters).trimmed() + QStringLiteral("…");
+        names << (maxLetters > 0 ? QStringLiteral("%1: %2").arg(choice, part.level) : part.level);
     }
     return names.join(QStringLiteral(" + "));
 }
@@ -58,9 +58,9 @@ QString wayText(const std::vector<WayPart>& parts) {
 
 QString fittingWay(const std::vector<WayPart>& parts,
                    const std::function<bool(const QString&)>& fits) {
-    constexpr qsizetype fewestLetters = 3; // of a choice, to say anything
-    for (qsizetype most = longestChoice(parts); most >= fewestLetters; --most) {
-        if (QString text = withShortChoices(parts, most); fits(text)) {
+    constexpr qsizetype minLetters = 3; // of a choice, to say anything
+    for (qsizetype maxLetters = longestChoice(parts); maxLetters >= minLetters; --maxLetters) {
+        if (QString text = withShortChoices(parts, maxLetters); fits(text)) {
             return text;
         }
     }

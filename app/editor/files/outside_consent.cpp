@@ -33,11 +33,11 @@ QString kindText(OutsideFile::Kind kind) {
     }
 }
 
-QString lines(const OutsideFiles& files, std::size_t most) {
+QString lines(const OutsideFiles& files, std::size_t maxLines) {
     QStringList lines;
     for (const OutsideFile& each : files) {
-        if (static_cast<std::size_t>(lines.size()) == most) {
-            lines << text("and %1 more").arg(files.size() - most);
+        if (static_cast<std::size_t>(lines.size()) == maxLines) {
+            lines << text("and %1 more").arg(files.size() - maxLines);
             break;
         }
         lines << kindText(each.kind) + ' ' + QString::fromStdString(each.file);

@@ -21,12 +21,12 @@ QString tr(const char* text) {
 
 /// Two digits that count: "17", "0.031", "0.00001".
 QString twoDigits(double number) {
-    constexpr double most = 9.95; // above it whole numbers have as many
-    if (number >= most) {
+    constexpr double minWhole = 9.95; // above it whole numbers have as many
+    if (number >= minWhole) {
         return numberLocale().toString(number, 'f', 0);
     }
-    constexpr double least = 1e-4; // below it an exponent would be written
-    if (number >= least || number <= 0.0) {
+    constexpr double minPlain = 1e-4; // below it an exponent would be written
+    if (number >= minPlain || number <= 0.0) {
         return numberLocale().toString(number, 'g', 2);
     }
     const int places = 1 - static_cast<int>(std::floor(std::log10(number)));

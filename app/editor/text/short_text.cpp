@@ -3,12 +3,12 @@
 
 namespace patina {
 
-QString shortened(const QString& name, int most) {
-    if (name.size() <= most) {
+QString shortened(const QString& name, int maxLength) {
+    if (name.size() <= maxLength) {
         return name;
     }
-    const int end = most / 4;
-    return name.left(most - end - 1) + QStringLiteral("…") + name.right(end);
+    const int end = maxLength / 4;
+    return name.left(maxLength - end - 1) + QStringLiteral("…") + name.right(end);
 }
 
 } // namespace patina

@@ -7,6 +7,6 @@ namespace patina {
 
 /// A name as it stands in a menu or a line of text: in full up to `most` letters, else its start
 /// and its end.
-QString shortened(const QString& name, int most = 36);
+QString shortened(const QString& name, int maxLength = 36);
 
 } // namespace patina

@@ -95,8 +95,8 @@ std::vector<ChoiceLevel> layerLevels(const Scene& scene, const Catalog& catalog)
         return levels;
     }
     const Block* sorting = sortingBlock(scene, catalog);
-    const int most = sorting == nullptr ? 0 : static_cast<int>(layersParameter(*sorting)->max);
-    for (int n = most; n >= 1; n /= 2) {
+    const int maxLayers = sorting == nullptr ? 0 : static_cast<int>(layersParameter(*sorting)->max);
+    for (int n = maxLayers; n >= 1; n /= 2) {
         levels.push_back(counted(n, n == 1 ? "layer" : "layers"));
     }
     for (const Block* block : catalog.ofKind(kinds::transparency)) {

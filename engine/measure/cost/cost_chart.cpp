@@ -91,14 +91,14 @@ bool fits(const CostBudget& budget, const CostPoint& point) {
 
 /// How far beyond the budget a point is.
 double excess(const CostBudget& budget, const CostPoint& point) {
-    double most = 0.0;
+    double largest = 0.0;
     if (budget.milliseconds) {
-        most = std::max(most, point.cost.milliseconds.median / *budget.milliseconds);
+        largest = std::max(largest, point.cost.milliseconds.median / *budget.milliseconds);
     }
     if (budget.error) {
-        most = std::max(most, errorOf(point) / std::max(*budget.error, 1e-30));
+        largest = std::max(largest, errorOf(point) / std::max(*budget.error, 1e-30));
     }
-    return most;
+    return largest;
 }
 
 /// Chooses among points that fit the one that a budget of time, or else one of error, buys.
@@ -124,13 +124,13 @@ std::size_t nearest(const CostBudget& budget, const std::vector<CostPoint>& poin
                     const std::vector<std::size_t>& all) {
     const auto over = [&](std::size_t i) { return excess(budget, points[i]); };
     const auto error = [&points](std::size_t i) { return errorOf(points[i]); };
-    const std::size_t least = *std::ranges::min_element(all, {}, over);
+    const std::size_t smallest = *std::ranges::min_element(all, {}, over);
     if (!budget.milliseconds || budget.error) {
-        return least;
+        return smallest;
     }
     std::vector<std::size_t> alike;
     std::ranges::copy_if(all, std::back_inserter(alike), [&](std::size_t i) {
-        return tiesInTime(points[i], points[least]);
+        return tiesInTime(points[i], points[smallest]);
     });
     return *std::ranges::min_element(alike, {}, error);
 }

@@ -115,11 +115,11 @@ class EffectCostMeter::Implementation {
 
     /// Milliseconds of a frame. What it takes altogether, or up to `most` seconds of that, counts
     /// as spent.
-    double timeOf(const Scene& scene, double most = std::numeric_limits<double>::infinity()) {
+    double timeOf(const Scene& scene, double maxSeconds = std::numeric_limits<double>::infinity()) {
         const auto began = Clock::now();
         const double time = drawn_->timeOf(scene, view_);
         last_ = std::chrono::duration<double>(Clock::now() - began).count();
-        spent_ += std::min(last_, most);
+        spent_ += std::min(last_, maxSeconds);
         return time;
     }
 
@@ -188,8 +188,8 @@ class EffectCostMeter::Implementation {
 
     /// What the fewest pairs of every effect take, beside what is no pair.
     double secondsForAll() const {
-        const auto least = static_cast<double>(minRounds * tests_.size());
-        return spent_ - counted_ + least * secondsOfPair();
+        const auto minPairs = static_cast<double>(minRounds * tests_.size());
+        return spent_ - counted_ + minPairs * secondsOfPair();
     }
 
     Subject subject_;

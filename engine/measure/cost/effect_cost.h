@@ -24,7 +24,7 @@ struct EffectCost {
     bool belowNoise() const { return milliseconds.contains(0.0); }
 
     /// There are pairs enough for an interval of 95 %.
-    bool isSure() const { return pairs >= fewestForInterval; }
+    bool isSure() const { return pairs >= minForInterval; }
 
     friend bool operator==(const EffectCost&, const EffectCost&) = default;
 };

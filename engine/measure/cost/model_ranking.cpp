@@ -31,7 +31,7 @@ glm::ivec2 chosenSize(glm::ivec2 wanted) {
 /// In each round every model has so many pairs, so that what the machine does in the meantime, for
 /// minutes perhaps, meets all of them and is in each model's interval.
 constexpr int pairsPerTurn = 2;
-constexpr int fewestTurns = 6;
+constexpr int minTurns = 6;
 
 /// Divides numbers that are known by intervals; leaves the first where the second may be 0.
 MedianInterval quotient(const MedianInterval& a, const MedianInterval& b) {
@@ -79,7 +79,7 @@ class ModelRanking::Implementation {
     double progress() const {
         double done = 0.0;
         for (const Ranked& each : ranked_) {
-            done += isDone(each) ? 1.0 : double(each.pairs.runs()) / double(options_.pairs.most);
+            done += isDone(each) ? 1.0 : double(each.pairs.runs()) / double(options_.pairs.max);
         }
         return finished() ? 1.0 : done / double(models_.size());
     }
@@ -178,12 +178,12 @@ class ModelRanking::Implementation {
     /// The time is spent, and there are as many pairs as an interval needs.
     bool isLate(const Ranked& model) const {
         const std::chrono::duration<double> spent = Clock::now() - began_;
-        return spent.count() > options_.seconds && model.pairs.runs() >= options_.pairs.fewest;
+        return spent.count() > options_.seconds && model.pairs.runs() >= options_.pairs.min;
     }
 
     bool isDone(const Ranked& model) const {
-        const bool isMeasured = model.turns >= fewestTurns && model.pairs.finished();
-        return isMeasured || model.pairs.runs() >= options_.pairs.most || isLate(model);
+        const bool isMeasured = model.turns >= minTurns && model.pairs.finished();
+        return isMeasured || model.pairs.runs() >= options_.pairs.max || isLate(model);
     }
 
     void timePair(Ranked& model, const Scene& scene) {

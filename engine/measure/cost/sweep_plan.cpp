@@ -153,14 +153,14 @@ void SweepPlan::addCombinations(const CostChart& chart) {
 void SweepPlan::addGreedy(const CostChart& chart) {
     const Candidates candidates = gaining(chart);
     std::optional<ChosenLevels> best;
-    double most = 0.0;
+    double maxGain = 0.0;
     for (std::size_t c = 0; c < candidates.size(); ++c) {
         for (const std::string& level : candidates[c]) {
             const CostPoint* single = chart.find({{choices_[c].id, level}});
             const double saved = 1.0 - single->cost.ratio.median;
             const double gain = saved / (1e-6 + errorOf(*single));
-            if (!reached_.contains(choices_[c].id) && gain > most) {
-                most = gain;
+            if (!reached_.contains(choices_[c].id) && gain > maxGain) {
+                maxGain = gain;
                 best = reached_;
                 (*best)[choices_[c].id] = level;
             }

@@ -18,8 +18,8 @@ constexpr double maxStops = 40.0;
 glm::dvec3 neutral(const glm::dvec3& light) {
     constexpr double start = 0.8 - 0.04;
     constexpr double desaturation = 0.15;
-    const double least = std::min({light.r, light.g, light.b});
-    const double offset = least < 0.08 ? least - 6.25 * least * least : 0.04;
+    const double minChannel = std::min({light.r, light.g, light.b});
+    const double offset = minChannel < 0.08 ? minChannel - 6.25 * minChannel * minChannel : 0.04;
     const glm::dvec3 color = light - offset;
     const double peak = std::max({color.r, color.g, color.b});
     if (peak < start) {

@@ -14,11 +14,11 @@ constexpr EvalField outlook[] = {{.key = "direction", .type = Type::Direction},
                                  {.key = "picture", .type = Type::Color, .usual = 1.0}};
 constexpr EvalField crossing[] = {{.key = "l", .type = Type::Direction},
                                   {.key = "n", .type = Type::Normal},
-                                  {.key = "channel", .type = Type::Whole, .most = 2, .usual = 1},
+                                  {.key = "channel", .type = Type::Whole, .max = 2, .usual = 1},
                                   {.key = "leaves", .type = Type::Flag, .usual = 0}};
 constexpr EvalField edge[] = {{.key = "turns", .type = Type::Flag, .usual = 0},
                               {.key = "ends", .type = Type::Flag, .usual = 0},
-                              {.key = "bend", .most = std::numbers::pi, .usual = 0}};
+                              {.key = "bend", .max = std::numbers::pi, .usual = 0}};
 constexpr EvalField layer[] = {{.key = "depth"}, {.key = "opacity"}};
 
 } // namespace

@@ -117,8 +117,8 @@ void addHorizons(Trials& trials) {
             trial.places.push_back(placed(directionAt(degrees, 0.6 * turn + std::numbers::pi), v));
         }
         trial.judge = [](std::span<const double> values) {
-            const double most = *std::max_element(values.begin() + 1, values.end());
-            const double limit = horizonShare * most + 1e-12;
+            const double largest = *std::max_element(values.begin() + 1, values.end());
+            const double limit = horizonShare * largest + 1e-12;
             return values[0] <= limit ? Verdict() : Broken{0, values[0], limit, values[0] / limit};
         };
     }
@@ -153,11 +153,11 @@ Trials fresnelTrials(const Block& block) {
     Trials trials;
     if (block.hasClaim("energy_conserving")) {
         trials.push_back({Defect::NotConserving, false, places, [](std::span<const double> values) {
-                              const auto most = std::max_element(values.begin(), values.end());
-                              const auto at = std::size_t(most - values.begin());
-                              return *most <= 1.0 + step
+                              const auto largest = std::max_element(values.begin(), values.end());
+                              const auto at = std::size_t(largest - values.begin());
+                              return *largest <= 1.0 + step
                                          ? Verdict()
-                                         : Broken{at, *most, 1.0, (*most - 1.0) / step};
+                                         : Broken{at, *largest, 1.0, (*largest - 1.0) / step};
                           }});
     }
     if (block.hasClaim("monotonic")) {

@@ -67,13 +67,13 @@ Triples edgeCasesOfColor() {
 std::vector<double> edgeCasesOfNumber(const EvalField& field) {
     std::vector<double> numbers;
     if (!field.isContinuous()) {
-        for (double x = 0.0; x <= field.most; x += 1.0) {
+        for (double x = 0.0; x <= field.max; x += 1.0) {
             numbers.push_back(x);
         }
         return numbers;
     }
     for (const double share : shares) {
-        numbers.push_back(std::min(double(float(share * field.most)), field.most));
+        numbers.push_back(std::min(double(float(share * field.max)), field.max));
     }
     return numbers;
 }
@@ -123,8 +123,8 @@ glm::dvec3 ordinaryValue(const EvalField& field, std::mt19937& random) {
         const double y = between(0.0, 2.0);
         return rounded({x, y, between(0.0, 2.0)});
     }
-    const double x = between(0.0, field.most);
-    return field.isContinuous() ? rounded(glm::dvec3(std::min(x, field.most)))
+    const double x = between(0.0, field.max);
+    return field.isContinuous() ? rounded(glm::dvec3(std::min(x, field.max)))
                                 : glm::dvec3(std::round(x));
 }
 

@@ -255,11 +255,11 @@ double ErrorBound::excess(const ReferenceCase& bound, const EvalPlace& place,
                           const ReferenceNumbers& exact, const ReferenceNumbers& answer) const {
     const auto excessWith = [&](const ReferenceNumbers& known) {
         const ReferenceNumbers allowed = limits(known, exact);
-        double most = 0.0;
+        double maxShare = 0.0;
         for (std::size_t i = 0; i < allowed.size(); ++i) {
-            most = std::max(most, std::abs(answer[i] - exact[i]) / allowed[i]);
+            maxShare = std::max(maxShare, std::abs(answer[i] - exact[i]) / allowed[i]);
         }
-        return most;
+        return maxShare;
     };
     return excessWith(noise(bound, place, exact, [&](const ReferenceNumbers& known) {
         return excessWith(known) <= 1.0;

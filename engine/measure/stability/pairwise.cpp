@@ -83,15 +83,15 @@ class OpenPairs {
 std::size_t bestChoice(const OpenPairs& open, const Row& row, const std::vector<bool>& chosen,
                        std::size_t i, std::size_t count, std::size_t turn) {
     std::size_t best = turn % count;
-    std::size_t most = 0;
+    std::size_t maxMet = 0;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t a = (turn + k) % count;
         std::size_t met = 0;
         for (std::size_t j = 0; j < row.size(); ++j) {
             met += chosen[j] && j != i && open.isOpen(i, a, j, row[j]) ? 1U : 0U;
         }
-        if (met > most) {
-            most = met;
+        if (met > maxMet) {
+            maxMet = met;
             best = a;
         }
     }

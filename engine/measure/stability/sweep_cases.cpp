@@ -95,9 +95,10 @@ EvalBlock chosen(const Block& block, const std::vector<std::size_t>& row) {
 
 /// As few rows as have every choice: the pairs are for the filler's own sweep.
 std::vector<std::vector<std::size_t>> everyChoiceOnce(const std::vector<std::size_t>& counts) {
-    const std::size_t most = counts.empty() ? 1 : *std::max_element(counts.begin(), counts.end());
-    std::vector<std::vector<std::size_t>> rows(most);
-    for (std::size_t i = 0; i < most; ++i) {
+    const std::size_t maxCount =
+        counts.empty() ? 1 : *std::max_element(counts.begin(), counts.end());
+    std::vector<std::vector<std::size_t>> rows(maxCount);
+    for (std::size_t i = 0; i < maxCount; ++i) {
         for (const std::size_t count : counts) {
             rows[i].push_back(i % count);
         }

@@ -43,13 +43,13 @@ std::optional<Defect> ValueChecks::check(const EvalPlace& place, std::span<const
     if (magnitudes.empty()) {
         return std::nullopt;
     }
-    const auto [least, most] = std::minmax_element(magnitudes.begin(), magnitudes.end());
-    excess = -*least;
-    if (*least < 0.0) {
+    const auto [smallest, largest] = std::minmax_element(magnitudes.begin(), magnitudes.end());
+    excess = -*smallest;
+    if (*smallest < 0.0) {
         return Defect::Negative;
     }
-    excess = *most;
-    if (darkBelow_ && *most > 0.0 && belowHorizon(place)) {
+    excess = *largest;
+    if (darkBelow_ && *largest > 0.0 && belowHorizon(place)) {
         return Defect::BelowHorizon;
     }
     return std::nullopt;

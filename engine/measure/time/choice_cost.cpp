@@ -26,12 +26,12 @@ void CostPairs::add(double exact, double other) {
 }
 
 bool CostPairs::isSettled(const MedianInterval& ratio) const {
-    return int(ratios_.size()) >= options_.fewest && 2 * exactBelowNoise_ <= runs() &&
+    return int(ratios_.size()) >= options_.min && 2 * exactBelowNoise_ <= runs() &&
            ratio.upper - ratio.lower < options_.width * ratio.median;
 }
 
 bool CostPairs::finished() const {
-    return int(ratios_.size()) >= options_.most || isSettled(medianInterval(ratios_));
+    return int(ratios_.size()) >= options_.max || isSettled(medianInterval(ratios_));
 }
 
 ChoiceCost CostPairs::cost() const {

@@ -40,8 +40,8 @@ class CostPairs {
   public:
     struct Options {
         double width = 0.03; ///< of the interval, relative to the ratio
-        int fewest = 7;      ///< an interval of 95 % needs 6 samples
-        int most = 60;       ///< pairs, settled or not
+        int min = 7;      ///< an interval of 95 % needs 6 samples
+        int max = 60;       ///< pairs, settled or not
     };
 
     /// `empty`: milliseconds of the frame without what is shaded.

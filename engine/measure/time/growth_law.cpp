@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-constexpr std::size_t fewest = 3;
+constexpr std::size_t minSamples = 3;
 constexpr double constantBelow = 1.1; ///< of spread
 constexpr double linearFrom = 0.99;   ///< of fit
 
@@ -75,7 +75,7 @@ std::optional<GrowthLaw> growthLaw(const std::vector<GrowthSample>& samples) {
         shortest = std::min(shortest, time);
         longest = std::max(longest, time);
     }
-    if (samples.size() < fewest) {
+    if (samples.size() < minSamples) {
         return std::nullopt;
     }
     const Line line = lineThrough(plain);

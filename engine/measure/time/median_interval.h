@@ -17,11 +17,11 @@ struct MedianInterval {
 };
 
 /// So few samples have no interval of 95 %.
-constexpr int fewestForInterval = 6;
+constexpr int minForInterval = 6;
 
 /// Tells whether so many samples have one; 0: the numbers are given, not measured.
 constexpr bool haveInterval(int samples) {
-    return samples == 0 || samples >= fewestForInterval;
+    return samples == 0 || samples >= minForInterval;
 }
 
 /// The median of samples with an interval that holds the true one with a probability of at least

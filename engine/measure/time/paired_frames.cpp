@@ -24,7 +24,7 @@ double PairedFrames::spent() const {
 }
 
 double PairedFrames::progress() const {
-    const double byPairs = double(pairs_.runs()) / double(limits_.pairs.most);
+    const double byPairs = double(pairs_.runs()) / double(limits_.pairs.max);
     return std::min(std::max(byPairs, spent() / limits_.seconds), 1.0);
 }
 
@@ -50,9 +50,9 @@ void PairedFrames::addPair(double exact, double other) {
 }
 
 bool PairedFrames::isEnough() const {
-    const bool hasFewest = pairs_.runs() >= limits_.pairs.fewest;
+    const bool hasMin = pairs_.runs() >= limits_.pairs.min;
     return pairs_.runs() > 0 && (spent() > limits_.longest || pairs_.finished() ||
-                                 (hasFewest && spent() > limits_.seconds));
+                                 (hasMin && spent() > limits_.seconds));
 }
 
 /// The first pair makes programs and targets.

@@ -14,12 +14,12 @@ class DrawSlices {
   public:
     /// The next slice, of about `most` triangles, of objects of `triangles` each, `count` of them
     /// from `first` on in an InstanceBuffer.
-    DrawRange next(int triangles, std::size_t first, std::size_t count, std::int64_t most) {
+    DrawRange next(int triangles, std::size_t first, std::size_t count, std::int64_t maxTriangles) {
         DrawRange range{triangle_, triangles - triangle_, first + instance_, 1};
-        if (most < range.triangles) {
-            range.triangles = static_cast<int>(std::max<std::int64_t>(most, 1));
+        if (maxTriangles < range.triangles) {
+            range.triangles = static_cast<int>(std::max<std::int64_t>(maxTriangles, 1));
         } else if (triangle_ == 0) {
-            const auto whole = static_cast<std::size_t>(most / std::max(triangles, 1));
+            const auto whole = static_cast<std::size_t>(maxTriangles / std::max(triangles, 1));
             range.instances = std::clamp<std::size_t>(whole, 1, count - instance_);
         }
         triangle_ += range.triangles;

@@ -24,13 +24,13 @@ bool isAlike(int a, int b, double scale) {
 }
 
 int fallbackLength(int length, int small, double scale) {
-    const int least = std::max(small, 1);
-    for (int wanted = least; wanted <= least + maxGrowth; ++wanted) {
+    const int minSide = std::max(small, 1);
+    for (int wanted = minSide; wanted <= minSide + maxGrowth; ++wanted) {
         if (isAlike(wanted, length, scale)) {
             return wanted;
         }
     }
-    return least;
+    return minSide;
 }
 
 } // namespace

@@ -77,9 +77,11 @@ GpuTexture::GpuTexture(const TexturePicture& picture, bool isOpaque)
     glGenTextures(1, &name);
     name_ = gl::Name<gl::deleteTexture>(name);
     bind();
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    const auto isTooLarge = [most](glm::ivec2 size) { return std::max(size.x, size.y) > most; };
+    GLint maxSide = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maxSide);
+    const auto isTooLarge = [maxSide](glm::ivec2 size) {
+        return std::max(size.x, size.y) > maxSide;
+    };
     while (first_ + 1 < picture.levels.size() && isTooLarge(picture.levels[first_].size)) {
         ++first_;
     }

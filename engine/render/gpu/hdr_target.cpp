@@ -27,9 +27,9 @@ void forgetErrors() {
 
 /// As many pixels per side as make at most `samples` per resolved pixel and fit into the limits.
 int finenessFor(glm::ivec2 size, int samples) {
-    const int most =
+    const int maxSide =
         std::min(driverLimit(GL_MAX_TEXTURE_SIZE), driverLimit(GL_MAX_RENDERBUFFER_SIZE));
-    return samples >= 4 && 2 * std::max(size.x, size.y) <= most ? 2 : 1;
+    return samples >= 4 && 2 * std::max(size.x, size.y) <= maxSide ? 2 : 1;
 }
 
 glm::ivec2 scaledSize(glm::ivec2 size, double scale) {
@@ -45,15 +45,15 @@ gl::Texture linearImage(glm::ivec2 size, HdrNumbers numbers) {
 } // namespace
 
 Result<void> checkPictureSize(glm::ivec2 size) {
-    const int most =
+    const int maxSide =
         std::min(driverLimit(GL_MAX_TEXTURE_SIZE), driverLimit(GL_MAX_RENDERBUFFER_SIZE));
-    const bool fits = size.x >= 1 && size.y >= 1 && size.x <= most && size.y <= most &&
+    const bool fits = size.x >= 1 && size.y >= 1 && size.x <= maxSide && size.y <= maxSide &&
                       std::int64_t(size.x) * size.y <= maxPixels;
     if (fits) {
         return {};
     }
     return failure(fmt::format("an image of {}x{} pixels cannot be drawn", size.x, size.y),
-                   fmt::format("1 to {} pixels a side and at most {} million in all", most,
+                   fmt::format("1 to {} pixels a side and at most {} million in all", maxSide,
                                maxPixels / 1000000));
 }
 

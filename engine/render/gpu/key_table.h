@@ -12,8 +12,8 @@ namespace patina {
 class KeyTable {
   public:
     /// Forgets all keys; at most `most` new ones follow.
-    void clear(std::size_t most) {
-        const std::size_t places = std::bit_ceil(2 * most + 2);
+    void clear(std::size_t maxKeys) {
+        const std::size_t places = std::bit_ceil(2 * maxKeys + 2);
         if (places > places_.size() || ++round_ == 0) {
             places_.assign(std::max(places, places_.size()), Place());
             round_ = 1;

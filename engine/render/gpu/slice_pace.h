@@ -15,12 +15,12 @@ class SlicePace {
 
     /// A new frame. Triangles of one that has many are small; of others the pixels may take long.
     void begin(bool isLarge) {
-        most_ = isLarge ? maxAtOnce : 1;
+        maxTriangles_ = isLarge ? maxAtOnce : 1;
         drawn_ = 0;
         began_.reset();
     }
 
-    std::int64_t most() const { return most_; }
+    std::int64_t maxTriangles() const { return maxTriangles_; }
 
     void add(std::int64_t triangles, Clock::time_point now) {
         began_ = began_.value_or(now);
@@ -28,7 +28,7 @@ class SlicePace {
     }
 
     /// Tells whether it is time to look at the clock.
-    bool isDue() const { return drawn_ >= most_; }
+    bool isDue() const { return drawn_ >= maxTriangles_; }
 
     /// The device is done with what was added.
     void passed(Clock::time_point now) {
@@ -37,8 +37,9 @@ class SlicePace {
         }
         const std::chrono::duration<double, std::milli> taken = now - *began_;
         const double change = std::clamp(sliceMs / std::max(taken.count(), 1e-3), 0.0, maxGrowth);
-        most_ = std::clamp(static_cast<std::int64_t>(change * static_cast<double>(most_)),
-                           std::int64_t(1), maxAtOnce);
+        maxTriangles_ =
+            std::clamp(static_cast<std::int64_t>(change * static_cast<double>(maxTriangles_)),
+                       std::int64_t(1), maxAtOnce);
         drawn_ = 0;
         began_.reset();
     }
@@ -48,7 +49,7 @@ class SlicePace {
     static constexpr double sliceMs = 15.0;
     static constexpr double maxGrowth = 4.0; ///< from slice to slice: the next may be larger
 
-    std::int64_t most_ = 1;
+    std::int64_t maxTriangles_ = 1;
     std::int64_t drawn_ = 0; ///< since passed()
     std::optional<Clock::time_point> began_;
 };

@@ -37,7 +37,7 @@ class StepBudget {
 
     /// The most triangles to draw before the clock is asked.
     std::int64_t maxTriangles() const {
-        return isEndless() ? std::numeric_limits<std::int64_t>::max() : pace_.most();
+        return isEndless() ? std::numeric_limits<std::int64_t>::max() : pace_.maxTriangles();
     }
     void addTriangles(std::int64_t triangles);
 

@@ -69,8 +69,8 @@ void EnvironmentTexture::begin(glm::ivec2 size) {
 
 bool EnvironmentTexture::fillSome(const EnvironmentTexels& texels) {
     const std::size_t inRow = std::size_t(4) * static_cast<std::size_t>(texels.size.x);
-    const int most = static_cast<int>(std::max<std::size_t>(halvesAtOnce / inRow, 1));
-    const int count = std::min(most, texels.size.y - rows_);
+    const int maxRows = static_cast<int>(std::max<std::size_t>(halvesAtOnce / inRow, 1));
+    const int count = std::min(maxRows, texels.size.y - rows_);
     if (count <= 0) {
         return false;
     }

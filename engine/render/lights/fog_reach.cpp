@@ -30,14 +30,14 @@ class Apart {
 
     bool along(const glm::dvec3& direction) const {
         const double reach = glm::dot(half_, glm::abs(direction));
-        double least = glm::dot(eye_, direction);
-        double greatest = least;
+        double minPlace = glm::dot(eye_, direction);
+        double maxPlace = minPlace;
         for (const glm::dvec3& corner : corners_) {
             const double place = glm::dot(corner, direction);
-            least = std::min(least, place);
-            greatest = std::max(greatest, place);
+            minPlace = std::min(minPlace, place);
+            maxPlace = std::max(maxPlace, place);
         }
-        return least > reach || greatest < -reach;
+        return minPlace > reach || maxPlace < -reach;
     }
 
     /// Two such bodies are apart when they are along the normal of a face of either, or across an
@@ -90,7 +90,7 @@ FogReach::FogReach(const Scene& scene, const Catalog& catalog, const glm::dvec3&
 
 void FogReach::add(const Corners& corners) {
     if (box_ && !isMet_) {
-        isMet_ = ++count_ > most || meets(corners);
+        isMet_ = ++count_ > maxCount || meets(corners);
     }
     if (layer_) {
         addHeights(corners);

@@ -34,7 +34,7 @@ class FogReach {
     /// counts as met. Allocates nothing.
     void add(const Corners& corners);
     void add(const Bounds& bounds, const glm::dmat4& world);
-    static constexpr int most = 1000;
+    static constexpr int maxCount = 1000;
 
     /// No ray to what was added meets the box.
     bool misses() const { return box_ && !isMet_; }

@@ -90,7 +90,7 @@ std::size_t LightLists::listFor(const Ball& ball) {
             return list;
         }
     }
-    if (count() > most) {
+    if (count() > maxCount) {
         bits_.resize(made);
         return 0;
     }

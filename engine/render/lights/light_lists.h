@@ -38,7 +38,7 @@ class LightLists {
     /// The number of the list for an object. There are at most `most` of them; objects beyond get
     /// the list with all lights.
     std::size_t listFor(const Ball& ball);
-    static constexpr std::size_t most = 64;
+    static constexpr std::size_t maxCount = 64;
 
     bool holds(std::size_t list, std::size_t light) const;
 

@@ -50,8 +50,8 @@ int samplesOf(const View& view, const Scene& effects, const Catalog& catalog, in
         // No more than there are already, so that the first ones are soon seen.
         const int added =
             blends(effects, catalog) ? 0 : std::min(done, addedRounds * roundSamples);
-        const int most = std::max(usualRounds() * roundSamples, added);
-        return wholeRounds(std::clamp(view.maxSamples - done, 1, most));
+        const int maxSamples = std::max(usualRounds() * roundSamples, added);
+        return wholeRounds(std::clamp(view.maxSamples - done, 1, maxSamples));
     }
     return wholeRounds(std::min(view.environmentSamples, maxRounds * roundSamples));
 }

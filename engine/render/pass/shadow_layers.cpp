@@ -16,9 +16,10 @@ constexpr int minTexels = 256;
 constexpr std::int64_t maxBytes = std::int64_t(256) << 20;
 
 int maxLayers() {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
-    return std::min(most, static_cast<int>(maxBytes / (std::int64_t(4) * minTexels * minTexels)));
+    GLint maxCount = 0;
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &maxCount);
+    return std::min(maxCount,
+                    static_cast<int>(maxBytes / (std::int64_t(4) * minTexels * minTexels)));
 }
 
 const Block* shadowedLight(const Light& light, const Catalog& catalog) {
@@ -72,11 +73,11 @@ int ShadowLayers::needed() const {
 
 /// One after the other; a light that does not fit has no map.
 void ShadowLayers::placeFaces() {
-    const int most = maxLayers();
+    const int maxCount = maxLayers();
     int next = 0;
     lost_ = 0;
     for (ShadowView& view : views_) {
-        if (next + view.faces > most) {
+        if (next + view.faces > maxCount) {
             view = ShadowView();
             ++lost_;
             continue;

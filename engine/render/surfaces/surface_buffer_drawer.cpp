@@ -87,13 +87,14 @@ std::size_t shadowedLights(const SurfaceBuffer& buffer, const Pipeline& pipeline
 }
 
 std::size_t maxValues(const SurfaceBuffer& buffer) {
-    std::size_t most = 0;
+    std::size_t maxCount = 0;
     for (const BufferedObject& object : buffer.objects) {
         if (object.pipeline) {
-            most = std::max(most, valuesOf(object, shadowedLights(buffer, *object.pipeline)));
+            maxCount =
+                std::max(maxCount, valuesOf(object, shadowedLights(buffer, *object.pipeline)));
         }
     }
-    return most;
+    return maxCount;
 }
 
 } // namespace
@@ -133,12 +134,13 @@ Result<SurfaceBuffer> SurfaceBufferDrawer::capture(const Scene& scene, const Vie
     buffer.size = view.size;
     buffer.eye = glm::vec3(eye(view.camera));
     describe(buffer, scene);
-    const std::size_t most = maxValues(buffer);
-    for (std::size_t first = 0; first == 0 || first < most; first += SurfaceBufferLayout::window) {
+    const std::size_t maxCount = maxValues(buffer);
+    for (std::size_t first = 0; first == 0 || first < maxCount;
+         first += SurfaceBufferLayout::window) {
         target->begin();
         drawWindow(scene, static_cast<int>(first));
         for (std::size_t i = first;
-             i < std::min<std::size_t>(first + SurfaceBufferLayout::window, most); ++i) {
+             i < std::min<std::size_t>(first + SurfaceBufferLayout::window, maxCount); ++i) {
             buffer.values.push_back(
                 target->read(static_cast<int>(i - first) + outputs - SurfaceBufferLayout::window));
         }

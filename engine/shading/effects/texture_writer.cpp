@@ -13,8 +13,9 @@ namespace {
 
 /// A literal that GLSL takes for a float.
 std::string literal(double value) {
-    constexpr double most = std::numeric_limits<float>::max();
-    std::string text = fmt::format("{}", static_cast<float>(std::clamp(value, -most, most)));
+    constexpr double maxFloat = std::numeric_limits<float>::max();
+    std::string text =
+        fmt::format("{}", static_cast<float>(std::clamp(value, -maxFloat, maxFloat)));
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 

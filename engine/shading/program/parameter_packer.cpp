@@ -45,8 +45,8 @@ void write(Numbers& numbers, const ParameterField& field, const Values& values,
 
 /// Never beyond what a float holds.
 float narrowed(double number) {
-    constexpr double most = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(number, -most, most));
+    constexpr double maxFloat = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(number, -maxFloat, maxFloat));
 }
 
 } // namespace
