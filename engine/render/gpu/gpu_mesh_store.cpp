@@ -42,8 +42,8 @@ const std::shared_ptr<GpuMesh>& GpuMeshStore::prepare(const MeshView& mesh) {
         return lastEntry_->mesh;
     }
     auto found = meshes_.find(key);
-    const bool isLookedAt = found != meshes_.end() && found->second.looked == look_;
-    if (!isLookedAt) {
+    const bool isCurrent = found != meshes_.end() && found->second.looked == look_;
+    if (!isCurrent) {
         const std::uint64_t sample =
             sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u));
         if (found == meshes_.end() || found->second.sample != sample) {
