@@ -49,7 +49,7 @@ TEST_F(CheckCommand, FewerCasesThanTheEdgesTake_AreToldBeforeTheyBegin) {
     const Outcome few = run({"check", "tried", "--cases", "1", "--json"});
     const std::size_t done = nlohmann::json::parse(few.out)["cases"];
     EXPECT_TRUE(few.err.starts_with(std::to_string(done) + " cases, not 1: ")) << few.err;
-    const Outcome enough = run({"check", "tried", "--cases", "20000"});
+    const Outcome enough = run({"check", "tried", "--cases", "60000"});
     EXPECT_EQ(enough.err.find(" cases, not "), std::string::npos) << enough.err;
 }
 
