@@ -30,7 +30,7 @@ std::vector<const Block*> blocksNamed(const Catalog& catalog, const std::string&
     std::vector<const Block*> found;
     for (const Block& block : catalog.blocks) {
         const bool named = block.id == name || block.kind + '/' + block.id == name;
-        if (named && subjectOfKind(block.kind)) {
+        if (named && !evaluatedFunctions(block).empty()) {
             found.push_back(&block);
         }
     }
@@ -75,9 +75,8 @@ Checked<std::vector<EvalCase>> variantsOfPreset(const Catalog& catalog, const st
         return tl::unexpected(oneError(variant.error()));
     }
     std::vector<EvalCase> variants{*variant};
-    if (const auto blend = blendVariant(catalog, reading->material)) {
-        variants.push_back(*blend);
-    }
+    const std::vector<EvalCase> blend = blendVariants(catalog, reading->material);
+    variants.insert(variants.end(), blend.begin(), blend.end());
     return variants;
 }
 
@@ -107,10 +106,10 @@ void runSweep(StabilitySweep& sweep) {
     }
 }
 
-void printFinding(const SweepTally& tally, bool gpu, Defect defect) {
+void printFinding(const SweepKey& key, const SweepTally& tally) {
     const std::string programs = variantText(tally.worst.request);
-    std::cout << fmt::format("{} {}: {} cases{}\n  worst: {}\n  {}\n  {}\n", wordsFor(defect),
-                             precisionText(gpu), tally.count,
+    std::cout << fmt::format("{} {}: {} cases{}\n  worst: {}\n  {}\n  {}\n", wordsFor(key.defect),
+                             precisionText(key.gpu), tally.count,
                              programs.empty() ? "" : ", the worst with " + programs,
                              placeText(tally.worst.request), amountText(tally.worst),
                              evalJson(tally.worst.request).dump());
@@ -118,7 +117,7 @@ void printFinding(const SweepTally& tally, bool gpu, Defect defect) {
 
 void printReport(const SweepReport& report) {
     for (const auto& [key, tally] : report.defects) {
-        printFinding(tally, key.first, key.second);
+        printFinding(key, tally);
     }
     for (const Error& error : report.errors) {
         std::cout << error.text() << '\n';

@@ -42,7 +42,8 @@ bool allFinite(std::span<const double> numbers) {
 /// A light answers with its direction as well.
 std::string valueLine(const EvalCase& request, std::span<const double> numbers) {
     const std::string id = request.id.dump(-1, ' ', true);
-    if (request.subject == EvalCase::Subject::Light) {
+    const bool isLibrary = request.subject == EvalCase::Subject::Function;
+    if (!isLibrary && calledFunction(request).result == "Illumination") {
         return fmt::format("{{\"id\": {}, \"l\": {}, \"value\": {}}}\n", id,
                            jsonList(numbers.first(3)), jsonList(numbers.subspan(3)));
     }
@@ -236,7 +237,36 @@ surface and need not be unit; parameters that are not named have their defaults.
 BLOCK is an id, or {"id": ID, "parameters": {...}, "accuracy": {...}}. Every case may have
 an "id", which its answer repeats, and a "precision": "double" (the default) or "gpu".
 An answer is {"id": ..., "value": ...}, or has an "error" in place of the value.
-  echo '{"function": "sqr", "arguments": [3]}' | patina eval)";
+  echo '{"function": "sqr", "arguments": [3]}' | patina eval
+Some blocks have more functions, which a case names by its key "call":
+)";
+
+/// What a function takes, as keys of a line.
+std::string keysText(const BlockFunction& function) {
+    std::string text;
+    const auto add = [&text](std::string_view key) { text += fmt::format(", \"{}\": ...", key); };
+    if (subjectOf(function) == EvalCase::Subject::Fresnel) {
+        add("cos");
+    }
+    for (const EvalField& field : evalFieldsOf(function)) {
+        add(field.key);
+    }
+    return text;
+}
+
+/// The functions behind the first one of each kind.
+std::string callsText() {
+    std::string text;
+    for (const BlockKind& kind : blockKinds()) {
+        for (const BlockFunction* function : evaluatedFunctions(kind)) {
+            if (!function->suffix.empty()) {
+                text += fmt::format("  {{\"{}\": BLOCK, \"call\": \"{}\"{}}}\n", kind.singular,
+                                    function->suffix, keysText(*function));
+            }
+        }
+    }
+    return text;
+}
 
 } // namespace
 
@@ -245,7 +275,7 @@ void addEval(CLI::App& program, int& status) {
         "eval", "Evaluate models and other blocks, and shader functions:\n"
                 "one JSON case per line on standard input, one result per line on standard output");
     auto functions = std::make_shared<bool>(false);
-    command->footer(caseKeys);
+    command->footer(caseKeys + callsText());
     command->add_flag("--functions", *functions, "List the shader library's functions instead");
     command->callback([functions, &status] {
         if (*functions) {

@@ -150,8 +150,7 @@ Result<void> readPixel(const Json& json, EvalCase& request) {
 
 Result<void> readFrame(const Json& json, EvalCase& request) {
     for (const auto& [key, target] : {std::pair{"n", &request.n}, {"t", &request.t}}) {
-        Result<void> done =
-            json.contains(key) ? readDirection(json, key, *target) : Result<void>();
+        Result<void> done = json.contains(key) ? readDirection(json, key, *target) : Result<void>();
         if (!done) {
             return done;
         }
@@ -185,7 +184,8 @@ Result<void> readSlot(const Json& json, const Catalog& catalog, EvalCase& reques
 }
 
 Result<void> checkModelKeys(const Json& json) {
-    std::vector<std::string> known{"model", "parameters", "accuracy", "l", "v", "n", "t", "pixel"};
+    std::vector<std::string> known{"model", "parameters", "accuracy", "l",   "v",
+                                   "n",     "t",          "pixel",    "call"};
     const auto parts = partKinds(BlockOwner::Material);
     known.insert(known.end(), parts.begin(), parts.end());
     return checkKeys(json, known);
@@ -231,7 +231,7 @@ Result<EvalCase> readModel(const Json& json, const Catalog& catalog, EvalCase re
 Result<EvalCase> readSurfacePart(const Json& json, const Catalog& catalog, EvalCase request,
                                  const BlockKind& kind) {
     const std::string key(kind.singular);
-    const auto keys = checkKeys(json, {key, "l", "v", "n", "t", "pixel"});
+    const auto keys = checkKeys(json, {key, "l", "v", "n", "t", "pixel", "call"});
     const Result<EvalBlock> block = readNested(catalog, kind.folder, json[key]);
     if (!keys || !block) {
         return tl::unexpected(keys ? block.error() : keys.error());
@@ -267,7 +267,7 @@ Result<EvalCase> readAlone(const Json& json, const Catalog& catalog, EvalCase re
     const bool isLight = request.subject == Subject::Light;
     const bool isFog = request.subject == Subject::Fog;
     const std::string argument = isLight ? "x" : isFog ? "distance" : "cos";
-    std::vector<std::string> known{key, argument};
+    std::vector<std::string> known{key, argument, "call"};
     if (isFog) {
         known.insert(known.end(), {"eye", "direction"});
     }
@@ -314,14 +314,15 @@ Result<glm::dvec3> readNumbers(const Json& json, const EvalField& field) {
     if (!value) {
         return value;
     }
-    const double maxNumber = field.isTriple() ? std::numeric_limits<double>::max() : field.max;
+    const bool isOpen = field.isTriple() || field.type == EvalField::Type::Amount;
+    const double largest = isOpen ? std::numeric_limits<double>::max() : field.max;
     const bool isWhole = field.type != EvalField::Type::Whole || std::round(value->x) == value->x;
     const bool isInside = glm::all(glm::greaterThanEqual(*value, glm::dvec3(0.0))) &&
-                          glm::all(glm::lessThanEqual(*value, glm::dvec3(maxNumber)));
+                          glm::all(glm::lessThanEqual(*value, glm::dvec3(largest)));
     if (!isInside || !isWhole) {
         return failure(fmt::format("{} is {}", key, json[key].dump()),
-                       field.isTriple() ? std::string("0 or more")
-                                        : fmt::format("0 .. {}", shortestText(float(maxNumber))));
+                       isOpen ? std::string("0 or more")
+                              : fmt::format("0 .. {}", shortestText(float(largest))));
     }
     return value;
 }
@@ -350,8 +351,8 @@ Result<glm::dvec3> readField(const Json& json, const EvalField& field, const glm
 Result<EvalCase> readFields(const Json& json, const Catalog& catalog, EvalCase request,
                             const BlockKind& kind) {
     const std::string key(kind.singular);
-    const std::span<const EvalField> fields = evalFieldsOf(kind.functions.front().argument);
-    std::vector<std::string> known{key};
+    const std::span<const EvalField> fields = fieldsOf(request);
+    std::vector<std::string> known{key, "call"};
     for (const EvalField& field : fields) {
         known.emplace_back(field.key);
     }
@@ -374,6 +375,40 @@ Result<EvalCase> readFields(const Json& json, const Catalog& catalog, EvalCase r
         }
     }
     return request;
+}
+
+/// The function of the kind that is called: its first one unless it is given.
+Result<const BlockFunction*> readCall(const Json& json, const BlockKind& kind) {
+    const Json wanted = json.value("call", Json(kind.functions.front().suffix));
+    std::vector<std::string> names;
+    for (const BlockFunction* function : evaluatedFunctions(kind)) {
+        if (wanted == function->suffix) {
+            return function;
+        }
+        if (!function->suffix.empty()) {
+            names.emplace_back(function->suffix);
+        }
+    }
+    const std::string word = wanted.is_string() ? wanted.get<std::string>() : wanted.dump();
+    return failure(fmt::format("{} have no function \"{}\" to evaluate", kind.plural, word),
+                   names.empty() ? "no \"call\"" : oneOf(word, names));
+}
+
+/// A function of a block by itself.
+Result<EvalCase> readBlockCase(const Json& json, const Catalog& catalog, EvalCase request,
+                               const BlockKind& kind) {
+    const Result<const BlockFunction*> called = readCall(json, kind);
+    if (!called) {
+        return tl::unexpected(called.error());
+    }
+    request.called = *called;
+    request.subject = *subjectOf(**called);
+    if (kind.folder == kinds::models) {
+        return readModel(json, catalog, request);
+    }
+    return request.subject == Subject::Model    ? readSurfacePart(json, catalog, request, kind)
+           : request.subject == Subject::Fields ? readFields(json, catalog, request, kind)
+                                                : readAlone(json, catalog, request, kind);
 }
 
 Result<EvalCase> readFunction(const Json& json, EvalCase request) {
@@ -409,31 +444,24 @@ Result<EvalCase> readCase(const Json& json, const Catalog& catalog) {
     EvalCase request;
     request.id = json.value("id", Json());
     request.gpu = *gpu;
-    if (json.contains("model")) {
-        return readModel(json, catalog, request);
-    }
     if (json.contains("function")) {
         request.subject = Subject::Function;
         return readFunction(json, request);
     }
-    std::string keys = "a model";
+    std::string keys;
     for (const BlockKind& kind : blockKinds()) {
-        const std::optional<Subject> subject = subjectOfKind(kind.folder);
-        if (!subject && json.contains(kind.singular)) {
+        const bool isEvaluated = !evaluatedFunctions(kind).empty();
+        if (json.contains(kind.singular) && !isEvaluated) {
             return failure(
                 fmt::format("{} have no value of their own: they read what is drawn", kind.plural),
                 "a picture of them, as `patina render` makes it");
         }
-        if (!subject || kind.folder == kinds::models) {
-            continue;
-        }
         if (json.contains(kind.singular)) {
-            request.subject = *subject;
-            return *subject == Subject::Model    ? readSurfacePart(json, catalog, request, kind)
-                   : *subject == Subject::Fields ? readFields(json, catalog, request, kind)
-                                                 : readAlone(json, catalog, request, kind);
+            return readBlockCase(json, catalog, request, kind);
         }
-        keys.append(", ").append(kind.singular);
+        if (isEvaluated) {
+            keys += fmt::format("{}{}", keys.empty() ? "a " : ", ", kind.singular);
+        }
     }
     return failure("nothing to evaluate", keys + " or function");
 }

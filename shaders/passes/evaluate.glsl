@@ -16,6 +16,19 @@ vec4 caseData(int i) {
     return texelFetch(cases, ivec2(texel % CASES_WIDTH, texel / CASES_WIDTH), 0);
 }
 
+// A function's result as the numbers of result pixel `part`.
+vec4 numbersOf(float x, int part) {
+    return vec4(x, 0.0, 0.0, 0.0);
+}
+
+vec4 numbersOf(vec2 x, int part) {
+    return vec4(x, 0.0, 0.0);
+}
+
+vec4 numbersOf(vec3 x, int part) {
+    return vec4(x, 0.0);
+}
+
 // The numbers of result pixel `part` of the case.
 vec4 evaluated(int part);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// How a ray goes on behind a surface. Texels: where it comes from, the normal, the channel and
+// A function of a ray at a surface. Texels: where it comes from, the normal, the channel and
 // whether it leaves the body, one number after the other, then the parameters.
 #include "lib/crossing.glsl"
 
@@ -9,5 +9,5 @@ vec4 evaluated(int part) {
     c.n = vec3(caseData(0).w, caseData(1).x, caseData(1).y);
     c.channel = int(caseData(1).z);
     c.leaves = caseData(1).w > 0.5;
-    return vec4(EVALUATED_BLOCK(c, unpackEvaluated(2)), 0.0);
+    return numbersOf(EVALUATED_BLOCK(c, unpackEvaluated(2)), part);
 }

@@ -21,5 +21,5 @@ vec4 evaluated(int part) {
     if ((LIGHT_GATE && !(d.nl > 0.0)) || (VIEW_GATE && !(d.nv > 0.0))) {
         return vec4(0.0);
     }
-    return vec4(EVALUATED_BLOCK(d, unpackEvaluated(4)), 0.0);
+    return numbersOf(EVALUATED_BLOCK(d, unpackEvaluated(4)), part);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// How wide the lines of an edge are. Texels: whether the shape turns there, whether it ends, and by
+// A function of an edge. Texels: whether the shape turns there, whether it ends, and by
 // how much it bends, then the parameters.
 #include "lib/edge.glsl"
 
@@ -8,5 +8,5 @@ vec4 evaluated(int part) {
     e.turns = caseData(0).x > 0.5;
     e.ends = caseData(0).y > 0.5;
     e.bend = caseData(0).z;
-    return vec4(EVALUATED_BLOCK(e, unpackEvaluated(1)), 0.0, 0.0);
+    return numbersOf(EVALUATED_BLOCK(e, unpackEvaluated(1)), part);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// What an environment shows. Texels: the direction and the picture's colour, one number after the
+// A function of where one looks. Texels: the direction and the picture's colour, one number after the
 // other, then the parameters.
 #include "lib/outlook.glsl"
 
@@ -7,5 +7,5 @@ vec4 evaluated(int part) {
     Outlook o;
     o.d = caseData(0).xyz;
     o.picture = vec3(caseData(0).w, caseData(1).x, caseData(1).y);
-    return vec4(EVALUATED_BLOCK(o, unpackEvaluated(2)), 0.0);
+    return numbersOf(EVALUATED_BLOCK(o, unpackEvaluated(2)), part);
 }

@@ -24,6 +24,8 @@ class CheckCommand : public testing::Test {
                       body + ";\n}\n");
     }
 
+    void writeFog(const std::string& color);
+
     Outcome run(std::vector<std::string> arguments, std::string input = {}) {
         return patina(Start{.arguments = std::move(arguments),
                             .environment = {{"XDG_DATA_HOME", data_.path()}},
@@ -116,6 +118,69 @@ TEST_F(CheckCommand, EnvironmentThatIsDarkerThanBlackBelow_Fails) {
     ASSERT_EQ(found["defects"].size(), 1u) << found;
     EXPECT_EQ(found["defects"][0]["what"], "negative");
     EXPECT_LT(found["defects"][0]["worst"]["case"]["direction"][1].get<double>(), 0.0);
+}
+
+/// A user's fog whose colour is `color`.
+void CheckCommand::writeFog(const std::string& color) {
+    writeFile(data_ / "patina/shaders/fog/tried.json", R"({
+        "id": "tried", "version": 1, "label": "Tried", "summary": "A test.",
+        "applications": "None.", "source": "None.",
+        "parameters": [{"id": "shade", "label": "Shade", "doc": "A shade.", "type": "float",
+                        "default": 0.5, "min": 0.0, "max": 1.0, "step": 0.01}],
+        "claims": ["finite", "non_negative"]})");
+    writeFile(data_ / "patina/shaders/fog/tried.glsl",
+              "// SPDX-License-"
+              "Identifier: MIT-0\n#include \"lib/fog_ray.glsl\"\n"
+              "float triedFog(FogRay ray, TriedFog p) {\n    return 0.5;\n}\n"
+              "vec3 triedFogColor(TriedFog p) {\n    return vec3(" +
+                  color + ");\n}\n");
+}
+
+TEST_F(CheckCommand, FogWhoseColorIsNoNumber_FailsAndNamesColor) {
+    writeFog("log(p.shade - 2.0)");
+    const Outcome outcome = run({"check", "fog/tried", "--cases", "20000"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.out.find("worst: Color\n"), std::string::npos) << outcome.out;
+    const nlohmann::json found = checkedJson();
+    ASSERT_EQ(found["defects"].size(), 1u) << found;
+    const nlohmann::json line = found["defects"][0]["worst"]["case"];
+    EXPECT_EQ(line["call"], "Color");
+    EXPECT_NE(run({"eval"}, line.dump() + "\n").out.find("not finite"), std::string::npos);
+}
+
+TEST_F(CheckCommand, ColorThatBreaksAtTheEndOfAParameterOnly_Fails) {
+    writeFog("sin(p.shade) / p.shade");
+    const nlohmann::json found = checkedJson();
+    ASSERT_EQ(found["defects"].size(), 1u) << found;
+    EXPECT_EQ(found["defects"][0]["worst"]["case"]["fog"]["parameters"]["shade"], 0.0);
+}
+
+TEST_F(CheckCommand, FogWithASoundColor_Succeeds) {
+    writeFog("p.shade");
+    const Outcome outcome = run({"check", "fog/tried", "--cases", "20000"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.out;
+}
+
+TEST_F(CheckCommand, WayOfAnyLength_IsTried) {
+    writeFile(data_ / "patina/shaders/refraction/tried.json", R"({
+        "id": "tried", "version": 1, "label": "Tried", "summary": "A test.",
+        "applications": "None.", "source": "None.",
+        "parameters": [{"id": "index", "label": "Index", "doc": "Bends.", "type": "float",
+                        "role": "index",
+                        "default": 1.5, "min": 1.0, "max": 3.0, "step": 0.01}],
+        "claims": ["finite", "non_negative"]})");
+    writeFile(data_ / "patina/shaders/refraction/tried.glsl",
+              "// SPDX-License-"
+              "Identifier: MIT-0\n#include \"lib/crossing.glsl\"\n"
+              "vec3 triedRefraction(Crossing c, TriedRefraction p) {\n    return -c.l;\n}\n"
+              "float triedRefractionMirrored(Crossing c, TriedRefraction p) {\n"
+              "    return 0.0;\n}\n"
+              "vec3 triedRefractionLeft(float way, TriedRefraction p) {\n"
+              "    return vec3(way > 1e5 ? -1.0 : 1.0);\n}\n");
+    const nlohmann::json found = checkedJson();
+    ASSERT_EQ(found["defects"].size(), 1u) << found;
+    EXPECT_EQ(found["defects"][0]["worst"]["case"]["call"], "Left");
+    EXPECT_GT(found["defects"][0]["worst"]["case"]["way"].get<double>(), 1e5);
 }
 
 TEST_F(CheckCommand, WorstCase_IsALineForEval) {

@@ -190,6 +190,51 @@ TEST(EvalCommand, Shadow_SaysWhyItHasNoValue) {
     EXPECT_NE(errorOf({{"shadow", "hard"}}).find("they read what is drawn"), std::string::npos);
 }
 
+TEST(EvalCommand, CalledFunction_AnswersWithItsOwnResult) {
+    EXPECT_EQ(answerTo({{"fog", {{"id", "linear"}, {"parameters", {{"color", {0.25, 0.5, 0.75}}}}}},
+                        {"call", "Color"}})
+                  .at("value"),
+              Json({0.25, 0.5, 0.75}));
+    const Json body{{"id", "solid-body"}, {"parameters", {{"index", 1.5}}}};
+    const Json mirrored{
+        {"refraction", body}, {"call", "Mirrored"}, {"l", {0, 0, 1}}, {"n", {0, 0, 1}}};
+    const Json share = answerTo(mirrored).at("value");
+    ASSERT_EQ(share.size(), 1u);
+    EXPECT_NEAR(share[0].get<double>(), 0.04, 1e-12);
+    const Json left{
+        {"refraction",
+         {{"id", "solid-body"},
+          {"parameters", {{"absorption.color", {0.5, 0.25, 1}}, {"absorption.distance", 2}}}}},
+        {"call", "Left"},
+        {"way", 4}};
+    const Json rest = answerTo(left).at("value");
+    EXPECT_NEAR(rest[0].get<double>(), 0.25, 1e-12);
+    EXPECT_NEAR(rest[1].get<double>(), 0.0625, 1e-12);
+    EXPECT_NEAR(rest[2].get<double>(), 1.0, 1e-12);
+}
+
+TEST(EvalCommand, UnknownCall_SaysWhatThereIs) {
+    const std::string error =
+        errorOf({{"refraction", "solid-body"}, {"call", "Mirored"}, {"way", 1}});
+    EXPECT_NE(error.find("refractions have no function \"Mirored\""), std::string::npos) << error;
+    EXPECT_NE(error.find("expected 'Mirrored'"), std::string::npos) << error;
+    EXPECT_NE(errorOf({{"light", "point"}, {"call", "Color"}}).find("expected no \"call\""),
+              std::string::npos);
+    EXPECT_NE(errorOf({{"function", "sqr"}, {"arguments", {3}}, {"call", "Color"}})
+                  .find("\"call\" means nothing here"),
+              std::string::npos);
+}
+
+TEST(EvalCommand, PlaceOfAnotherFunction_MeansNothingToTheCalledOne) {
+    const Json color{{"fog", "linear"}, {"call", "Color"}, {"distance", 1}};
+    EXPECT_NE(errorOf(color).find("\"distance\" means nothing here"), std::string::npos);
+    const Json left{{"refraction", "solid-body"}, {"call", "Left"}};
+    EXPECT_NE(errorOf(left).find("there is no \"way\""), std::string::npos);
+    EXPECT_NE(
+        errorOf({{"refraction", "solid-body"}, {"call", "Left"}, {"way", -1}}).find("0 or more"),
+        std::string::npos);
+}
+
 TEST(EvalCommand, FieldsOnTheGpu_AgreeWithDouble) {
     for (Json request :
          {Json{{"environment", "studio"}, {"direction", {0.3, 0.8, 0.1}}},
@@ -202,7 +247,9 @@ TEST(EvalCommand, FieldsOnTheGpu_AgreeWithDouble) {
                {"channel", 2},
                {"leaves", true}},
           Json{{"outline", "ink-line"}, {"ends", true}, {"bend", 0.2}},
-          Json{{"transparency", "weighted"}, {"depth", 0.25}, {"opacity", 0.75}}}) {
+          Json{{"transparency", "weighted"}, {"depth", 0.25}, {"opacity", 0.75}},
+          Json{{"fresnel", "strauss"}, {"call", "Tint"}},
+          Json{{"refraction", "solid-body"}, {"call", "Left"}, {"way", 0.5}}}) {
         const Json exact = answerTo(request).at("value");
         request["precision"] = "gpu";
         const Json drawn = answerTo(request).value("value", Json::array());

@@ -13,12 +13,12 @@ namespace {
 /// What the project promises: ordinary values agree to 1e-4 of themselves where they exceed 1e-4.
 constexpr double relativeBound = 1e-4;
 constexpr double smallestJudged = 1e-4;
-constexpr int casesPerBlock = 100000;
+constexpr int casesPerFunction = 100000;
 
 /// So many cases may be so close to a critical angle or the edge of a cone that the rounding of
 /// their own input moves the exact answer by more than that: one in 5000. They are held to what it
 /// moves by.
-constexpr int maxUnsettled = casesPerBlock / 5000;
+constexpr int maxUnsettled = casesPerFunction / 5000;
 
 /// The largest relative difference where it counts; infinite where a result is not finite. A ray's
 /// direction is judged as a whole.
@@ -55,12 +55,26 @@ bool isWithinNoise(const EvalCase& request, const std::vector<double>& exact,
     return true;
 }
 
-class GpuAgreement : public testing::TestWithParam<std::string> {};
+/// A function of a block.
+using Called = std::pair<const Block*, const BlockFunction*>;
+
+std::vector<Called> everyFunction() {
+    std::vector<Called> all;
+    for (const std::string& name : blockNames()) {
+        const Block& block = blockNamed(name);
+        for (const BlockFunction* function : evaluatedFunctions(block)) {
+            all.emplace_back(&block, function);
+        }
+    }
+    return all;
+}
+
+class GpuAgreement : public testing::TestWithParam<Called> {};
 
 TEST_P(GpuAgreement, RandomOrdinaryCases_MatchTheReference) {
-    OrdinaryCases random(blockNamed(GetParam()));
+    OrdinaryCases random(*GetParam().first, *GetParam().second);
     std::vector<EvalCase> cases;
-    for (int i = 0; i < casesPerBlock; ++i) {
+    for (int i = 0; i < casesPerFunction; ++i) {
         cases.push_back(random.next());
     }
     EvalGpu gpu;
@@ -90,8 +104,12 @@ TEST_P(GpuAgreement, RandomOrdinaryCases_MatchTheReference) {
     EXPECT_EQ(differing, 0) << "worst " << worst << " in " << example;
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryBlock, GpuAgreement, testing::ValuesIn(blockNames()),
-                         [](const auto& tested) { return testName(tested.param); });
+std::string nameOf(const testing::TestParamInfo<Called>& tested) {
+    const Block& block = *tested.param.first;
+    return testName(block.kind + '/' + block.id + std::string(tested.param.second->suffix));
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryBlock, GpuAgreement, testing::ValuesIn(everyFunction()), nameOf);
 
 } // namespace
 } // namespace patina::physics::gpu_agreement_test

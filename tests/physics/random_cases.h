@@ -4,6 +4,8 @@
 #include <map>
 #include <random>
 
+#include <fmt/format.h>
+
 #include "measure/eval/eval_case.h"
 #include "physics_cases.h"
 
@@ -41,7 +43,10 @@ class SeededDraws {
 /// Random values of a block and random geometry, all exact in float.
 class RandomCases {
   public:
-    explicit RandomCases(const Block& block) : block_(block) {}
+    explicit RandomCases(const Block& block)
+        : RandomCases(block, findKind(block.kind)->functions.front()) {}
+    RandomCases(const Block& block, const BlockFunction& function)
+        : block_(block), function_(function) {}
     virtual ~RandomCases() = default;
 
     EvalCase next() {
@@ -49,7 +54,9 @@ class RandomCases {
         choices_.seed(any(programs));
         request.gpu = true;
         request.block = valuesOf(block_);
-        if (!block_.slots.empty()) {
+        request.called = &function_;
+        request.subject = subjectOf(function_).value();
+        if (request.subject == EvalCase::Subject::Model && !block_.slots.empty()) {
             const Slot& slot = block_.slots.front();
             const auto fillers = catalog().ofKind(slot.kind);
             const bool mayStayEmpty = slot.defaultBlock.empty();
@@ -58,23 +65,7 @@ class RandomCases {
                 request.slot = valuesOf(*fillers[chosen]);
             }
         }
-        if (block_.kind == "models" || block_.kind == "specular") {
-            placeDirections(request);
-        } else if (block_.kind == "fresnel") {
-            request.subject = EvalCase::Subject::Fresnel;
-            request.number = inFloat(cosine());
-        } else if (block_.kind == "lights") {
-            request.subject = EvalCase::Subject::Light;
-            request.l = inFloat(glm::dvec3(coordinate(), coordinate(), coordinate()));
-        } else if (block_.kind == "fog") {
-            request.subject = EvalCase::Subject::Fog;
-            request.number = inFloat(std::abs(coordinate()));
-            request.l = inFloat(glm::dvec3(coordinate(), coordinate(), coordinate()));
-            request.v = inFloat(someDirection());
-        } else {
-            request.subject = EvalCase::Subject::Fields;
-            placeFields(request);
-        }
+        place(request);
         return request;
     }
 
@@ -82,11 +73,34 @@ class RandomCases {
     void leaveOptionalSlotsEmpty() { fillsOptionalSlots_ = false; }
 
   protected:
+    void place(EvalCase& request) {
+        switch (request.subject) {
+        case EvalCase::Subject::Model:
+            placeDirections(request);
+            break;
+        case EvalCase::Subject::Fresnel:
+            request.number = inFloat(cosine());
+            break;
+        case EvalCase::Subject::Light:
+            request.l = inFloat(glm::dvec3(coordinate(), coordinate(), coordinate()));
+            break;
+        case EvalCase::Subject::Fog:
+            request.number = inFloat(std::abs(coordinate()));
+            request.l = inFloat(glm::dvec3(coordinate(), coordinate(), coordinate()));
+            request.v = inFloat(someDirection());
+            break;
+        default:
+            placeFields(request);
+        }
+    }
+
     void placeFields(EvalCase& request) {
         double* number = request.fields.data();
         glm::dvec3 direction(0.0);
         for (const EvalField& field : fieldsOf(request)) {
-            glm::dvec3 value(std::min(std::abs(cosine()), 1.0) * field.max);
+            glm::dvec3 value(field.type == EvalField::Type::Amount
+                                 ? std::abs(coordinate())
+                                 : std::min(std::abs(cosine()), 1.0) * field.max);
             if (field.isDirection()) {
                 value = inFloat(someDirection());
                 value = field.type == EvalField::Type::Normal && glm::dot(value, direction) < 0.0
@@ -152,6 +166,7 @@ class RandomCases {
     static constexpr std::size_t programs = 64;
 
     const Block& block_;
+    const BlockFunction& function_;
     bool fillsOptionalSlots_ = true;
     std::mt19937 random_{20251121};
     SeededDraws choices_;
@@ -267,7 +282,8 @@ class EdgeCases : public RandomCases {
 
 inline std::string described(const EvalCase& request, const std::vector<double>& exact,
                              const std::vector<double>& answer) {
-    std::string text = request.block.block->id;
+    std::string text =
+        fmt::format("{} {}", request.block.block->id, calledFunction(request).suffix);
     const auto add = [&text](const char* name, const std::vector<double>& numbers) {
         text += std::string("\n  ") + name;
         for (const double x : numbers) {
@@ -290,7 +306,7 @@ inline std::string described(const EvalCase& request, const std::vector<double>&
 inline std::vector<std::string> blockNames() {
     std::vector<std::string> names;
     for (const Block& block : catalog().blocks) {
-        if (subjectOfKind(block.kind)) {
+        if (!evaluatedFunctions(block).empty()) {
             names.push_back(block.kind + '/' + block.id);
         }
     }

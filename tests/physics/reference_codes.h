@@ -2,7 +2,7 @@
 #pragma once
 
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "measure/eval/reference_case.h"
 
@@ -13,18 +13,18 @@ namespace patina::physics {
 class ReferenceCodes {
   public:
     const ReferenceCode& of(const EvalCase& request) {
-        const Blocks blocks{request.block.block, request.slot.block};
-        auto found = known_.find(blocks);
+        const Key key{request.block.block, &calledFunction(request), request.slot.block};
+        auto found = known_.find(key);
         if (found == known_.end()) {
-            found = known_.emplace(blocks, ReferenceCode::find(request).value()).first;
+            found = known_.emplace(key, ReferenceCode::find(request).value()).first;
         }
         return found->second;
     }
 
   private:
-    using Blocks = std::pair<const Block*, const Block*>;
+    using Key = std::tuple<const Block*, const BlockFunction*, const Block*>;
 
-    std::map<Blocks, ReferenceCode> known_;
+    std::map<Key, ReferenceCode> known_;
 };
 
 } // namespace patina::physics

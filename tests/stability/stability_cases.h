@@ -22,7 +22,7 @@ inline const Catalog& catalog() {
 inline std::vector<const Block*> evaluatedBlocks() {
     std::vector<const Block*> blocks;
     for (const Block& block : catalog().blocks) {
-        if (subjectOfKind(block.kind)) {
+        if (!evaluatedFunctions(block).empty()) {
             blocks.push_back(&block);
         }
     }

@@ -15,8 +15,8 @@ namespace {
 std::string described(const SweepReport& report) {
     std::string text = patina::text(report.errors);
     for (const auto& [key, tally] : report.defects) {
-        text += std::to_string(tally.count) + (key.first ? " on the GPU: " : " on the CPU: ") +
-                wordsFor(key.second) + ", worst " + std::to_string(tally.worst.excess) + "\n  " +
+        text += std::to_string(tally.count) + (key.gpu ? " on the GPU: " : " on the CPU: ") +
+                wordsFor(key.defect) + ", worst " + std::to_string(tally.worst.excess) + "\n  " +
                 variantText(tally.worst.request) + "\n  " + evalJson(tally.worst.request).dump() +
                 "\n  value";
         for (std::size_t i = 0; i < tally.worst.numbers; ++i) {

@@ -28,7 +28,7 @@ class UserModel : public testing::Test {
         EXPECT_TRUE(report.withoutDouble);
         Found found;
         for (const auto& [key, tally] : report.defects) {
-            found.emplace_back(wordsFor(key.second));
+            found.emplace_back(wordsFor(key.defect));
         }
         return found;
     }

@@ -22,11 +22,11 @@ QString shown(std::size_t cases) {
     return numberLocale().toString(static_cast<qulonglong>(cases));
 }
 
-StabilityFailure failureOf(const SweepTally& tally, bool gpu, Defect defect) {
+StabilityFailure failureOf(const SweepKey& key, const SweepTally& tally) {
     const EvalCase& request = tally.worst.request;
     const QString programs = asText(variantText(request));
     const QString place = asText(placeText(request));
-    return {QStringLiteral("%1 %2").arg(wordsFor(defect), precisionText(gpu)),
+    return {QStringLiteral("%1 %2").arg(wordsFor(key.defect), precisionText(key.gpu)),
             programs.isEmpty() ? place : QStringLiteral("%1; %2").arg(place, programs),
             asText(amountText(tally.worst)), asText(evalJson(request).dump()), tally.count};
 }
@@ -37,7 +37,7 @@ StabilityOutcome outcomeOf(const StabilitySweep& sweep) {
     outcome.cases = sweep.report().cases;
     outcome.limit = limitText(sweep.report());
     for (const auto& [key, tally] : sweep.report().defects) {
-        outcome.failures.push_back(failureOf(tally, key.first, key.second));
+        outcome.failures.push_back(failureOf(key, tally));
     }
     for (const Error& error : sweep.report().errors) {
         outcome.problems << asText(error.text());
@@ -56,9 +56,8 @@ Result<std::vector<EvalCase>> variantsOf(const Catalog& catalog, const Material&
         return tl::unexpected(own.error());
     }
     std::vector<EvalCase> variants{std::move(*own)};
-    if (const auto blend = blendVariant(catalog, material)) {
-        variants.push_back(*blend);
-    }
+    const std::vector<EvalCase> blend = blendVariants(catalog, material);
+    variants.insert(variants.end(), blend.begin(), blend.end());
     return variants;
 }
 

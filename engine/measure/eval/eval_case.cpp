@@ -76,10 +76,6 @@ Json fieldsJson(const EvalCase& request) {
     return json;
 }
 
-const BlockFunction& functionOf(const EvalCase& request) {
-    return findKind(request.block.block->kind)->functions.front();
-}
-
 Json subjectJson(const EvalCase& request) {
     switch (request.subject) {
     case Subject::Model:
@@ -102,41 +98,60 @@ Json subjectJson(const EvalCase& request) {
 
 } // namespace
 
+const BlockFunction& calledFunction(const EvalCase& request) {
+    return request.called != nullptr ? *request.called
+                                     : findKind(request.block.block->kind)->functions.front();
+}
+
 std::size_t resultsOf(const EvalCase& request) {
-    const std::string_view type = functionOf(request).result;
+    const std::string_view type = calledFunction(request).result;
     return type == "Illumination" ? 6 : type == "float" ? 1 : type == "vec2" ? 2 : 3;
 }
 
 std::size_t signedResultsOf(const EvalCase& request) {
-    return request.subject == Subject::Light ? 3
-           : functionOf(request).isSigned    ? resultsOf(request)
-                                             : 0;
+    const BlockFunction& function = calledFunction(request);
+    return function.result == "Illumination" ? 3 : function.isSigned ? resultsOf(request) : 0;
 }
 
 std::span<const EvalField> fieldsOf(const EvalCase& request) {
-    return request.subject == Subject::Fields ? evalFieldsOf(functionOf(request).argument)
+    return request.subject == Subject::Fields ? evalFieldsOf(calledFunction(request))
                                               : std::span<const EvalField>();
 }
 
-std::optional<Subject> subjectOfKind(std::string_view kind) {
-    constexpr std::pair<std::string_view, Subject> arguments[] = {{"Directions", Subject::Model},
+std::optional<Subject> subjectOf(const BlockFunction& function) {
+    constexpr std::pair<std::string_view, Subject> arguments[] = {{"", Subject::Fields},
+                                                                  {"Directions", Subject::Model},
                                                                   {"Incidence", Subject::Fresnel},
                                                                   {"vec3", Subject::Light},
                                                                   {"FogRay", Subject::Fog}};
-    const BlockKind* row = findKind(kind);
-    const std::string_view taken = row == nullptr || row->functions.empty()
-                                       ? std::string_view()
-                                       : row->functions.front().argument;
     for (const auto& [argument, subject] : arguments) {
-        if (taken == argument) {
+        if (function.argument == argument) {
             return subject;
         }
     }
-    return evalFieldsOf(taken).empty() ? std::nullopt : std::optional(Subject::Fields);
+    return evalFieldsOf(function).empty() ? std::nullopt : std::optional(Subject::Fields);
+}
+
+std::vector<const BlockFunction*> evaluatedFunctions(const BlockKind& kind) {
+    std::vector<const BlockFunction*> functions;
+    for (const BlockFunction& function : kind.functions) {
+        if (subjectOf(function)) {
+            functions.push_back(&function);
+        }
+    }
+    return functions;
+}
+
+std::vector<const BlockFunction*> evaluatedFunctions(const Block& block) {
+    const BlockKind* kind = findKind(block.kind);
+    return kind == nullptr ? std::vector<const BlockFunction*>() : evaluatedFunctions(*kind);
 }
 
 Json evalJson(const EvalCase& request) {
     Json json = subjectJson(request);
+    if (request.called != nullptr && !request.called->suffix.empty()) {
+        json["call"] = request.called->suffix;
+    }
     json["precision"] = request.gpu ? "gpu" : "double";
     if (!request.id.is_null()) {
         json["id"] = request.id;

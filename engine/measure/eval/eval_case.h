@@ -37,10 +37,11 @@ struct EvalPlace {
     FieldNumbers fields{}; ///< of what else a block is a function of (evalFieldsOf())
 };
 
-/// One block at one place, to be evaluated on the CPU or on the graphics device; or one function of
-/// the shader library.
+/// One function of a block at one place, to be evaluated on the CPU or on the graphics device; or
+/// one function of the shader library.
 struct EvalCase : EvalPlace {
-    /// Model: any block that is a function of directions; Fields: of the fields of another struct.
+    /// Model: a block's function of directions; Fields: of the fields of another struct, of a
+    /// number, or of the block's values alone.
     enum class Subject { Model, Fresnel, Light, Fog, Fields, Function };
 
     nlohmann::json id; ///< whatever tells the case from others; goes back with its answer
@@ -48,25 +49,33 @@ struct EvalCase : EvalPlace {
     bool gpu = false;
 
     EvalBlock block;
+    /// The function of the block's kind; null: its first one.
+    const BlockFunction* called = nullptr;
     EvalBlock slot; ///< what fills the model's slot; null block when it has none
 
     std::string function; ///< of the shader library
     std::vector<double> arguments;
 };
 
-/// Returns how many numbers the answer of a block is, by what the first function of its kind
-/// returns.
+/// Returns the function of a block that a case calls.
+const BlockFunction& calledFunction(const EvalCase& request);
+
+/// Returns how many numbers the answer of a block is, by what the function returns.
 std::size_t resultsOf(const EvalCase& request);
 
 /// Returns how many of them, from the first on, say a direction: their sign says nothing.
 std::size_t signedResultsOf(const EvalCase& request);
 
-/// The fields that the block is a function of; none of another subject.
+/// The fields that the block's function takes; none of another subject.
 std::span<const EvalField> fieldsOf(const EvalCase& request);
 
-/// Returns what blocks of a kind are evaluated as, by what the kind's first function takes; nothing
-/// where that cannot be said in a line.
-std::optional<EvalCase::Subject> subjectOfKind(std::string_view kind);
+/// Returns what a function of a block is evaluated as, by what it takes; nothing where that cannot be said
+/// in a line.
+std::optional<EvalCase::Subject> subjectOf(const BlockFunction& function);
+
+/// Returns the functions of a kind that are evaluated.
+std::vector<const BlockFunction*> evaluatedFunctions(const BlockKind& kind);
+std::vector<const BlockFunction*> evaluatedFunctions(const Block& block);
 
 /// The case as a line that `patina eval` reads, all its values included.
 nlohmann::json evalJson(const EvalCase& request);

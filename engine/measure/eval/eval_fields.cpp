@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/eval/eval_fields.h"
 
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -21,13 +22,32 @@ constexpr EvalField edge[] = {{.key = "turns", .type = Type::Flag, .usual = 0},
                               {.key = "bend", .max = std::numbers::pi, .usual = 0}};
 constexpr EvalField layer[] = {{.key = "depth"}, {.key = "opacity"}};
 
+using NumberFields = std::map<std::string_view, EvalField>;
+
+/// The numbers that functions of the kinds take, by name.
+NumberFields numberFields() {
+    NumberFields fields;
+    for (const BlockKind& kind : blockKinds()) {
+        for (const BlockFunction& function : kind.functions) {
+            if (function.argument == "float") {
+                fields.try_emplace(function.name, EvalField{function.name, Type::Amount});
+            }
+        }
+    }
+    return fields;
+}
+
 } // namespace
 
-std::span<const EvalField> evalFieldsOf(std::string_view type) {
+std::span<const EvalField> evalFieldsOf(const BlockFunction& function) {
+    static const NumberFields numbers = numberFields();
+    if (function.argument == "float") {
+        return {&numbers.at(function.name), 1};
+    }
     constexpr std::pair<std::string_view, std::span<const EvalField>> structs[] = {
         {"Outlook", outlook}, {"Crossing", crossing}, {"Edge", edge}, {"Layer", layer}};
     for (const auto& [name, fields] : structs) {
-        if (name == type) {
+        if (name == function.argument) {
             return fields;
         }
     }

@@ -7,15 +7,19 @@
 #include <span>
 #include <string_view>
 
+#include "catalog/block_kind.h"
+
 namespace patina {
 
-/// One field of a struct that a block is a function of, as a line of `patina eval` names it.
+/// One field of a struct that a block is a function of, as a line of `patina eval` names it; or the
+/// number that it is a function of.
 struct EvalField {
     enum class Type {
         Direction, ///< unit
         Normal,    ///< unit, on the side of the direction before it
         Color,     ///< 0 or more
         Number,    ///< 0 .. `most`
+        Amount,    ///< 0 or more
         Whole,     ///< 0 .. `most`
         Flag
     };
@@ -35,9 +39,10 @@ struct EvalField {
 /// The numbers of all fields of a struct, one after the other.
 using FieldNumbers = std::array<double, 8>;
 
-/// The fields of a struct of shaders/lib by its GLSL name, in the order in which it declares them;
-/// none where it cannot be said in a line.
-std::span<const EvalField> evalFieldsOf(std::string_view type);
+/// The fields of the struct of shaders/lib that a function takes, in the order in which it declares
+/// them, or the one number that it takes, 0 or more, by its name; none where it takes nothing, or
+/// what cannot be said by fields.
+std::span<const EvalField> evalFieldsOf(const BlockFunction& function);
 
 /// Returns how many numbers they are.
 std::size_t numbersOf(std::span<const EvalField> fields);

@@ -11,10 +11,10 @@ namespace patina {
 /// another number of arguments.
 Result<const reference::Function*> findEvalFunction(const EvalCase& request);
 
-/// The numbers that answer a case, in double precision. A model gives its pi f cos per channel, a
-/// Fresnel block its reflectance per channel, a light its direction and then its radiance, fog the
-/// share that is left, a function what it returns and then its out parameters. Blocks that were
-/// not there when the program was built, or have changed since, are an error.
+/// The numbers that answer a case, in double precision: what the function of the block returns, of
+/// a light its direction and then its radiance; of the library's functions also their out
+/// parameters behind it. Blocks that were not there when the program was built, or have changed
+/// since, are an error.
 Result<std::vector<double>> evaluatedInDouble(const EvalCase& request);
 
 /// The same for a block whose code is at hand.

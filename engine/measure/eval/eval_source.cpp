@@ -83,9 +83,8 @@ void addSlots(SourceBuilder& builder, const EvalCase& request) {
     }
 }
 
-/// "directions" of "Directions d", "fog_ray" of "FogRay ray": the file that reads such an argument.
-std::string argumentWord(const Block& block) {
-    const std::string_view type = findKind(block.kind)->functions.front().argument;
+/// "fog_ray" of "FogRay": how files of shaders/passes call a type.
+std::string typeWord(std::string_view type) {
     std::string word;
     for (const char c : type) {
         const bool isCapital = std::isupper(static_cast<unsigned char>(c)) != 0;
@@ -93,6 +92,25 @@ std::string argumentWord(const Block& block) {
         word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     return word;
+}
+
+bool isStruct(std::string_view type) {
+    return !type.empty() && std::isupper(static_cast<unsigned char>(type.front())) != 0;
+}
+
+/// The files that read what the block's function takes and give what it returns.
+void addCall(SourceBuilder& builder, const EvalCase& request) {
+    const BlockFunction& function = calledFunction(request);
+    const Block& block = *request.block.block;
+    builder.add(fmt::format("#define EVALUATED_BLOCK {}{}\n#define LIGHT_GATE {}\n"
+                            "#define VIEW_GATE {}\n",
+                            functionName(block), function.suffix, block.hasGate("light"),
+                            block.hasGate("view")));
+    if (isStruct(function.result)) {
+        builder.addFile(fmt::format("passes/evaluated_{}.glsl", typeWord(function.result)));
+    }
+    const std::string taken = function.argument.empty() ? "values" : typeWord(function.argument);
+    builder.addFile(fmt::format("passes/evaluate_{}.glsl", taken));
 }
 
 void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
@@ -106,10 +124,7 @@ void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {
     builder.add(tableDeclarations(block));
     builder.addBlock(block);
     builder.add(computedTables(block));
-    builder.add(fmt::format("#define EVALUATED_BLOCK {}\n#define LIGHT_GATE {}\n"
-                            "#define VIEW_GATE {}\n",
-                            functionName(block), block.hasGate("light"), block.hasGate("view")));
-    builder.addFile(fmt::format("passes/evaluate_{}.glsl", argumentWord(block)));
+    addCall(builder, request);
 }
 
 void addFunctionProgram(SourceBuilder& builder, const EvalCase& request,
@@ -165,7 +180,8 @@ std::string evalKey(const EvalCase& request) {
     if (request.subject == Subject::Function) {
         return request.function + '(' + std::to_string(request.arguments.size());
     }
-    return keyOf(request.block) + " | " + keyOf(request.slot);
+    return fmt::format("{} {} | {}", keyOf(request.block), calledFunction(request).suffix,
+                       keyOf(request.slot));
 }
 
 Result<EvalShape> evalShape(const EvalCase& request) {
@@ -181,7 +197,8 @@ Result<EvalShape> evalShape(const EvalCase& request) {
     if (request.slot.block != nullptr) {
         texels += vec4Count(*request.slot.block);
     }
-    return EvalShape{texels, request.subject == Subject::Light ? 2 : 1, resultsOf(request)};
+    const std::size_t results = resultsOf(request);
+    return EvalShape{std::max(texels, 1), results > 3 ? 2 : 1, results};
 }
 
 Checked<ShaderSource> evalSource(const EvalCase& request, const EvalShape& shape,

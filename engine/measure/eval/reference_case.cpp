@@ -14,6 +14,22 @@ ReferenceNumbers numbers(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
+/// The numbers that a function takes at a place.
+FieldNumbers argumentsOf(Subject subject, const EvalPlace& place) {
+    switch (subject) {
+    case Subject::Fresnel: {
+        const double c = std::clamp(place.number, 0.0, 1.0);
+        return {c, 1.0 - c};
+    }
+    case Subject::Light:
+        return {place.l.x, place.l.y, place.l.z};
+    case Subject::Fog:
+        return {place.l.x, place.l.y, place.l.z, place.v.x, place.v.y, place.v.z, place.number};
+    default:
+        return place.fields;
+    }
+}
+
 } // namespace
 
 Result<ReferenceCode> ReferenceCode::find(const EvalCase& request) {
@@ -21,14 +37,19 @@ Result<ReferenceCode> ReferenceCode::find(const EvalCase& request) {
     if (!block) {
         return tl::unexpected(block.error());
     }
+    ReferenceCode code{request.subject, *block, nullptr, nullptr};
+    if (request.subject != Subject::Model) {
+        code.call = &(*block)->findCall(calledFunction(request).suffix);
+    }
     if (request.slot.block == nullptr) {
-        return ReferenceCode{request.subject, *block, nullptr};
+        return code;
     }
     const auto slot = compiledBlock(*request.slot.block);
     if (!slot) {
         return tl::unexpected(slot.error());
     }
-    return ReferenceCode{request.subject, *block, *slot};
+    code.slot = *slot;
+    return code;
 }
 
 reference::Geometry geometryOf(const EvalPlace& place) {
@@ -50,26 +71,12 @@ ReferenceNumbers ReferenceCase::evaluate(const reference::Geometry& geometry) co
 }
 
 ReferenceNumbers ReferenceCase::evaluate(const EvalPlace& place) const {
-    switch (code_.subject) {
-    case Subject::Model:
+    if (code_.subject == Subject::Model) {
         return evaluate(geometryOf(place));
-    case Subject::Fresnel: {
-        const double c = std::clamp(place.number, 0.0, 1.0);
-        return numbers(code_.block->fresnel(c, 1.0 - c, values_));
     }
-    case Subject::Light: {
-        const reference::Illumination light = code_.block->light(place.l, values_);
-        return {light.l.x,        light.l.y,        light.l.z,
-                light.radiance.x, light.radiance.y, light.radiance.z};
-    }
-    case Subject::Fields: {
-        ReferenceNumbers results{};
-        code_.block->findCall("").call(place.fields.data(), results.data(), values_);
-        return results;
-    }
-    default:
-        return {code_.block->fog({place.l, place.v, place.number}, values_)};
-    }
+    ReferenceNumbers results{};
+    code_.call->call(argumentsOf(code_.subject, place).data(), results.data(), values_);
+    return results;
 }
 
 } // namespace patina

@@ -12,7 +12,8 @@ namespace patina {
 struct ReferenceCode {
     EvalCase::Subject subject = EvalCase::Subject::Model;
     const reference::Block* block = nullptr;
-    const reference::Block* slot = nullptr; ///< null when the block has none
+    const reference::Block* slot = nullptr;     ///< null when the block has none
+    const reference::BlockCall* call = nullptr; ///< null of a function of Directions
 
     /// The error says which block was added or changed since the program was built.
     static Result<ReferenceCode> find(const EvalCase& request);
@@ -32,8 +33,7 @@ class ReferenceCase {
     ReferenceCase(const ReferenceCase&) = delete;
     ReferenceCase& operator=(const ReferenceCase&) = delete;
 
-    /// A model's value with its gates and not cut at 0; a reflectance; a light's direction and
-    /// radiance; the share that fog leaves; what a function of fields returns.
+    /// What the function returns; a model's value with its gates and not cut at 0.
     ReferenceNumbers evaluate(const EvalPlace& place) const;
 
     /// The same for a model about a geometry that is taken as it is, unit vectors or not.

@@ -27,6 +27,18 @@ constexpr double shares[] = {0.0,        std::numeric_limits<float>::min(),
                              1.0 - 1e-4, 1.0 - 1e-6,
                              1.0};
 
+/// Amounts without an end, from none to nearly the largest float.
+constexpr double amounts[] = {0.0,   std::numeric_limits<float>::min(),
+                              1e-30, 1e-12,
+                              1e-6,  1e-3,
+                              0.1,   1.0,
+                              10.0,  1e3,
+                              1e6,   1e20,
+                              3e38};
+
+/// Up to here an amount is one of every scene.
+constexpr double ordinaryAmount = 5.0;
+
 glm::dvec3 rounded(const glm::dvec3& v) {
     return glm::dvec3(glm::vec3(v));
 }
@@ -69,6 +81,12 @@ std::vector<double> edgeCasesOfNumber(const EvalField& field) {
     if (!field.isContinuous()) {
         for (double x = 0.0; x <= field.max; x += 1.0) {
             numbers.push_back(x);
+        }
+        return numbers;
+    }
+    if (field.type == Type::Amount) {
+        for (const double amount : amounts) {
+            numbers.push_back(double(float(amount)));
         }
         return numbers;
     }
@@ -123,8 +141,9 @@ glm::dvec3 ordinaryValue(const EvalField& field, std::mt19937& random) {
         const double y = between(0.0, 2.0);
         return rounded({x, y, between(0.0, 2.0)});
     }
-    const double x = between(0.0, field.max);
-    return field.isContinuous() ? rounded(glm::dvec3(std::min(x, field.max)))
+    const double largest = field.type == Type::Amount ? ordinaryAmount : field.max;
+    const double x = between(0.0, largest);
+    return field.isContinuous() ? rounded(glm::dvec3(std::min(x, largest)))
                                 : glm::dvec3(std::round(x));
 }
 

@@ -286,13 +286,14 @@ ReferenceNumbers ErrorBound::noise(const ReferenceCase& bound, const EvalPlace& 
     return noise;
 }
 
-/// What is a function of fields may turn its numbers as a whole, by a matrix of colours or about an
-/// axis: each has the roundings of the largest.
+/// What is a function of a direction or a colour among fields may turn its numbers as a whole,
+/// about an axis or by a matrix of colours: each has the roundings of the largest.
 ReferenceNumbers ErrorBound::limits(const ReferenceNumbers& noise,
                                     const ReferenceNumbers& exact) const {
+    const bool isTurned = std::ranges::any_of(fieldsOf(request_), &EvalField::isTriple);
     double largest = 0.0;
     for (const double x : exact) {
-        largest = request_.subject == Subject::Fields ? std::max(largest, std::abs(x)) : 0.0;
+        largest = isTurned ? std::max(largest, std::abs(x)) : 0.0;
     }
     ReferenceNumbers allowed{};
     for (std::size_t i = 0; i < allowed.size(); ++i) {

@@ -94,13 +94,10 @@ Json findingJson(const SweepFinding& finding) {
     return json;
 }
 
-} // namespace
-
-std::string placeText(const EvalCase& request) {
-    if (request.subject == Subject::Fields) {
-        return fieldsText(request);
-    }
+std::string argumentsText(const EvalCase& request) {
     switch (request.subject) {
+    case Subject::Fields:
+        return fieldsText(request);
     case Subject::Model:
         return modelPlace(request);
     case Subject::Fresnel:
@@ -113,6 +110,14 @@ std::string placeText(const EvalCase& request) {
     default:
         return fmt::format("point ({:.9g}, {:.9g}, {:.9g})", request.l.x, request.l.y, request.l.z);
     }
+}
+
+} // namespace
+
+std::string placeText(const EvalCase& request) {
+    const std::string name(calledFunction(request).suffix);
+    const std::string place = argumentsText(request);
+    return name + (name.empty() || place.empty() ? "" : ": ") + place;
 }
 
 std::string amountText(const SweepFinding& finding) {
@@ -151,8 +156,8 @@ const char* limitText(const SweepReport& report) {
 Json toJson(const SweepReport& report) {
     Json defects = Json::array();
     for (const auto& [key, tally] : report.defects) {
-        defects.push_back({{"where", key.first ? "gpu" : "double"},
-                           {"what", wordsFor(key.second)},
+        defects.push_back({{"where", key.gpu ? "gpu" : "double"},
+                           {"what", wordsFor(key.defect)},
                            {"count", tally.count},
                            {"worst", findingJson(tally.worst)}});
     }

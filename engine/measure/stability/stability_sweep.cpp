@@ -58,14 +58,18 @@ std::vector<EvalPlace> edgeCasesOf(const EvalCase& variant) {
                                                         : edgeCaseDirections(variant.subject);
 }
 
-std::vector<EvalPlace> ordinaryPlacesOf(const EvalCase& variant, std::size_t count) {
-    return variant.subject == EvalCase::Subject::Fields ? ordinaryFields(fieldsOf(variant), count)
-                                                        : ordinaryPlaces(variant.subject, count);
-}
-
 /// Places between the edge cases, where a formula of its own may break as well; a band of cosines
 /// that is 1/200 wide meets several.
 constexpr std::size_t ordinaryCount = 2048;
+
+/// One place is all there are of a function of the block's values alone.
+std::vector<EvalPlace> ordinaryPlacesOf(const EvalCase& variant) {
+    if (variant.subject != EvalCase::Subject::Fields) {
+        return ordinaryPlaces(variant.subject, ordinaryCount);
+    }
+    const auto fields = fieldsOf(variant);
+    return ordinaryFields(fields, fields.empty() ? 1 : ordinaryCount);
+}
 
 /// One in so many of the places with a further set of values is an ordinary one.
 constexpr std::size_t ordinaryEvery = 4;
@@ -91,7 +95,7 @@ class StabilitySweep::Variant {
           placesPerRow_(std::clamp<std::size_t>(
               cases / rows_.size(), std::min<std::size_t>(16, places_.size()), places_.size())),
           stride_(strideFor(edgeCaseCount_)), checks_(variant) {
-        const auto ordinary = ordinaryPlacesOf(variant, ordinaryCount);
+        const auto ordinary = ordinaryPlacesOf(variant);
         places_.insert(places_.end(), ordinary.begin(), ordinary.end());
     }
 
@@ -175,7 +179,7 @@ class StabilitySweep::Variant {
         const std::size_t further = i - places_.size();
         const std::size_t ordinary = further / ordinaryEvery;
         return further % ordinaryEvery == 0
-                   ? places_[edgeCaseCount_ + ordinary % ordinaryCount]
+                   ? places_[edgeCaseCount_ + ordinary % (places_.size() - edgeCaseCount_)]
                    : places_[(further - ordinary) * stride_ % edgeCaseCount_];
     }
 

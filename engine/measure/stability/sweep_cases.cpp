@@ -213,26 +213,38 @@ EvalBlock valued(const Block& block, const BlockValues& values, const AccuracyLe
     return made;
 }
 
-} // namespace
+EvalCase caseOf(EvalBlock block, const BlockFunction& function) {
+    EvalCase made;
+    made.subject = *subjectOf(function);
+    made.block = std::move(block);
+    made.called = &function;
+    return made;
+}
 
-std::vector<EvalCase> sweepVariants(const Catalog& catalog, const Block& block) {
-    const auto subject = subjectOfKind(block.kind);
-    if (!subject) {
-        return {};
-    }
+/// One function of the block with each of its programs. Only a function of directions has slots.
+void addVariants(std::vector<EvalCase>& variants, const Catalog& catalog, const Block& block,
+                 const BlockFunction& function) {
     std::vector<std::size_t> counts = compiledCounts(block);
-    const std::vector<EvalBlock> slots = fillers(catalog, block);
+    const std::vector<EvalBlock> slots = subjectOf(function) == EvalCase::Subject::Model
+                                             ? fillers(catalog, block)
+                                             : std::vector<EvalBlock>();
     if (!slots.empty()) {
         counts.push_back(slots.size());
     }
-    std::vector<EvalCase> variants;
     for (const auto& row : pairwiseRows(counts)) {
-        EvalCase& variant = variants.emplace_back();
-        variant.subject = *subject;
-        variant.block = chosen(block, row);
+        EvalCase& variant = variants.emplace_back(caseOf(chosen(block, row), function));
         if (!slots.empty()) {
             variant.slot = slots[row.back()];
         }
+    }
+}
+
+} // namespace
+
+std::vector<EvalCase> sweepVariants(const Catalog& catalog, const Block& block) {
+    std::vector<EvalCase> variants;
+    for (const BlockFunction* function : evaluatedFunctions(block)) {
+        addVariants(variants, catalog, block, *function);
     }
     return variants;
 }
@@ -260,17 +272,18 @@ Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material) 
     return variant;
 }
 
-std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material) {
+std::vector<EvalCase> blendVariants(const Catalog& catalog, const Material& material) {
     const Block* model = catalog.find(kinds::models, material.model.id);
     const BlockValues* part = material.part(kinds::fresnel);
     const Block* block = part != nullptr ? catalog.find(kinds::fresnel, part->id) : nullptr;
     if (block == nullptr || (model != nullptr && model->slot(block->kind) != nullptr)) {
-        return std::nullopt;
+        return {};
     }
-    EvalCase variant;
-    variant.subject = EvalCase::Subject::Fresnel;
-    variant.block = valued(*block, *part, material.accuracy);
-    return variant;
+    std::vector<EvalCase> variants;
+    for (const BlockFunction* function : evaluatedFunctions(*block)) {
+        variants.push_back(caseOf(valued(*block, *part, material.accuracy), *function));
+    }
+    return variants;
 }
 
 std::vector<EvalCase> sweepRows(const EvalCase& variant) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "material/material.h"
@@ -9,16 +8,18 @@
 
 namespace patina {
 
-/// The block once with each of its programs: its compiled choices, accuracy levels and what can
-/// fill its slot (with its own compiled choices) such that every two choices meet in some case.
-/// Other values are the defaults. Empty for a block of a kind that cannot be evaluated.
+/// Every function of the block once with each of its programs: its compiled choices, accuracy
+/// levels and what can fill its slot (with its own compiled choices) such that every two choices
+/// meet in some case. Other values are the defaults. Empty for a block of a kind that cannot be
+/// evaluated.
 std::vector<EvalCase> sweepVariants(const Catalog& catalog, const Block& block);
 
 /// The one program of a material, with its values. A block that is missing is an error.
 Result<EvalCase> sweepVariant(const Catalog& catalog, const Material& material);
 
-/// A material's Fresnel block alone, where it is blended over a model that has no slot for it.
-std::optional<EvalCase> blendVariant(const Catalog& catalog, const Material& material);
+/// The functions of a material's Fresnel block alone, where it is blended over a model that has no
+/// slot for it; else none.
+std::vector<EvalCase> blendVariants(const Catalog& catalog, const Material& material);
 
 /// The variant itself and then with edge-case values of its parameters and of what fills its slot,
 /// such that every two values meet; what is compiled stays.

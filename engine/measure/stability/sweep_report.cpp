@@ -41,7 +41,8 @@ const char* wordsFor(Defect defect) {
 }
 
 void SweepReport::add(const SweepFinding& finding) {
-    addTally(defects[{finding.request.gpu, finding.defect}], 1, finding);
+    const SweepKey key{finding.request.gpu, finding.defect, calledFunction(finding.request).suffix};
+    addTally(defects[key], 1, finding);
 }
 
 void SweepReport::add(const SweepReport& other) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <map>
+#include <string_view>
 
 #include "measure/eval/eval_case.h"
 #include "measure/eval/reference_case.h"
@@ -43,13 +45,22 @@ struct SweepTally {
     SweepFinding worst;
 };
 
+/// Names what is counted as one: a defect of a function in one precision.
+struct SweepKey {
+    bool gpu = false; ///< on the graphics device
+    Defect defect = Defect::NotANumber;
+    std::string_view call{}; ///< the suffix of the function
+
+    friend auto operator<=>(const SweepKey&, const SweepKey&) = default;
+};
+
 /// Holds what a sweep has found so far.
 struct SweepReport {
     std::size_t cases = 0; ///< evaluated, on the CPU, the graphics device or both
     std::size_t programs = 0;
     double largestError = 0.0; ///< of |error| over its bound, or over as much of it as was enough
-    std::map<std::pair<bool, Defect>, SweepTally> defects; ///< by (on the graphics device, defect)
-    Errors errors;                                         ///< why a program could not be tried
+    std::map<SweepKey, SweepTally> defects;
+    Errors errors;              ///< why a program could not be tried
     bool withoutDouble = false; ///< some program was tried on the graphics device only
     bool withoutDevice = false; ///< some program was tried in double precision only
 
