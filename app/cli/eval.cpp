@@ -248,7 +248,7 @@ std::string keysText(const BlockFunction& function) {
     if (subjectOf(function) == EvalCase::Subject::Fresnel) {
         add("cos");
     }
-    for (const EvalField& field : evalFieldsOf(function)) {
+    for (const ArgumentField& field : function.fields) {
         add(field.key);
     }
     return text;

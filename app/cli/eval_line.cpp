@@ -306,7 +306,7 @@ Result<glm::dvec3> readUnit(const Json& json, const std::string& key) {
 }
 
 /// A number within the field's range, three times, or a colour.
-Result<glm::dvec3> readNumbers(const Json& json, const EvalField& field) {
+Result<glm::dvec3> readNumbers(const Json& json, const ArgumentField& field) {
     const std::string key(field.key);
     const Result<glm::dvec3> value =
         field.isTriple() ? vector(json, key)
@@ -314,9 +314,10 @@ Result<glm::dvec3> readNumbers(const Json& json, const EvalField& field) {
     if (!value) {
         return value;
     }
-    const bool isOpen = field.isTriple() || field.type == EvalField::Type::Amount;
+    const bool isOpen = field.isTriple() || field.type == ArgumentField::Type::Amount;
     const double largest = isOpen ? std::numeric_limits<double>::max() : field.max;
-    const bool isWhole = field.type != EvalField::Type::Whole || std::round(value->x) == value->x;
+    const bool isWhole =
+        field.type != ArgumentField::Type::Whole || std::round(value->x) == value->x;
     const bool isInside = glm::all(glm::greaterThanEqual(*value, glm::dvec3(0.0))) &&
                           glm::all(glm::lessThanEqual(*value, glm::dvec3(largest)));
     if (!isInside || !isWhole) {
@@ -328,19 +329,20 @@ Result<glm::dvec3> readNumbers(const Json& json, const EvalField& field) {
 }
 
 /// The numbers of one field; those of `before` are the direction before it.
-Result<glm::dvec3> readField(const Json& json, const EvalField& field, const glm::dvec3& before) {
+Result<glm::dvec3> readField(const Json& json, const ArgumentField& field,
+                             const glm::dvec3& before) {
     const std::string key(field.key);
     if (!json.contains(key) && field.usual) {
         return glm::dvec3(*field.usual);
     }
     if (field.isDirection()) {
         const Result<glm::dvec3> direction = readUnit(json, key);
-        const bool isBehind = direction && field.type == EvalField::Type::Normal &&
+        const bool isBehind = direction && field.type == ArgumentField::Type::Normal &&
                               glm::dot(*direction, before) < 0.0;
         return isBehind ? failure(key + " points to the other side", "a direction on that side")
                         : direction;
     }
-    if (field.type == EvalField::Type::Flag) {
+    if (field.type == ArgumentField::Type::Flag) {
         return json[key].is_boolean() ? Result<glm::dvec3>(glm::dvec3(json[key].get<bool>()))
                                       : failure(key + " is not a truth", "true or false");
     }
@@ -351,9 +353,9 @@ Result<glm::dvec3> readField(const Json& json, const EvalField& field, const glm
 Result<EvalCase> readFields(const Json& json, const Catalog& catalog, EvalCase request,
                             const BlockKind& kind) {
     const std::string key(kind.singular);
-    const std::span<const EvalField> fields = fieldsOf(request);
+    const std::span<const ArgumentField> fields = fieldsOf(request);
     std::vector<std::string> known{key, "call"};
-    for (const EvalField& field : fields) {
+    for (const ArgumentField& field : fields) {
         known.emplace_back(field.key);
     }
     const auto keys = checkKeys(json, known);
@@ -364,7 +366,7 @@ Result<EvalCase> readFields(const Json& json, const Catalog& catalog, EvalCase r
     request.block = *block;
     glm::dvec3 before(0.0);
     double* next = request.fields.data();
-    for (const EvalField& field : fields) {
+    for (const ArgumentField& field : fields) {
         const Result<glm::dvec3> value = readField(json, field, before);
         if (!value) {
             return tl::unexpected(value.error());

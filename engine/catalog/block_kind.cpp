@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numbers>
 #include <vector>
 
 namespace patina {
@@ -14,20 +15,38 @@ constexpr auto functions(const Functions&... all) {
     return std::array<BlockFunction, sizeof...(all)>{all...};
 }
 
+using Field = ArgumentField::Type;
+
+constexpr auto crossing =
+    std::to_array<ArgumentField>({{.key = "l", .type = Field::Direction},
+                                  {.key = "n", .type = Field::Normal},
+                                  {.key = "channel", .type = Field::Whole, .most = 2, .usual = 1},
+                                  {.key = "leaves", .type = Field::Flag, .usual = 0}});
+constexpr auto way = std::to_array<ArgumentField>({{.key = "way", .type = Field::Amount}});
+constexpr auto edge =
+    std::to_array<ArgumentField>({{.key = "turns", .type = Field::Flag, .usual = 0},
+                                  {.key = "ends", .type = Field::Flag, .usual = 0},
+                                  {.key = "bend", .most = std::numbers::pi, .usual = 0}});
+constexpr auto layer = std::to_array<ArgumentField>({{.key = "depth"}, {.key = "opacity"}});
+constexpr auto outlook =
+    std::to_array<ArgumentField>({{.key = "direction", .type = Field::Direction, .member = "d"},
+                                  {.key = "picture", .type = Field::Color, .usual = 1.0}});
+
 constexpr auto ofDirections = functions(BlockFunction{"", "vec3", "Directions", "d"});
 constexpr auto ofFresnel =
     functions(BlockFunction{"", "vec3", "Incidence", "i"}, BlockFunction{"Tint", "vec3"});
-constexpr auto ofRefraction = functions(BlockFunction{"", "vec3", "Crossing", "c", true},
-                                        BlockFunction{"Mirrored", "float", "Crossing", "c"},
-                                        BlockFunction{"Left", "vec3", "float", "way"});
+constexpr auto ofRefraction =
+    functions(BlockFunction{"", "vec3", "Crossing", "c", true, crossing},
+              BlockFunction{"Mirrored", "float", "Crossing", "c", false, crossing},
+              BlockFunction{"Left", "vec3", "float", "way", false, way});
 constexpr auto ofOutline =
-    functions(BlockFunction{"", "vec2", "Edge", "e"}, BlockFunction{"Color", "vec3"});
+    functions(BlockFunction{"", "vec2", "Edge", "e", false, edge}, BlockFunction{"Color", "vec3"});
 constexpr auto ofLights = functions(BlockFunction{"", "Illumination", "vec3", "x"});
 constexpr auto ofShadows = functions(BlockFunction{"", "float", "ShadowPoint", "s"});
 constexpr auto ofFog =
     functions(BlockFunction{"", "float", "FogRay", "ray"}, BlockFunction{"Color", "vec3"});
-constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l"});
-constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o"});
+constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l", false, layer});
+constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o", false, outlook});
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
 constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};

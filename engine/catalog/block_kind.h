@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "catalog/argument_field.h"
 #include "catalog/parameter_type.h"
 
 namespace patina {
@@ -19,6 +20,8 @@ struct BlockFunction {
     std::string_view argument{}; ///< GLSL type of the first argument; empty: it has none
     std::string_view name{};     ///< of the first argument
     bool isSigned = false;       ///< its result may be below 0: it is a direction
+    std::span<const ArgumentField> fields{}; ///< of the argument, in the order of its declaration;
+                                             ///< empty: other code knows it, or none
 };
 
 /// Holds what the program itself reads of a block: a parameter has it by its key `role`, whatever

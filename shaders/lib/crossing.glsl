@@ -58,8 +58,8 @@ float paneReflectance(float R) {
 }
 
 // What is left of white light after `way` metres in a body that leaves `left` of it after `reach`
-// metres: left^(way / reach). P. Bouguer 1729. way >= 0; left 0 .. 1; reach > 0. From 1e30 reaches on
-// only light that loses nothing is left; an infinite quotient times its logarithm, 0, is no number.
+// metres: left^(way / reach). P. Bouguer 1729. way >= 0; left 0 .. 1; reach > 0. From 1e30 reaches
+// on only light that loses nothing is left: an infinite way times its logarithm, 0, is no number.
 vec3 leftAfter(float way, vec3 left, float reach) {
     return exp(min(way / reach, 1e30) * log(max(left, vec3(1e-30))));
 }

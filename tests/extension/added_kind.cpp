@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A kind of block more: the program's table, replaced at linking by one with another row.
+// A kind of block more: the program's table, replaced at linking by one with the row that
+// CONTRIBUTING.md shows.
 #include <array>
 #include <vector>
 
@@ -8,18 +9,7 @@
 namespace patina {
 namespace {
 
-constexpr std::array sheenFunctions{BlockFunction{"", "vec3", "Incidence", "i"},
-                                    BlockFunction{"Share", "float"}};
-
-constexpr BlockKind sheen{
-    .folder = "sheen",
-    .singular = "sheen",
-    .plural = "sheens",
-    .label = "Sheen",
-    .word = "Sheen",
-    .owner = BlockOwner::Material,
-    .functions = sheenFunctions,
-};
+#include "kind"
 
 std::vector<BlockKind> withAdded() {
     const auto shipped = shippedBlockKinds();

@@ -5,6 +5,7 @@
 #include <random>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "measure/eval/eval_case.h"
 #include "physics_cases.h"
@@ -97,15 +98,14 @@ class RandomCases {
     void placeFields(EvalCase& request) {
         double* number = request.fields.data();
         glm::dvec3 direction(0.0);
-        for (const EvalField& field : fieldsOf(request)) {
-            glm::dvec3 value(field.type == EvalField::Type::Amount
-                                 ? std::abs(coordinate())
-                                 : std::min(std::abs(cosine()), 1.0) * field.max);
+        for (const ArgumentField& field : fieldsOf(request)) {
+            glm::dvec3 value(std::min(std::abs(cosine()), 1.0) * field.max);
             if (field.isDirection()) {
                 value = inFloat(someDirection());
-                value = field.type == EvalField::Type::Normal && glm::dot(value, direction) < 0.0
-                            ? -value
-                            : value;
+                value =
+                    field.type == ArgumentField::Type::Normal && glm::dot(value, direction) < 0.0
+                        ? -value
+                        : value;
                 direction = value;
             } else if (field.isTriple()) {
                 value = glm::dvec3(std::abs(coordinate()));

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# awk -f effect_list.awk CONTRIBUTING.md effect_set.h: the list of effects with the guide's row.
+# awk -f effect_list.awk CONTRIBUTING.md effect_set.h: the list of effects with the rows of the guide,
+# each in place of the effect that it begins with.
 NR == FNR && /^```/ { inside = $0 == "```cpp AllEffects"; next }
-NR == FNR && inside && /^#include/ { header = $0; next }
-NR == FNR { row = inside ? $0 : row; next }
-header != "" && /^namespace/ { print header "\n" }
-{ sub(/FogEffect,/, row); print }
+NR == FNR && inside && /^#include/ { headers = headers $0 "\n"; next }
+NR == FNR && inside { rows[$1] = $0 }
+NR == FNR { next }
+headers != "" && /^namespace/ { print headers }
+{ for (before in rows) sub(before, rows[before]); print }

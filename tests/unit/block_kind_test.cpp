@@ -68,15 +68,5 @@ TEST(BlockKinds, Functions_StandInTheGuide) {
     }
 }
 
-/// The row that the guide shows is the one that a test adds.
-TEST(BlockKinds, RowInTheGuide_IsTheOneOfTheExtension) {
-    const std::string guide = textOf("CONTRIBUTING.md");
-    const auto start = guide.find("```cpp kind\n");
-    ASSERT_NE(start, guide.npos);
-    const auto first = guide.find('\n', start) + 1;
-    const std::string row = guide.substr(first, guide.find("```", first) - first);
-    EXPECT_NE(textOf("tests/extension/added_kind.cpp").find(row), std::string::npos) << row;
-}
-
 } // namespace
 } // namespace patina::tests::block_kind_test

@@ -71,13 +71,13 @@ class Collector {
             code_.firstSample = object_.firstSample;
         }
         code_.slots = layout_.slots.size();
-        code_.blends = layout_.blend.has_value();
+        code_.blends = effects_.blend.has_value();
         addBlock(*layout_.model, *effects_.model);
         for (std::size_t i = 0; i < layout_.slots.size(); ++i) {
             addBlock(layout_.slots[i], effects_.slots[i]);
         }
-        if (layout_.blend) {
-            addBlock(*layout_.blend, *effects_.blend);
+        if (effects_.blend) {
+            addBlock(*layout_.part(kinds::fresnel), *effects_.blend);
         }
         addImages();
         addEmission();
@@ -165,9 +165,8 @@ class Collector {
             code_.hemisphere = SurfaceCode::Hemisphere{
                 data(*scene.hemisphere), data(*scene.hemisphere + 1), data(*scene.hemisphere + 2)};
         }
-        if (scene.fog) {
-            code_.fog =
-                codeOf(*scene.fog, buffer_.sceneData, static_cast<std::size_t>(scene.fog->first));
+        if (const BlockPlace* fog = scene.part(kinds::fog)) {
+            code_.fog = codeOf(*fog, buffer_.sceneData, static_cast<std::size_t>(fog->first));
         }
     }
 

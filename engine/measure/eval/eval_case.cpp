@@ -57,19 +57,19 @@ Json modelJson(const EvalCase& request) {
     return json;
 }
 
-Json fieldJson(const EvalField& field, std::span<const double> numbers) {
+Json fieldJson(const ArgumentField& field, std::span<const double> numbers) {
     if (field.isTriple()) {
         return {numbers[0], numbers[1], numbers[2]};
     }
-    return field.type == EvalField::Type::Flag    ? Json(numbers[0] != 0.0)
-           : field.type == EvalField::Type::Whole ? Json(int(numbers[0]))
-                                                  : Json(numbers[0]);
+    return field.type == ArgumentField::Type::Flag    ? Json(numbers[0] != 0.0)
+           : field.type == ArgumentField::Type::Whole ? Json(int(numbers[0]))
+                                                      : Json(numbers[0]);
 }
 
 Json fieldsJson(const EvalCase& request) {
     Json json{{keyOf(request.block), nested(request.block)}};
     std::span<const double> numbers(request.fields);
-    for (const EvalField& field : fieldsOf(request)) {
+    for (const ArgumentField& field : fieldsOf(request)) {
         json[std::string(field.key)] = fieldJson(field, numbers);
         numbers = numbers.subspan(field.numbers());
     }
@@ -113,9 +113,9 @@ std::size_t signedResultsOf(const EvalCase& request) {
     return function.result == "Illumination" ? 3 : function.isSigned ? resultsOf(request) : 0;
 }
 
-std::span<const EvalField> fieldsOf(const EvalCase& request) {
-    return request.subject == Subject::Fields ? evalFieldsOf(calledFunction(request))
-                                              : std::span<const EvalField>();
+std::span<const ArgumentField> fieldsOf(const EvalCase& request) {
+    return request.subject == Subject::Fields ? calledFunction(request).fields
+                                              : std::span<const ArgumentField>();
 }
 
 std::optional<Subject> subjectOf(const BlockFunction& function) {
@@ -129,7 +129,7 @@ std::optional<Subject> subjectOf(const BlockFunction& function) {
             return subject;
         }
     }
-    return evalFieldsOf(function).empty() ? std::nullopt : std::optional(Subject::Fields);
+    return function.fields.empty() ? std::nullopt : std::optional(Subject::Fields);
 }
 
 std::vector<const BlockFunction*> evaluatedFunctions(const BlockKind& kind) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,9 +12,11 @@
 #include "catalog/catalog.h"
 #include "catalog/parameter_layout.h"
 #include "core/error.h"
-#include "measure/eval/eval_fields.h"
 
 namespace patina {
+
+/// The numbers of all fields of a struct, one after the other.
+using FieldNumbers = std::array<double, 8>;
 
 /// A block with values, as a case names it.
 struct EvalBlock {
@@ -34,7 +37,7 @@ struct EvalPlace {
     glm::dvec3 v{0.0};
     glm::dvec2 pixel{0.0}; ///< for models that draw marks on the picture
     double number = 0.0;   ///< the cosine of a Fresnel block, the distance of fog
-    FieldNumbers fields{}; ///< of what else a block is a function of (evalFieldsOf())
+    FieldNumbers fields{}; ///< of what else a block is a function of (fieldsOf())
 };
 
 /// One function of a block at one place, to be evaluated on the CPU or on the graphics device; or
@@ -67,7 +70,7 @@ std::size_t resultsOf(const EvalCase& request);
 std::size_t signedResultsOf(const EvalCase& request);
 
 /// The fields that the block's function takes; none of another subject.
-std::span<const EvalField> fieldsOf(const EvalCase& request);
+std::span<const ArgumentField> fieldsOf(const EvalCase& request);
 
 /// Returns what a function of a block is evaluated as, by what it takes; nothing where that cannot be said
 /// in a line.

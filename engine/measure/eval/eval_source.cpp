@@ -94,11 +94,46 @@ std::string typeWord(std::string_view type) {
     return word;
 }
 
+/// The number `index` of a case's first texels.
+std::string numberText(std::size_t index) {
+    return fmt::format("caseData({})[{}]", index / 4, index % 4);
+}
+
+/// A field, of the numbers from the first on.
+std::string fieldText(const ArgumentField& field, std::size_t first) {
+    const std::string number = numberText(first);
+    if (field.isTriple()) {
+        return fmt::format("vec3({}, {}, {})", number, numberText(first + 1),
+                           numberText(first + 2));
+    }
+    return field.type == ArgumentField::Type::Flag    ? number + " > 0.5"
+           : field.type == ArgumentField::Type::Whole ? fmt::format("int({})", number)
+                                                      : number;
+}
+
+/// What calls a function of fields, or of the block's values alone.
+std::string fieldsCall(const EvalCase& request) {
+    const BlockFunction& function = calledFunction(request);
+    std::string argument;
+    std::size_t next = 0;
+    for (const ArgumentField& field : fieldsOf(request)) {
+        const std::string member =
+            function.argument == "float" ? std::string() : fmt::format(".{}", field.memberName());
+        argument += fmt::format("    argument{} = {};\n", member, fieldText(field, next));
+        next += field.numbers();
+    }
+    const bool takesNone = function.argument.empty();
+    return fmt::format("vec4 evaluated(int part) {{\n{}{}"
+                       "    return numbersOf(EVALUATED_BLOCK({}unpackEvaluated({})), part);\n}}\n",
+                       takesNone ? "" : fmt::format("    {} argument;\n", function.argument),
+                       argument, takesNone ? "" : "argument, ", argumentTexels(request));
+}
+
 bool isStruct(std::string_view type) {
     return !type.empty() && std::isupper(static_cast<unsigned char>(type.front())) != 0;
 }
 
-/// The files that read what the block's function takes and give what it returns.
+/// What reads what the block's function takes, calls it, and gives what it returns.
 void addCall(SourceBuilder& builder, const EvalCase& request) {
     const BlockFunction& function = calledFunction(request);
     const Block& block = *request.block.block;
@@ -109,8 +144,14 @@ void addCall(SourceBuilder& builder, const EvalCase& request) {
     if (isStruct(function.result)) {
         builder.addFile(fmt::format("passes/evaluated_{}.glsl", typeWord(function.result)));
     }
-    const std::string taken = function.argument.empty() ? "values" : typeWord(function.argument);
-    builder.addFile(fmt::format("passes/evaluate_{}.glsl", taken));
+    if (request.subject != Subject::Fields) {
+        builder.addFile(fmt::format("passes/evaluate_{}.glsl", typeWord(function.argument)));
+        return;
+    }
+    if (isStruct(function.argument)) {
+        builder.addFile(fmt::format("lib/{}.glsl", typeWord(function.argument)));
+    }
+    builder.add(fieldsCall(request));
 }
 
 void addBlockProgram(SourceBuilder& builder, const EvalCase& request) {

@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-using Type = EvalField::Type;
+using Type = ArgumentField::Type;
 using Triples = std::vector<glm::dvec3>;
 
 /// Shares of the way from 0 to 1: the ends and what is next to them.
@@ -76,7 +76,7 @@ Triples edgeCasesOfColor() {
             glm::dvec3(65504.0), rounded({0.2, 0.5, 0.9})};
 }
 
-std::vector<double> edgeCasesOfNumber(const EvalField& field) {
+std::vector<double> edgeCasesOfNumber(const ArgumentField& field) {
     std::vector<double> numbers;
     if (!field.isContinuous()) {
         for (double x = 0.0; x <= field.max; x += 1.0) {
@@ -96,7 +96,7 @@ std::vector<double> edgeCasesOfNumber(const EvalField& field) {
     return numbers;
 }
 
-Triples edgeCasesOf(const EvalField& field) {
+Triples edgeCasesOf(const ArgumentField& field) {
     if (field.isTriple()) {
         return field.type == Type::Color    ? edgeCasesOfColor()
                : field.type == Type::Normal ? edgeCasesOfNormal()
@@ -112,7 +112,7 @@ Triples edgeCasesOf(const EvalField& field) {
 /// Puts a field's numbers behind those of the fields before it.
 class Filling {
   public:
-    void add(const EvalField& field, glm::dvec3 value) {
+    void add(const ArgumentField& field, glm::dvec3 value) {
         if (field.type == Type::Normal && glm::dot(value, direction_) < 0.0) {
             value = -value;
         }
@@ -129,7 +129,7 @@ class Filling {
     std::size_t next_ = 0;
 };
 
-glm::dvec3 ordinaryValue(const EvalField& field, std::mt19937& random) {
+glm::dvec3 ordinaryValue(const ArgumentField& field, std::mt19937& random) {
     const auto between = [&random](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
@@ -149,10 +149,10 @@ glm::dvec3 ordinaryValue(const EvalField& field, std::mt19937& random) {
 
 } // namespace
 
-std::vector<EvalPlace> edgeCaseFields(std::span<const EvalField> fields) {
+std::vector<EvalPlace> edgeCaseFields(std::span<const ArgumentField> fields) {
     std::vector<Triples> values;
     std::vector<std::size_t> counts;
-    for (const EvalField& field : fields) {
+    for (const ArgumentField& field : fields) {
         values.push_back(edgeCasesOf(field));
         counts.push_back(values.back().size());
     }
@@ -167,12 +167,12 @@ std::vector<EvalPlace> edgeCaseFields(std::span<const EvalField> fields) {
     return places;
 }
 
-std::vector<EvalPlace> ordinaryFields(std::span<const EvalField> fields, std::size_t count) {
+std::vector<EvalPlace> ordinaryFields(std::span<const ArgumentField> fields, std::size_t count) {
     std::mt19937 random(20251121);
     std::vector<EvalPlace> places;
     for (std::size_t i = 0; i < count; ++i) {
         Filling filling;
-        for (const EvalField& field : fields) {
+        for (const ArgumentField& field : fields) {
             filling.add(field, ordinaryValue(field, random));
         }
         places.push_back(filling.place);

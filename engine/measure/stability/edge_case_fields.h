@@ -10,9 +10,9 @@ namespace patina {
 /// The places where functions of a struct's fields break, all exact in float: every two edge cases
 /// of two fields meet. Directions lie along the axes, next to them and at the cosines of
 /// edgeCaseDirections() to each, the second of a struct along few of them.
-std::vector<EvalPlace> edgeCaseFields(std::span<const EvalField> fields);
+std::vector<EvalPlace> edgeCaseFields(std::span<const ArgumentField> fields);
 
 /// `count` places with any values, the same for every call.
-std::vector<EvalPlace> ordinaryFields(std::span<const EvalField> fields, std::size_t count);
+std::vector<EvalPlace> ordinaryFields(std::span<const ArgumentField> fields, std::size_t count);
 
 } // namespace patina

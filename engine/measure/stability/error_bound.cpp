@@ -178,9 +178,9 @@ ReferenceNumbers modelNoise(const ReferenceCase& bound, const EvalPlace& place,
 }
 
 /// A unit vector's numbers move as all of it does, others by what they are.
-void addFields(Movable& movable, std::span<const EvalField> fields, EvalPlace& place) {
+void addFields(Movable& movable, std::span<const ArgumentField> fields, EvalPlace& place) {
     double* number = place.fields.data();
-    for (const EvalField& field : fields) {
+    for (const ArgumentField& field : fields) {
         for (std::size_t i = 0; i < field.numbers(); ++i, ++number) {
             if (field.isContinuous()) {
                 movable.numbers.push_back(number);
@@ -290,7 +290,7 @@ ReferenceNumbers ErrorBound::noise(const ReferenceCase& bound, const EvalPlace& 
 /// about an axis or by a matrix of colours: each has the roundings of the largest.
 ReferenceNumbers ErrorBound::limits(const ReferenceNumbers& noise,
                                     const ReferenceNumbers& exact) const {
-    const bool isTurned = std::ranges::any_of(fieldsOf(request_), &EvalField::isTriple);
+    const bool isTurned = std::ranges::any_of(fieldsOf(request_), &ArgumentField::isTriple);
     double largest = 0.0;
     for (const double x : exact) {
         largest = isTurned ? std::max(largest, std::abs(x)) : 0.0;

@@ -50,7 +50,7 @@ std::string modelPlace(const EvalCase& request) {
 std::string fieldsText(const EvalCase& request) {
     std::string text;
     const double* numbers = request.fields.data();
-    for (const EvalField& field : fieldsOf(request)) {
+    for (const ArgumentField& field : fieldsOf(request)) {
         const std::string value = field.isTriple() ? fmt::format("({:.9g}, {:.9g}, {:.9g})",
                                                                  numbers[0], numbers[1], numbers[2])
                                                    : fmt::format("{:.9g}", numbers[0]);

@@ -106,10 +106,10 @@ void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& 
              cameraToWorld);
 }
 
-/// Values for the place of a part: the material's when it is the material's block.
-const Values& partValues(const BlockPlace& place, const Material& material) {
+/// Values for the place of a part: the owner's when it is the owner's block.
+const Values& partValues(const BlockPlace& place, const BlockParts& parts) {
     static const Values none;
-    const BlockValues* part = material.part(place.block->kind);
+    const BlockValues* part = partOf(parts, place.block->kind);
     return part != nullptr && part->id == place.block->id ? part->parameters : none;
 }
 
@@ -151,9 +151,8 @@ PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
         packHemisphere(out.subspan(static_cast<std::size_t>(*pipeline.scene.hemisphere)),
                        scene.hemisphere);
     }
-    if (pipeline.scene.fog && scene.part(kinds::fog)) {
-        packPlace(out, *pipeline.scene.fog, scene.part(kinds::fog)->parameters, exact,
-                  cameraToWorld);
+    for (const BlockPlace& part : pipeline.scene.parts) {
+        packPlace(out, part, partValues(part, scene.parts), exact, cameraToWorld);
     }
     PackedScene packed{static_cast<std::size_t>(pipeline.scene.firstLight), 0};
     packLights(packed, out, pipeline, packing, cameraToWorld);
@@ -170,12 +169,11 @@ void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Mate
         packPlace(out, *pipeline.object.model, material.model.parameters, material.accuracy,
                   cameraToWorld);
     }
-    for (const BlockPlace& slot : pipeline.object.slots) {
-        packPlace(out, slot, partValues(slot, material), material.accuracy, cameraToWorld);
-    }
-    if (pipeline.object.blend) {
-        packPlace(out, *pipeline.object.blend, partValues(*pipeline.object.blend, material),
-                  material.accuracy, cameraToWorld);
+    for (const auto* places : {&pipeline.object.slots, &pipeline.object.parts}) {
+        for (const BlockPlace& part : *places) {
+            packPlace(out, part, partValues(part, material.parts), material.accuracy,
+                      cameraToWorld);
+        }
     }
     packTextures(out, pipeline, material);
 }

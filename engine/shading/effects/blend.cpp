@@ -64,8 +64,8 @@ void BlendEffect::listMissing(LeftOutListing& listing, const EffectSet& set) con
 
 void BlendEffect::place(ObjectLayout& layout, const EffectSet&) const {
     if (blend) {
-        layout.blend = placed(*blend, layout.vec4s);
-        layout.tables.add(*layout.blend, *blend, TableReader::Blend);
+        layout.parts.push_back(placed(*blend, layout.vec4s));
+        layout.tables.add(layout.parts.back(), *blend, TableReader::Blend);
     }
 }
 
@@ -84,7 +84,8 @@ void BlendEffect::write(SurfaceText& text) const {
                              structName(block), fmt::format(fmt::runtime(share), function),
                              function));
     text.out.addFile("passes/fresnel_blend.glsl");
-    text.main += fmt::format("    Blend blend = unpackBlend({});\n", text.object.blend->first);
+    text.main +=
+        fmt::format("    Blend blend = unpackBlend({});\n", text.object.part(block.kind)->first);
     text.main += text.textures.values(block.kind, "blend");
     text.main += "    shaded = fresnelBlended(s, shaded, blend);\n";
     text.noteTerm("BLENDED", "shaded", "share");

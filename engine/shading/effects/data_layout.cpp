@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shading/effects/data_layout.h"
 
+#include <algorithm>
+
 #include "scene/transparency.h"
 #include "shading/effects/effect_set.h"
 
 namespace patina {
+
+const BlockPlace* PartPlaces::part(std::string_view kind) const {
+    const auto found = std::ranges::find(
+        parts, kind, [](const BlockPlace& place) { return std::string_view(place.block->kind); });
+    return found == parts.end() ? nullptr : &*found;
+}
 
 int LightPlace::vec4s() const {
     return light.vec4s() + (shadow ? shadow->vec4s() + ShadowLayout::vec4s : 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "shading/program/block_place.h"
@@ -11,6 +12,15 @@
 namespace patina {
 
 struct EffectSet;
+
+/// Says where the values of blocks lie that an owner may have or not; each is packed from the owner's
+/// part of its kind.
+struct PartPlaces {
+    std::vector<BlockPlace> parts;
+
+    /// Returns that of the kind's block; null: no effect has placed one.
+    const BlockPlace* part(std::string_view kind) const;
+};
 
 /// Says where one light's values lie in those of its group: the light's, its shadows' and its
 /// map's.
@@ -28,7 +38,7 @@ struct ShadowLayout {
 
 /// The array `objectData`: a material's values, shared by all objects that have them. Where an
 /// object is comes to the vertices (render/instance.h).
-struct ObjectLayout {
+struct ObjectLayout : PartPlaces {
     static constexpr int surface = 0; ///< x: opacity; y: one over what the model does not pass
     static constexpr int fixed = 1;   ///< the model's values follow
     /// The rows that take (u, v, 1) to a place in the image, with its strength and its threshold in
@@ -37,10 +47,9 @@ struct ObjectLayout {
 
     std::optional<BlockPlace> model;
     std::vector<BlockPlace> slots; ///< right behind the model, in its order
-    std::optional<BlockPlace> blend;
-    int firstTexture = fixed;  ///< of EffectSet::textures, each with vec4sPerTexture
-    std::optional<int> ground; ///< of the ground: colour and opacity, its disk, and the
-                               ///< environment's light on it where there is one
+    int firstTexture = fixed;      ///< of EffectSet::textures, each with vec4sPerTexture
+    std::optional<int> ground;     ///< of the ground: colour and opacity, its disk, and the
+                                   ///< environment's light on it where there is one
     std::optional<BlockPlace> transparency; ///< of a surface that is put together with others: a
                                             ///< block's values, then what layers() says
     std::optional<BlockPlace> refraction;   ///< then the colour behind the objects
@@ -63,14 +72,13 @@ struct ObjectLayout {
 /// The array `sceneData`: fog, ambient and lights, shared by all programs of a scene. The effects
 /// place their data from the last one to the first: lights, of which there may be any number, end
 /// it.
-struct SceneLayout {
+struct SceneLayout : PartPlaces {
     static constexpr int ambient = 0;
     static constexpr int fixed = 1;
     /// What every driver offers in one block (16 KiB), and the most that is used of it (64 KiB).
     static constexpr int minCapacity = 1024;
     static constexpr int maxCapacity = 4096;
 
-    std::optional<BlockPlace> fog;
     std::optional<int> hemisphere;  ///< index of three: sky, ground, the unit direction up
     std::vector<LightPlace> groups; ///< as EffectSet::lights; a group's header:
                                     ///< x: number of lights, y: index of the first one's values

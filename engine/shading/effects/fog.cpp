@@ -264,7 +264,7 @@ void FogEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
 
 void FogEffect::place(SceneLayout& layout, const EffectSet&) const {
     if (fog) {
-        layout.fog = placed(*fog, layout.firstLight);
+        layout.parts.push_back(placed(*fog, layout.firstLight));
     }
 }
 
@@ -277,15 +277,15 @@ void FogEffect::write(SurfaceText& text) const {
     if (text.set.ground == GroundMode::Shadows) {
         return; // they thin out with what they fall on
     }
-    text.main +=
-        fmt::format("    shaded = fogged(s, shaded, unpackFog({}));\n", text.scene.fog->first);
+    text.main += fmt::format("    shaded = fogged(s, shaded, unpackFog({}));\n",
+                             text.scene.part(kinds::fog)->first);
     text.noteTerm("FOGGED", "shaded", "share");
 }
 
 std::string writeVertexFog(SurfaceText& text) {
     writeFogBlock(text);
     text.out.addFile("passes/vertex_fog.glsl");
-    return fmt::format("    placeFog(unpackFog({}));\n", text.scene.fog->first);
+    return fmt::format("    placeFog(unpackFog({}));\n", text.scene.part(kinds::fog)->first);
 }
 
 void FogEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {

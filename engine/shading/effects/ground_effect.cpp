@@ -96,9 +96,10 @@ void GroundEffect::writeLight(SurfaceText& text) const {
         text.alpha = "groundShare()";
         return;
     }
-    text.stored = text.scene.fog ? fmt::format("groundDarkened(shaded, sent, groundShare() * "
+    const BlockPlace* fog = text.scene.part(kinds::fog);
+    text.stored = fog != nullptr ? fmt::format("groundDarkened(shaded, sent, groundShare() * "
                                                "fogShare(fogRay(s), unpackFog({})))",
-                                               text.scene.fog->first)
+                                               fog->first)
                                  : "groundDarkened(shaded, sent, groundShare())";
 }
 

@@ -65,7 +65,8 @@ void writeFragment(SourceBuilder& out, const OutlineLayout& layout, const Effect
     std::string color = fmt::format("lineColor(unpackOutline({}))", OutlineLayout::fixed);
     if (set.fog) {
         addLineFog(out, *set.fog, sceneVec4s);
-        color = fmt::format("foggedLine({}, unpackFog({}))", color, sceneLayout(set).fog->first);
+        color = fmt::format("foggedLine({}, unpackFog({}))", color,
+                            sceneLayout(set).part(kinds::fog)->first);
     }
     out.add("void main() {\n    storeLine(" + color + ");\n}\n");
 }

@@ -41,7 +41,7 @@ void writeBlendValues(SurfaceText& text) {
     text.addBlock(block);
     text.addUnpack(*text.set.blend, "unpackBlend");
     text.main += fmt::format("    {} blend = unpackBlend({});\n", structName(block),
-                             text.object.blend->first);
+                             text.object.part(block.kind)->first);
     noteValues(text, block.kind, "blend");
 }
 

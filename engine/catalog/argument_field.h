@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace patina {
+
+/// One field of a struct that blocks are a function of, as a line of `patina eval` names it; or the
+/// number that they are a function of.
+struct ArgumentField {
+    enum class Type {
+        Direction, ///< unit
+        Normal,    ///< unit, on the side of the direction before it
+        Color,     ///< 0 or more
+        Number,    ///< 0 .. `most`
+        Amount,    ///< 0 or more
+        Whole,     ///< 0 .. `most`
+        Flag
+    };
+
+    std::string_view key;
+    Type type = Type::Number;
+    double most = 1.0;
+    std::optional<double>
+        usual{};               ///< each of its numbers, where a line says nothing; absent: it must
+    std::string_view member{}; ///< of the struct; empty: `key`
+
+    constexpr std::string_view memberName() const { return member.empty() ? key : member; }
+    constexpr std::size_t numbers() const { return isTriple() ? 3 : 1; }
+    constexpr bool isTriple() const { return isDirection() || type == Type::Color; }
+    constexpr bool isDirection() const { return type == Type::Direction || type == Type::Normal; }
+    constexpr bool isContinuous() const { return type != Type::Whole && type != Type::Flag; }
+};
+
+/// How many numbers the fields are.
+constexpr std::size_t numbersOf(std::span<const ArgumentField> fields) {
+    std::size_t numbers = 0;
+    for (const ArgumentField& field : fields) {
+        numbers += field.numbers();
+    }
+    return numbers;
+}
+
+} // namespace patina
