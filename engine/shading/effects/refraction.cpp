@@ -16,8 +16,6 @@
 namespace patina {
 namespace {
 
-constexpr std::string_view kind = kinds::refraction;
-
 std::optional<double> numberIn(const Block& block, const Values& values, std::string_view role) {
     const Parameter* parameter = block.withRole(role);
     const auto* number =
@@ -141,11 +139,11 @@ void writeDistance(SurfaceText& text) {
 } // namespace
 
 RefractionChoice refractionChoice(const Material& material, const Catalog& catalog) {
-    const BlockValues* part = material.part(kind);
+    const BlockValues* part = material.part(kinds::refraction);
     if (part == nullptr) {
         return {};
     }
-    const RefractionChoice choice{catalog.find(kind, part->id), &part->parameters, ""};
+    const RefractionChoice choice{catalog.find(kinds::refraction, part->id), &part->parameters, ""};
     if (choice.block == nullptr) {
         return {nullptr, nullptr, "No refraction of this kind is known."};
     }
@@ -208,7 +206,7 @@ void RefractionEffect::list(EffectListing& listing, const EffectSet& set) const 
 
 void RefractionEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
     const Material* material = listing.subject().material;
-    const BlockValues* part = material == nullptr ? nullptr : material->part(kind);
+    const BlockValues* part = material == nullptr ? nullptr : material->part(kinds::refraction);
     if (part != nullptr && !refraction) {
         listing.add("refraction/" + part->id,
                     refractionChoice(*material, listing.subject().catalog).whyNot);
@@ -247,7 +245,7 @@ void RefractionEffect::write(SurfaceText& text) const {
 }
 
 void RefractionEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
-    if (effect.kind == kind) {
+    if (effect.kind == kinds::refraction) {
         removePart(scene, effect);
     }
 }
