@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // What becomes of a ray that meets the surface of a transparent body, from outside or from within.
+#include "lib/elementary.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/incidence.glsl"
 #include "lib/math.glsl"
@@ -60,6 +61,11 @@ float paneReflectance(float R) {
 // What is left of white light after `way` metres in a body that leaves `left` of it after `reach`
 // metres: left^(way / reach). P. Bouguer 1729. way >= 0; left 0 .. 1; reach > 0. From 1e30 reaches
 // on only light that loses nothing is left: an infinite way times its logarithm, 0, is no number.
+// 1 - left is exact where the logarithm of a float would lose it.
 vec3 leftAfter(float way, vec3 left, float reach) {
-    return exp(min(way / reach, 1e30) * log(max(left, vec3(1e-30))));
+    float reaches = min(way / reach, 1e30);
+    vec3 some = max(left, vec3(1e-30));
+    vec3 lost = vec3(1.0) - some;
+    return vec3(pow1m(lost.r, some.r, reaches), pow1m(lost.g, some.g, reaches),
+        pow1m(lost.b, some.b, reaches));
 }
