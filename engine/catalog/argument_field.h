@@ -23,7 +23,7 @@ struct ArgumentField {
 
     std::string_view key;
     Type type = Type::Number;
-    double most = 1.0;
+    double max = 1.0;
     std::optional<double>
         usual{};               ///< each of its numbers, where a line says nothing; absent: it must
     std::string_view member{}; ///< of the struct; empty: `key`

@@ -20,13 +20,13 @@ using Field = ArgumentField::Type;
 constexpr auto crossing =
     std::to_array<ArgumentField>({{.key = "l", .type = Field::Direction},
                                   {.key = "n", .type = Field::Normal},
-                                  {.key = "channel", .type = Field::Whole, .most = 2, .usual = 1},
+                                  {.key = "channel", .type = Field::Whole, .max = 2, .usual = 1},
                                   {.key = "leaves", .type = Field::Flag, .usual = 0}});
 constexpr auto way = std::to_array<ArgumentField>({{.key = "way", .type = Field::Amount}});
 constexpr auto edge =
     std::to_array<ArgumentField>({{.key = "turns", .type = Field::Flag, .usual = 0},
                                   {.key = "ends", .type = Field::Flag, .usual = 0},
-                                  {.key = "bend", .most = std::numbers::pi, .usual = 0}});
+                                  {.key = "bend", .max = std::numbers::pi, .usual = 0}});
 constexpr auto layer = std::to_array<ArgumentField>({{.key = "depth"}, {.key = "opacity"}});
 constexpr auto outlook =
     std::to_array<ArgumentField>({{.key = "direction", .type = Field::Direction, .member = "d"},
