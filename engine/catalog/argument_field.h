@@ -15,9 +15,9 @@ struct ArgumentField {
         Direction, ///< unit
         Normal,    ///< unit, on the side of the direction before it
         Color,     ///< 0 or more
-        Number,    ///< 0 .. `most`
+        Number,    ///< 0 .. `max`
         Amount,    ///< 0 or more
-        Whole,     ///< 0 .. `most`
+        Whole,     ///< 0 .. `max`
         Flag
     };
 
