@@ -53,14 +53,17 @@ class TrialDrawer {
         return renderer_ != nullptr;
     }
 
-    TrialReport report(const Block& block) {
+    /// Tells what is tried before the driver has it, and what came of it.
+    void tryOut(const Block& block, const std::function<void(const TrialReport&)>& tell) {
         const Checked<ProgramSource> source = trialProgram(block, *catalog_);
         if (!source) {
-            return {nameOf(block), true, {}, source.error()};
+            tell({nameOf(block), true, {}, source.error()});
+            return;
         }
         const std::string hash = hashIn(*source, block);
+        tell({nameOf(block), false, hash});
         const auto program = compileProgram(*source);
-        return {nameOf(block), true, hash, program ? drawnMistakes(block) : program.error()};
+        tell({nameOf(block), true, hash, program ? drawnMistakes(block) : program.error()});
     }
 
   private:
@@ -104,7 +107,11 @@ void tryBlocks(const TrialRequest& request, const std::function<void(const Trial
     for (const std::string& name : request.blocks) {
         tell({name, false});
         const Block* block = blockNamed(*catalog, name);
-        tell(block == nullptr ? TrialReport{name, true} : drawer.report(*block));
+        if (block == nullptr) {
+            tell({name, true});
+        } else {
+            drawer.tryOut(*block, tell);
+        }
     }
 }
 

@@ -119,6 +119,7 @@ class TrialGate::Run {
         isWithoutDriver_ = isWithoutDriver_ || report->block.empty();
         if (block != nullptr && !report->isDone) {
             trying_ = block;
+            triedHash_ = report->hash;
             beginWatch();
         } else if (block != nullptr) {
             verdicts_.push_back(verdict(*block, std::move(*report)));
@@ -130,9 +131,14 @@ class TrialGate::Run {
     static Verdict verdict(const StrangerBlock& block, TrialReport report) {
         const bool isUnread = report.hash.empty() && !report.mistakes.empty();
         if (report.hash != block.hash && !isUnread) {
-            return {&block, {aboutBlock(block, "its files changed while it was tried", {})}, false};
+            return changed(block);
         }
         return {&block, std::move(report.mistakes)};
+    }
+
+    /// Says nothing of the files that were asked about.
+    static Verdict changed(const StrangerBlock& block) {
+        return {&block, {aboutBlock(block, "its files changed while it was tried", {})}, false};
     }
 
     std::optional<std::string> excess() {
@@ -170,10 +176,14 @@ class TrialGate::Run {
     /// Belongs to the block that is being tried; to the first one, where it never came so far.
     void refuse(const std::string& why) {
         const StrangerBlock& block = trying_ != nullptr ? *trying_ : blocks_.front();
-        verdicts_.push_back({&block,
-                             {aboutBlock(block, why,
-                                         "a shader that the driver compiles in little time and "
-                                         "memory")}});
+        if (!triedHash_.empty() && triedHash_ != block.hash) {
+            verdicts_.push_back(changed(block));
+        } else {
+            verdicts_.push_back({&block,
+                                 {aboutBlock(block, why,
+                                             "a shader that the driver compiles in little time and "
+                                             "memory")}});
+        }
         process_.end();
     }
 
@@ -182,6 +192,7 @@ class TrialGate::Run {
     const TrialLimits& limits_;
     const std::atomic<bool>& isStopped_;
     const StrangerBlock* trying_ = nullptr;
+    std::string triedHash_; ///< of the files of `trying_` that were read
     std::vector<Verdict> verdicts_;
     double workBefore_ = 0.0;
     Clock::time_point begun_;

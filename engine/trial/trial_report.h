@@ -9,11 +9,12 @@
 
 namespace patina {
 
-/// A line that the process which tries blocks writes: that a trial begins, or what came of it.
+/// A line that the process which tries blocks writes: that a trial begins, what is tried once its
+/// files are read, or what came of it.
 struct TrialReport {
     std::string block; ///< "<kind>/<id>"; empty: no block can be tried on this machine
     bool isDone = false;
-    std::string hash{}; ///< of what was tried (see StrangerBlock)
+    std::string hash{}; ///< of what is tried (see StrangerBlock); empty: it is not read yet
     Errors mistakes{};
 };
 

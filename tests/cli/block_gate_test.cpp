@@ -133,6 +133,17 @@ TEST_F(TrialGateTest, ChangedFile_IsTriedAgain) {
     EXPECT_EQ(gate.startedCount(), 2);
 }
 
+/// The process reads the files for itself, and they may be others by then.
+TEST_F(TrialGateTest, HarmOfAFileThatTookAnothersPlace_IsNotHeldAgainstTheOther) {
+    write("homemade", good);
+    const std::vector<StrangerBlock> asked = strangers();
+    write("homemade", endlessLoop);
+    TrialGate gate(options({.seconds = 0.3}));
+    EXPECT_FALSE(gate.ask(asked, true).isFinal);
+    write("homemade", good);
+    EXPECT_EQ(answerOf(gate), "");
+}
+
 TEST_F(TrialGateTest, ThreadThatMayNotWait_IsToldOfACheck) {
     write("homemade", good);
     TrialGate gate(options());
