@@ -35,7 +35,7 @@ constexpr double minError = 1e-7;
 
 /// A logarithmic axis.
 struct Axis {
-    double low = 1.0;  ///< the powers of two or ten at its ends
+    double low = 1.0; ///< the powers of two or ten at its ends
     double high = 2.0;
     double from = 0.0; ///< pixels
     double to = 1.0;
@@ -77,19 +77,25 @@ std::string percentText(int power) {
 void addGrid(Shapes& shapes, const Axes& axes) {
     for (double e = axes.time.low; e <= axes.time.high; ++e) {
         const double x = axes.time.place(e);
-        shapes.push_back({PlotShape::Kind::Line, {x, axes.error.from}, {x, axes.error.to}, grid,
-                          {}});
-        shapes.push_back({PlotShape::Kind::Text, {x - 12.0, axes.error.from + 8.0}, {}, ink,
+        shapes.push_back(
+            {PlotShape::Kind::Line, {x, axes.error.from}, {x, axes.error.to}, grid, {}});
+        shapes.push_back({PlotShape::Kind::Text,
+                          {x - 12.0, axes.error.from + 8.0},
+                          {},
+                          ink,
                           fmt::format("{:.3g}", std::exp2(e))});
     }
     for (double e = std::ceil(axes.error.low); e <= axes.error.high; ++e) {
         const double y = axes.error.place(e);
         shapes.push_back({PlotShape::Kind::Line, {axes.time.from, y}, {axes.time.to, y}, grid, {}});
-        shapes.push_back({PlotShape::Kind::Text, {8.0, y - 8.0}, {}, ink,
-                          percentText(static_cast<int>(e))});
+        shapes.push_back(
+            {PlotShape::Kind::Text, {8.0, y - 8.0}, {}, ink, percentText(static_cast<int>(e))});
     }
     shapes.push_back({PlotShape::Kind::Text, {8.0, 10.0}, {}, ink, "error of 99 of 100 pixels"});
-    shapes.push_back({PlotShape::Kind::Text, {axes.time.from, axes.error.from + 28.0}, {}, ink,
+    shapes.push_back({PlotShape::Kind::Text,
+                      {axes.time.from, axes.error.from + 28.0},
+                      {},
+                      ink,
                       "time to the exact one"});
 }
 
@@ -98,7 +104,10 @@ void addLegend(Shapes& shapes, const std::vector<Standing>& standing, glm::ivec2
     if (std::ranges::find(standing, Standing::Tie) != standing.end()) {
         const double left = size.x - 400.0;
         shapes.push_back({PlotShape::Kind::Ring, {left, 18.0}, {}, onFront, {}});
-        shapes.push_back({PlotShape::Kind::Text, {left + 16.0, 10.0}, {}, ink,
+        shapes.push_back({PlotShape::Kind::Text,
+                          {left + 16.0, 10.0},
+                          {},
+                          ink,
                           "may be on the line, too: within the noise"});
     }
 }
@@ -108,8 +117,11 @@ void addFront(Shapes& shapes, const CostChart& chart, const Axes& axes,
     for (std::size_t i = 1; i < front.size(); ++i) {
         const CostPoint& a = chart.points[front[i - 1]];
         const CostPoint& b = chart.points[front[i]];
-        shapes.push_back({PlotShape::Kind::Line, axes.place(a.cost.ratio.median, errorOf(a)),
-                          axes.place(b.cost.ratio.median, errorOf(b)), onFront, {}});
+        shapes.push_back({PlotShape::Kind::Line,
+                          axes.place(a.cost.ratio.median, errorOf(a)),
+                          axes.place(b.cost.ratio.median, errorOf(b)),
+                          onFront,
+                          {}});
     }
 }
 
@@ -126,8 +138,7 @@ void addArrow(Shapes& shapes, const glm::dvec2& from, double side, const glm::dv
 void addPoint(Shapes& shapes, const CostPoint& point, RatioBound bound, const Axes& axes,
               Standing standing) {
     const glm::dvec3 color = standing == Standing::Beaten ? beaten : onFront;
-    const auto mark =
-        standing == Standing::Tie ? PlotShape::Kind::Ring : PlotShape::Kind::Dot;
+    const auto mark = standing == Standing::Tie ? PlotShape::Kind::Ring : PlotShape::Kind::Dot;
     const glm::dvec2 at = axes.place(point.cost.ratio.median, errorOf(point));
     shapes.push_back({mark, at, {}, color, {}});
     if (bound == RatioBound::AtMost || bound == RatioBound::AtLeast) {
@@ -183,8 +194,8 @@ std::string svgOf(const PlotShape& shape) {
         return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" fill=\"{}\"/>\n",
                            shape.from.x, shape.from.y, dotRadius, color);
     default:
-        return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n",
-                           shape.from.x, shape.from.y + 12.0, color, svgText(shape.text));
+        return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", shape.from.x,
+                           shape.from.y + 12.0, color, svgText(shape.text));
     }
 }
 

@@ -14,8 +14,8 @@ namespace patina {
 
 /// Holds what a number on the command line has to be.
 struct OptionNumber {
-    const char* what;     ///< "a time"
-    std::string expected; ///< "seconds above 0 such as 30"
+    const char* what;                  ///< "a time"
+    std::string expected;              ///< "seconds above 0 such as 30"
     std::function<bool(double)> holds; ///< asked of finite numbers only
     /// How a text is read; what is no finite number gives nothing.
     std::function<std::optional<double>(std::string_view)> read;

@@ -17,15 +17,15 @@ namespace patina {
 
 /// Holds what the commands that draw have in common.
 struct PictureOptions {
-    std::string model;             ///< id; empty: from the preset
+    std::string model;                                     ///< id; empty: from the preset
     std::map<std::string, std::string, std::less<>> parts; ///< kind -> id, of material and scene
     std::map<std::string, std::vector<std::string>, std::less<>>
-        ofLights;                  ///< kind -> "id" or "light=id"
-    std::vector<std::string> sets; ///< "id=value"
+        ofLights;                      ///< kind -> "id" or "light=id"
+    std::vector<std::string> sets;     ///< "id=value"
     std::vector<std::string> textures; ///< "id=file", "id:setting=value"
-    std::string mesh;              ///< a file or "builtin:<name>"; empty: the scene's
-    std::string scene;             ///< a file; empty: the shipped default scene
-    bool allowsOutside = false;    ///< files that lie outside the folder of who names them are read
+    std::string mesh;                  ///< a file or "builtin:<name>"; empty: the scene's
+    std::string scene;                 ///< a file; empty: the shipped default scene
+    bool allowsOutside = false; ///< files that lie outside the folder of who names them are read
     int samples = 0; ///< directions per pixel of an environment's light; 0: see directionsFor()
     std::optional<double> exposure;
     glm::ivec2 size{512, 512};

@@ -287,8 +287,9 @@ Result<void> applyToScene(Scene& scene, const PictureOptions& options, const Cat
     Result<void> done = chooseSceneBlocks(scene, options, catalog);
     for (const std::string& assignment : options.sets) {
         if (done && isForScene(assignment)) {
-            done = assignInScene(scene, assignment, catalog)
-                       .map_error([&](const Error& error) { return namingSet(error, assignment); });
+            done = assignInScene(scene, assignment, catalog).map_error([&](const Error& error) {
+                return namingSet(error, assignment);
+            });
         }
     }
     return done;

@@ -177,8 +177,8 @@ void fill(TexturePicture& picture, const FileImage& source, bool decodes, bool k
     std::byte* to = picture.bytes.data();
     for (int y = image.height - 1; y >= 0; --y) {
         for (int x = 0; x < image.width; ++x) {
-            const glm::vec4 numbers = usable(
-                texelOf(image, std::size_t(y) * std::size_t(image.width) + std::size_t(x)));
+            const glm::vec4 numbers =
+                usable(texelOf(image, std::size_t(y) * std::size_t(image.width) + std::size_t(x)));
             glm::vec4 texel = decodes ? usable(decoded(numbers, source.bits)) : numbers;
             if (!picture.hasAlpha) {
                 texel.a = greyOf(keepsCodes ? numbers : texel);

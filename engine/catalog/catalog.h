@@ -52,4 +52,7 @@ bool isShippedPreset(const std::filesystem::path& file);
 /// The scene that a new document starts as.
 std::filesystem::path defaultSceneFile();
 
+/// Returns the scenes that ship, by their files' names.
+std::vector<std::filesystem::path> shippedScenes();
+
 } // namespace patina

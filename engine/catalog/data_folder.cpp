@@ -78,6 +78,18 @@ std::filesystem::path defaultSceneFile() {
     return dataFolder() / "presets" / "default.patina-scene.json";
 }
 
+std::vector<fs::path> shippedScenes() {
+    std::vector<fs::path> scenes;
+    std::error_code ignored; // of a folder that cannot be read: there are none
+    for (const auto& entry : fs::directory_iterator(dataFolder() / "presets", ignored)) {
+        if (entry.path().string().ends_with(".patina-scene.json")) {
+            scenes.push_back(entry.path());
+        }
+    }
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
 std::vector<BlockRoot> standardBlockRoots() {
     std::vector<BlockRoot> roots{{dataFolder() / "shaders", true}};
     if (const auto user = xdgDataFolder()) {

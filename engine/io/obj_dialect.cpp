@@ -14,18 +14,17 @@ constexpr std::string_view blanks = " \t\r";
 struct Statement {
     std::string_view keyword;
     std::string_view characters; ///< empty: any
-    std::size_t minWords = 0;      ///< words
+    std::size_t minWords = 0;    ///< words
     std::size_t maxWords = std::string_view::npos;
 };
 constexpr std::string_view real = "0123456789+-.eE \t\r";
 constexpr std::string_view cornerText = "0123456789-/ \t\r";
-constexpr std::array statements = {
-    Statement{"v", real, 3, 3},   Statement{"f", cornerText, 3, 3},
-    Statement{"vn", real, 3, 3},  Statement{"vt", real, 1, 3},
-    Statement{"v", real, 6, 6}, // with a colour
-    Statement{"usemtl", "", 0},   Statement{"mtllib", "", 0},
-    Statement{"o", "", 0},        Statement{"g", "", 0},
-    Statement{"s", "", 0}};
+constexpr std::array statements = {Statement{"v", real, 3, 3},  Statement{"f", cornerText, 3, 3},
+                                   Statement{"vn", real, 3, 3}, Statement{"vt", real, 1, 3},
+                                   Statement{"v", real, 6, 6}, // with a colour
+                                   Statement{"usemtl", "", 0},  Statement{"mtllib", "", 0},
+                                   Statement{"o", "", 0},       Statement{"g", "", 0},
+                                   Statement{"s", "", 0}};
 
 std::array<bool, 256> setOf(std::string_view characters) {
     std::array<bool, 256> set{};

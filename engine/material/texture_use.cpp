@@ -164,17 +164,16 @@ void addPlacement(Block& block) {
     block.parameters.push_back(chosen("filter", "Filter", "What is between its pixels.",
                                       {{"smooth", "Smooth", "Blended, also from afar."},
                                        {"nearest", "Nearest", "Hard pixels."}}));
-    block.parameters.push_back(ranged(described(ParameterType::Vec2, "scale", "Scale",
-                                                "How often the image fits, across and up.",
-                                                glm::dvec2(1.0)),
-                                      {-maxNumber, maxNumber}, {0.0, 8.0}, 0.01));
+    block.parameters.push_back(
+        ranged(described(ParameterType::Vec2, "scale", "Scale",
+                         "How often the image fits, across and up.", glm::dvec2(1.0)),
+               {-maxNumber, maxNumber}, {0.0, 8.0}, 0.01));
     block.parameters.push_back(ranged(described(ParameterType::Vec2, "offset", "Offset",
-                                                "How far it is moved, in images.",
-                                                glm::dvec2(0.0)),
+                                                "How far it is moved, in images.", glm::dvec2(0.0)),
                                       {-maxNumber, maxNumber}, {-1.0, 1.0}, 0.01));
-    Parameter rotation = ranged(described(ParameterType::Float, "rotation", "Rotation",
-                                          "Counter-clockwise.", 0.0),
-                                {-360000.0, 360000.0}, {-180.0, 180.0}, 1.0);
+    Parameter rotation =
+        ranged(described(ParameterType::Float, "rotation", "Rotation", "Counter-clockwise.", 0.0),
+               {-360000.0, 360000.0}, {-180.0, 180.0}, 1.0);
     rotation.unit = "deg";
     block.parameters.push_back(std::move(rotation));
 }

@@ -20,9 +20,9 @@ struct EnvironmentImage;
 
 /// Says which frame is wanted, apart from the scene.
 struct View {
-    glm::ivec2 size{512, 512};      ///< pixels, each at least 1
+    glm::ivec2 size{512, 512}; ///< pixels, each at least 1
     Camera camera;
-    int samples = 0;                ///< MSAA, lowered to what the driver offers; 0: the scene's own
+    int samples = 0; ///< MSAA, lowered to what the driver offers; 0: the scene's own
     HdrNumbers numbers = HdrNumbers::Half; ///< of the linear picture
     /// Whose effects the programs have; nothing: the scene's own. The same objects and lights with
     /// other values, so that a value may pass what makes an effect needless without a new program.
@@ -55,14 +55,14 @@ using MeshSource = std::function<MeshView(const Object&)>;
 
 /// Holds what drawing a frame took and what it was made of.
 struct FrameReport {
-    int programs = 0;         ///< different programs used
-    int compiled = 0;         ///< programs compiled (not found in memory or on disk) for this frame
-    int uploadedBuffers = 0;  ///< uniform buffers written
+    int programs = 0;        ///< different programs used
+    int compiled = 0;        ///< programs compiled (not found in memory or on disk) for this frame
+    int uploadedBuffers = 0; ///< uniform buffers written
     int drawnObjects = 0;
-    int drawCalls = 0;        ///< for the objects; those of one mesh and material share one
-    bool isWaiting = false;   ///< images are not whole yet: another frame shows more of them
-    int shadowMaps = 0;       ///< depth maps drawn (six for a light that shines everywhere)
-    int filledTables = 0;     ///< materials whose blocks' tables were filled (see block_table.h)
+    int drawCalls = 0;      ///< for the objects; those of one mesh and material share one
+    bool isWaiting = false; ///< images are not whole yet: another frame shows more of them
+    int shadowMaps = 0;     ///< depth maps drawn (six for a light that shines everywhere)
+    int filledTables = 0;   ///< materials whose blocks' tables were filled (see block_table.h)
     std::vector<std::string> effects; ///< the blocks in the shaders, canonical order
     Errors messages;          ///< compile errors at the block's own file and line, lost lights, ...
     std::size_t warnings = 0; ///< so many of the messages, the last ones, say what was left out of

@@ -15,10 +15,10 @@ enum class GroundMode {
 /// A level plane on which shadows fall. It casts none, and is seen from above only.
 struct Ground {
     GroundMode mode = GroundMode::Off;
-    bool automatic = true;     ///< the height is the lowest point of the objects that are drawn
-    double height = 0.0;       ///< metres, where it is not automatic
-    glm::dvec3 color{0.5f};    ///< the plane's share of the light that comes back; a float
-    double opacity = 1.0;      ///< 0 .. 1: of the plane, or of the shadows on it
+    bool automatic = true;  ///< the height is the lowest point of the objects that are drawn
+    double height = 0.0;    ///< metres, where it is not automatic
+    glm::dvec3 color{0.5f}; ///< the plane's share of the light that comes back; a float
+    double opacity = 1.0;   ///< 0 .. 1: of the plane, or of the shadows on it
 
     friend bool operator==(const Ground&, const Ground&) = default;
 };

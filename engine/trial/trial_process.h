@@ -40,9 +40,9 @@ class TrialProcess {
 
     /// Says how it ended.
     struct End {
-        int signal = 0;                  ///< that ended it; 0: none
-        int status = 0;                  ///< it gave back
-        std::size_t maxMemoryBytes = 0;  ///< it ever held
+        int signal = 0;                 ///< that ended it; 0: none
+        int status = 0;                 ///< it gave back
+        std::size_t maxMemoryBytes = 0; ///< it ever held
     };
 
     /// Ends it, where it has not by itself.

@@ -62,7 +62,7 @@ BlockValues defaultsOf(const Catalog& catalog, const std::string& kind, const st
     return values;
 }
 
-/// The default scene's lights on a ball.
+/// Three lights on a ball.
 Scene ballScene(const Catalog& catalog, const std::string& model) {
     Scene scene;
     scene.objects.emplace_back().material = defaultMaterial(*catalog.find("models", model));

@@ -80,7 +80,7 @@ class FittedStage {
         : context_(gl::HeadlessContext::create().value()),
           catalog_(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()))),
           renderer_(Stage::rendererOf(catalog_)) {
-        scene_ = readScene(presetFolder() / "default.patina-scene.json", *catalog_)->scene;
+        scene_ = readScene(presetFolder() / "three-lights.patina-scene.json", *catalog_)->scene;
         scene_.objects.resize(1);
         scene_.lights.clear();
         scene_.setPart("environment", studio());
@@ -120,7 +120,7 @@ class FittedStage {
     PrimitiveMeshes meshes_;
 };
 
-/// A frame of the default scene under its three lights, and under the fitted studio alone, in
+/// A frame of a ball under three lights, and under the fitted studio alone, in
 /// turns; and what a tick of a slider of the material, or of the studio, adds to the latter.
 bool reportCosts() {
     Stage stage({512, 512});

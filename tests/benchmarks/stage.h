@@ -23,14 +23,14 @@ inline double wallSeconds() {
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-/// The default scene with one sphere, a renderer without programs on disk, and a target.
+/// The scene of three lights with one sphere, a renderer without programs on disk, and a target.
 class Stage {
   public:
     explicit Stage(glm::ivec2 size)
         : context_(gl::HeadlessContext::create().value()),
           catalog_(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()))),
           renderer_(Renderer::create({.programCache = folder_.path()}).value()) {
-        const auto file = dataFolder() / "presets" / "default.patina-scene.json";
+        const auto file = dataFolder() / "presets" / "three-lights.patina-scene.json";
         scene = readScene(file, *catalog_).value().scene;
         scene.objects.resize(1);
         scene.objects.front().mesh = "sphere";

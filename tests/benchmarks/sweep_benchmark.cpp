@@ -36,7 +36,7 @@ const std::filesystem::path& presetFolder() {
     return folder;
 }
 
-/// A shipped preset in the default scene.
+/// A shipped preset under three lights.
 struct Shipped {
     std::string name;
     Scene scene;

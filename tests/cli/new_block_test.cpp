@@ -61,7 +61,7 @@ TEST_F(NewBlock, Descriptors_AreValid) {
 
 TEST_F(NewBlock, Scene_IsDrawnWithThem) {
     const std::string file = data_ / "all.patina-scene.json";
-    Json scene = Json::parse(readFile(shipped("presets/default.patina-scene.json")));
+    Json scene = Json::parse(readFile(shipped("presets/three-lights.patina-scene.json")));
     scene["objects"][0]["preset"] = shipped("presets/cook-torrance/red-plastic.patina.json");
     scene["lights"] = Json::array({{{"name", "lamp"}, {"id", "warn"}}});
     scene["fog"] = {{"id", "haze"}, {"parameters", {{"density", 1.0}}}};

@@ -68,8 +68,7 @@ TEST(EffectsCommand, Source_HasNoFogWithoutFog) {
 
 /// The table says that it changes no pixel of what is seen.
 TEST(EffectsCommand, Source_HasNoFogThatTheTableSaysIsOut) {
-    auto scene = nlohmann::json::parse(
-        readFile(shipped("presets/default.patina-scene.json")));
+    auto scene = nlohmann::json::parse(readFile(shipped("presets/three-lights.patina-scene.json")));
     scene["fog"] = {{"id", "exponential"}, {"parameters", {{"density", 1e-7}}}};
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "thin.patina-scene.json";
@@ -90,8 +89,8 @@ TEST(EffectsCommand, Source_HasNoFogThatTheTableSaysIsOut) {
 class EffectsOfObjects : public testing::Test {
   protected:
     EffectsOfObjects() {
-        auto scene = nlohmann::json::parse(
-            readFile(shipped("presets/default.patina-scene.json")));
+        auto scene =
+            nlohmann::json::parse(readFile(shipped("presets/three-lights.patina-scene.json")));
         auto& objects = scene["objects"];
         objects.push_back(objects[0]);
         const std::array<const char*, 2> names{"Left", "Right"};

@@ -38,21 +38,20 @@ TEST(RenderCommand, MeshWithATriangleThatCannotBeDrawn_IsDrawnWithARemark) {
     const TemporaryFolder folder;
     const std::string mesh = (folder / "nan.obj").string();
     writeFile(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n");
-    const Outcome outcome =
-        patina({"render", gold, "--mesh", mesh, "--size", "32x32", "-o", "-"});
+    const Outcome outcome = patina({"render", gold, "--mesh", mesh, "--size", "32x32", "-o", "-"});
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_NE(outcome.err.find("nan.obj: 1 of 2 triangles"), std::string::npos) << outcome.err;
 }
 
 TEST(RenderCommand, SceneWithShadows_IsDrawnWithThem) {
     const TemporaryFolder folder;
-    auto scene = nlohmann::json::parse(readFile(shipped("presets/default.patina-scene.json")));
+    auto scene = nlohmann::json::parse(readFile(shipped("presets/three-lights.patina-scene.json")));
     scene["objects"][0]["preset"] = nlohmann::json::parse(readFile(gold));
     const auto picture = [&folder, &scene] {
         writeFile(folder / "a.patina-scene.json", scene.dump());
-        const Outcome outcome = patina({"render", "--scene",
-                                        (folder / "a.patina-scene.json").string(), "--size",
-                                        "48x48", "-o", "-"});
+        const Outcome outcome =
+            patina({"render", "--scene", (folder / "a.patina-scene.json").string(), "--size",
+                    "48x48", "-o", "-"});
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "");
         return outcome.out;
@@ -67,8 +66,8 @@ TEST(RenderCommand, SceneWithShadows_IsDrawnWithThem) {
 
 TEST(RenderCommand, Highlight_IsChosenAndSet) {
     const auto picture = [](std::vector<std::string> more) {
-        std::vector<std::string> arguments{"render", "--model", "lambert", "--size", "32x32", "-o",
-                                           "-"};
+        std::vector<std::string> arguments{"render", "--model", "lambert", "--size",
+                                           "32x32",  "-o",      "-"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return patina(arguments).out;
     };
@@ -79,9 +78,9 @@ TEST(RenderCommand, Highlight_IsChosenAndSet) {
     EXPECT_NE(picture({"--specular", "phong", "--set", "specular.shininess=3"}), glossy);
 }
 
-/// The shipped default scene without its object.
+/// The shipped scene of three lights without its object.
 std::filesystem::path emptyScene(const TemporaryFolder& folder) {
-    auto json = nlohmann::json::parse(readFile(shipped("presets/default.patina-scene.json")));
+    auto json = nlohmann::json::parse(readFile(shipped("presets/three-lights.patina-scene.json")));
     json["objects"] = nlohmann::json::array();
     writeFile(folder / "empty.patina-scene.json", json.dump());
     return folder / "empty.patina-scene.json";

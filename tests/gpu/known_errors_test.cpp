@@ -65,8 +65,7 @@ TEST_F(KnownErrorsTest, SchlickFresnelOfGlass_ErrsBy36ThousandthsNear85Degrees) 
     scene.camera.fieldOfView = 1.0;
     constexpr int columns = 33;
     const auto sweep = swept(scene, "fresnel.reflectance.clear", {columns, 1});
-    const std::vector<double> map =
-        sweep->errorMap({{"fresnel.reflectance.clear", "schlick"}});
+    const std::vector<double> map = sweep->errorMap({{"fresnel.reflectance.clear", "schlick"}});
     double worst = 0.0;
     int place = 0;
     for (int i = 0; i < columns; ++i) {
@@ -77,8 +76,8 @@ TEST_F(KnownErrorsTest, SchlickFresnelOfGlass_ErrsBy36ThousandthsNear85Degrees) 
     }
     EXPECT_NEAR(worst, 0.036, 0.0005);
     // A picture of one row is as high as its field of view, and as many times as wide.
-    const double across = (place + 0.5 - 0.5 * columns) * 2.0 *
-                          std::tan(0.5 * 1.0 * std::numbers::pi / 180.0);
+    const double across =
+        (place + 0.5 - 0.5 * columns) * 2.0 * std::tan(0.5 * 1.0 * std::numbers::pi / 180.0);
     EXPECT_LT(std::abs(std::atan(across)) * 180.0 / std::numbers::pi, 2.0);
 }
 
@@ -94,10 +93,9 @@ TEST_F(KnownErrorsTest, SchlicksFraction_Gives1233InPlaceOf12) {
 /// Each table at the angle of the light where it errs most for a viewer at 45 degrees.
 TEST_F(KnownErrorsTest, TablesOfGrazingTerms_ErrByWhatTheirTextsSay) {
     const auto errorAt = [this](double c, const std::string& level) {
-        Scene scene = plateOf("strauss",
-                              {{"smoothness", 0.0}, {"metalness", 0.0}, {"transparency", 0.0},
-                               {"k", 0.1}},
-                              45.0);
+        Scene scene = plateOf(
+            "strauss", {{"smoothness", 0.0}, {"metalness", 0.0}, {"transparency", 0.0}, {"k", 0.1}},
+            45.0);
         scene.lights = {lightAt(c)};
         const double mirrored = std::sqrt(0.5) * (std::sqrt((1.0 - c) * (1.0 + c)) + c);
         const double lobe = 0.1 * mirrored * mirrored * mirrored;

@@ -32,9 +32,8 @@ class ModelRankingTest : public GpuTest {
 TEST_F(ModelRankingTest, EveryModel_IsRankedByItsTime) {
     const std::vector<ModelCost> costs = ranked();
     EXPECT_EQ(costs.size(), catalog->ofKind("models").size());
-    EXPECT_TRUE(std::ranges::is_sorted(costs, {}, [](const ModelCost& each) {
-        return each.cost.ratio.median;
-    }));
+    EXPECT_TRUE(std::ranges::is_sorted(
+        costs, {}, [](const ModelCost& each) { return each.cost.ratio.median; }));
     EXPECT_EQ(costs.front().cost.ratio.median, 1.0); // beside the quickest
     for (const ModelCost& each : costs) {
         EXPECT_GT(each.cost.nanosecondsPerPixel, 0.0) << each.model;

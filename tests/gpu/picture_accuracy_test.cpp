@@ -232,8 +232,7 @@ TEST_F(PictureAccuracyTest, DirectionsOfAnEnvironment_GoFrom4096To1AndThenToNone
     ChosenFrame fitted{scene, View()};
     choose(fitted, 0, choices, {{"picture.environment", "fitted"}}, *catalog);
     EXPECT_TRUE(fitted.scene.accuracy.fitsEnvironment());
-    EXPECT_EQ(levelsOfPicture(fitted.scene, choices, *catalog).at("picture.environment"),
-              "fitted");
+    EXPECT_EQ(levelsOfPicture(fitted.scene, choices, *catalog).at("picture.environment"), "fitted");
 }
 
 TEST_F(PictureAccuracyTest, MoreDirectionsThanOneFrameHas_TakeTheirTime) {

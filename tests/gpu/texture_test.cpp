@@ -98,8 +98,7 @@ std::array<float, 4> besides(TextureWrap wrap) {
 
 TEST_F(TextureTest, EachWrap_ContinuesTheImageAsItSays) {
     file("pair", {2, 1}, 1, {0.0f, 1.0f});
-    for (const TextureWrap wrap :
-         {TextureWrap::Repeat, TextureWrap::Clamp, TextureWrap::Mirror}) {
+    for (const TextureWrap wrap : {TextureWrap::Repeat, TextureWrap::Clamp, TextureWrap::Mirror}) {
         TextureUse& pair = use("diffuse.color", "pair");
         pair.wrap = wrap;
         pair.scale = {2.0, 1.0};
@@ -231,8 +230,7 @@ Mesh finePlane() {
     Mesh mesh;
     for (unsigned i = 0; i < row * row; ++i) {
         const glm::vec2 at = glm::vec2(i % row, i / row) / float(cells);
-        mesh.vertices.push_back(
-            {glm::vec3(2.0f * at - 1.0f, 0.0f), {0, 0, 1}, {1, 0, 0, 1}, at});
+        mesh.vertices.push_back({glm::vec3(2.0f * at - 1.0f, 0.0f), {0, 0, 1}, {1, 0, 0, 1}, at});
     }
     for (unsigned y = 0; y < cells; ++y) {
         for (unsigned i = y * row; i < y * row + cells; ++i) {
@@ -254,7 +252,8 @@ TEST_F(HeightTest, OnAFineMesh_AreAsEvenWithFourSamplesAsWithOne) {
         View view = viewOf(scene, size);
         view.samples = samples;
         return renderer
-            ->capture(scene, view, [&mesh](const Object&) { return mesh.view(); }, false)
+            ->capture(
+                scene, view, [&mesh](const Object&) { return mesh.view(); }, false)
             .value();
     };
     const Image one = drawn(1);

@@ -102,8 +102,7 @@ TEST(SchlickFresnel, OfGlass_ErrsMostNear85Degrees) {
     const Subject cheap("fresnel", "dielectric", glass, {{"reflectance.clear", "schlick"}});
     const double c = direction(85.0, 0.0).z;
     EXPECT_NEAR(cheap.reflectance(c) - exact.reflectance(c), 0.036, 5e-4);
-    EXPECT_NEAR(fresnelError("dielectric", glass, {{"reflectance.clear", "schlick"}}), 0.036,
-                5e-4);
+    EXPECT_NEAR(fresnelError("dielectric", glass, {{"reflectance.clear", "schlick"}}), 0.036, 5e-4);
 }
 
 TEST(SchlickFresnel, OfWaterAndDiamond_ErrsMore) {
@@ -131,8 +130,7 @@ TEST(SchlickFresnel, FromInside_ReflectsAllBeyondTheCriticalAngle) {
 
 TEST(SchlickFresnel, OfEqualIndices_ReflectsNothing) {
     for (const char* level : {"schlick", "exponential"}) {
-        const Subject none("fresnel", "dielectric",
-                           {{"index.outside", 1.5}, {"index.inside", 1.5}},
+        const Subject none("fresnel", "dielectric", {{"index.outside", 1.5}, {"index.inside", 1.5}},
                            {{"reflectance.clear", level}});
         EXPECT_EQ(none.reflectance(0.01), 0.0);
     }
@@ -164,9 +162,9 @@ TEST(MetalFresnel, ByTheHighIndexForm_ErrsByHalfAHundredth) {
 }
 
 TEST(F0Fresnel, BySchlick_ErrsAsForGlass) {
-    expectAbout(fresnelError("blinn-f0", {{"f0", glm::dvec3(0.04)}},
-                             {{"reflectance.f0", "schlick"}}),
-                0.036);
+    expectAbout(
+        fresnelError("blinn-f0", {{"f0", glm::dvec3(0.04)}}, {{"reflectance.f0", "schlick"}}),
+        0.036);
 }
 
 /// The largest relative difference of two functions of light and viewer.
@@ -249,7 +247,9 @@ TEST(ReducedFacets, OfBeckmann_ErrWithTheFourthPowerOfTheWidth) {
     expectAbout(facetError("beckmann", 0.4), 2.4e-2);
 }
 
-TEST(ReducedFacets, OfGgx_AreExact) { EXPECT_EQ(facetError("ggx", 0.3), 0.0); }
+TEST(ReducedFacets, OfGgx_AreExact) {
+    EXPECT_EQ(facetError("ggx", 0.3), 0.0);
+}
 
 /// The largest difference over directions of light and viewer down to cosines of 0.05.
 double matteError(const char* form, double roughness, double color, const char* level) {
@@ -293,18 +293,16 @@ TEST(MatteForm, OfOneBounceWithoutAngles_StaysAsItIs) {
 
 TEST(StraussTerms, ByTheCosine_ErrByAnEighth) {
     // Without smoothness the highlight is k times the product of the terms on the mirror direction.
-    const Values values{{"diffuse.color", black},   {"specular.color", white},
-                        {"smoothness", 0.0},        {"metalness", 0.0},
-                        {"transparency", 0.0},      {"k", 0.1}};
+    const Values values{{"diffuse.color", black}, {"specular.color", white}, {"smoothness", 0.0},
+                        {"metalness", 0.0},       {"transparency", 0.0},     {"k", 0.1}};
     const Subject exact("models", "strauss", values);
     const Subject cheap("models", "strauss", values, {{"terms", "cosine"}});
     const auto mirrored = [](const Subject& model, double c) {
         const double s = std::sqrt((1.0 - c) * (1.0 + c));
         return model.shade(geometry({s, 0.0, c}, {-s, 0.0, c})).x / 0.1;
     };
-    const double worst = largest([&](double c) {
-        return c > 0.0 ? mirrored(cheap, c) - mirrored(exact, c) : 0.0;
-    });
+    const double worst =
+        largest([&](double c) { return c > 0.0 ? mirrored(cheap, c) - mirrored(exact, c) : 0.0; });
     expectAbout(worst, 0.13);
 }
 
@@ -329,19 +327,15 @@ TEST(AshikhminShirleyFall, AsAGaussian_ErrsAsOfPhong) {
 }
 
 TEST(LafortuneFall, AsAGaussian_ErrsAsOfPhong) {
-    const Values values{{"diffuse.color", black},
-                        {"lobe1.color", white},
-                        {"lobe1.x", glm::dvec3(-1.0)},
-                        {"lobe1.y", glm::dvec3(-1.0)},
-                        {"lobe1.z", glm::dvec3(1.0)},
-                        {"lobe1.exponent", glm::dvec3(32.0)}};
+    const Values values{{"diffuse.color", black},      {"lobe1.color", white},
+                        {"lobe1.x", glm::dvec3(-1.0)}, {"lobe1.y", glm::dvec3(-1.0)},
+                        {"lobe1.z", glm::dvec3(1.0)},  {"lobe1.exponent", glm::dvec3(32.0)}};
     const Subject exact("models", "lafortune", values);
     const Subject cheap("models", "lafortune", values, {{"falloff", "gaussian"}});
     const double peak = highlight(exact, 1.0);
-    expectAbout(largest([&](double c) {
-                    return (highlight(cheap, c) - highlight(exact, c)) / peak;
-                }),
-                8.6e-3);
+    expectAbout(
+        largest([&](double c) { return (highlight(cheap, c) - highlight(exact, c)) / peak; }),
+        8.6e-3);
 }
 
 /// The largest error of the limit over the largest value of the series, at one roughness.
@@ -349,8 +343,8 @@ double limitError(double g) {
     const double peak = call("wave_series", {g, 0.0, 20.0, 8.0, 8.0})[0];
     return largest([g, peak](double u) {
         const double x = 8.0 * g * u;
-        return (call("wave_limit", {g, x})[0] -
-                call("wave_series", {g, x, 20.0, 8.0, 8.0})[0]) / peak;
+        return (call("wave_limit", {g, x})[0] - call("wave_series", {g, x, 20.0, 8.0, 8.0})[0]) /
+               peak;
     });
 }
 
@@ -393,8 +387,8 @@ TEST(CoatedBase, AsLambert_LosesTheEighthOfThePaper) {
     const auto facing = geometry({0.0, 0.0, 1.0}, direction(0.0, 0.0));
     const Subject exact("models", "ashikhmin-shirley", values);
     const Subject cheap("models", "ashikhmin-shirley", values, {{"base", "lambert"}});
-    EXPECT_NEAR(exact.shade(facing, coat.filler()).x - cheap.shade(facing, coat.filler()).x,
-                0.0854, 1e-4);
+    EXPECT_NEAR(exact.shade(facing, coat.filler()).x - cheap.shade(facing, coat.filler()).x, 0.0854,
+                1e-4);
 }
 
 } // namespace

@@ -168,8 +168,8 @@ TEST_F(PicturePanel, ShadowsLayersAndDirections_AreGivenToWhatHasThem) {
     document().setValue(document().currentPath(settings::material), "opacity", 0.5);
     document().setBlock(pathOf(kinds::shadows, 0), "filtered");
     const std::vector<Choice> choices = choicesOfPicture(document().scene(), document().catalog());
-    const ChosenLevels wanted{{"picture.environment", "16"}, {"picture.layers", "2"},
-                              {"picture.shadows", "coarse"}};
+    const ChosenLevels wanted{
+        {"picture.environment", "16"}, {"picture.layers", "2"}, {"picture.shadows", "coarse"}};
     for (const auto& each : wanted) {
         ASSERT_TRUE(std::ranges::any_of(choices, [&](const Choice& choice) {
             return choice.id == each.first && choice.level(each.second) != nullptr;
@@ -321,8 +321,8 @@ TEST_F(ComparedPicturePanel, SwappedSides_SwapThePictures) {
 
 TEST_F(ComparedPicturePanel, MaterialsThatAreComparedNext_HaveTheScenesPicture) {
     compareHalf();
-    window().comparison().previewMaterials(
-        *document().material(Side::A), *document().material(Side::B), "Compare");
+    window().comparison().previewMaterials(*document().material(Side::A),
+                                           *document().material(Side::B), "Compare");
     EXPECT_EQ(document().scene(Side::A), document().scene());
     EXPECT_EQ(scaleOf(document().scene(Side::B)), scaleOf(document().scene()));
 }

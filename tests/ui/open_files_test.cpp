@@ -19,7 +19,7 @@ class OpenFiles : public WindowFixture {
     QString sceneFile(const std::string& name) {
         EXPECT_TRUE(window().documentFiles().saveScene(home("a.patina-scene.json")));
         std::filesystem::rename(home("a.patina-scene.json"), home(name));
-        EXPECT_TRUE(window().documentFiles().openTemplate(defaultSceneFile()));
+        EXPECT_TRUE(window().documentFiles().openTemplate(threeLightsFile()));
         return QString::fromStdString(home(name).string());
     }
 

@@ -22,7 +22,7 @@ class OpenedFiles : public WindowFixture {
         const std::filesystem::path file = home("a.patina-scene.json");
         expose(0.5);
         EXPECT_TRUE(window().documentFiles().saveScene(file));
-        EXPECT_TRUE(window().documentFiles().openTemplate(defaultSceneFile()));
+        EXPECT_TRUE(window().documentFiles().openTemplate(threeLightsFile()));
         return file;
     }
     std::filesystem::path sceneFromTheFuture() {
@@ -53,9 +53,7 @@ class OpenedFiles : public WindowFixture {
     bool meshArrives() {
         return QTest::qWaitFor([this] { return document().undoStack().count() > 0; }, waitMs);
     }
-    QString said() {
-        return QString::fromStdString(text(window().messages().messages()));
-    }
+    QString said() { return QString::fromStdString(text(window().messages().messages())); }
 };
 
 TEST_F(OpenedFiles, SceneDroppedOnAView_Opens) {
@@ -135,7 +133,7 @@ TEST_F(OpenedFiles, DamagedFileAtTheFirstStart_ShowsItsMessage) {
     writeFile(file, "{}");
     Theme theme;
     MainWindow first(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
-    first.documentFiles().openTemplate(defaultSceneFile());
+    first.documentFiles().openTemplate(threeLightsFile());
     first.files().open({QString::fromStdString(file.string())}, Side::A);
     first.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&first, waitMs));

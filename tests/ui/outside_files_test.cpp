@@ -230,7 +230,7 @@ TEST_F(OutsideFilesWindow, RecoveredWork_HasNothingThatWasRefused) {
     std::filesystem::create_directory(home("copies"));
     const std::filesystem::path copy = home("copies/copy.patina-scene.json");
     ASSERT_TRUE(writeScene(copy, window().documentFiles().sceneToRecover()));
-    ASSERT_TRUE(window().documentFiles().openTemplate(defaultSceneFile()));
+    ASSERT_TRUE(window().documentFiles().openTemplate(threeLightsFile()));
     ASSERT_TRUE(
         window().documentFiles().recover(copy, {DocumentFile::Kind::Scene, scene(), false}));
     EXPECT_TRUE(isRefused());

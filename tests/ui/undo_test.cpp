@@ -5,11 +5,13 @@
 #include <stdexcept>
 
 #include <QDockWidget>
+#include <QMenu>
 #include <QTest>
 
 #include "document/scene_edits.h"
 #include "parameters/number_box.h"
 #include "parameters/parameter_row.h"
+#include "scene/scene_file.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::undo_test {
@@ -51,6 +53,8 @@ const std::vector<Edit> edits{
          light.enabled = false;
          setLight(d, 0, light);
      }},
+    {"Lighting",
+     [](Document& d) { setLighting(d, readScene(defaultSceneFile(), d.catalog())->scene); }},
     {"LightValue", [](Document& d) { set(d, kinds::lights, "intensity", 0.0); }},
     {"Fog", [](Document& d) { d.setBlock(pathOf(kinds::fog), "exponential"); }},
     {"FogValue",
@@ -121,6 +125,26 @@ TEST_P(UndoneEdit, PictureAndDocument_AreAsBefore) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, UndoneEdit, testing::ValuesIn(edits),
                          [](const auto& tested) { return tested.param.name; });
+
+using LightingMenu = WindowFixture;
+
+TEST_F(LightingMenu, EveryShippedScene_LightsWhatIsThereInOneStep) {
+    auto* menu = window().findChild<QMenu*>("lighting");
+    Q_EMIT menu->aboutToShow();
+    ASSERT_EQ(std::size_t(menu->actions().size()), shippedScenes().size());
+    const Scene before = document().scene();
+    for (int i = 0; i < menu->actions().size(); ++i) {
+        const auto shipped = readScene(shippedScenes()[std::size_t(i)], document().catalog());
+        const int steps = document().undoStack().count();
+        menu->actions()[i]->trigger();
+        EXPECT_EQ(document().scene().lights, shipped->scene.lights);
+        EXPECT_EQ(document().scene().parts, shipped->scene.parts);
+        EXPECT_EQ(document().scene().objects, before.objects);
+        EXPECT_EQ(document().scene().camera, before.camera);
+        EXPECT_EQ(document().undoStack().count(), steps + 1);
+        EXPECT_LT(document().currentLight(), int(document().scene().lights.size()));
+    }
+}
 
 class NumberField : public WindowFixture {
   protected:

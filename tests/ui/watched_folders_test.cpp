@@ -161,7 +161,7 @@ TEST_F(WatchedFolders, ShaderThatDoesNotCompile_HasNoPicture) {
     writeModel("First");
     ASSERT_TRUE(isShown("First"));
     ThumbnailMaker maker(document().sharedCatalog(),
-                         {home("cache"), home("programs"), defaultSceneFile()});
+                         {home("cache"), home("programs"), threeLightsFile()});
     QImage picture;
     int made = 0;
     QObject::connect(&maker, &ThumbnailMaker::ready, &window(),

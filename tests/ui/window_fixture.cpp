@@ -40,7 +40,7 @@ void WindowFixture::open() {
     theme_ = std::make_unique<Theme>();
     window_ = std::make_unique<MainWindow>(
         std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), *theme_);
-    ASSERT_TRUE(window().documentFiles().openTemplate(defaultSceneFile()));
+    ASSERT_TRUE(window().documentFiles().openTemplate(threeLightsFile()));
     if (size_ == Size::Small && Session().windowGeometry().isEmpty()) {
         window_->resize(smallWindow);
     }

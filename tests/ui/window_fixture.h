@@ -5,10 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include "catalog/catalog.h"
 #include "support/program.h"
 #include "window/main_window.h"
 
 namespace patina::tests {
+
+/// Returns a shipped scene without environment, ground and shadows, so that a frame takes little.
+inline std::filesystem::path threeLightsFile() {
+    return dataFolder() / "presets/three-lights.patina-scene.json";
+}
 
 /// The editor's window on the shipped blocks, with folders of its own for everything it keeps. A
 /// view of the size that a first start gives it takes a software driver long to fill; most tests
@@ -52,7 +58,7 @@ class WindowFixture : public testing::Test {
 /// What a view shows, for an export.
 PictureExport::Source pictureOf(Viewport& view);
 
-/// A preset of some other model than the default scene's.
+/// A preset of some other model than the one on screen.
 std::filesystem::path otherPreset(const Document& document);
 
 } // namespace patina::tests

@@ -93,9 +93,9 @@ QString wayName(const CostPoint& point, const CostChart& chart) {
 QString wayDescription(const CostPoint& point, const CostChart& chart) {
     QStringList lines;
     for (const TakenLevel& taken : takenLevels(point, chart)) {
-        lines << QStringLiteral("%1: %2. %3").arg(asText(taken.choice->label),
-                                                  asText(taken.level->label),
-                                                  asText(taken.level->doc));
+        lines << QStringLiteral("%1: %2. %3")
+                     .arg(asText(taken.choice->label), asText(taken.level->label),
+                          asText(taken.level->doc));
     }
     return lines.isEmpty() ? tr("Every choice is exact.") : lines.join('\n');
 }
@@ -104,8 +104,8 @@ QString ratioText(const MedianInterval& ratio) {
     if (ratio.upper - ratio.lower > 2.0 * ratio.median) {
         return QStringLiteral("%1 ± ?").arg(digitsText(ratio.median));
     }
-    return QStringLiteral("%1 ± %2").arg(
-        digitsText(ratio.median), likeText(0.5 * (ratio.upper - ratio.lower), ratio.median));
+    return QStringLiteral("%1 ± %2").arg(digitsText(ratio.median),
+                                         likeText(0.5 * (ratio.upper - ratio.lower), ratio.median));
 }
 
 QString costRatioText(const ChoiceCost& cost, RatioBound bound) {
@@ -134,12 +134,11 @@ QString ratioNote(const ChoiceCost& cost, RatioBound bound) {
     default:
         break;
     }
-    return cost.isSure()
-               ? tr("Between %1 and %2 with a probability of 95 %, by %3 pairs of frames")
-                     .arg(digitsText(cost.ratio.lower), digitsText(cost.ratio.upper))
-                     .arg(cost.runs)
-               : tr("By %1 pairs of frames, which are too few to say how sure it is")
-                     .arg(cost.runs);
+    return cost.isSure() ? tr("Between %1 and %2 with a probability of 95 %, by %3 pairs of frames")
+                               .arg(digitsText(cost.ratio.lower), digitsText(cost.ratio.upper))
+                               .arg(cost.runs)
+                         : tr("By %1 pairs of frames, which are too few to say how sure it is")
+                               .arg(cost.runs);
 }
 
 QString perPixelText(const ChoiceCost& cost, bool withInterval) {
@@ -227,11 +226,10 @@ QString stepText(const SweepStep& step, const CostChart& chart) {
                              .arg(workText(step, chart))
                              .arg(std::lround(100.0 * step.share));
     constexpr double minute = 60.0;
-    return step.secondsInAll < 1.5 * minute
-               ? text
-               : tr("%1. It takes about %2 minutes in all.")
-                     .arg(text)
-                     .arg(std::lround(step.secondsInAll / minute));
+    return step.secondsInAll < 1.5 * minute ? text
+                                            : tr("%1. It takes about %2 minutes in all.")
+                                                  .arg(text)
+                                                  .arg(std::lround(step.secondsInAll / minute));
 }
 
 QString staleText() {

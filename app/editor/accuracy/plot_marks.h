@@ -51,9 +51,9 @@ class PlotMarks {
     void colour(const QPalette& palette, bool stale);
 
     QCustomPlot& plot_;
-    QCPGraph* all_;      ///< carries the intervals, draws nothing itself
+    QCPGraph* all_; ///< carries the intervals, draws nothing itself
     QCPErrorBars* intervals_;
-    QCPGraph* line_;     ///< of the front
+    QCPGraph* line_; ///< of the front
     Dots beaten_;
     Dots ties_;
     Dots front_;

@@ -44,8 +44,7 @@ const QStyle& styleOf(const QStyleOptionViewItem& option) {
 /// For the text of an item, between the margins that styles leave it.
 int roomOf(const QStyleOptionViewItem& option) {
     const QStyle& style = styleOf(option);
-    const int margin =
-        style.pixelMetric(QStyle::PM_FocusFrameHMargin, &option, option.widget) + 1;
+    const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, &option, option.widget) + 1;
     return style.subElementRect(QStyle::SE_ItemViewItemText, &option, option.widget).width() -
            2 * margin;
 }

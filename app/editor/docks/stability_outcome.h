@@ -24,7 +24,7 @@ struct StabilityOutcome {
     bool complete = false; ///< false: it was cancelled, or could not begin
     std::size_t cases = 0;
     std::vector<StabilityFailure> failures;
-    QString limit; ///< " on the graphics device only", or empty: what the verdict has to add
+    QString limit;        ///< " on the graphics device only", or empty: what the verdict has to add
     QStringList problems; ///< why something could not be evaluated at all
     QStringList remarks;  ///< what was not looked at
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "document/commands/light_command.h"
+#include "document/commands/lighting_command.h"
 #include "document/commands/object_command.h"
 #include "document/commands/scene_block_command.h"
 #include "document/swapped_block.h"
@@ -67,6 +68,10 @@ void removeObject(Document& document, int index) {
         document.undoStack().push(
             new ObjectCommand(document, index, *held, std::nullopt, Document::tr("Remove object")));
     }
+}
+
+void setLighting(Document& document, const Scene& from) {
+    document.undoStack().push(new LightingCommand(document, from));
 }
 
 std::string_view environmentPicture(const Document& document) {

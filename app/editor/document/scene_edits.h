@@ -17,6 +17,9 @@ void addObject(Document& document, const Object& object);
 void setObject(Document& document, int index, const Object& object);
 void removeObject(Document& document, int index);
 
+/// Lights the scene as another one is lit: everything of that but its objects and its camera.
+void setLighting(Document& document, const Scene& from);
+
 /// The file of the environment's picture; empty where it needs none.
 std::string_view environmentPicture(const Document& document);
 /// Lights the scene with a picture: of the environment if it shows one, else of the first kind

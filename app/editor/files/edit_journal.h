@@ -37,7 +37,7 @@ class EditJournal {
     Result<void> append(const nlohmann::json& patch);
 
     std::filesystem::path copy_;
-    nlohmann::json written_; ///< what the copy and its journal say together; null: nothing yet
+    nlohmann::json written_;   ///< what the copy and its journal say together; null: nothing yet
     std::uintmax_t bytes_ = 0; ///< length of the journal
 };
 

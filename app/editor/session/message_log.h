@@ -10,9 +10,9 @@
 
 namespace patina {
 
-/// Keeps what went wrong so far, and notes on what did not. Events stay until they are cleared; what
-/// a group (the catalogue, a view) has to say is replaced whenever it changes, and gone when it is
-/// well again.
+/// Keeps what went wrong so far, and notes on what did not. Events stay until they are cleared;
+/// what a group (the catalogue, a view) has to say is replaced whenever it changes, and gone when
+/// it is well again.
 class MessageLog : public QObject {
     Q_OBJECT
 

@@ -14,8 +14,10 @@
 #include "docks/stability_dock.h"
 #include "document/comparison.h"
 #include "document/document_files.h"
+#include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "files/picture_export.h"
+#include "scene/scene_file.h"
 #include "session/session.h"
 #include "text/short_text.h"
 #include "viewport/compare_area.h"
@@ -94,6 +96,18 @@ void Menus::fillRecentFiles() {
     recent_->addAction(tr("Clear this list"), this, [this] { parts_.session.clearRecentFiles(); });
 }
 
+/// The scenes that ship, each with what its lights are called.
+void Menus::fillLighting() {
+    lighting_->clear();
+    for (const std::filesystem::path& file : shippedScenes()) {
+        if (const auto read = readScene(file, parts_.document.catalog())) {
+            lighting_->addAction(
+                QString::fromStdString(read->scene.name), this,
+                [this, scene = read->scene] { setLighting(parts_.document, scene); });
+        }
+    }
+}
+
 void Menus::makeEditMenu() {
     QMenu* menu = parts_.window.menuBar()->addMenu(tr("&Edit"));
     QAction* undo = parts_.document.undoStack().createUndoAction(this, tr("&Undo"));
@@ -135,6 +149,9 @@ void Menus::makeViewMenu() {
     inspect->setToolTip(tr("Mark pixels whose numbers are wrong, and read those under the "
                            "pointer (N)"));
     connect(inspect, &QAction::toggled, &parts_.views, &CompareArea::setInspecting);
+    lighting_ = menu->addMenu(tr("Li&ghting"));
+    lighting_->setObjectName("lighting");
+    connect(lighting_, &QMenu::aboutToShow, this, &Menus::fillLighting);
     add(menu, tr("Check &Stability"), QKeySequence("Ctrl+K"), [this] { checkStability(); });
     add(menu, tr("&Effects and Their Costs"), QKeySequence("E"),
         [this] { parts_.layout.bringToFront("effects"); });

@@ -52,6 +52,7 @@ class Menus : public QObject {
     void makeHelpMenu();
     void makeToolBar();
     void fillRecentFiles();
+    void fillLighting();
     void exportPicture();
     void checkStability();
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,
@@ -60,6 +61,7 @@ class Menus : public QObject {
     Parts parts_;
     ViewsCapture* capture_; ///< the views'
     QMenu* recent_ = nullptr;
+    QMenu* lighting_ = nullptr;
     QAction* compare_ = nullptr;
     QAction* link_ = nullptr;
     QAction* realign_ = nullptr;

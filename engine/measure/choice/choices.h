@@ -32,11 +32,11 @@ struct Choice {
     };
 
     Scope scope = Scope::Material;
-    std::string id;    ///< as for --set: "<choice>" of the model, "<kind>.<choice>" of a part
-    std::string key;   ///< in Material::accuracy; a picture's is its id
+    std::string id;  ///< as for --set: "<choice>" of the model, "<kind>.<choice>" of a part
+    std::string key; ///< in Material::accuracy; a picture's is its id
     std::string label;
     std::string doc;
-    std::string block; ///< label of the block that has it
+    std::string block;               ///< label of the block that has it
     std::vector<ChoiceLevel> levels; ///< the exact one first
 
     const ChoiceLevel* level(std::string_view levelId) const;

@@ -129,9 +129,8 @@ std::size_t nearest(const CostBudget& budget, const std::vector<CostPoint>& poin
         return smallest;
     }
     std::vector<std::size_t> alike;
-    std::ranges::copy_if(all, std::back_inserter(alike), [&](std::size_t i) {
-        return tiesInTime(points[i], points[smallest]);
-    });
+    std::ranges::copy_if(all, std::back_inserter(alike),
+                         [&](std::size_t i) { return tiesInTime(points[i], points[smallest]); });
     return *std::ranges::min_element(alike, {}, error);
 }
 
@@ -181,11 +180,10 @@ RatioBound CostChart::boundOf(const CostPoint& point) const {
 }
 
 std::string leftOutText(const CostChart& chart) {
-    return chart.leftOut == 0
-               ? ""
-               : fmt::format("{} {} left out for want of time", chart.leftOut,
-                             chart.leftOut == 1 ? "combination of choices was"
-                                                : "combinations of choices were");
+    return chart.leftOut == 0 ? ""
+                              : fmt::format("{} {} left out for want of time", chart.leftOut,
+                                            chart.leftOut == 1 ? "combination of choices was"
+                                                               : "combinations of choices were");
 }
 
 std::string convergedText(const CostChart& chart) {

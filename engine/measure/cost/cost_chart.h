@@ -40,14 +40,14 @@ struct SameLevel {
 /// Holds what was measured of a material in a scene.
 struct CostChart {
     std::vector<Choice> choices;
-    std::vector<CostPoint> points; ///< the exact one first, the others in the order of measuring
-    glm::ivec2 size{0};            ///< pixels of the frames
-    std::size_t pixels = 0;        ///< that are shaded
+    std::vector<CostPoint> points;  ///< the exact one first, the others in the order of measuring
+    glm::ivec2 size{0};             ///< pixels of the frames
+    std::size_t pixels = 0;         ///< that are shaded
     double exactMilliseconds = 0.0; ///< what the exact frame takes
     double emptyMilliseconds = 0.0; ///< what a frame takes of which nothing is shaded
-    std::string timer;             ///< how frames were timed, for people
-    std::string groundTruth;       ///< what errors are measured against, for people
-    std::vector<SameLevel> same;   ///< which have no points of their own
+    std::string timer;              ///< how frames were timed, for people
+    std::string groundTruth;        ///< what errors are measured against, for people
+    std::vector<SameLevel> same;    ///< which have no points of their own
     std::optional<ConvergedRender> converged{}; ///< what some errors are against instead
     std::size_t leftOut = 0; ///< combinations that may be on the front, for which there was no time
 
@@ -118,7 +118,6 @@ struct BudgetAnswer {
     std::size_t point = 0; ///< the one that fits, or else the nearest
     bool fits = false;
 };
-std::optional<BudgetAnswer> bestFor(const CostBudget& budget,
-                                    const std::vector<CostPoint>& points);
+std::optional<BudgetAnswer> bestFor(const CostBudget& budget, const std::vector<CostPoint>& points);
 
 } // namespace patina

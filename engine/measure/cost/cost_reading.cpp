@@ -95,8 +95,8 @@ CostChart chartFrom(const json& from) {
     chart.groundTruth = from.at("right").get<std::string>();
     for (const json& each : from.at("same")) {
         chart.same.push_back({each.at("choice").get<std::string>(),
-                              each.at("level").get<std::string>(),
-                              each.at("as").get<std::string>(), each.at("samples").get<int>()});
+                              each.at("level").get<std::string>(), each.at("as").get<std::string>(),
+                              each.at("samples").get<int>()});
     }
     chart.leftOut = from.at("leftOut").get<std::size_t>();
     chart.converged = convergedFrom(from.at("converged"));

@@ -15,7 +15,7 @@ namespace patina {
 struct ModelCost {
     std::string model;
     std::string label;
-    ChoiceCost cost; ///< ratios are to the quickest model
+    ChoiceCost cost;                              ///< ratios are to the quickest model
     std::optional<InstructionCount> instructions; ///< of its program, where that can be counted
     /// The share of an even white sky's light that it keeps; below 0: it sends out more than
     /// arrives. Nothing without code in double precision. See whiteSkyAlbedo().

@@ -18,11 +18,11 @@ namespace patina {
 class ScalingSweep {
   public:
     struct Options {
-        std::vector<int> edges{};   ///< of square pictures, pixels; empty: what the device is up to
+        std::vector<int> edges{}; ///< of square pictures, pixels; empty: what the device is up to
         std::vector<int> lights{1, 2, 4, 8, 16, 32};
         std::vector<int> objects{1, 4, 16, 64, 256};
-        int edge = 256;             ///< of the picture with more lights or objects
-        int rounds = 7;             ///< an interval of 95 % needs 6 samples
+        int edge = 256; ///< of the picture with more lights or objects
+        int rounds = 7; ///< an interval of 95 % needs 6 samples
         /// After a third of that no further round over an axis is begun.
         double seconds = std::numeric_limits<double>::infinity();
         std::filesystem::path programCache{};

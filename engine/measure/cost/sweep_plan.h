@@ -42,7 +42,7 @@ class SweepPlan {
     bool combinations_;
     bool combined_ = false; ///< whether addCombinations() was called
     bool greedy_ = false;
-    ChosenLevels reached_; ///< where the greedy way is
+    ChosenLevels reached_;              ///< where the greedy way is
     std::vector<ChosenLevels> waiting_; ///< the next one last
     std::set<ChosenLevels> known_;
 };

@@ -19,11 +19,11 @@ struct FrameError {
     double max = 0.0;
     double mean = 0.0;
     double rms = 0.0;
-    double p99 = 0.0;        ///< 99 of 100 pixels are off by no more
-    double stepShare = 0.0;  ///< of the pixels: shown at least one 8-bit step too bright or dark
-    double shown = 0.0;      ///< the greatest difference on the display, 0 .. 1
-    double flip = 0.0;       ///< mean perceptual difference, 0 .. 1; see flip.h
-    std::size_t pixels = 0;  ///< that count
+    double p99 = 0.0;       ///< 99 of 100 pixels are off by no more
+    double stepShare = 0.0; ///< of the pixels: shown at least one 8-bit step too bright or dark
+    double shown = 0.0;     ///< the greatest difference on the display, 0 .. 1
+    double flip = 0.0;      ///< mean perceptual difference, 0 .. 1; see flip.h
+    std::size_t pixels = 0; ///< that count
 
     friend bool operator==(const FrameError&, const FrameError&) = default;
 };

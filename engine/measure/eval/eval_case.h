@@ -72,8 +72,8 @@ std::size_t signedResultsOf(const EvalCase& request);
 /// The fields that the block's function takes; none of another subject.
 std::span<const ArgumentField> fieldsOf(const EvalCase& request);
 
-/// Returns what a function of a block is evaluated as, by what it takes; nothing where that cannot be said
-/// in a line.
+/// Returns what a function of a block is evaluated as, by what it takes; nothing where that cannot
+/// be said in a line.
 std::optional<EvalCase::Subject> subjectOf(const BlockFunction& function);
 
 /// Returns the functions of a kind that are evaluated.

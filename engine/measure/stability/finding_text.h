@@ -9,8 +9,8 @@
 
 namespace patina {
 
-/// Returns where a case is, in words: "light 0.57 degrees above the horizon, viewer along the normal, ...";
-/// of another function than the kind's first one with its name before: "Left: way 3".
+/// Returns where a case is, in words: "light 0.57 degrees above the horizon, viewer along the
+/// normal, ..."; of another function than the kind's first one with its name before: "Left: way 3".
 std::string placeText(const EvalCase& request);
 
 /// By how much a value is wrong: "gives (nan, 0, 0)", "gives 0.153, exactly 0.05, 3.2 times ...".

@@ -15,10 +15,10 @@ constexpr int emptyFrames = 15;
 /// Holds what a way to compute a frame takes beside the exact one.
 struct ChoiceCost {
     MedianInterval ratio{1.0, 1.0, 1.0}; ///< to the exact time, both without the empty frame's
-    MedianInterval milliseconds;      ///< of the whole frame: by the ratio, from the exact one's
-    double nanosecondsPerPixel = 0.0; ///< per shaded pixel, without the empty frame's time
+    MedianInterval milliseconds;         ///< of the whole frame: by the ratio, from the exact one's
+    double nanosecondsPerPixel = 0.0;    ///< per shaded pixel, without the empty frame's time
     int runs = 0;                        ///< pairs of frames
-    bool settled = false; ///< the ratio's interval is as narrow as was wanted
+    bool settled = false;                ///< the ratio's interval is as narrow as was wanted
     /// There are pairs enough for an interval of 95 %, or the time is given, not measured.
     bool isSure() const { return haveInterval(runs); }
     /// Most frames take no longer than one without anything to shade, as far as can be told: the
@@ -40,8 +40,8 @@ class CostPairs {
   public:
     struct Options {
         double width = 0.03; ///< of the interval, relative to the ratio
-        int min = 7;      ///< an interval of 95 % needs 6 samples
-        int max = 60;       ///< pairs, settled or not
+        int min = 7;         ///< an interval of 95 % needs 6 samples
+        int max = 60;        ///< pairs, settled or not
     };
 
     /// `empty`: milliseconds of the frame without what is shaded.
@@ -62,15 +62,15 @@ class CostPairs {
     Options options_;
     MedianInterval empty_;
     std::vector<double> ratios_;
-    int belowNoise_ = 0; ///< of the ratios
+    int belowNoise_ = 0;      ///< of the ratios
     int exactBelowNoise_ = 0; ///< of the ratios, those to a bound
 };
 
 /// The frame that ratios count from.
 struct ExactFrame {
-    double milliseconds = 0.0;      ///< of the exact frame
-    MedianInterval empty;           ///< milliseconds of one of which nothing is shaded
-    std::size_t pixels = 0;         ///< that are shaded
+    double milliseconds = 0.0; ///< of the exact frame
+    MedianInterval empty;      ///< milliseconds of one of which nothing is shaded
+    std::size_t pixels = 0;    ///< that are shaded
 };
 
 /// The cost with the times that its ratio means, so that the times of a chart go together although

@@ -22,12 +22,12 @@ struct GrowthSample {
 /// Says how a time grows with a count: t = base + each * count by least squares of the relative
 /// errors, and t ~ count^exponent by a line through the logarithms.
 struct GrowthLaw {
-    double base = 0.0;     ///< milliseconds
-    double each = 0.0;     ///< milliseconds for one
-    double fit = 0.0;      ///< R^2 of the straight line, by the same weights; at most 1
+    double base = 0.0; ///< milliseconds
+    double each = 0.0; ///< milliseconds for one
+    double fit = 0.0;  ///< R^2 of the straight line, by the same weights; at most 1
     double exponent = 0.0;
-    double scale = 0.0;    ///< milliseconds of one, by the exponent
-    double spread = 1.0;   ///< the longest time over the shortest
+    double scale = 0.0;  ///< milliseconds of one, by the exponent
+    double spread = 1.0; ///< the longest time over the shortest
 
     enum class Shape { Constant, Linear, Power };
     /// Constant where the times differ by less than a tenth; linear where the line accounts for

@@ -47,10 +47,10 @@ const std::shared_ptr<GpuMesh>& GpuMeshStore::prepare(const MeshView& mesh) {
         const std::uint64_t sample =
             sampleOf(mesh.indices, sampleOf(mesh.vertices, 0xcbf29ce484222325u));
         if (found == meshes_.end() || found->second.sample != sample) {
-            found = meshes_
-                        .insert_or_assign(
-                            key, Entry{std::make_shared<GpuMesh>(mesh, ++made_), sample})
-                        .first;
+            found =
+                meshes_
+                    .insert_or_assign(key, Entry{std::make_shared<GpuMesh>(mesh, ++made_), sample})
+                    .first;
         }
         found->second.looked = look_;
     }

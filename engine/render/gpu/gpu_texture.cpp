@@ -143,8 +143,8 @@ void GpuTexture::sendRows(const TexturePicture& picture, std::size_t level, int 
     const TexturePicture::Level& from = picture.levels[level];
     const std::size_t row = rowBytes(picture, level);
     const std::span<const std::byte> bytes =
-        std::span(picture.bytes).subspan(from.offset + std::size_t(row_) * row,
-                                         std::size_t(rows) * row);
+        std::span(picture.bytes)
+            .subspan(from.offset + std::size_t(row_) * row, std::size_t(rows) * row);
     const GlFormat gl = formatOf(picture.format, decodes_);
     const std::vector<std::uint16_t> light =
         decodes_ ? decoded(bytes) : std::vector<std::uint16_t>();

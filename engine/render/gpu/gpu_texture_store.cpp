@@ -94,8 +94,8 @@ std::uint64_t GpuTextureStore::stateOf(const BoundTexture& image, const Material
 }
 
 /// A relief keeps its own strength; of anything else the placeholder is all that is seen.
-void GpuTextureStore::bindOne(const BoundTexture& image, const Material& material,
-                              glm::vec4& data, TextureBudget& budget) {
+void GpuTextureStore::bindOne(const BoundTexture& image, const Material& material, glm::vec4& data,
+                              TextureBudget& budget) {
     const TextureUse* use = image.in(material);
     TextureLookup found;
     if (source_ && use != nullptr) {

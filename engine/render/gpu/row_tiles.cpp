@@ -11,7 +11,7 @@ namespace {
 constexpr double longestMs = 100.0; ///< that a window may stand still
 constexpr double tileMs = 15.0;
 constexpr double firstRows = 4.0; ///< before it is known how long they take
-constexpr int minRows = 4;      ///< and a multiple of it: no quad of pixels is cut
+constexpr int minRows = 4;        ///< and a multiple of it: no quad of pixels is cut
 constexpr double maxRows = 65536.0;
 constexpr double maxGrowth = 4.0; ///< from tile to tile: what is below may take longer
 

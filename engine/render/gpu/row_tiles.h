@@ -55,8 +55,8 @@ class RowTiles {
     Work work_;
     Work known_; ///< what milliseconds_ are of
     double milliseconds_ = 0.0;
-    int row_ = 0;  ///< the first one that was not drawn
-    int rows_ = 0; ///< of the next tile
+    int row_ = 0;                              ///< the first one that was not drawn
+    int rows_ = 0;                             ///< of the next tile
     std::optional<Clock::time_point> entered_; ///< the tile that is being drawn
 };
 

@@ -26,7 +26,7 @@ class EnvironmentTable {
     /// matte surface that faces up shows.
     glm::dvec3 upward() const { return upward_; }
 
-    glm::ivec2 size() const { return size_; }                 ///< columns and rows of directions
+    glm::ivec2 size() const { return size_; } ///< columns and rows of directions
     glm::ivec2 textureSize() const;
     std::span<const glm::vec2> texels() const { return texels_; }
 

@@ -90,8 +90,7 @@ void EnvironmentTexture::fill(const EnvironmentTable& table) {
         texture_ = gl::Texture::create(size, GL_RG32F, GL_RG, GL_FLOAT);
     }
     glBindTexture(GL_TEXTURE_2D, texture_.name());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT,
-                    table.texels().data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT, table.texels().data());
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 

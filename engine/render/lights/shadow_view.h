@@ -26,8 +26,8 @@ struct ShadowView {
     double texel = 0.0; ///< metres, for a light with a place one metre in front of it
     double size = 0.0;  ///< metres: the longest side of the box around all that casts
     bool isParallel = false;
-    int faces = 0;      ///< layers of the map; 0: there is none
-    int layer = 0;      ///< the first of them
+    int faces = 0; ///< layers of the map; 0: there is none
+    int layer = 0; ///< the first of them
 
     friend bool operator==(const ShadowView&, const ShadowView&) = default;
 };

@@ -19,7 +19,7 @@ Result<bool> BlendedPass::prepare(FramePlan& plan, FrameGpu& gpu) {
         return fitted;
     }
     return refraction_ && refraction_->needsSceneColor() ? gpu.fitTarget(plan, true)
-                                                     : Result<bool>(false);
+                                                         : Result<bool>(false);
 }
 
 Result<bool> BlendedPass::fitRefraction(const FramePlan& plan, FrameGpu& gpu) {

@@ -48,8 +48,7 @@ int wholeRounds(int samples) {
 int samplesOf(const View& view, const Scene& effects, const Catalog& catalog, int done) {
     if (view.environmentSamples <= 0) {
         // No more than there are already, so that the first ones are soon seen.
-        const int added =
-            blends(effects, catalog) ? 0 : std::min(done, addedRounds * roundSamples);
+        const int added = blends(effects, catalog) ? 0 : std::min(done, addedRounds * roundSamples);
         const int maxSamples = std::max(usualRounds() * roundSamples, added);
         return wholeRounds(std::clamp(view.maxSamples - done, 1, maxSamples));
     }
@@ -64,7 +63,7 @@ void set(const gl::Program& program, const char* name, const glm::dvec3& value) 
 } // namespace
 
 Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
-                                    const Catalog& catalog, ProgramCache& cache) {
+                                     const Catalog& catalog, ProgramCache& cache) {
     const int built = cache.builtCount();
     if (light_.followSome(scene.effects, scene.scene, view.environmentImage, catalog, cache) ||
         cache.builtCount() > built) {
@@ -96,13 +95,12 @@ Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
         return true;
     }
     count_ = samplesOf(view, scene.effects, catalog, done_);
-    light_.setSamples(
-        {(done_ + roundSamples - 1) / roundSamples, count_, view.environmentSeries});
+    light_.setSamples({(done_ + roundSamples - 1) / roundSamples, count_, view.environmentSeries});
     return false;
 }
 
 void FrameEnvironment::prewarm(const SceneToPack& scene, const View& view, const Catalog& catalog,
-                              ProgramCache& cache) {
+                               ProgramCache& cache) {
     light_.follow(scene.effects, scene.scene, view.environmentImage, catalog, cache);
     if (isIn()) {
         light_.setSamples({0, roundSamples, 0});
@@ -110,7 +108,7 @@ void FrameEnvironment::prewarm(const SceneToPack& scene, const View& view, const
 }
 
 void FrameEnvironment::drawBackground(const Camera& camera, const glm::dmat4& cameraToWorld,
-                                     double aspect) const {
+                                      double aspect) const {
     const gl::Program* program = light_.background();
     if (program == nullptr) {
         return;
@@ -146,7 +144,7 @@ void FrameEnvironment::add(const gl::Texture& frame) {
 
 /// The first frame of a mean takes its place; those that follow are mixed with it.
 void FrameEnvironment::addUnseen(const gl::Texture& frame, const Catalog& catalog,
-                                ProgramCache& cache) const {
+                                 ProgramCache& cache) const {
     Accumulation mean;
     if (isIn() && mean.fit(glm::ivec2(1), catalog, cache)) {
         mean.add(frame, 1.0f);

@@ -42,7 +42,7 @@ class ShadowHoles {
   private:
     /// Holds what of a material its shadows depend on.
     struct Holes {
-        Material material; ///< its opacity and the image of that alone
+        Material material;       ///< its opacity and the image of that alone
         std::uint64_t state = 0; ///< of the image
         std::shared_ptr<const Pipeline> pipeline;
     };

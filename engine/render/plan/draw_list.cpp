@@ -39,8 +39,7 @@ void DrawList::order(std::span<const DrawItem> items, std::span<const DrawMateri
 }
 
 /// Finds what is drawn with one call, in the order of the scene.
-void DrawList::addOpaque(std::span<const DrawItem> items,
-                         std::span<const DrawMaterial> materials) {
+void DrawList::addOpaque(std::span<const DrawItem> items, std::span<const DrawMaterial> materials) {
     static_assert(LightLists::maxCount < 255);
     known_.clear(items.size());
     found_.clear();

@@ -17,12 +17,12 @@ namespace patina {
 
 /// One of the different materials of a frame, however many objects have it.
 struct DrawMaterial {
-    std::size_t object = 0; ///< the first one that has it
+    std::size_t object = 0;  ///< the first one that has it
     std::size_t missing = 0; ///< of lights, LightKinds::missingKinds() for its objects
     bool isTransparent = false;
     bool canShadow = true;
-    bool isOutlined = false; ///< its objects' meshes have edges
-    bool isLayered = false;  ///< its objects are put together layer by layer
+    bool isOutlined = false;                  ///< its objects' meshes have edges
+    bool isLayered = false;                   ///< its objects are put together layer by layer
     std::shared_ptr<const Pipeline> pipeline; ///< null: there is nothing to draw it with
     UniformPool::Place data;
     UniformPool::Place outlineData;

@@ -29,9 +29,9 @@ struct BufferedObject {
 struct SurfaceBuffer {
     glm::ivec2 size{0};
     glm::vec3 eye{0.0f};
-    std::vector<glm::vec4> positions; ///< in world space; w: the object, from 1 on, or 0
-    std::vector<glm::vec4> normals;   ///< unit, on the viewer's side; w: the opacity
-    std::vector<glm::vec4> tangents;  ///< unit
+    std::vector<glm::vec4> positions;           ///< in world space; w: the object, from 1 on, or 0
+    std::vector<glm::vec4> normals;             ///< unit, on the viewer's side; w: the opacity
+    std::vector<glm::vec4> tangents;            ///< unit
     std::vector<std::vector<glm::vec4>> values; ///< what images, environment and shadows
                                                 ///< give, value by value
     std::vector<BufferedObject> objects;        ///< of the scene

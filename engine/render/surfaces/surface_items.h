@@ -30,7 +30,7 @@ class SurfaceItems {
         glm::dmat4 world{1.0};
         UniformBuffer* data = nullptr;
         std::shared_ptr<const Pipeline> pipeline; ///< null: nothing could be compiled
-        bool isNew = false; ///< its data are not those of the last frame
+        bool isNew = false;                       ///< its data are not those of the last frame
     };
 
     /// `shared` outlives it.

@@ -13,8 +13,8 @@ namespace patina {
 
 struct EffectSet;
 
-/// Says where the values of blocks lie that an owner may have or not; each is packed from the owner's
-/// part of its kind.
+/// Says where the values of blocks lie that an owner may have or not; each is packed from the
+/// owner's part of its kind.
 struct PartPlaces {
     std::vector<BlockPlace> parts;
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/commands/lighting_command.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace patina {
+
+LightingCommand::LightingCommand(Document& document, Scene after)
+    : ChangeCommand(document,
+                    Document::tr("Light as in %1").arg(QString::fromStdString(after.name)),
+                    SceneLighting(), document.scene(), std::move(after)) {}
+
+void LightingCommand::apply(const Scene& lighting) {
+    Scene lit = lighting;
+    Scene& scene = state().scene;
+    lit.name = std::move(scene.name);
+    lit.objects = std::move(scene.objects);
+    lit.camera = scene.camera;
+    lit.extras = std::move(scene.extras);
+    lit.unknown = std::move(scene.unknown);
+    scene = std::move(lit);
+    document().announce({DocumentChange::Scene | DocumentChange::Lights});
+    const int last = static_cast<int>(scene.lights.size()) - 1;
+    document().setCurrentLight(std::clamp(document().currentLight(), std::min(last, 0), last));
+}
+
+} // namespace patina
