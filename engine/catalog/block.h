@@ -78,6 +78,12 @@ struct Reach {
     friend bool operator==(const Reach&, const Reach&) = default;
 };
 
+/// Tells how a model wants to be lit.
+enum class LightsWanted {
+    All, ///< it is what a surface reflects, from wherever light comes
+    Key  ///< by one light: it is a drawing, and the sum over several would be a veil upon it
+};
+
 /// A lighting model, Fresnel term, light, fog, ...: a descriptor and a GLSL file with one stem.
 struct Block {
     std::string kind; ///< the folder: "models", "fresnel", "specular", "lights", ...
@@ -96,6 +102,7 @@ struct Block {
     std::vector<std::string> claims;
     std::map<std::string, std::string> exemptions; ///< claim -> why it is not made
     std::vector<std::string> gates; ///< "light", "view": below which horizons the value is 0
+    LightsWanted lighting = LightsWanted::All;                  ///< models only
     ShadowProjection shadowProjection = ShadowProjection::None; ///< lights only
     std::optional<Hiding> hides;                                ///< fog only
     std::optional<Reach> reach;                                 ///< lights only

@@ -330,6 +330,7 @@ Block blockFrom(const std::filesystem::path& path, const Fields& fields) {
     block.exemptions = exemptionsFrom(fields);
     block.gates = {"light", "view"};
     fields.read("gates", block.gates);
+    fields.read("lighting", lightingWords, block.lighting);
     fields.read("shadowProjection", shadowProjectionWords, block.shadowProjection);
     block.hides = hidingFrom(fields);
     block.reach = reachFrom(fields);

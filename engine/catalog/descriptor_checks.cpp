@@ -378,6 +378,10 @@ class Checker : DescriptorChecker {
 
 Errors descriptorMistakes(const Descriptor& descriptor) {
     Errors errors = Checker(descriptor).run();
+    if (descriptor.block.lighting != LightsWanted::All && descriptor.block.kind != kinds::models) {
+        errors.push_back(
+            descriptor.document.error("/lighting", "only a model is lit", "no such key"));
+    }
     for (const Errors& more :
          {fillMistakes(descriptor), shadowMistakes(descriptor), boundMistakes(descriptor),
           neutralMistakes(descriptor), tableMistakes(descriptor), roleMistakes(descriptor)}) {

@@ -28,6 +28,9 @@ inline constexpr Words<HighlightWidth, 4> highlightWords{{{"none", HighlightWidt
                                                           {"exponent", HighlightWidth::Exponent},
                                                           {"angle", HighlightWidth::Angle}}};
 
+inline constexpr Words<LightsWanted, 2> lightingWords{
+    {{"all", LightsWanted::All}, {"key", LightsWanted::Key}}};
+
 inline constexpr Words<ShadowProjection, 4> shadowProjectionWords{
     {{"none", ShadowProjection::None},
      {"parallel", ShadowProjection::Parallel},

@@ -172,6 +172,7 @@ nlohmann::json toJson(const Block& block) {
                  {"claims", block.claims},
                  {"exemptions", block.exemptions},
                  {"gates", block.gates},
+                 {"lighting", wordFor(lightingWords, block.lighting)},
                  {"shadowProjection", wordFor(shadowProjectionWords, block.shadowProjection)}};
     if (block.hides) {
         json["hides"] = toJson(*block.hides);

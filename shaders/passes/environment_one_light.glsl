@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// The light of a whole environment as one light, for models that draw marks: from where most of it
+// The light of a whole environment as one light, for models that want one: from where most of it
 // comes, as bright as it makes a white matte surface that faces there.
 
 vec3 oneLight(Surface s, Model p) {

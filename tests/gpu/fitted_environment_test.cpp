@@ -149,6 +149,15 @@ TEST_F(FittedEnvironmentTest, MaterialThatImagesChange_IsFittedAtEachPixel) {
     }
 }
 
+TEST_F(FittedEnvironmentTest, ModelsThatWantAKeyLight_AndNoOthers_AreLitByOneLight) {
+    for (const Block* model : catalog->ofKind(kinds::models)) {
+        const Scene scene = fitted(ball(model->id));
+        const EffectSet set = effectSet(scene.objects[0].material, scene, *catalog);
+        EXPECT_EQ(set.way == EnvironmentWay::OneLight, model->lighting == LightsWanted::Key)
+            << model->id;
+    }
+}
+
 TEST_F(FittedEnvironmentTest, ModelThatDrawsMarks_IsLitFromWhereMostLightComes) {
     size_ = 65;
     image_.reset();

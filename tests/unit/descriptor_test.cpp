@@ -263,6 +263,14 @@ TEST_F(Mistakes, ShadowProjectionOfAModel_IsOne) {
     EXPECT_NE(of(descriptor).find("the light has no direction"), std::string::npos);
 }
 
+TEST_F(Mistakes, LightingOfWhatIsNoModel_IsOne) {
+    json descriptor = plainDescriptor("a");
+    descriptor["lighting"] = "key";
+    EXPECT_EQ(of(descriptor), "");
+    folder_.add("fog", descriptor);
+    EXPECT_NE(text(folder_.load().errors).find("only a model is lit"), std::string::npos);
+}
+
 TEST_F(Mistakes, ConditionThatDoesNotParse_IsOne) {
     EXPECT_EQ(problem({{"enabledWhen", "gloss >"}}),
               "the expression ends here (column 8 of the text); expected a parameter, a number or "

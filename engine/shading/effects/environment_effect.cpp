@@ -73,7 +73,7 @@ void addOutput(SourceBuilder& out, const BlockUse& use, EnvironmentOutput output
 
 /// How fitted light comes to a material.
 EnvironmentWay fittedWay(const EffectSet& set) {
-    if (drawsMarks(set.model->block())) {
+    if (set.model->block().lighting == LightsWanted::Key) {
         return EnvironmentWay::OneLight;
     }
     const bool isTextured = std::ranges::any_of(set.textures, [](const BoundTexture& texture) {

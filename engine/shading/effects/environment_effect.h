@@ -25,7 +25,7 @@ enum class EnvironmentWay : std::uint8_t {
     Sampled,  ///< a mean over directions
     Fitted,   ///< by a table of lobes that the material's reflectance was taken apart into
     PerPixel, ///< the same, taken apart at each pixel, since images change what is reflected
-    OneLight  ///< for models that draw marks: one light, from where most of it comes
+    OneLight  ///< one light from where most of it comes, for models that want one
 };
 
 /// The scene's environment. It is left out where it is dark, unless an object refracts what is
