@@ -315,14 +315,14 @@ Result<glm::dvec3> readNumbers(const Json& json, const ArgumentField& field) {
         return value;
     }
     const bool isOpen = field.isTriple() || field.type == ArgumentField::Type::Amount;
-    const double largest = isOpen ? std::numeric_limits<double>::max() : field.max;
+    const double largest = isOpen ? std::numeric_limits<float>::max() : field.max;
     const bool isWhole =
         field.type != ArgumentField::Type::Whole || std::round(value->x) == value->x;
     const bool isInside = glm::all(glm::greaterThanEqual(*value, glm::dvec3(0.0))) &&
                           glm::all(glm::lessThanEqual(*value, glm::dvec3(largest)));
     if (!isInside || !isWhole) {
         return failure(fmt::format("{} is {}", key, json[key].dump()),
-                       isOpen ? std::string("0 or more")
+                       isOpen ? std::string("0 or more, within a float's range")
                               : fmt::format("0 .. {}", shortestText(float(largest))));
     }
     return value;
@@ -371,7 +371,7 @@ Result<EvalCase> readFields(const Json& json, const Catalog& catalog, EvalCase r
         if (!value) {
             return tl::unexpected(value.error());
         }
-        before = *value;
+        before = field.type == ArgumentField::Type::Direction ? *value : before;
         for (std::size_t i = 0; i < field.numbers(); ++i) {
             *next++ = (*value)[int(i)];
         }

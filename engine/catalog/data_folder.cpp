@@ -64,14 +64,19 @@ std::filesystem::path dataFolder() {
 }
 
 bool isShippedPreset(const std::filesystem::path& file) {
-    std::error_code noFolder;
     std::error_code circle; // of links, which leads nowhere
-    const fs::path folder = fs::weakly_canonical(dataFolder() / "presets", noFolder);
     const fs::path path = fs::weakly_canonical(file, circle);
+    const auto isBelow = [&path](const fs::path& above) {
+        std::error_code noFolder;
+        const fs::path folder = fs::weakly_canonical(above, noFolder);
+        return !noFolder &&
+               std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+                   folder.end();
+    };
+    const auto own = xdgDataFolder(); // where Patina may be installed as well
     std::error_code status;
-    return !file.empty() && !noFolder && !circle && fs::is_regular_file(path, status) &&
-           std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-               folder.end();
+    return !file.empty() && !circle && fs::is_regular_file(path, status) &&
+           isBelow(dataFolder() / "presets") && !(own && isBelow(*own));
 }
 
 std::filesystem::path defaultSceneFile() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // The light of a whole environment on a surface whose reflectance has been fitted (lobe_fit.glsl): a
-// matte part, lit by the nine harmonics of the environment, and two lobes, each of which sees the
+// matte part, which sees the environment's irradiance, and two lobes, each of which sees the
 // environment as much out of focus as it is wide.
 #include "lib/directions.glsl"
 

@@ -110,6 +110,12 @@ QString titleOf(const std::filesystem::path& path) {
     return QString::fromStdString(path.filename().string());
 }
 
+/// Nothing that a file holds is lost where it is written anew.
+bool holdsParked(const std::filesystem::path& path, const Catalog& catalog) {
+    const auto held = readPreset(path, catalog);
+    return held && !(withoutParked(held->material, catalog) == held->material);
+}
+
 } // namespace
 
 DocumentFiles::DocumentFiles(Document& document, QObject* parent)
@@ -347,8 +353,9 @@ bool DocumentFiles::savePreset(const std::filesystem::path& path, const BlockPat
         kept = *own;
         kept.name = saved.name;
     }
+    const bool keeps = keepsParked_ || holdsParked(path, document_.catalog());
     const Result<void> written =
-        writePreset(path, keepsParked_ ? kept : withoutParked(kept, document_.catalog()));
+        writePreset(path, keeps ? kept : withoutParked(kept, document_.catalog()));
     if (!written) {
         Q_EMIT message(written.error());
         return false;

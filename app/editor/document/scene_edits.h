@@ -17,7 +17,7 @@ void addObject(Document& document, const Object& object);
 void setObject(Document& document, int index, const Object& object);
 void removeObject(Document& document, int index);
 
-/// Lights the scene as another one is lit: everything of that but its objects and its camera.
+/// Lights the scene as another one is lit (see LightingCommand).
 void setLighting(Document& document, const Scene& from);
 
 /// The file of the environment's picture; empty where it needs none.

@@ -59,6 +59,7 @@ void Menus::makeFileMenu() {
     add(menu, tr("Export Pict&ure…"), QKeySequence("Ctrl+Shift+E"), [this] { exportPicture(); });
     QAction* parked = menu->addAction(tr("&Keep Values of Other Models in Presets"));
     parked->setObjectName("keepParked");
+    menu->setToolTipsVisible(true);
     parked->setCheckable(true);
     parked->setToolTip(tr("Presets then also hold what models that were chosen before had"));
     connect(parked, &QAction::toggled, this, [this](bool keeps) {

@@ -129,13 +129,16 @@ std::optional<Subject> subjectOf(const BlockFunction& function) {
             return subject;
         }
     }
-    return function.fields.empty() ? std::nullopt : std::optional(Subject::Fields);
+    const bool isHeld = numbersOf(function.fields) <= FieldNumbers().size();
+    return function.fields.empty() || !isHeld ? std::nullopt : std::optional(Subject::Fields);
 }
 
 std::vector<const BlockFunction*> evaluatedFunctions(const BlockKind& kind) {
     std::vector<const BlockFunction*> functions;
     for (const BlockFunction& function : kind.functions) {
-        if (subjectOf(function)) {
+        // The double-precision code of directions is the block's own function alone.
+        const auto subject = subjectOf(function);
+        if (subject && (*subject != Subject::Model || function.suffix.empty())) {
             functions.push_back(&function);
         }
     }

@@ -157,6 +157,7 @@ Json toJson(const SweepReport& report) {
     Json defects = Json::array();
     for (const auto& [key, tally] : report.defects) {
         defects.push_back({{"where", key.gpu ? "gpu" : "double"},
+                           {"call", key.call},
                            {"what", wordsFor(key.defect)},
                            {"count", tally.count},
                            {"worst", findingJson(tally.worst)}});

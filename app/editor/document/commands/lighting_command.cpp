@@ -19,8 +19,13 @@ void LightingCommand::apply(const Scene& lighting) {
     lit.camera = scene.camera;
     lit.extras = std::move(scene.extras);
     lit.unknown = std::move(scene.unknown);
+    lit.accuracy = scene.accuracy;
+    lit.accuracy.choose(PictureChoice::Environment,
+                        lighting.accuracy.level(PictureChoice::Environment));
+    const BlockValues* transparency = scene.part(kinds::transparency);
+    lit.setPart(kinds::transparency, transparency ? std::optional(*transparency) : std::nullopt);
     scene = std::move(lit);
-    document().announce({DocumentChange::Scene | DocumentChange::Lights});
+    document().announce({DocumentChange::Block | DocumentChange::Lights});
     const int last = static_cast<int>(scene.lights.size()) - 1;
     document().setCurrentLight(std::clamp(document().currentLight(), std::min(last, 0), last));
 }

@@ -5,13 +5,14 @@
 
 namespace patina {
 
-/// The scene as a whole, but for its objects and its camera.
+/// The light of the scene as a whole.
 struct SceneLighting {
     friend bool operator==(const SceneLighting&, const SceneLighting&) = default;
 };
 
-/// Replaces the lights, the environment, the fog, the ground, the background, and how the picture
-/// is exposed and computed. What is lit and where it is seen from stays.
+/// Replaces the lights, the environment and whether it is fitted, the fog, the ground, the
+/// background, exposure and tone curve. What is lit, where it is seen from and how exactly the rest
+/// of the picture is computed stays.
 class LightingCommand : public ChangeCommand<SceneLighting, Scene> {
   public:
     LightingCommand(Document& document, Scene after);
