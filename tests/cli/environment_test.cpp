@@ -24,7 +24,7 @@ TEST(EnvironmentOption, DarkStudio_IsAsNone) {
     const Outcome dark =
         patina(rendering({"--environment", "studio", "--set", "environment.intensity=0"}));
     ASSERT_EQ(dark.exitCode, 0) << dark.err;
-    EXPECT_EQ(dark.out, patina(rendering({})).out);
+    EXPECT_EQ(dark.out, patina(rendering({"--environment", "none"})).out);
 }
 
 TEST(EnvironmentOption, Panorama_LightsAndStandsBehind) {

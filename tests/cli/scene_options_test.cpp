@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "catalog/settings.h"
+#include "cli/patina_program.h"
 #include "cli/picture_options.h"
 #include "cli/scene_setup.h"
 #include "scene/scene_settings.h"
@@ -16,12 +17,15 @@ const Catalog& catalog() {
     return loaded;
 }
 
-/// The default scene with these options.
+/// The shipped scene of three lights with these options.
 Checked<SceneSetup> setupWith(const std::vector<std::string>& arguments) {
     CLI::App program;
     PictureOptions options;
     addSceneOptions(program, options);
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    options.scene = options.scene.empty()
+                        ? shipped("presets/three-lights.patina-scene.json").string()
+                        : options.scene;
     return sceneFor({}, options, catalog());
 }
 

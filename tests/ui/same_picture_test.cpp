@@ -16,9 +16,10 @@ class SamePicture : public WindowFixture {
     QImage rendered(const std::filesystem::path& preset, QSize size) {
         const QString file = QString::fromStdString(home("rendered.png").string());
         const QString pixels = QStringLiteral("%1x%2").arg(size.width()).arg(size.height());
-        QProcess::execute(
-            PATINA_BINARY_DIR "/bin/patina",
-            {"render", QString::fromStdString(preset.string()), "--size", pixels, "-o", file});
+        QProcess::execute(PATINA_BINARY_DIR "/bin/patina",
+                          {"render", QString::fromStdString(preset.string()), "--scene",
+                           QString::fromStdString(threeLightsFile().string()), "--size", pixels,
+                           "-o", file});
         return QImage(file).convertToFormat(QImage::Format_RGB888);
     }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/file_actions.h"
 
+#include <algorithm>
+
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -243,18 +245,23 @@ void FileActions::meshLoaded(const QString& mesh) {
     }
 }
 
-/// True while the document shows what a new one does, whatever its material and camera.
+/// True while the document shows one of the scenes that ship, as a new one does, whatever its
+/// material and camera.
 bool FileActions::showsOnlyTheStart() const {
-    const auto start = readScene(defaultSceneFile(), document_.catalog());
-    Scene shown = document_.scene();
+    const Scene& shown = document_.scene();
     if (document_.undoStack().count() > 0 || document_.isModified() ||
-        files_.file().kind == DocumentFile::Kind::Scene || !start || shown.objects.size() != 1 ||
-        start->scene.objects.size() != 1) {
+        files_.file().kind == DocumentFile::Kind::Scene || shown.objects.size() != 1) {
         return false;
     }
-    shown.camera = start->scene.camera;
-    shown.objects.front().material = start->scene.objects.front().material;
-    return shown == start->scene;
+    return std::ranges::any_of(shippedScenes(), [&](const std::filesystem::path& file) {
+        auto start = readScene(file, document_.catalog());
+        if (!start || start->scene.objects.size() != 1) {
+            return false;
+        }
+        start->scene.camera = shown.camera;
+        start->scene.objects.front().material = shown.objects.front().material;
+        return start->scene == shown;
+    });
 }
 
 /// Puts an object in place of the only one, with its material.
