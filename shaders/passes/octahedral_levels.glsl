@@ -21,8 +21,8 @@ vec2 octahedralFold(vec2 p) {
 
 // Of a direction of any length; both from 0 to 1.
 vec2 octahedralPlace(vec3 d) {
-    vec2 p = d.xz / max(abs(d.x) + abs(d.y) + abs(d.z), 1e-30);
-    return 0.5 + 0.5 * (d.y < 0.0 ? octahedralFold(p) : p);
+    vec2 p = d.xy / max(abs(d.x) + abs(d.y) + abs(d.z), 1e-30);
+    return 0.5 + 0.5 * (d.z < 0.0 ? octahedralFold(p) : p);
 }
 
 // The unit direction of a place in the square or a little beside it.
@@ -33,7 +33,7 @@ vec3 octahedralDirection(vec2 place) {
     p *= 1.0 - 2.0 * over.yx; // beyond an edge it goes on from the edge's other half
     float height = 1.0 - abs(p.x) - abs(p.y);
     vec2 q = height < 0.0 ? octahedralFold(p) : p;
-    return normalize(vec3(q.x, height, q.y));
+    return normalize(vec3(q, height));
 }
 
 // Where a level begins, in widths of level 0.
