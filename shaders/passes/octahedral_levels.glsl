@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT-0
 // Where a picture of all directions lies that has levels, each half as wide as the last: on the faces
-// of an octahedron, unfolded to a square with straight up in its middle (Cigolle et al. 2014, A Survey
-// of Efficient Representations for Independent Unit Vectors, JCGT 3(2)). Level 0 stands on the left,
-// the others one upon another on its right. A texel around each level repeats what lies on the other
-// side of the fold, so that looking up between texels knows no seam.
+// of an octahedron, unfolded to a square with +z in its middle (Cigolle et al. 2014, A Survey of
+// Efficient Representations for Independent Unit Vectors, JCGT 3(2)), so that the horizon, where most
+// environments have an edge, runs along texels and shows no teeth. Level 0 stands on the left, the
+// others one upon another on its right. A texel around each level repeats what lies on the other side
+// of the fold, so that looking up between texels knows no seam.
 
 const float OCTAHEDRAL_WIDTH = float(OCTAHEDRAL_TEXELS); // of level 0, with the texels around it
 
