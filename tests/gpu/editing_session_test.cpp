@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs that a whole session of edits needs.
+// Programs that a long row of edits needs.
 #include <algorithm>
 #include <functional>
 #include <set>

@@ -170,7 +170,7 @@ void Worker::closeContext() {
     }
 }
 
-/// Of the exception that was caught.
+/// Returns the exception that was caught as an error.
 Error Worker::currentError() {
     try {
         throw;

@@ -97,7 +97,7 @@ void Menus::fillRecentFiles() {
     recent_->addAction(tr("Clear this list"), this, [this] { parts_.session.clearRecentFiles(); });
 }
 
-/// The scenes that ship, each with what its lights are called.
+/// Lists the scenes that ship, by their names.
 void Menus::fillLighting() {
     lighting_->clear();
     for (const std::filesystem::path& file : shippedScenes()) {

@@ -50,7 +50,7 @@ class HdrTarget {
     const gl::Texture& averaged() const { return resolvedImage_; }
     glm::ivec2 averagedSize() const { return built_.scaled; }
 
-    /// Behind resolve(): stretches that to the resolved image where it is smaller.
+    /// Stretches what resolve() has averaged to the resolved image, where it is smaller.
     void stretch() const;
 
     /// Returns how wide a pixel that is drawn is in pixels of the resolved image.

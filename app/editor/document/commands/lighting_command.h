@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// The light of the scene as a whole.
+/// Names the light of the scene as a whole, as the target of an edit.
 struct SceneLighting {
     friend bool operator==(const SceneLighting&, const SceneLighting&) = default;
 };
