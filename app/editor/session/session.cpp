@@ -123,6 +123,28 @@ void Session::setLook(Look look) {
                                                           : "system");
 }
 
+CompareLook Session::compareLook() const {
+    const CompareLook usual;
+    const auto number = [this](const char* key, double usually, double min, double max) {
+        const double value = settings_.value(key, usually).toDouble();
+        return value >= min && value <= max ? value : usually;
+    };
+    const CompareModeRow& blink = rowOf(CompareMode::Blink);
+    return {compareModeCalled(settings_.value("compare/mode").toString()),
+            number("compare/wipe", usual.wipe, 0.0, 1.0),
+            number("compare/wipeAngle", usual.wipeAngle, -180.0, 180.0),
+            number("compare/onion", usual.onion, 0.0, 1.0),
+            number("compare/blink", usual.blink, blink.min, blink.max)};
+}
+
+void Session::setCompareLook(const CompareLook& look) {
+    settings_.setValue("compare/mode", rowOf(look.mode).id);
+    settings_.setValue("compare/wipe", look.wipe);
+    settings_.setValue("compare/wipeAngle", look.wipeAngle);
+    settings_.setValue("compare/onion", look.onion);
+    settings_.setValue("compare/blink", look.blink);
+}
+
 bool Session::keepsParked() const {
     return settings_.value("files/keepParked", false).toBool();
 }

@@ -8,6 +8,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "session/compare_look.h"
+
 namespace patina {
 
 /// Tells which look the user asked for.
@@ -35,6 +37,9 @@ class Session {
 
     Look look() const;
     void setLook(Look look);
+
+    CompareLook compareLook() const;
+    void setCompareLook(const CompareLook& look);
 
     /// Whether preset files keep what only other models use.
     bool keepsParked() const;

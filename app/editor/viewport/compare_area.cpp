@@ -4,18 +4,33 @@
 #include <algorithm>
 #include <utility>
 
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QSplitter>
+
 #include "viewport/camera_moves.h"
+#include "viewport/composed_view.h"
 #include "viewport/difference_view.h"
 
 namespace patina {
+namespace {
+
+constexpr double keyStep = 0.05; ///< of a mode's range
+constexpr double keyTurn = 15.0; ///< degrees
+constexpr int flipKey = Qt::Key_Space;
+
+} // namespace
 
 CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path programCache,
                          QWidget* parent)
-    : QSplitter(Qt::Horizontal, parent), sources_(sources), document_(sources.document),
+    : QWidget(parent), sources_(sources), document_(sources.document),
       programCache_(std::move(programCache)), home_(document_.scene().camera),
-      first_(addView(Side::A)) {
-    setChildrenCollapsible(false);
-    setHandleWidth(3);
+      row_(new QSplitter(Qt::Horizontal, this)), first_(addView(Side::A)) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(row_);
+    row_->setChildrenCollapsible(false);
+    row_->setHandleWidth(3);
     onChange(document_, DocumentChange::Comparing, this, &CompareArea::showSides);
     onChange(document_, DocumentChange::Camera, this, &CompareArea::showCamera);
     onChange(document_, DocumentChange::Scene, this, [this] {
@@ -60,11 +75,16 @@ void CompareArea::resetCamera(Side side) {
 }
 
 SideView* CompareArea::addView(Side side) {
-    auto* view = new SideView(sources_, side, programCache_, this);
-    addWidget(view);
+    auto* view = new SideView(sources_, side, programCache_, row_);
+    row_->addWidget(view);
     connect(view, &SideView::cameraWished, this,
             [this, side](const Camera& shown) { moveCamera(side, shown); });
-    connect(&view->viewport(), &Viewport::resized, this, &CompareArea::fitNarrowViews);
+    connect(&view->viewport(), &Viewport::resized, this, [this] {
+        if (isComposed()) {
+            placeComposed();
+        }
+        fitNarrowViews();
+    });
     connect(view, &SideView::resetWished, this, [this, side] { resetCamera(side); });
     connect(view, &SideView::filesDropped, this,
             [this, side](const QStringList& files) { Q_EMIT filesDropped(files, side); });
@@ -78,20 +98,39 @@ void CompareArea::setDifferenceWanted(bool wanted) {
     }
 }
 
+void CompareArea::setLook(const CompareLook& look) {
+    if (look == look_) {
+        return;
+    }
+    const bool isOtherMode = look.mode != look_.mode;
+    look_ = look;
+    if (composed_) {
+        composed_->setLook(look_);
+    }
+    if (isOtherMode) {
+        showSides();
+    }
+    Q_EMIT lookChanged(look_);
+}
+
 void CompareArea::showSides() {
     const bool comparing = document_.isComparing();
     if (comparing && !second_) {
         second_ = addView(Side::B);
         second_->viewport().setCamera(first_->viewport().camera());
         second_->setInspecting(inspecting_);
-        setSizes({1, 1});
+        row_->setSizes({1, 1});
         Q_EMIT viewAdded(second_);
     }
-    first_->setTitleVisible(comparing);
+    const bool isComposed = comparing && rowOf(look_.mode).isComposed();
+    const bool isDifferenceAlone = comparing && look_.mode == CompareMode::Difference;
+    first_->setTitleVisible(comparing && !isComposed);
+    showDifference(comparing && (wantsDifference_ || isDifferenceAlone));
+    first_->setVisible(!isDifferenceAlone);
     if (second_) {
-        second_->setVisible(comparing);
+        showComposed(isComposed);
+        second_->setVisible(comparing && !isDifferenceAlone);
     }
-    showDifference(comparing && wantsDifference_);
     fitNarrowViews();
 }
 
@@ -101,11 +140,83 @@ void CompareArea::showDifference(bool shown) {
         return;
     }
     if (!difference_) {
-        difference_ = new DifferenceView(sources_, first_->viewport(), programCache_, this);
-        addWidget(difference_);
+        difference_ = new DifferenceView(sources_, first_->viewport(), programCache_, row_);
+        row_->addWidget(difference_);
     }
     difference_->setVisible(shown);
-    setSizes({1, 1, shown ? 1 : 0});
+    row_->setSizes({1, 1, shown ? 1 : 0});
+}
+
+/// Side B's view then lies where side A's is, below it: it draws there as it does elsewhere.
+void CompareArea::showComposed(bool shown) {
+    const bool was = composed_ && !composed_->isHidden();
+    if (shown == was) {
+        return;
+    }
+    if (!composed_) {
+        composed_ = new ComposedView(document_, *first_, *second_, this);
+        composed_->setLook(look_);
+        connect(composed_, &ComposedView::lookWished, this, &CompareArea::setLook);
+    }
+    second_->setTitleVisible(!shown);
+    if (shown) {
+        second_->setParent(this);
+        second_->lower();
+        composed_->raise();
+        layout()->activate();
+        placeComposed();
+    } else {
+        row_->insertWidget(1, second_);
+        row_->setSizes({1, 1, difference_ && !difference_->isHidden() ? 1 : 0});
+    }
+    composed_->setVisible(shown);
+}
+
+bool CompareArea::isComposed() const {
+    return composed_ && !composed_->isHidden();
+}
+
+void CompareArea::placeComposed() {
+    const auto placeOf = [this](const QWidget& widget) {
+        return QRect(widget.mapTo(this, QPoint()), widget.size());
+    };
+    second_->setGeometry(placeOf(*first_));
+    composed_->setGeometry(placeOf(first_->viewport()));
+}
+
+void CompareArea::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (isComposed()) {
+        layout()->activate();
+        placeComposed();
+    }
+}
+
+void CompareArea::keyPressEvent(QKeyEvent* event) {
+    const QString text = event->text();
+    if (!isComposed()) {
+        QWidget::keyPressEvent(event);
+    } else if (event->key() == flipKey) {
+        composed_->setFlipped(true);
+    } else if (text == "[" || text == "]") {
+        setLook(withAmount(look_, amountOf(look_) + (text == "[" ? -keyStep : keyStep)));
+    } else if (look_.mode == CompareMode::Wipe && (text == "{" || text == "}")) {
+        CompareLook turned = look_;
+        turned.wipeAngle = wrappedAngle(look_.wipeAngle + (text == "{" ? -keyTurn : keyTurn));
+        setLook(turned);
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void CompareArea::keyReleaseEvent(QKeyEvent* event) {
+    if (isComposed() && event->key() == flipKey) {
+        if (!event->isAutoRepeat()) {
+            composed_->setFlipped(false);
+        }
+    } else {
+        QWidget::keyReleaseEvent(event);
+    }
 }
 
 /// The field of view is the height's: where a view is narrower than high all step back, so that

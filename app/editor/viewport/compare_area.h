@@ -3,18 +3,23 @@
 
 #include <filesystem>
 
-#include <QSplitter>
+#include <QWidget>
 
+#include "session/compare_look.h"
 #include "viewport/side_view.h"
+
+class QSplitter;
 
 namespace patina {
 
+class ComposedView;
 class DifferenceView;
 
-/// The middle of the window: one view, or two side by side while the document compares, and beside
-/// them their difference where that is wanted. Side A's camera is the document's, a step back where
-/// a view is narrower than high; side B's is the same one until they are unlinked.
-class CompareArea : public QSplitter {
+/// The middle of the window: one view, or two while the document compares, side by side or composed
+/// at one place, and beside them their difference where that is wanted. Side A's camera is the
+/// document's, a step back where a view is narrower than high; side B's is the same one until they
+/// are unlinked.
+class CompareArea : public QWidget {
     Q_OBJECT
 
   public:
@@ -25,6 +30,10 @@ class CompareArea : public QSplitter {
     SideView* second() { return second_; } ///< null until it was needed once
     SideView& active();
     DifferenceView* difference() { return difference_; } ///< null until it was needed once
+    ComposedView* composed() { return composed_; }       ///< the same
+
+    const CompareLook& look() const { return look_; }
+    void setLook(const CompareLook& look);
 
     /// C is shown beside A and B, while the document compares.
     void setDifferenceWanted(bool wanted);
@@ -42,13 +51,22 @@ class CompareArea : public QSplitter {
 
   Q_SIGNALS:
     void linkChanged(bool linked);
+    void lookChanged(const patina::CompareLook& look);
     void differenceWantedChanged(bool wanted);
     void filesDropped(QStringList files, patina::Side side);
     void viewAdded(patina::SideView* view);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+
   private:
     SideView* addView(Side side);
     void showSides();
+    void showComposed(bool shown);
+    void placeComposed();
+    bool isComposed() const;
     void showDifference(bool shown);
     void fitNarrowViews();
     void moveCamera(Side side, const Camera& shown);
@@ -59,6 +77,8 @@ class CompareArea : public QSplitter {
     Document& document_;
     std::filesystem::path programCache_;
     Camera home_;
+    CompareLook look_;
+    QSplitter* row_; ///< what is side by side
     bool linked_ = true;
     bool wantsDifference_ = false;
     bool inspecting_ = false;
@@ -66,6 +86,7 @@ class CompareArea : public QSplitter {
     SideView* first_;
     SideView* second_ = nullptr;
     DifferenceView* difference_ = nullptr;
+    ComposedView* composed_ = nullptr;
 };
 
 } // namespace patina

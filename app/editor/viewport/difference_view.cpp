@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QSlider>
 
@@ -35,7 +36,7 @@ QString gainText(double gain) {
 
 } // namespace
 
-DifferenceView::DifferenceView(const ViewSources& sources, const Viewport& first,
+DifferenceView::DifferenceView(const ViewSources& sources, Viewport& first,
                                std::filesystem::path programCache, QWidget* parent)
     : QFrame(parent), document_(sources.document), first_(first), meshes_(sources.meshes),
       textures_(sources.textures), environments_(sources.environments), switches_(sources.switches),
@@ -199,6 +200,23 @@ void DifferenceView::resizeEvent(QResizeEvent* event) {
 void DifferenceView::showEvent(QShowEvent* event) {
     QFrame::showEvent(event);
     refreshSoon();
+}
+
+void DifferenceView::mousePressEvent(QMouseEvent* event) {
+    first_.navigation().press(*event);
+}
+
+void DifferenceView::mouseMoveEvent(QMouseEvent* event) {
+    first_.navigation().move(*event);
+}
+
+void DifferenceView::mouseReleaseEvent(QMouseEvent* event) {
+    first_.navigation().release(*event);
+}
+
+void DifferenceView::wheelEvent(QWheelEvent* event) {
+    first_.navigation().wheel(*event);
+    event->accept();
 }
 
 } // namespace patina

@@ -20,9 +20,9 @@ class DifferenceView : public QFrame {
     Q_OBJECT
 
   public:
-    /// `first` is side A's view.
-    DifferenceView(const ViewSources& sources, const Viewport& first,
-                   std::filesystem::path programCache, QWidget* parent = nullptr);
+    /// `first` is side A's view, whose camera the mouse moves here, too.
+    DifferenceView(const ViewSources& sources, Viewport& first, std::filesystem::path programCache,
+                   QWidget* parent = nullptr);
 
     enum class Mode {
         Difference, ///< |A - B| in linear light, times the gain
@@ -48,6 +48,10 @@ class DifferenceView : public QFrame {
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
 
   private:
     void layOut();
@@ -60,7 +64,7 @@ class DifferenceView : public QFrame {
     DifferenceWorker::Side sideOf(Side side);
 
     Document& document_;
-    const Viewport& first_;
+    Viewport& first_;
     MeshLibrary& meshes_;
     TextureLibrary& textures_;
     EnvironmentLibrary& environments_;

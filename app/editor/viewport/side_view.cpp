@@ -266,6 +266,7 @@ void SideView::updateTitle() {
     title_->setToolTip(called.toHtmlEscaped());
     viewport_->setAccessibleDescription(tr("Shows %1").arg(called)); // also while nothing fits
     if (text != title_->text()) {
+        Q_EMIT captionChanged();
         title_->setText(text);
         // A style sheet takes margins away, but not in each case.
         title_->setStyleSheet(

@@ -57,6 +57,7 @@ class SideView : public QFrame {
     void cameraWished(patina::Camera camera);
     void resetWished();
     void filesDropped(QStringList files);
+    void captionChanged();
 
   protected:
     void paintEvent(QPaintEvent* event) override;

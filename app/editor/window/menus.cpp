@@ -22,6 +22,7 @@
 #include "text/short_text.h"
 #include "viewport/compare_area.h"
 #include "viewport/views_capture.h"
+#include "window/compare_bar.h"
 #include "window/help.h"
 #include "window/theme.h"
 #include "window/window_layout.h"
@@ -123,25 +124,7 @@ void Menus::makeEditMenu() {
 
 void Menus::makeViewMenu() {
     QMenu* menu = parts_.window.menuBar()->addMenu(tr("&View"));
-    compare_ = add(menu, tr("&Compare A and B"), QKeySequence("Ctrl+B"),
-                   [this] { parts_.comparison.setComparing(compare_->isChecked()); });
-    compare_->setCheckable(true);
-    compare_->setToolTip(tr("Show two materials side by side (Ctrl+B)"));
-    link_ = add(menu, tr("&Link Cameras"), QKeySequence("Ctrl+L"),
-                [this] { parts_.views.setCamerasLinked(link_->isChecked()); });
-    link_->setCheckable(true);
-    link_->setChecked(true);
-    link_->setToolTip(tr("Both views move together (Ctrl+L)"));
-    realign_ = add(menu, tr("Re-&align Cameras"), QKeySequence("Ctrl+R"),
-                   [this] { parts_.views.realignCameras(); });
-    realign_->setToolTip(tr("B looks from where A does (Ctrl+R)"));
-    swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"),
-                [this] { parts_.comparison.swapSides(); });
-    swap_->setToolTip(tr("Exchange the two materials (X)"));
-    difference_ = add(menu, tr("&Difference in C"), QKeySequence("Ctrl+D"),
-                      [this] { parts_.views.setDifferenceWanted(difference_->isChecked()); });
-    difference_->setCheckable(true);
-    difference_->setToolTip(tr("Show how far A and B are apart beside them (Ctrl+D)"));
+    makeCompareMenu(menu);
     menu->addSeparator();
     QAction* inspect = menu->addAction(tr("&Numerical Check"));
     inspect->setObjectName("inspect");
@@ -180,17 +163,70 @@ void Menus::makeViewMenu() {
         parts_.window.setWindowState(parts_.window.windowState() ^ Qt::WindowFullScreen);
     });
     full->setCheckable(true);
-    const auto follow = [this] {
+}
+
+void Menus::makeCompareMenu(QMenu* menu) {
+    compare_ = add(menu, tr("&Compare A and B"), QKeySequence("Ctrl+B"),
+                   [this] { parts_.comparison.setComparing(compare_->isChecked()); });
+    compare_->setCheckable(true);
+    compare_->setToolTip(tr("Show two materials together (Ctrl+B)"));
+    modes_ = menu->addMenu(tr("Compare A&s"));
+    modes_->setObjectName("compareModes");
+    modes_->setToolTipsVisible(true);
+    auto* group = new QActionGroup(this);
+    const auto choose = [this](CompareMode mode) {
+        CompareLook look = parts_.views.look();
+        look.mode = mode;
+        parts_.views.setLook(look);
+    };
+    for (const CompareModeRow& row : compareModes()) {
+        QAction* action =
+            add(modes_, row.shownLabel(), {}, [choose, mode = row.mode] { choose(mode); });
+        action->setToolTip(row.shownDoc());
+        action->setCheckable(true);
+        group->addAction(action);
+    }
+    modes_->addSeparator();
+    QAction* next = add(modes_, tr("&Next Mode"), QKeySequence("C"), [this, choose] {
+        const auto rows = compareModes();
+        const auto now = static_cast<std::size_t>(&rowOf(parts_.views.look().mode) - rows.data());
+        choose(rows[(now + 1) % rows.size()].mode);
+    });
+    link_ = add(menu, tr("&Link Cameras"), QKeySequence("Ctrl+L"),
+                [this] { parts_.views.setCamerasLinked(link_->isChecked()); });
+    link_->setCheckable(true);
+    link_->setChecked(true);
+    link_->setToolTip(tr("Both views move together (Ctrl+L)"));
+    realign_ = add(menu, tr("Re-&align Cameras"), QKeySequence("Ctrl+R"),
+                   [this] { parts_.views.realignCameras(); });
+    realign_->setToolTip(tr("B looks from where A does (Ctrl+R)"));
+    swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"),
+                [this] { parts_.comparison.swapSides(); });
+    swap_->setToolTip(tr("Exchange the two materials (X)"));
+    difference_ = add(menu, tr("&Difference in C"), QKeySequence("Ctrl+D"),
+                      [this] { parts_.views.setDifferenceWanted(difference_->isChecked()); });
+    difference_->setCheckable(true);
+    difference_->setToolTip(tr("Show how far A and B are apart beside them (Ctrl+D)"));
+    const auto follow = [this, group, next] {
         const bool comparing = parts_.document.isComparing();
         compare_->setChecked(comparing);
-        for (QAction* action : {link_, realign_, swap_, difference_}) {
+        for (QAction* action : {modes_->menuAction(), next, link_, realign_, swap_, difference_}) {
             action->setEnabled(comparing);
         }
+        group->setEnabled(comparing);
     };
     onChange(parts_.document, DocumentChange::Comparing, this, follow);
     connect(&parts_.views, &CompareArea::linkChanged, link_, &QAction::setChecked);
     connect(&parts_.views, &CompareArea::differenceWantedChanged, difference_,
             &QAction::setChecked);
+    const auto followLook = [this, group](const CompareLook& look) {
+        parts_.session.setCompareLook(look);
+        const auto at = &rowOf(look.mode) - compareModes().data();
+        group->actions().at(at)->setChecked(true);
+    };
+    connect(&parts_.views, &CompareArea::lookChanged, this, followLook);
+    parts_.views.setLook(parts_.session.compareLook());
+    followLook(parts_.views.look());
     follow();
 }
 
@@ -222,7 +258,9 @@ void Menus::makeToolBar() {
     bar->setObjectName("tools");
     bar->setMovable(false);
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    bar->addActions({compare_, link_, realign_, swap_, difference_});
+    bar->addAction(compare_);
+    bar->addWidget(new CompareBar(parts_.document, parts_.views));
+    bar->addActions({link_, realign_, swap_, difference_});
 }
 
 void Menus::exportPicture() {

@@ -48,6 +48,7 @@ class Menus : public QObject {
     void makeFileMenu();
     void makeEditMenu();
     void makeViewMenu();
+    void makeCompareMenu(QMenu* menu);
     void makeLookMenu(QMenu* menu);
     void makeHelpMenu();
     void makeToolBar();
@@ -62,6 +63,7 @@ class Menus : public QObject {
     ViewsCapture* capture_; ///< the views'
     QMenu* recent_ = nullptr;
     QMenu* lighting_ = nullptr;
+    QMenu* modes_ = nullptr;
     QAction* compare_ = nullptr;
     QAction* link_ = nullptr;
     QAction* realign_ = nullptr;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include "session/compare_look.h"
+#include "viewport/side_view.h"
+#include "viewport/wipe_line.h"
+
+namespace patina {
+
+/// Lies over the views of A and B, which have the same place, and shows their pictures as one: each
+/// is read back when its view has drawn it, and putting them together draws nothing of the scene.
+/// The mouse goes on to the view of the side that it is on, but for the line of a wipe and the
+/// titles.
+class ComposedView : public QWidget {
+    Q_OBJECT
+
+  public:
+    ComposedView(Document& document, SideView& first, SideView& second, QWidget* parent);
+
+    void setLook(const CompareLook& look);
+
+    /// Shows the side alone that is not edited, while a key is held.
+    void setFlipped(bool on);
+
+    /// What it shows without titles and without the line, in pixels of the screen; null until both
+    /// pictures are there.
+    QImage picture() const;
+
+    /// Tells whether that is of what the views have drawn last.
+    bool isUpToDate() const { return !reading_.isActive(); }
+
+  Q_SIGNALS:
+    void lookWished(patina::CompareLook look);
+
+  protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    /// What a drag of the mouse changes.
+    enum class Part { View, Line, Knob };
+
+    SideView& view(Side side) const { return side == Side::A ? first_ : second_; }
+    WipeLine line() const;
+    std::optional<Side> alone() const;
+    Side sideAt(const QPointF& place) const;
+    Part partAt(const QPointF& place) const;
+    void readSoon(Side side);
+    void read();
+    void followBlink();
+    void drawPictures(QPainter& painter) const;
+    void drawLine(QPainter& painter) const;
+    void drawTitles(QPainter& painter);
+    QRect drawTitle(QPainter& painter, Side side, bool atRight) const;
+    bool press(const QMouseEvent& event);
+    bool move(const QMouseEvent& event);
+    void wishLine(const QPointF& place, bool inSteps);
+    bool handOn(QEvent* event, const QPointF& place);
+
+    Document& document_;
+    SideView& first_;
+    SideView& second_;
+    CompareLook look_;
+    std::array<QImage, 2> pictures_; ///< by side
+    std::array<bool, 2> isNew_{};    ///< by side; the view has drawn another one
+    std::array<QRect, 2> titles_;    ///< by side; empty where none is shown
+    QTimer reading_;
+    QTimer blink_;
+    bool blinksSecond_ = false;
+    bool flipped_ = false;
+    Part dragged_ = Part::View;
+    QPointF pivot_;             ///< of the line that is turned
+    Viewport* held_ = nullptr;  ///< the mouse went down on it
+    Viewport* under_ = nullptr; ///< the pointer is over it
+};
+
+} // namespace patina

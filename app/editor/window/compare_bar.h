@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "session/compare_look.h"
+
+class QComboBox;
+class QSlider;
+
+namespace patina {
+
+class CompareArea;
+class Document;
+
+/// Chooses how A and B are shown together, and the number that goes with it.
+class CompareBar : public QWidget {
+    Q_OBJECT
+
+  public:
+    CompareBar(Document& document, CompareArea& views, QWidget* parent = nullptr);
+
+  private:
+    void showLook(const CompareLook& look);
+
+    CompareArea& views_;
+    QComboBox* mode_;
+    QSlider* amount_;
+};
+
+} // namespace patina
