@@ -2,6 +2,8 @@
 #include "cli/command.h"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -9,6 +11,8 @@
 #include <fmt/format.h>
 
 #include "assets/asset_client.h"
+#include "assets/comparison_page.h"
+#include "catalog/json_text.h"
 #include "cli/environment_setup.h"
 #include "cli/image_difference.h"
 #include "cli/label.h"
@@ -21,6 +25,9 @@
 
 namespace patina {
 namespace {
+
+/// The colours of the sides A to D on a page.
+constexpr std::array sideColors{"#f0a04b", "#5bb6e8", "#8fce6a", "#d58be0"};
 
 struct CompareOptions {
     std::vector<std::string> presets;
@@ -112,20 +119,57 @@ Image sideBySide(const std::vector<Side>& sides) {
     return all;
 }
 
-/// The error metrics of every side against the first.
-void printMetrics(const std::vector<Side>& sides, std::ostream& out) {
+/// The error metrics of every side against the first, a line each.
+std::vector<std::string> metrics(const std::vector<Side>& sides) {
+    std::vector<std::string> lines;
     for (std::size_t i = 1; i < sides.size(); ++i) {
         const ImageDifference apart = difference(sides.front().image, sides[i].image);
-        out << fmt::format("{} ({}) against {} ({}): RMSE {:.5f}, largest difference {:.5f}, "
-                           "{:.2f} % of the pixels differ\n",
-                           sides[i].letter, sides[i].name(), sides.front().letter,
-                           sides.front().name(), apart.rootMeanSquare, apart.largest,
-                           100.0 * apart.changedShare);
+        lines.push_back(fmt::format("{} ({}) against {} ({}): RMSE {:.5f}, largest difference "
+                                    "{:.5f}, {:.2f} % of the pixels differ",
+                                    sides[i].letter, sides[i].name(), sides.front().letter,
+                                    sides.front().name(), apart.rootMeanSquare, apart.largest,
+                                    100.0 * apart.changedShare));
     }
+    return lines;
+}
+
+void printMetrics(const std::vector<Side>& sides, std::ostream& out) {
+    for (const std::string& line : metrics(sides)) {
+        out << line << '\n';
+    }
+}
+
+bool isPage(const PictureFile& output) {
+    return std::filesystem::path(output.name).extension() == ".html";
+}
+
+Checked<void> writePage(const CompareOptions& options, const std::vector<Side>& sides,
+                        AssetClient& client) {
+    std::vector<PagePicture> pictures;
+    std::string title;
+    for (const Side& side : sides) {
+        const auto png = client.encodeImage(".png", linearFromDisplay(side.image));
+        if (!png) {
+            return tl::unexpected(oneError(png.error()));
+        }
+        const auto place = static_cast<std::size_t>(side.letter - 'A');
+        pictures.push_back({std::string(1, side.letter), side.name(), sideColors[place], *png});
+        title += (title.empty() ? "" : ", ") + side.name();
+    }
+    const auto written =
+        writeFileAtomically(options.output.name, comparisonPage(title, pictures, metrics(sides)));
+    if (!written) {
+        return tl::unexpected(oneError(written.error()));
+    }
+    printMetrics(sides, std::cout);
+    return {};
 }
 
 Checked<void> write(const CompareOptions& options, const std::vector<Side>& sides,
                     AssetClient& client) {
+    if (isPage(options.output)) {
+        return writePage(options, sides, client);
+    }
     const Image image = linearFromDisplay(sideBySide(sides));
     if (!options.output.isStandardOutput()) {
         const auto saved = client.saveImage(options.output.name, image);
@@ -145,7 +189,7 @@ Checked<void> write(const CompareOptions& options, const std::vector<Side>& side
 }
 
 Checked<void> compare(const CompareOptions& options) {
-    if (auto checked = options.output.check(); !checked) {
+    if (auto checked = options.output.check(); !checked && !isPage(options.output)) {
         return tl::unexpected(oneError(checked.error()));
     }
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
@@ -155,8 +199,9 @@ Checked<void> compare(const CompareOptions& options) {
         return tl::unexpected(sides.error());
     }
     AssetClient images;
-    images.warmUp(options.output.needsImageFormats() ? AssetClient::Formats::images
-                                                     : AssetClient::Formats::meshes);
+    images.warmUp(options.output.needsImageFormats() && !isPage(options.output)
+                      ? AssetClient::Formats::images
+                      : AssetClient::Formats::meshes);
     const auto drawn = draw(*sides, options, catalog);
     return drawn ? write(options, *sides, images) : drawn;
 }
@@ -178,7 +223,8 @@ void addCompare(CLI::App& program, int& status) {
         ->capture_default_str();
     command
         ->add_option("-o,--output", options->output.name,
-                     "The image: .png, .jpg, .exr or .hdr; - writes a PNG to standard output")
+                     "The image: .png, .jpg, .exr or .hdr; .html writes a page that wipes between "
+                     "them; - writes a PNG to standard output")
         ->required();
     command->callback([options, &status] {
         const auto done = compare(*options);

@@ -53,6 +53,24 @@ TEST(CompareCommand, TwoPresets_WriteAPicture) {
     EXPECT_TRUE(readFile(folder / "a.png").starts_with("\x89PNG"));
 }
 
+TEST(CompareCommand, Page_HoldsBothPicturesAndLoadsNothing) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        patina({"compare", gold, plastic, "--size", "96x64", "-o", (folder / "a.html").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const std::string page = readFile(folder / "a.html");
+    std::size_t pictures = 0;
+    constexpr std::string_view picture = "src=\"data:image/png;base64,iVBORw0KGgo";
+    for (std::size_t at = page.find(picture); at != std::string::npos;
+         at = page.find(picture, at + 1)) {
+        ++pictures;
+    }
+    EXPECT_EQ(pictures, 2u);
+    EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+    EXPECT_EQ(page.find("http://"), std::string::npos);
+    EXPECT_EQ(page.find("https://"), std::string::npos);
+}
+
 TEST(CompareCommand, MissingPreset_ExitsWithOne) {
     const Outcome outcome = patina({"compare", gold, "missing.patina.json", "-o", "-"});
     EXPECT_EQ(outcome.exitCode, 1);
