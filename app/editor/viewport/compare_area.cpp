@@ -9,6 +9,8 @@
 #include <QSplitter>
 
 #include "viewport/camera_moves.h"
+#include "viewport/comparison_meter.h"
+#include "viewport/comparison_text.h"
 #include "viewport/composed_view.h"
 #include "viewport/difference_view.h"
 
@@ -121,17 +123,51 @@ void CompareArea::showSides() {
         second_->setInspecting(inspecting_);
         row_->setSizes({1, 1});
         Q_EMIT viewAdded(second_);
+        makeMeter();
     }
     const bool isComposed = comparing && rowOf(look_.mode).isComposed();
     const bool isDifferenceAlone = comparing && look_.mode == CompareMode::Difference;
     first_->setTitleVisible(comparing && !isComposed);
-    showDifference(comparing && (wantsDifference_ || isDifferenceAlone));
     first_->setVisible(!isDifferenceAlone);
     if (second_) {
         showComposed(isComposed);
         second_->setVisible(comparing && !isDifferenceAlone);
     }
+    showDifference(comparing && (wantsDifference_ || isDifferenceAlone));
     fitNarrowViews();
+}
+
+void CompareArea::makeMeter() {
+    meter_ = new ComparisonMeter(sources_, first_->viewport(), programCache_, this);
+    connect(meter_, &ComparisonMeter::framesChanged, this, &CompareArea::showNumbers);
+    connect(meter_, &ComparisonMeter::numbersChanged, this, &CompareArea::showNumbers);
+    for (SideView* view : {first_, second_}) {
+        view->viewport().installEventFilter(this);
+    }
+}
+
+void CompareArea::showNumbers() {
+    const bool isPixelKnown = pointer_ && meter_->isUpToDate() && document_.isComparing();
+    Q_EMIT numbersShown(isPixelKnown ? pixelText(*meter_->frames(), *pointer_)
+                                     : comparisonText(meter_->numbers()),
+                        comparisonDetails(meter_->numbers()));
+}
+
+/// Follows the pointer over the pictures.
+bool CompareArea::eventFilter(QObject* watched, QEvent* event) {
+    const bool isOver = event->type() == QEvent::MouseMove;
+    if (isOver || event->type() == QEvent::Leave) {
+        const QRect place =
+            watched == difference_ ? difference_->place() : static_cast<QWidget*>(watched)->rect();
+        pointer_.reset();
+        if (isOver && !place.isEmpty()) {
+            const QPointF at =
+                static_cast<QMouseEvent*>(event)->position() - QPointF(place.topLeft());
+            pointer_ = QPointF(at.x() / place.width(), at.y() / place.height());
+        }
+        showNumbers();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void CompareArea::showDifference(bool shown) {
@@ -140,7 +176,9 @@ void CompareArea::showDifference(bool shown) {
         return;
     }
     if (!difference_) {
-        difference_ = new DifferenceView(sources_, first_->viewport(), programCache_, row_);
+        difference_ = new DifferenceView(*meter_, first_->viewport(), row_);
+        difference_->setMouseTracking(true);
+        difference_->installEventFilter(this);
         row_->addWidget(difference_);
     }
     difference_->setVisible(shown);

@@ -12,6 +12,7 @@ class QSplitter;
 
 namespace patina {
 
+class ComparisonMeter;
 class ComposedView;
 class DifferenceView;
 
@@ -31,6 +32,7 @@ class CompareArea : public QWidget {
     SideView& active();
     DifferenceView* difference() { return difference_; } ///< null until it was needed once
     ComposedView* composed() { return composed_; }       ///< the same
+    ComparisonMeter* meter() { return meter_; }          ///< the same
 
     const CompareLook& look() const { return look_; }
     void setLook(const CompareLook& look);
@@ -52,11 +54,15 @@ class CompareArea : public QWidget {
   Q_SIGNALS:
     void linkChanged(bool linked);
     void lookChanged(const patina::CompareLook& look);
+    /// How far A and B are apart, and, while the pointer is over a picture, what both have there;
+    /// empty while that is not known.
+    void numbersShown(const QString& text, const QString& details);
     void differenceWantedChanged(bool wanted);
     void filesDropped(QStringList files, patina::Side side);
     void viewAdded(patina::SideView* view);
 
   protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
@@ -64,6 +70,8 @@ class CompareArea : public QWidget {
   private:
     SideView* addView(Side side);
     void showSides();
+    void makeMeter();
+    void showNumbers();
     void showComposed(bool shown);
     void placeComposed();
     bool isComposed() const;
@@ -87,6 +95,8 @@ class CompareArea : public QWidget {
     SideView* second_ = nullptr;
     DifferenceView* difference_ = nullptr;
     ComposedView* composed_ = nullptr;
+    ComparisonMeter* meter_ = nullptr;
+    std::optional<QPointF> pointer_; ///< over a picture, as a share of its width and height
 };
 
 } // namespace patina

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -12,18 +11,13 @@
 #include <QPainter>
 #include <QSlider>
 
-#include "document/scene_edits.h"
-#include "resources/mesh_snapshot.h"
-#include "resources/texture_library.h"
 #include "text/display_number.h"
 
 namespace patina {
 namespace {
 
-constexpr int restMs = 60;
 constexpr int stepsPerDecade = 20; ///< of the gain
 constexpr double usualGain = 10.0;
-constexpr int longestEdge = 1024; ///< pixels; what is shown larger is stretched
 constexpr QSize minSize{160, 120};
 
 int stepOf(double gain) {
@@ -36,17 +30,12 @@ QString gainText(double gain) {
 
 } // namespace
 
-DifferenceView::DifferenceView(const ViewSources& sources, Viewport& first,
-                               std::filesystem::path programCache, QWidget* parent)
-    : QFrame(parent), document_(sources.document), first_(first), meshes_(sources.meshes),
-      textures_(sources.textures), environments_(sources.environments), switches_(sources.switches),
-      effects_(sources.effects), worker_(std::move(programCache)), head_(new QWidget(this)),
+DifferenceView::DifferenceView(ComparisonMeter& meter, Viewport& first, QWidget* parent)
+    : QFrame(parent), meter_(meter), first_(first), head_(new QWidget(this)),
       title_(new QLabel(head_)), mode_(new QComboBox(head_)),
       slider_(new QSlider(Qt::Horizontal, head_)), number_(new QLabel(head_)) {
     setMinimumSize(minSize);
     setAccessibleName(tr("View C: the difference of A and B"));
-    settle_.setSingleShot(true);
-    settle_.setInterval(restMs);
     layOut();
     connectParts();
     setGain(usualGain);
@@ -89,16 +78,7 @@ void DifferenceView::layOut() {
 void DifferenceView::connectParts() {
     connect(slider_, &QSlider::valueChanged, this, &DifferenceView::showPicture);
     connect(mode_, &QComboBox::currentIndexChanged, this, &DifferenceView::showPicture);
-    connect(&settle_, &QTimer::timeout, this, &DifferenceView::ask);
-    connect(&worker_, &DifferenceWorker::finished, this, &DifferenceView::take);
-    const auto soon = [this] { refreshSoon(); };
-    onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this, soon);
-    connect(&effects_, &ProgramEffects::changed, this, soon);
-    connect(&textures_, &TextureLibrary::arrived, this, soon);
-    connect(&switches_, &EffectSwitches::changed, this, soon);
-    connect(&meshes_, &MeshLibrary::loaded, this, soon);
-    connect(&environments_, &EnvironmentLibrary::loaded, this, soon);
-    connect(&environments_, &EnvironmentLibrary::failed, this, soon);
+    connect(&meter_, &ComparisonMeter::framesChanged, this, &DifferenceView::showPicture);
 }
 
 DifferenceView::Mode DifferenceView::mode() const {
@@ -121,43 +101,8 @@ void DifferenceView::setGain(double gain) {
     slider_->setValue(stepOf(std::clamp(gain, 1.0, maxGain)));
 }
 
-bool DifferenceView::isUpToDate() const {
-    return difference_ && !settle_.isActive() && worker_.isIdle();
-}
-
-/// A drag asks again and again: the timer is not put off, so that the picture follows.
-void DifferenceView::refreshSoon() {
-    if (isVisible() && !settle_.isActive()) {
-        settle_.start();
-    }
-}
-
-DifferenceWorker::Side DifferenceView::sideOf(Side side) {
-    const Scene* effects = switches_.effects(side);
-    return {switches_.scene(side), effects != nullptr ? std::optional(*effects) : std::nullopt};
-}
-
-void DifferenceView::ask() {
-    if (!isVisible() || !document_.isComparing()) {
-        return;
-    }
-    const QSizeF pixels = QSizeF(place().size()) * devicePixelRatioF();
-    const double shrink =
-        std::min(1.0, longestEdge / std::max({pixels.width(), pixels.height(), 1.0}));
-    View view;
-    view.size = {std::max(1, static_cast<int>(shrink * pixels.width())),
-                 std::max(1, static_cast<int>(shrink * pixels.height()))};
-    view.camera = first_.camera();
-    view.environmentImage = environments_.image(environmentPicture(document_));
-    worker_.ask({sideOf(Side::A), sideOf(Side::B), view, meshSnapshot(document_.scene(), meshes_),
-                 textures_.snapshot(), document_.sharedCatalog()});
-}
-
-void DifferenceView::take(std::shared_ptr<const FrameDifference> difference,
-                          const QString& problem) {
-    difference_ = std::move(difference);
-    problem_ = problem;
-    showPicture();
+void DifferenceView::wishPicture() {
+    meter_.setPictureSize(isVisible() ? place().size() * devicePixelRatioF() : QSize());
 }
 
 void DifferenceView::showPicture() {
@@ -165,10 +110,10 @@ void DifferenceView::showPicture() {
     slider_->setEnabled(isDifference);
     number_->setText(isDifference ? gainText(gain()) : QString());
     picture_ = {};
-    if (difference_) {
+    if (const FrameDifference* apart = difference()) {
         const std::vector<unsigned char> bytes =
-            isDifference ? shownDifference(*difference_, gain()) : shownErrors(*difference_);
-        const glm::ivec2 size = difference_->size;
+            isDifference ? shownDifference(*apart, gain()) : shownErrors(*apart);
+        const glm::ivec2 size = apart->size;
         picture_ = QImage(bytes.data(), size.x, size.y, 3 * size.x, QImage::Format_RGB888).copy();
     }
     update();
@@ -189,17 +134,23 @@ void DifferenceView::paintEvent(QPaintEvent* event) {
     painter.fillRect(place(), Qt::black);
     painter.setPen(Qt::lightGray);
     painter.drawText(place(), Qt::AlignCenter | Qt::TextWordWrap,
-                     problem_.isEmpty() ? tr("Drawing the difference …") : problem_);
+                     meter_.problem().isEmpty() ? tr("Drawing the difference …")
+                                                : meter_.problem());
 }
 
 void DifferenceView::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    refreshSoon();
+    wishPicture();
 }
 
 void DifferenceView::showEvent(QShowEvent* event) {
     QFrame::showEvent(event);
-    refreshSoon();
+    wishPicture();
+}
+
+void DifferenceView::hideEvent(QHideEvent* event) {
+    QFrame::hideEvent(event);
+    wishPicture();
 }
 
 void DifferenceView::mousePressEvent(QMouseEvent* event) {

@@ -3,10 +3,8 @@
 
 #include <QFrame>
 #include <QImage>
-#include <QTimer>
 
-#include "viewport/difference_worker.h"
-#include "viewport/side_view.h"
+#include "viewport/comparison_meter.h"
 
 class QComboBox;
 class QLabel;
@@ -21,8 +19,7 @@ class DifferenceView : public QFrame {
 
   public:
     /// `first` is side A's view, whose camera the mouse moves here, too.
-    DifferenceView(const ViewSources& sources, Viewport& first, std::filesystem::path programCache,
-                   QWidget* parent = nullptr);
+    DifferenceView(ComparisonMeter& meter, Viewport& first, QWidget* parent = nullptr);
 
     enum class Mode {
         Difference, ///< |A - B| in linear light, times the gain
@@ -36,18 +33,23 @@ class DifferenceView : public QFrame {
     void setGain(double gain);
 
     /// Returns what is shown, as it was measured; null before that.
-    const FrameDifference* difference() const { return difference_.get(); }
+    const FrameDifference* difference() const {
+        return meter_.frames() ? &meter_.frames()->difference : nullptr;
+    }
     /// Says what the picture is of.
     QString caption() const;
     /// Returns what is shown, as a picture.
     const QImage& picture() const { return picture_; }
     /// Tells whether that is of A and B as they are now.
-    bool isUpToDate() const;
+    bool isUpToDate() const { return meter_.isUpToDate(); }
+    /// Where it is within the view.
+    QRect place() const;
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -56,24 +58,11 @@ class DifferenceView : public QFrame {
   private:
     void layOut();
     void connectParts();
-    void refreshSoon();
-    void ask();
-    void take(std::shared_ptr<const FrameDifference> difference, const QString& problem);
+    void wishPicture();
     void showPicture();
-    QRect place() const;
-    DifferenceWorker::Side sideOf(Side side);
 
-    Document& document_;
+    ComparisonMeter& meter_;
     Viewport& first_;
-    MeshLibrary& meshes_;
-    TextureLibrary& textures_;
-    EnvironmentLibrary& environments_;
-    EffectSwitches& switches_;
-    ProgramEffects& effects_;
-    DifferenceWorker worker_;
-    QTimer settle_; ///< changes are gathered
-    std::shared_ptr<const FrameDifference> difference_;
-    QString problem_;
     QImage picture_;
     QWidget* head_;
     QLabel* title_;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/difference_worker.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
+#include "measure/time/choice_cost.h"
+#include "measure/time/timed_frames.h"
 #include "render/frame/frame_job.h"
 #include "scene/environment.h"
 #include "text/as_text.h"
@@ -19,6 +23,11 @@ constexpr std::chrono::milliseconds slice{20};
 
 constexpr int sampledDirections = 64; ///< of an environment's light, the same on both sides
 
+constexpr int timedEdge = 640;             ///< pixels; the longer one of a frame that is timed
+constexpr double timedMilliseconds = 60.0; ///< a frame that takes longer is made smaller
+constexpr std::chrono::milliseconds timedFor{1000};
+constexpr CostPairs::Options timedPairs{.width = 0.02, .min = 7, .max = 40};
+
 /// How many directions of an environment's light a side's own view has; 0: there is none.
 int ownDirections(const Scene& scene, const Catalog& catalog) {
     const Block* block = blockOf(scene.parts, kinds::environment, catalog);
@@ -32,7 +41,7 @@ class DifferenceWorker::Workshop {
   public:
     explicit Workshop(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
 
-    Result<FrameDifference> draw(const Request& request, const Worker::Control& control) {
+    Result<DrawnPair> draw(const Request& request, const Worker::Control& control) {
         if (catalog_ != request.catalog) {
             catalog_ = request.catalog;
             renderer_->setCatalog(catalog_);
@@ -45,13 +54,25 @@ class DifferenceWorker::Workshop {
             return tl::unexpected(a.error());
         }
         auto b = picture(request.b, request, ofA == ofB ? sampledDirections : ofB, control);
-        return b ? Result<FrameDifference>(differenceOf(*a, *b)) : tl::unexpected(b.error());
+        if (!b) {
+            return tl::unexpected(b.error());
+        }
+        FrameDifference difference = differenceOf(a->linear, b->linear);
+        return DrawnPair{
+            std::make_shared<const ComparedFrames>(
+                ComparedFrames{std::move(a->linear), std::move(b->linear), std::move(difference)}),
+            std::make_shared<const ShownPair>(ShownPair{std::move(a->shown), std::move(b->shown)})};
     }
 
   private:
+    struct Picture {
+        Image linear;
+        Image shown;
+    };
+
     /// In whole floats, where the sides do not differ in their numbers.
-    Result<Image> picture(const Side& side, const Request& request, int directions,
-                          const Worker::Control& control) {
+    Result<Picture> picture(const Side& side, const Request& request, int directions,
+                            const Worker::Control& control) {
         const bool sameNumbers = request.a.scene.accuracy.hasWholeNumbers() ==
                                  request.b.scene.accuracy.hasWholeNumbers();
         View view = request.view;
@@ -69,7 +90,10 @@ class DifferenceWorker::Workshop {
                 break;
             }
         }
-        return renderer_->job().read(false);
+        auto linear = renderer_->job().read(false);
+        auto shown = renderer_->job().read(true);
+        return linear && shown ? Result<Picture>(Picture{std::move(*linear), std::move(*shown)})
+                               : tl::unexpected(linear ? shown.error() : linear.error());
     }
 
     Result<void> drawFrame(const Scene& scene, const View& view, const MeshSource& meshes,
@@ -95,19 +119,44 @@ DifferenceWorker::DifferenceWorker(std::filesystem::path programCache, QObject* 
 
 DifferenceWorker::~DifferenceWorker() = default;
 
-void DifferenceWorker::ask(Request request) {
-    worker_.ask([this, request = std::move(request)](
-                    const Worker::Control& control) { return draw(request, control); },
-                [this](const Answer& answer) {
-                    Q_EMIT finished(answer.value_or(nullptr),
-                                    answer ? QString() : asText(answer.error().text()));
-                },
-                QStringLiteral("frames"));
+std::shared_ptr<Progress> DifferenceWorker::ask(Request request) {
+    return worker_.ask([this, request = std::move(request)](
+                           const Worker::Control& control) { return draw(request, control); },
+                       [this](const Result<DrawnPair>& answer) {
+                           Q_EMIT finished(answer.value_or(DrawnPair()),
+                                           answer ? QString() : asText(answer.error().text()));
+                       },
+                       QStringLiteral("frames"));
+}
+
+std::shared_ptr<Progress>
+DifferenceWorker::askDistance(std::shared_ptr<const ComparedFrames> frames,
+                              std::shared_ptr<const ShownPair> shown,
+                              std::function<void(const std::optional<PictureDistance>&)> done) {
+    return worker_.ask(
+        [frames = std::move(frames), shown = std::move(shown)](const Worker::Control& control) {
+            return pictureDistance(frames->difference.relative, shown->a, shown->b,
+                                   [&control] { return control.isCancelled(); });
+        },
+        [done = std::move(done)](const Result<std::optional<PictureDistance>>& answer) {
+            done(answer.value_or(std::nullopt));
+        },
+        QStringLiteral("distance"));
+}
+
+std::shared_ptr<Progress>
+DifferenceWorker::askTime(Request request,
+                          std::function<void(const std::optional<TimeRatio>&)> done) {
+    return worker_.ask([this, request = std::move(request)](
+                           const Worker::Control& control) { return time(request, control); },
+                       [done = std::move(done)](const Result<std::optional<TimeRatio>>& answer) {
+                           done(answer.value_or(std::nullopt));
+                       },
+                       QStringLiteral("time"));
 }
 
 /// In the worker's thread.
-DifferenceWorker::Answer DifferenceWorker::draw(const Request& request,
-                                                const Worker::Control& control) {
+Result<DrawnPair> DifferenceWorker::draw(const Request& request, const Worker::Control& control) {
     if (!workshop_) {
         if (const auto opened = control.openContext(); !opened) {
             return tl::unexpected(opened.error());
@@ -118,9 +167,50 @@ DifferenceWorker::Answer DifferenceWorker::draw(const Request& request,
         }
         workshop_ = std::make_unique<Workshop>(std::move(*renderer));
     }
-    return workshop_->draw(request, control).map([](FrameDifference difference) {
-        return std::make_shared<const FrameDifference>(std::move(difference));
-    });
+    return workshop_->draw(request, control);
+}
+
+/// In the worker's thread.
+std::optional<TimeRatio> DifferenceWorker::time(const Request& request,
+                                                const Worker::Control& control) {
+    if (!control.openContext()) {
+        return std::nullopt;
+    }
+    const glm::ivec2 whole = request.view.size;
+    const double share = std::min(1.0, double(timedEdge) / std::max(whole.x, whole.y));
+    const auto sized = [&](double factor) {
+        return glm::max(glm::ivec2(glm::dvec2(whole) * factor), glm::ivec2(1));
+    };
+    auto frames = TimedFrames::create({request.catalog, request.meshes, request.textures},
+                                      sized(share), programCache_);
+    if (!frames) {
+        return std::nullopt;
+    }
+    const auto timeOf = [&](const Side& side) {
+        View view = request.view;
+        view.effects = side.effects ? &*side.effects : nullptr;
+        return (*frames)->timeOf(side.scene, view);
+    };
+    timeOf(request.a); // makes what it lacks
+    timeOf(request.b);
+    const double longest = std::max(timeOf(request.a), timeOf(request.b));
+    if (longest > timedMilliseconds) {
+        (*frames)->resize(sized(share * std::sqrt(timedMilliseconds / longest)));
+    }
+    CostPairs pairs(timedPairs, {});
+    const auto end = std::chrono::steady_clock::now() + timedFor;
+    const auto isEnough = [&] {
+        return pairs.finished() ||
+               (pairs.runs() >= timedPairs.min && std::chrono::steady_clock::now() > end);
+    };
+    while (!isEnough()) {
+        if (control.isCancelled()) {
+            return std::nullopt;
+        }
+        const double first = timeOf(request.a);
+        pairs.add(first, timeOf(request.b));
+    }
+    return TimeRatio{pairs.cost().ratio, pairs.runs()};
 }
 
 } // namespace patina

@@ -21,6 +21,7 @@ Viewport::Viewport(ViewedScene::Sources sources, QWidget* parent)
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
+    setMouseTracking(true);
     setMinimumSize(160, 120);
     setUpdateBehavior(PartialUpdate); // the last picture stays until there is another one
 }
@@ -55,7 +56,6 @@ void Viewport::setCatalog(std::shared_ptr<const Catalog> catalog) {
 }
 
 void Viewport::setInspecting(bool on) {
-    setMouseTracking(on);
     frames_.setInspecting(on);
 }
 

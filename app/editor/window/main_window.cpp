@@ -102,6 +102,7 @@ void MainWindow::connectParts() {
             [this] { status_->setSwitchedOff(static_cast<int>(switches_.off().size())); });
     connect(status_, &StatusLine::effectsWished, this,
             [this] { layout_->bringToFront("effects"); });
+    connect(views_, &CompareArea::numbersShown, status_, &StatusLine::setComparison);
     connect(views_, &CompareArea::filesDropped, files_, &FileActions::drop);
     connect(status_, &StatusLine::messagesWished, this, [this] {
         const bool inFront = !dock("messages")->visibleRegion().isEmpty();

@@ -22,8 +22,8 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, TextureLibrary& 
                        EnvironmentLibrary& environments, MessageLog& messages, QWidget* parent)
     : QStatusBar(parent), document_(document), meshes_(meshes), textures_(textures),
       environments_(environments), messages_(messages), model_(new QLabel(this)),
-      effects_(new QLabel(this)), samples_(new QLabel(this)), time_(new QLabel(this)),
-      progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
+      effects_(new QLabel(this)), comparison_(new QLabel(this)), samples_(new QLabel(this)),
+      time_(new QLabel(this)), progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
       badge_(new QToolButton(this)), switched_(new QToolButton(this)) {
     setSizeGripEnabled(false);
     model_->setObjectName("statusModel");
@@ -34,6 +34,9 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, TextureLibrary& 
     addWidget(model_);
     addWidget(effects_, 1);
     makeLoadingRow();
+    comparison_->setObjectName("statusComparison");
+    comparison_->hide();
+    addPermanentWidget(comparison_);
     samples_->setObjectName("statusSamples");
     samples_->hide();
     addPermanentWidget(samples_);
@@ -155,6 +158,12 @@ void StatusLine::setSwitchedOff(int effects) {
     switched_->setVisible(effects > 0);
     switched_->setText(effects == 1 ? tr("1 effect off") : tr("%1 effects off").arg(effects));
     switched_->setAccessibleName(switched_->text());
+}
+
+void StatusLine::setComparison(const QString& text, const QString& details) {
+    comparison_->setText(text);
+    comparison_->setToolTip(details);
+    comparison_->setVisible(!text.isEmpty());
 }
 
 void StatusLine::showBadge() {

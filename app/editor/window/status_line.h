@@ -32,6 +32,9 @@ class StatusLine : public QStatusBar {
     /// Sets how many effects the views do not show because they are switched off.
     void setSwitchedOff(int effects);
 
+    /// How far the sides of a comparison are apart; empty: nothing is known of that.
+    void setComparison(const QString& text, const QString& details);
+
   Q_SIGNALS:
     void messagesWished();
     void effectsWished();
@@ -54,6 +57,7 @@ class StatusLine : public QStatusBar {
     QTimer settle_;
     QLabel* model_;
     QLabel* effects_;
+    QLabel* comparison_;
     QLabel* samples_;
     QLabel* time_;
     QProgressBar* progress_;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointF>
+#include <QString>
+
+#include "viewport/comparison_meter.h"
+
+namespace patina {
+
+/// "B takes 31 % less time and is FLIP 0.012 away"; empty while nothing is known.
+QString comparisonText(const ComparisonNumbers& numbers);
+
+/// All numbers, line by line.
+QString comparisonDetails(const ComparisonNumbers& numbers);
+
+/// What A and B have at a place, 0 .. 1 of their width and height.
+QString pixelText(const ComparedFrames& frames, const QPointF& place);
+
+} // namespace patina
