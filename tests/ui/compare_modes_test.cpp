@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A and B shown as one picture: wiped, flipped, as an onion skin and blinking.
+#include <algorithm>
+
+#include <QAction>
 #include <QComboBox>
 #include <QSlider>
 #include <QTest>
@@ -148,7 +151,8 @@ TEST_F(CompareModes, SideBySideAfterwards_IsAsBefore) {
     const QSize before = secondView().size();
     setMode(CompareMode::Wipe);
     settle();
-    EXPECT_EQ(view().width(), window().views().first().contentsRect().width());
+    EXPECT_GT(view().width(), before.width());
+    EXPECT_EQ(secondView().size(), view().size());
     setMode(CompareMode::SideBySide);
     settle();
     EXPECT_EQ(secondView().size(), before);
@@ -171,10 +175,12 @@ TEST_F(CompareModes, ChosenInTheBar_AreThereAgainAfterAStart) {
 
 TEST_F(CompareModes, KeyC_GoesThroughTheModes) {
     window().comparison().setComparing(true);
-    view().setFocus();
-    QTest::keyClick(&view(), Qt::Key_C);
+    const auto actions = window().findChildren<QAction*>();
+    const auto next = std::ranges::find(actions, QKeySequence("C"), &QAction::shortcut);
+    ASSERT_NE(next, actions.end());
+    (*next)->trigger();
     EXPECT_EQ(window().views().look().mode, CompareMode::Wipe);
-    QTest::keyClick(&view(), Qt::Key_C);
+    (*next)->trigger();
     EXPECT_EQ(window().views().look().mode, CompareMode::Flip);
 }
 

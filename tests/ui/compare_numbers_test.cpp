@@ -68,13 +68,13 @@ TEST_F(CompareNumbers, Pointer_ReadsBothPictures) {
 }
 
 TEST(ComparisonText, FasterAndAway_SaysBoth) {
-    const ComparisonNumbers numbers{PictureDistance{0.3, 0.1, 0.01, 0.0123, 0.99},
+    const ComparisonNumbers numbers{Side::B, PictureDistance{0.3, 0.1, 0.01, 0.0123, 0.99},
                                     TimeRatio{{0.69, 0.67, 0.71}, 12}};
     EXPECT_EQ(comparisonText(numbers), "B takes 31 % less time and is FLIP 0.0123 away");
 }
 
 TEST(ComparisonText, TimesThatCannotBeTold_TakeAsLong) {
-    const ComparisonNumbers numbers{PictureDistance{}, TimeRatio{{1.05, 0.97, 1.1}, 12}};
+    const ComparisonNumbers numbers{Side::B, PictureDistance{}, TimeRatio{{1.05, 0.97, 1.1}, 12}};
     EXPECT_EQ(comparisonText(numbers), "B takes as long and looks the same");
 }
 

@@ -92,6 +92,19 @@ TEST_F(DocumentFile_, SideB_StaysOnItsObject) {
     EXPECT_EQ(document.scene(Side::B), shown);
 }
 
+TEST_F(DocumentFile_, FourSides_AreSavedWithTheScene) {
+    fixture.comparison.setSideCount(4);
+    document.setValue(pathOf(kinds::models, 0, Side::B), "roughness", 0.25);
+    document.setValue(pathOf(kinds::models, 0, Side::D), "roughness", 0.75);
+    const DocumentState before = document.state();
+    ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
+    fixture.files.startFrom(Scene());
+    ASSERT_TRUE(fixture.files.openScene(folder / "a.patina-scene.json"));
+    EXPECT_EQ(document.state().second, before.second);
+    EXPECT_EQ(document.state().further, before.further);
+    EXPECT_EQ(document.scene().extras.dump().find("compare"), std::string::npos);
+}
+
 TEST_F(DocumentFile_, SideBOfAnObjectThatIsNotThere_IsOnTheFirst) {
     fixture.comparison.setComparing(true);
     ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));

@@ -44,7 +44,7 @@ AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarg
       target_(std::move(target)),
       compare_(textButton(tr("Compare with exact"),
                           tr("Show the exact way in A, the selected one in B and how far they are "
-                             "apart in C"),
+                             "apart beside them"),
                           this)),
       notes_(hintLabel(this)), plot_(new CostPlot(this)), list_(new CostList(this)),
       budget_(new BudgetRow(this)) {

@@ -38,7 +38,7 @@ class AccuracyPage : public MeasurePage {
     /// Gives the target what a point of the chart has, as one undo step.
     void apply(int point);
     /// Shows the exact way in A and a point of the chart in B, as one undo step, and the difference
-    /// in C.
+    /// beside them.
     void compare(int point);
 
     QSize sizeHint() const override;

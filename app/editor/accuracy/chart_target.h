@@ -31,7 +31,7 @@ class ChartTarget {
     virtual void apply(const std::vector<Choice>& choices, const ChosenLevels& levels,
                        const QString& label) = 0;
 
-    /// Shows the exact way in A and these levels in B, as one undo step, and the difference in C,
+    /// Shows the exact way in A and these levels in B, as one undo step, and the difference beside,
     /// until comparing ends: nothing is chosen by it.
     virtual void compare(const std::vector<Choice>& choices, const ChosenLevels& levels) = 0;
 

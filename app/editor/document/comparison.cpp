@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/comparison.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "document/commands/material_command.h"
@@ -25,6 +26,24 @@ void Comparison::setComparing(bool on) {
         const bool returns = lastSecond_ && lastSecondObject_ == document_.currentObject();
         document_.setSecondMaterial(returns ? *lastSecond_ : *first);
     }
+}
+
+void Comparison::setSideCount(std::size_t count) {
+    const Material* active = document_.material(document_.activeSide());
+    if (!active || count == document_.shownSides()) {
+        return;
+    }
+    if (count < 2) {
+        setComparing(false);
+        return;
+    }
+    const Material copied = *active;
+    document_.editAsOneStep(tr("Compare %1 views").arg(count), [&] {
+        setComparing(true);
+        std::vector<Material> further = document_.state().further;
+        further.resize(std::min(count, sides.size()) - indexOf(Side::C), copied);
+        document_.setFurtherMaterials(std::move(further));
+    });
 }
 
 /// Side A gets its own material back, if another one was there just to be looked at.

@@ -16,6 +16,8 @@ class Comparison : public QObject {
     /// Starts comparing with what was last on side B of this object, at first with a copy of side
     /// A; or stops.
     void setComparing(bool on);
+    /// Shows so many sides, 1 .. 4: those that come have what the active one has.
+    void setSideCount(std::size_t count);
     /// Compares two materials. Side A shows the first one until comparing ends, keeps its own
     /// meanwhile, also in files, and then has it again.
     void previewMaterials(const Material& first, const Material& second, const QString& label);

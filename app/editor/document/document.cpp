@@ -7,6 +7,7 @@
 #include "document/block_label.h"
 #include "document/commands/camera_command.h"
 #include "document/commands/compare_command.h"
+#include "document/commands/further_command.h"
 #include "document/commands/light_command.h"
 #include "document/commands/model_command.h"
 #include "document/commands/parameter_command.h"
@@ -105,7 +106,7 @@ void Document::setCurrentLight(int index) {
 }
 
 void Document::setActiveSide(Side side) {
-    const Side possible = state_.second ? side : Side::A;
+    const Side possible = indexOf(side) < shownSides() ? side : Side::A;
     if (possible != activeSide_) {
         activeSide_ = possible;
         announce({DocumentChange::Current});
@@ -258,6 +259,12 @@ void Document::replaceMaterial(Side side, const Material& wanted, const QString&
 void Document::setSecondMaterial(std::optional<Material> wanted) {
     if (wanted != state_.second) {
         undoStack_.push(new CompareCommand(*this, std::move(wanted)));
+    }
+}
+
+void Document::setFurtherMaterials(std::vector<Material> materials) {
+    if (materials != state_.further) {
+        undoStack_.push(new FurtherCommand(*this, std::move(materials)));
     }
 }
 

@@ -32,13 +32,14 @@ class Document : public QObject {
     // What there is.
     const DocumentState& state() const { return state_; }
     const Scene& scene() const { return state_.scene; }
-    /// The scene as one side shows it: B has the second material on the current object.
+    /// The scene as one side shows it: all but A have a material of theirs on the current object.
     const Scene& scene(Side side) const;
     /// The same without what is laid over it while ways to draw the picture are compared.
     Scene ownScene(Side side) const;
     /// The current object's material of that side; null when there is none.
     const Material* material(Side side) const;
     bool isComparing() const { return state_.second.has_value(); }
+    std::size_t shownSides() const { return patina::shownSides(state_); } ///< 1: none is compared
     /// Starts anew with this state: there is nothing to undo, and this object is the current one.
     void startFrom(DocumentState state, int object = 0);
 
@@ -82,6 +83,8 @@ class Document : public QObject {
     void replaceMaterial(Side side, const Material& material, const QString& label);
     /// Starts comparing with a material, changes it, or stops (nullopt).
     void setSecondMaterial(std::optional<Material> material);
+    /// Gives sides C and D these materials; fewer take sides away.
+    void setFurtherMaterials(std::vector<Material> materials);
     /// Lays ways to draw the picture over what the sides show, or none (nullopt).
     void setComparedPicture(std::optional<ComparedPicture> picture);
     /// Side A draws the picture as its scene says, where another way was shown there.

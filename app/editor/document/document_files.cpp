@@ -16,10 +16,37 @@ namespace {
 const char* const compareKey = "compare";
 const char* const compareObjectKey = "compareObject";
 
-Scene withSecond(Scene scene, const std::optional<Material>& second, int object) {
-    if (second) {
-        scene.extras[compareKey] = toJson(*second);
+/// Where it keeps sides C and D.
+const char* const compareFurtherKey = "compareFurther";
+
+/// The materials of a scene file that are no object's.
+struct ComparedMaterials {
+    std::optional<Material> second;
+    std::vector<Material> further;
+
+    std::vector<Material*> all() {
+        std::vector<Material*> found;
+        if (second) {
+            found.push_back(&*second);
+        }
+        for (Material& material : further) {
+            found.push_back(&material);
+        }
+        return found;
+    }
+};
+
+Scene withCompared(Scene scene, const DocumentState& state, int object) {
+    if (state.second) {
+        scene.extras[compareKey] = toJson(*state.second);
         scene.extras[compareObjectKey] = object;
+        nlohmann::json further = nlohmann::json::array();
+        for (const Material& material : state.further) {
+            further.push_back(toJson(material));
+        }
+        if (!further.empty()) {
+            scene.extras[compareFurtherKey] = std::move(further);
+        }
     }
     return scene;
 }
@@ -33,20 +60,39 @@ int takeSecondObject(Scene& scene) {
     return isThere ? named.get<int>() : 0;
 }
 
-/// Takes side B out of a scene that was read.
-Checked<std::optional<Material>> takeSecond(Scene& scene, const std::filesystem::path& path,
-                                            const Catalog& catalog, const ReadingRights& rights) {
+Checked<Material> materialIn(const nlohmann::json& json, const std::filesystem::path& path,
+                             const Catalog& catalog, const ReadingRights& rights) {
+    const LocatedJson document{path.string(), json, {}};
+    const Checked<PresetReading> reading = materialFromJson(document, "", catalog, rights);
+    return reading ? Checked<Material>(reading->material) : tl::unexpected(reading.error());
+}
+
+/// Takes the sides but A out of a scene that was read.
+Checked<ComparedMaterials> takeCompared(Scene& scene, const std::filesystem::path& path,
+                                        const Catalog& catalog, const ReadingRights& rights) {
+    ComparedMaterials compared;
     const auto found = scene.extras.find(compareKey);
     if (found == scene.extras.end() || !found->is_object()) {
-        return std::nullopt;
+        return compared;
     }
-    const LocatedJson document{path.string(), *found, {}};
-    const Checked<PresetReading> reading = materialFromJson(document, "", catalog, rights);
-    if (!reading) {
-        return tl::unexpected(reading.error());
+    const Checked<Material> second = materialIn(*found, path, catalog, rights);
+    if (!second) {
+        return tl::unexpected(second.error());
     }
+    compared.second = *second;
     scene.extras.erase(compareKey);
-    return reading->material;
+    const nlohmann::json further = scene.extras.value(compareFurtherKey, nlohmann::json());
+    for (const nlohmann::json& each : further) {
+        const bool isRoom = compared.further.size() + indexOf(Side::C) < sides.size();
+        const auto material = each.is_object() && isRoom ? materialIn(each, path, catalog, rights)
+                                                         : tl::unexpected(Errors());
+        if (!material) {
+            return compared; // the key stays, so that nothing is lost
+        }
+        compared.further.push_back(*material);
+    }
+    scene.extras.erase(compareFurtherKey);
+    return compared;
 }
 
 /// What saving the preset of an object does not save.
@@ -84,7 +130,7 @@ void markOutside(Material& material, const std::string& image) {
 }
 
 /// Leaves out what a copy of unsaved work says is not to be read.
-void takeWithheld(SceneReading& reading, Checked<std::optional<Material>>& second) {
+void takeWithheld(SceneReading& reading, Checked<ComparedMaterials>& compared) {
     const nlohmann::json withheld = reading.scene.extras.value(withheldKey, nlohmann::json());
     reading.scene.extras.erase(withheldKey);
     for (const nlohmann::json& each : withheld) {
@@ -100,8 +146,10 @@ void takeWithheld(SceneReading& reading, Checked<std::optional<Material>>& secon
         for (Object& object : reading.scene.objects) {
             markOutside(object.material, file);
         }
-        if (second && *second) {
-            markOutside(**second, file);
+        if (compared) {
+            for (Material* material : compared->all()) {
+                markOutside(*material, file);
+            }
         }
     }
 }
@@ -166,17 +214,21 @@ std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path
         tell(reading.error());
         return std::nullopt;
     }
-    Checked<std::optional<Material>> second =
-        takeSecond(reading->scene, path, document_.catalog(), rights);
-    takeWithheld(*reading, second);
+    Checked<ComparedMaterials> compared =
+        takeCompared(reading->scene, path, document_.catalog(), rights);
+    takeWithheld(*reading, compared);
     withheld_.set(reading->outside);
     withheld_.allowLinks(rights.allowed);
-    const int object = second && *second ? takeSecondObject(reading->scene) : 0;
-    start({reading->scene, second.value_or(std::nullopt)},
-          {DocumentFile::Kind::Scene, path, reading->readOnly}, object);
+    const int object = compared && compared->second ? takeSecondObject(reading->scene) : 0;
+    DocumentState state{reading->scene, std::nullopt};
+    if (compared) {
+        state.second = compared->second;
+        state.further = compared->further;
+    }
+    start(std::move(state), {DocumentFile::Kind::Scene, path, reading->readOnly}, object);
     Errors notes = reading->notes;
-    if (!second) {
-        notes.insert(notes.end(), second.error().begin(), second.error().end());
+    if (!compared) {
+        notes.insert(notes.end(), compared.error().begin(), compared.error().end());
     }
     return notes;
 }
@@ -191,9 +243,9 @@ OutsideFiles DocumentFiles::outsideOf(const std::filesystem::path& path, Documen
     if (!reading) {
         return {};
     }
-    const auto second = takeSecond(reading->scene, path, catalog, rights);
-    if (second && *second) {
-        for (const auto& [key, use] : (*second)->textures) {
+    auto compared = takeCompared(reading->scene, path, catalog, rights);
+    for (const Material* material : compared ? compared->all() : std::vector<Material*>()) {
+        for (const auto& [key, use] : material->textures) {
             if (use.outside) {
                 reading->outside.push_back({OutsideFile::Kind::Image, use.file});
             }
@@ -279,7 +331,7 @@ Scene DocumentFiles::sceneToSave() const {
         scene.objects[static_cast<std::size_t>(object)].material = *own;
     }
     return hasSecondMaterial(document_.state())
-               ? withSecond(std::move(scene), document_.state().second, document_.currentObject())
+               ? withCompared(std::move(scene), document_.state(), document_.currentObject())
                : scene;
 }
 
@@ -390,6 +442,8 @@ void DocumentFiles::markPresetSaved(Side side) {
     }
     if (side == Side::B) {
         savedState_.second = document_.state().second;
+    } else if (side != Side::A) {
+        savedState_.further = document_.state().further;
     }
     const bool everything = withoutMaterial(document_.state(), presetObject_) ==
                             withoutMaterial(savedState_, presetObject_);

@@ -22,6 +22,9 @@ auto findMaterial(State& state, int object, Side side) -> decltype(&*state.secon
     if (side == Side::B) {
         return state.second ? &*state.second : nullptr;
     }
+    if (side != Side::A) {
+        return elementAt(state.further, static_cast<int>(indexOf(side) - indexOf(Side::C)));
+    }
     auto* found = elementAt(state.scene.objects, object);
     return found ? &found->material : nullptr;
 }
@@ -79,8 +82,17 @@ bool hasSecondMaterial(const DocumentState& state) {
     return state.second && !(state.picture && state.picture->material == *state.second);
 }
 
+bool hasOwnMaterial(const DocumentState& state, Side side) {
+    return side == Side::B ? hasSecondMaterial(state)
+                           : side != Side::A && indexOf(side) < shownSides(state);
+}
+
+std::size_t shownSides(const DocumentState& state) {
+    return state.second ? indexOf(Side::C) + state.further.size() : 1;
+}
+
 const SidePicture* overlaidPicture(const DocumentState& state, Side side) {
-    if (!state.picture || !state.second) {
+    if (!state.picture || !state.second || indexOf(side) > indexOf(Side::B)) {
         return nullptr;
     }
     const auto& picture = side == Side::A ? state.picture->first : state.picture->second;
@@ -116,9 +128,9 @@ Scene shownScene(const DocumentState& state, int object, Side side) {
 
 Scene ownScene(const DocumentState& state, int object, Side side) {
     Scene scene = state.scene;
-    if (side == Side::B && hasSecondMaterial(state)) {
+    if (hasOwnMaterial(state, side)) {
         if (Object* shown = elementAt(scene.objects, object)) {
-            shown->material = *state.second;
+            shown->material = *materialAt(state, object, side);
         }
     }
     return scene;
@@ -233,6 +245,9 @@ void reconcile(DocumentState& state, const Catalog& before, const Catalog& after
     }
     if (state.second) {
         state.second = reconciled(*state.second, before, after);
+    }
+    for (Material& material : state.further) {
+        material = reconciled(material, before, after);
     }
     if (state.picture) {
         state.picture->material = reconciled(state.picture->material, before, after);

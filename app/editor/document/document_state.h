@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "catalog/catalog.h"
 #include "catalog/settings.h"
@@ -12,8 +14,15 @@
 
 namespace patina {
 
-/// The two materials that are compared. A is the object's own, B the second one.
-enum class Side { A, B };
+/// The materials that are compared. A is the object's own, B the second one, C and D are further
+/// ones.
+enum class Side { A, B, C, D };
+
+inline constexpr std::array sides{Side::A, Side::B, Side::C, Side::D};
+
+constexpr std::size_t indexOf(Side side) {
+    return static_cast<std::size_t>(side);
+}
 
 /// Holds what side A shows for as long as it is compared, and its own material, which was put
 /// aside.
@@ -31,6 +40,8 @@ struct DocumentState {
     std::optional<Material> second; ///< side B, shown on the current object; absent: no comparing
     std::optional<MaterialPreview> preview = std::nullopt; ///< absent: side A shows its own
     std::optional<ComparedPicture> picture = std::nullopt; ///< absent: both draw as the scene says
+    /// Sides C and D, shown on the current object, too; they rest while nothing is compared.
+    std::vector<Material> further{};
 
     friend bool operator==(const DocumentState&, const DocumentState&) = default;
 };
@@ -58,7 +69,7 @@ struct ParameterTarget {
 /// The path of what is of a kind, or one of `settings`.
 BlockPath pathOf(std::string_view kind, int index = 0, Side side = Side::A);
 
-/// The scene as one side shows it: B has the second material on the current object.
+/// The scene as one side shows it: all but A have a material of theirs on the current object.
 Scene shownScene(const DocumentState& state, int object, Side side);
 
 /// The same without what is laid over it where ways to draw its picture are compared.
@@ -73,13 +84,19 @@ bool isOverlaid(const DocumentState& state, const BlockPath& path, std::string_v
 /// Tells whether side B has another material than what its object has.
 bool hasSecondMaterial(const DocumentState& state);
 
+/// Tells whether a side has a material that is not the object's.
+bool hasOwnMaterial(const DocumentState& state, Side side);
+
+/// How many sides are shown: from 1, where nothing is compared.
+std::size_t shownSides(const DocumentState& state);
+
 /// Tells whether values at this path may have images.
 bool takesTextures(const BlockPath& path);
 
 /// The key of a value's image in Material::textures.
 std::string textureKey(const BlockPath& path, std::string_view parameterId);
 
-/// The material a path lies in; null when the object or side B is not there.
+/// The material a path lies in; null when the object or the side is not there.
 const Material* materialAt(const DocumentState& state, int object, Side side);
 Material* materialAt(DocumentState& state, int object, Side side);
 

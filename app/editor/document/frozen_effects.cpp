@@ -207,16 +207,16 @@ const Scene* FrozenEffects::scene(Side side) const {
     if (!held_) {
         return nullptr;
     }
-    const std::optional<Scene>& shown = held_->shown[static_cast<std::size_t>(side)];
+    const std::optional<Scene>& shown = held_->shown[indexOf(side)];
     return shown ? &*shown : &held_->state.scene;
 }
 
 void FrozenEffects::showSides() {
     const DocumentState& state = held_->state;
-    for (const Side side : {Side::A, Side::B}) {
-        const bool differs = state.second && held_->object >= 0 &&
-                             (side == Side::B || overlaidPicture(state, side) != nullptr);
-        held_->shown[static_cast<std::size_t>(side)] =
+    for (const Side side : sides) {
+        const bool differs = indexOf(side) < shownSides(state) && held_->object >= 0 &&
+                             (side != Side::A || overlaidPicture(state, side) != nullptr);
+        held_->shown[indexOf(side)] =
             differs ? std::optional(shownScene(state, held_->object, side)) : std::nullopt;
     }
 }

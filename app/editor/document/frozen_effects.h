@@ -49,7 +49,7 @@ class FrozenEffects {
     struct Held {
         DocumentState state;
         /// What the sides show, where that is not the state's scene.
-        std::array<std::optional<Scene>, 2> shown;
+        std::array<std::optional<Scene>, patina::sides.size()> shown;
         int object = -1;
         BlockPath path;
         std::string parameterId;

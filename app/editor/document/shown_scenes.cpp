@@ -10,7 +10,7 @@ const Scene& ShownScenes::scene(const DocumentState& state, int object, Side sid
     if (isOwn || !state.second || object < 0) {
         return state.scene;
     }
-    std::optional<Scene>& shown = shown_[static_cast<std::size_t>(side)];
+    std::optional<Scene>& shown = shown_[indexOf(side)];
     if (!shown) {
         shown = shownScene(state, object, side);
     }
@@ -19,30 +19,31 @@ const Scene& ShownScenes::scene(const DocumentState& state, int object, Side sid
 
 void ShownScenes::follow(const DocumentState& state, int object, const BlockPath& path,
                          std::string_view parameterId) {
-    update(Side::A, state, object, path, parameterId);
-    update(Side::B, state, object, path, parameterId);
+    for (const Side side : sides) {
+        update(side, state, object, path, parameterId);
+    }
 }
 
 void ShownScenes::update(Side side, const DocumentState& state, int object, const BlockPath& path,
                          std::string_view parameterId) {
-    std::optional<Scene>& shown = shown_[static_cast<std::size_t>(side)];
+    std::optional<Scene>& shown = shown_[indexOf(side)];
     const std::optional<Value> stored = storedValue(state, path, parameterId);
     if (!shown || !stored) {
         return;
     }
     const bool isOfMaterial = path.owner == BlockOwner::Material;
-    const bool isOfB = isOfMaterial && path.side == Side::B;
-    if (isOfB && state.picture) {
+    const bool isOfSide = isOfMaterial && path.side != Side::A;
+    if (isOfMaterial && path.side == Side::B && state.picture) {
         shown.reset(); // side B may have its own material from now on
         return;
     }
-    const bool isHidden = isOfMaterial && !isOfB && path.index == object && side == Side::B &&
-                          hasSecondMaterial(state);
-    if (isHidden || (isOfB && side == Side::A)) {
+    const bool isHidden =
+        isOfMaterial && !isOfSide && path.index == object && hasOwnMaterial(state, side);
+    if (isHidden || (isOfSide && side != path.side)) {
         return;
     }
     BlockPath there = path;
-    if (isOfB) {
+    if (isOfSide) {
         there.side = Side::A;
         there.index = object;
     }

@@ -13,7 +13,7 @@ namespace patina {
 /// demand.
 class ShownScenes {
   public:
-    /// The scene as a side shows it, with side B's material on this object; valid until the state
+    /// The scene as a side shows it, with the side's material on this object; valid until the state
     /// changes.
     const Scene& scene(const DocumentState& state, int object, Side side);
 
@@ -29,7 +29,7 @@ class ShownScenes {
     void update(Side side, const DocumentState& state, int object, const BlockPath& path,
                 std::string_view parameterId);
 
-    std::array<std::optional<Scene>, 2> shown_; ///< by side
+    std::array<std::optional<Scene>, sides.size()> shown_; ///< by side
 };
 
 } // namespace patina

@@ -19,8 +19,10 @@ std::vector<MaterialPlace> materialPlaces(const DocumentState& state, int curren
     for (int i = 0; i < static_cast<int>(state.scene.objects.size()); ++i) {
         places.push_back({i, Side::A});
     }
-    if (state.second) {
-        places.push_back({currentObject, Side::B});
+    for (const Side side : sides) {
+        if (side != Side::A && indexOf(side) < shownSides(state)) {
+            places.push_back({currentObject, side});
+        }
     }
     return places;
 }

@@ -32,22 +32,22 @@ constexpr CompareModeRow modes[] = {
      QT_TRANSLATE_NOOP("Compare", "How far A and B are apart, alone")},
 };
 
-QString shown(const char* text) {
+QString compareText(const char* text) {
     return QCoreApplication::translate("Compare", text);
 }
 
 } // namespace
 
 QString CompareModeRow::shownLabel() const {
-    return shown(label);
+    return compareText(label);
 }
 
 QString CompareModeRow::shownDoc() const {
-    return shown(doc);
+    return compareText(doc);
 }
 
 QString CompareModeRow::shownAmountLabel() const {
-    return shown(amountLabel);
+    return compareText(amountLabel);
 }
 
 bool CompareModeRow::isComposed() const {

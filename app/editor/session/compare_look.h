@@ -10,6 +10,9 @@ namespace patina {
 /// Tells how the pictures of A and B are shown together.
 enum class CompareMode { SideBySide, Wipe, Flip, Onion, Blink, Difference };
 
+/// Tells where views stand that are side by side.
+enum class ViewArrangement { Grid, Row, Column };
+
 /// How A and B are compared, as it is chosen and remembered.
 struct CompareLook {
     CompareMode mode = CompareMode::SideBySide;
@@ -17,6 +20,7 @@ struct CompareLook {
     double wipeAngle = 0.0; ///< degrees, clockwise; 0: the line is upright and A left of it
     double onion = 0.5;     ///< 0 .. 1, the opacity of B over A
     double blink = 0.7;     ///< seconds that each picture is shown
+    ViewArrangement arrangement = ViewArrangement::Grid;
 
     friend bool operator==(const CompareLook&, const CompareLook&) = default;
 };

@@ -134,7 +134,9 @@ CompareLook Session::compareLook() const {
             number("compare/wipe", usual.wipe, 0.0, 1.0),
             number("compare/wipeAngle", usual.wipeAngle, -180.0, 180.0),
             number("compare/onion", usual.onion, 0.0, 1.0),
-            number("compare/blink", usual.blink, blink.min, blink.max)};
+            number("compare/blink", usual.blink, blink.min, blink.max),
+            static_cast<ViewArrangement>(static_cast<int>(
+                number("compare/arrangement", 0.0, 0.0, int(ViewArrangement::Column))))};
 }
 
 void Session::setCompareLook(const CompareLook& look) {
@@ -143,6 +145,7 @@ void Session::setCompareLook(const CompareLook& look) {
     settings_.setValue("compare/wipeAngle", look.wipeAngle);
     settings_.setValue("compare/onion", look.onion);
     settings_.setValue("compare/blink", look.blink);
+    settings_.setValue("compare/arrangement", static_cast<int>(look.arrangement));
 }
 
 bool Session::keepsParked() const {

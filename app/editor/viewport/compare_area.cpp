@@ -2,6 +2,7 @@
 #include "viewport/compare_area.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <QHBoxLayout>
@@ -27,12 +28,17 @@ CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path progr
                          QWidget* parent)
     : QWidget(parent), sources_(sources), document_(sources.document),
       programCache_(std::move(programCache)), home_(document_.scene().camera),
-      row_(new QSplitter(Qt::Horizontal, this)), first_(addView(Side::A)) {
+      rows_(new QSplitter(Qt::Vertical, this)), upper_(new QSplitter(Qt::Horizontal, rows_)),
+      lower_(new QSplitter(Qt::Horizontal, rows_)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(row_);
-    row_->setChildrenCollapsible(false);
-    row_->setHandleWidth(3);
+    layout->addWidget(rows_);
+    for (QSplitter* splitter : {rows_, upper_, lower_}) {
+        splitter->setChildrenCollapsible(false);
+        splitter->setHandleWidth(3);
+    }
+    lower_->hide();
+    views_[0] = addView(Side::A);
     onChange(document_, DocumentChange::Comparing, this, &CompareArea::showSides);
     onChange(document_, DocumentChange::Camera, this, &CompareArea::showCamera);
     onChange(document_, DocumentChange::Scene, this, [this] {
@@ -44,8 +50,15 @@ CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path progr
     showSides();
 }
 
+std::vector<SideView*> CompareArea::views() {
+    std::vector<SideView*> made;
+    std::ranges::copy_if(views_, std::back_inserter(made), [](SideView* view) { return view; });
+    return made;
+}
+
 SideView& CompareArea::active() {
-    return document_.activeSide() == Side::B && second_ ? *second_ : *first_;
+    SideView* active = view(document_.activeSide());
+    return active != nullptr ? *active : first();
 }
 
 void CompareArea::setCamerasLinked(bool linked) {
@@ -60,15 +73,14 @@ void CompareArea::setCamerasLinked(bool linked) {
 
 void CompareArea::setInspecting(bool on) {
     inspecting_ = on;
-    first_->setInspecting(on);
-    if (second_) {
-        second_->setInspecting(on);
+    for (SideView* view : views()) {
+        view->setInspecting(on);
     }
 }
 
 void CompareArea::realignCameras() {
-    if (second_) {
-        second_->viewport().setCamera(first_->viewport().camera());
+    for (SideView* view : views()) {
+        view->viewport().setCamera(first().viewport().camera());
     }
 }
 
@@ -77,8 +89,8 @@ void CompareArea::resetCamera(Side side) {
 }
 
 SideView* CompareArea::addView(Side side) {
-    auto* view = new SideView(sources_, side, programCache_, row_);
-    row_->addWidget(view);
+    auto* view = new SideView(sources_, side, programCache_, upper_);
+    upper_->insertWidget(static_cast<int>(indexOf(side)), view);
     connect(view, &SideView::cameraWished, this,
             [this, side](const Camera& shown) { moveCamera(side, shown); });
     connect(&view->viewport(), &Viewport::resized, this, [this] {
@@ -104,51 +116,100 @@ void CompareArea::setLook(const CompareLook& look) {
     if (look == look_) {
         return;
     }
-    const bool isOtherMode = look.mode != look_.mode;
+    const bool isOtherPlace = look.mode != look_.mode || look.arrangement != look_.arrangement;
     look_ = look;
     if (composed_) {
         composed_->setLook(look_);
     }
-    if (isOtherMode) {
+    if (isOtherPlace) {
         showSides();
     }
     Q_EMIT lookChanged(look_);
 }
 
+/// Modes of one picture are of A and B.
+bool CompareArea::isShown(Side side) const {
+    const bool isThere = indexOf(side) < document_.shownSides();
+    if (!document_.isComparing() || look_.mode == CompareMode::SideBySide) {
+        return isThere;
+    }
+    return look_.mode != CompareMode::Difference && side <= Side::B;
+}
+
+bool CompareArea::makeMissingViews() {
+    bool isMade = false;
+    for (const Side side : sides) {
+        SideView*& made = views_[indexOf(side)];
+        if (made != nullptr || indexOf(side) >= document_.shownSides()) {
+            continue;
+        }
+        made = addView(side);
+        made->viewport().setCamera(first().viewport().camera());
+        made->setInspecting(inspecting_);
+        if (meter_ == nullptr) {
+            makeMeter();
+        }
+        made->viewport().installEventFilter(this);
+        isMade = true;
+        Q_EMIT viewAdded(made);
+    }
+    return isMade;
+}
+
 void CompareArea::showSides() {
+    const bool isNew = makeMissingViews();
     const bool comparing = document_.isComparing();
-    if (comparing && !second_) {
-        second_ = addView(Side::B);
-        second_->viewport().setCamera(first_->viewport().camera());
-        second_->setInspecting(inspecting_);
-        row_->setSizes({1, 1});
-        Q_EMIT viewAdded(second_);
-        makeMeter();
-    }
     const bool isComposed = comparing && rowOf(look_.mode).isComposed();
-    const bool isDifferenceAlone = comparing && look_.mode == CompareMode::Difference;
-    first_->setTitleVisible(comparing && !isComposed);
-    first_->setVisible(!isDifferenceAlone);
-    if (second_) {
+    if (second() != nullptr) {
         showComposed(isComposed);
-        second_->setVisible(comparing && !isDifferenceAlone);
     }
-    showDifference(comparing && (wantsDifference_ || isDifferenceAlone));
+    placeViews(isNew);
+    for (const Side side : sides) {
+        if (SideView* shown = view(side)) {
+            shown->setTitleVisible(comparing && !isComposed);
+            shown->setVisible(isShown(side));
+        }
+    }
+    showDifference(comparing && (wantsDifference_ || look_.mode == CompareMode::Difference));
     fitNarrowViews();
 }
 
+/// Every view to its row; the difference stays the last of the upper one.
+void CompareArea::placeViews(bool isNew) {
+    const bool isGrid = look_.arrangement == ViewArrangement::Grid;
+    bool isMoved = isNew;
+    for (const Side side : sides) {
+        SideView* placed = view(side);
+        QSplitter* row = isGrid && side > Side::B ? lower_ : upper_;
+        if (placed == nullptr || placed->parentWidget() == row ||
+            (side == Side::B && isComposed())) {
+            continue;
+        }
+        row->insertWidget(
+            static_cast<int>(row == lower_ ? indexOf(side) - indexOf(Side::C) : indexOf(side)),
+            placed);
+        isMoved = true;
+    }
+    const auto way = look_.arrangement == ViewArrangement::Column ? Qt::Vertical : Qt::Horizontal;
+    lower_->setVisible(isGrid && isShown(Side::C));
+    if (isMoved || upper_->orientation() != way) {
+        upper_->setOrientation(way);
+        upper_->setSizes(QList<int>(upper_->count(), 1));
+        lower_->setSizes(QList<int>(lower_->count(), 1));
+        rows_->setSizes({1, 1});
+    }
+}
+
 void CompareArea::makeMeter() {
-    meter_ = new ComparisonMeter(sources_, first_->viewport(), programCache_, this);
+    meter_ = new ComparisonMeter(sources_, first().viewport(), programCache_, this);
     connect(meter_, &ComparisonMeter::framesChanged, this, &CompareArea::showNumbers);
     connect(meter_, &ComparisonMeter::numbersChanged, this, &CompareArea::showNumbers);
-    for (SideView* view : {first_, second_}) {
-        view->viewport().installEventFilter(this);
-    }
+    first().viewport().installEventFilter(this);
 }
 
 void CompareArea::showNumbers() {
     const bool isPixelKnown = pointer_ && meter_->isUpToDate() && document_.isComparing();
-    Q_EMIT numbersShown(isPixelKnown ? pixelText(*meter_->frames(), *pointer_)
+    Q_EMIT numbersShown(isPixelKnown ? pixelText(*meter_->frames(), meter_->other(), *pointer_)
                                      : comparisonText(meter_->numbers()),
                         comparisonDetails(meter_->numbers()));
 }
@@ -176,36 +237,33 @@ void CompareArea::showDifference(bool shown) {
         return;
     }
     if (!difference_) {
-        difference_ = new DifferenceView(*meter_, first_->viewport(), row_);
+        difference_ = new DifferenceView(*meter_, first().viewport(), upper_);
         difference_->setMouseTracking(true);
         difference_->installEventFilter(this);
-        row_->addWidget(difference_);
+        upper_->addWidget(difference_);
     }
     difference_->setVisible(shown);
-    row_->setSizes({1, 1, shown ? 1 : 0});
+    QList<int> equal(upper_->count(), 1);
+    equal.last() = shown ? 1 : 0;
+    upper_->setSizes(equal);
 }
 
 /// Side B's view then lies where side A's is, below it: it draws there as it does elsewhere.
 void CompareArea::showComposed(bool shown) {
-    const bool was = composed_ && !composed_->isHidden();
-    if (shown == was) {
+    if (shown == isComposed()) {
         return;
     }
     if (!composed_) {
-        composed_ = new ComposedView(document_, *first_, *second_, this);
+        composed_ = new ComposedView(document_, first(), *second(), this);
         composed_->setLook(look_);
         connect(composed_, &ComposedView::lookWished, this, &CompareArea::setLook);
     }
-    second_->setTitleVisible(!shown);
     if (shown) {
-        second_->setParent(this);
-        second_->lower();
+        second()->setParent(this);
+        second()->lower();
         composed_->raise();
         layout()->activate();
         placeComposed();
-    } else {
-        row_->insertWidget(1, second_);
-        row_->setSizes({1, 1, difference_ && !difference_->isHidden() ? 1 : 0});
     }
     composed_->setVisible(shown);
 }
@@ -218,8 +276,8 @@ void CompareArea::placeComposed() {
     const auto placeOf = [this](const QWidget& widget) {
         return QRect(widget.mapTo(this, QPoint()), widget.size());
     };
-    second_->setGeometry(placeOf(*first_));
-    composed_->setGeometry(placeOf(first_->viewport()));
+    second()->setGeometry(placeOf(first()));
+    composed_->setGeometry(placeOf(first().viewport()));
 }
 
 void CompareArea::resizeEvent(QResizeEvent* event) {
@@ -261,20 +319,23 @@ void CompareArea::keyReleaseEvent(QKeyEvent* event) {
 /// what is in a square is not cut off. The document's camera stays where it is.
 void CompareArea::fitNarrowViews() {
     double aspect = 1.0; // of the narrowest
-    for (SideView* view : {first_, second_}) {
-        if (view && !view->isHidden()) {
+    for (SideView* view : views()) {
+        if (!view->isHidden()) {
             const QSize size = view->viewport().size();
             aspect = std::min(aspect, std::max(size.width(), 1) / double(size.height()));
         }
     }
     const double stepBack = 1.0 / aspect;
     const double change = stepBack / std::exchange(stepBack_, stepBack);
-    if (change != 1.0 && second_ && !linked_) {
-        second_->viewport().setCamera(dollied(second_->viewport().camera(), change));
+    if (change == 1.0) {
+        return;
     }
-    if (change != 1.0) {
-        showCamera();
+    for (SideView* view : views()) {
+        if (!isLinked(view->side())) {
+            view->viewport().setCamera(dollied(view->viewport().camera(), change));
+        }
     }
+    showCamera();
 }
 
 Camera CompareArea::shownFrom(const Camera& camera) const {
@@ -284,16 +345,17 @@ Camera CompareArea::shownFrom(const Camera& camera) const {
 /// The document's camera in the views that follow it.
 void CompareArea::showCamera() {
     const Camera shown = shownFrom(document_.scene().camera);
-    first_->viewport().setCamera(shown);
-    if (second_ && linked_) {
-        second_->viewport().setCamera(shown);
+    for (SideView* view : views()) {
+        if (isLinked(view->side())) {
+            view->viewport().setCamera(shown);
+        }
     }
 }
 
 /// To where a view shall show the scene from.
 void CompareArea::moveCamera(Side side, const Camera& shown) {
-    if (side == Side::B && !linked_) {
-        second_->viewport().setCamera(shown);
+    if (!isLinked(side)) {
+        view(side)->viewport().setCamera(shown);
         return;
     }
     document_.setCamera(stepBack_ == 1.0 ? shown : dollied(shown, 1.0 / stepBack_));

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include <QWidget>
 
@@ -16,10 +19,10 @@ class ComparisonMeter;
 class ComposedView;
 class DifferenceView;
 
-/// The middle of the window: one view, or two while the document compares, side by side or composed
-/// at one place, and beside them their difference where that is wanted. Side A's camera is the
-/// document's, a step back where a view is narrower than high; side B's is the same one until they
-/// are unlinked.
+/// The middle of the window: one view, or up to four while the document compares, in a grid, a row
+/// or a column, or A and B composed at one place; and beside them the difference of two where that
+/// is wanted. Side A's camera is the document's, a step back where a view is narrower than high;
+/// the others' is the same one until they are unlinked.
 class CompareArea : public QWidget {
     Q_OBJECT
 
@@ -27,8 +30,10 @@ class CompareArea : public QWidget {
     CompareArea(const ViewSources& sources, std::filesystem::path programCache,
                 QWidget* parent = nullptr);
 
-    SideView& first() { return *first_; }
-    SideView* second() { return second_; } ///< null until it was needed once
+    SideView& first() { return *view(Side::A); }
+    SideView* second() { return view(Side::B); }
+    SideView* view(Side side) { return views_[indexOf(side)]; } ///< null until it was needed once
+    std::vector<SideView*> views();                             ///< that were needed once
     SideView& active();
     DifferenceView* difference() { return difference_; } ///< null until it was needed once
     ComposedView* composed() { return composed_; }       ///< the same
@@ -37,15 +42,15 @@ class CompareArea : public QWidget {
     const CompareLook& look() const { return look_; }
     void setLook(const CompareLook& look);
 
-    /// C is shown beside A and B, while the document compares.
+    /// The difference is shown beside the views, while the document compares.
     void setDifferenceWanted(bool wanted);
 
     void setCamerasLinked(bool linked);
 
-    /// Both views show the numerical check instead of the picture.
+    /// All views show the numerical check instead of the picture.
     void setInspecting(bool on);
 
-    /// Side B looks from where side A does.
+    /// All sides look from where side A does.
     void realignCameras();
 
     /// The camera that the scene had when it was opened.
@@ -54,8 +59,8 @@ class CompareArea : public QWidget {
   Q_SIGNALS:
     void linkChanged(bool linked);
     void lookChanged(const patina::CompareLook& look);
-    /// How far A and B are apart, and, while the pointer is over a picture, what both have there;
-    /// empty while that is not known.
+    /// How far A and another side are apart, and, while the pointer is over a picture, what both
+    /// have there; empty while that is not known.
     void numbersShown(const QString& text, const QString& details);
     void differenceWantedChanged(bool wanted);
     void filesDropped(QStringList files, patina::Side side);
@@ -69,7 +74,11 @@ class CompareArea : public QWidget {
 
   private:
     SideView* addView(Side side);
+    bool isShown(Side side) const;
+    bool isLinked(Side side) const { return side == Side::A || linked_; }
     void showSides();
+    bool makeMissingViews();
+    void placeViews(bool isNew);
     void makeMeter();
     void showNumbers();
     void showComposed(bool shown);
@@ -86,13 +95,14 @@ class CompareArea : public QWidget {
     std::filesystem::path programCache_;
     Camera home_;
     CompareLook look_;
-    QSplitter* row_; ///< what is side by side
+    QSplitter* rows_;
+    QSplitter* upper_; ///< all but what is in the second row of a grid
+    QSplitter* lower_;
     bool linked_ = true;
     bool wantsDifference_ = false;
     bool inspecting_ = false;
     double stepBack_ = 1.0; ///< by so much farther away than the document has it
-    SideView* first_;
-    SideView* second_ = nullptr;
+    std::array<SideView*, sides.size()> views_{};
     DifferenceView* difference_ = nullptr;
     ComposedView* composed_ = nullptr;
     ComparisonMeter* meter_ = nullptr;

@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-constexpr int settleMs = 60;
+constexpr int gatherMs = 60;
 constexpr int restMs = 400;
 constexpr int longestEdge = 1024; ///< pixels; what is shown larger is stretched
 
@@ -23,7 +23,7 @@ ComparisonMeter::ComparisonMeter(const ViewSources& sources, const Viewport& fir
       textures_(sources.textures), environments_(sources.environments), switches_(sources.switches),
       worker_(std::move(programCache)) {
     settle_.setSingleShot(true);
-    settle_.setInterval(settleMs);
+    settle_.setInterval(gatherMs);
     rest_.setSingleShot(true);
     rest_.setInterval(restMs);
     connect(&settle_, &QTimer::timeout, this, &ComparisonMeter::askFrames);
@@ -65,6 +65,10 @@ void ComparisonMeter::followChange() {
     }
 }
 
+Side ComparisonMeter::other() const {
+    return document_.activeSide() == Side::A ? Side::B : document_.activeSide();
+}
+
 void ComparisonMeter::giveUp() {
     shown_.reset();
     if (measuring_) {
@@ -90,7 +94,7 @@ DifferenceWorker::Request ComparisonMeter::request() {
     view.camera = first_.camera();
     view.environmentImage = environments_.image(environmentPicture(document_));
     return {sideOf(Side::A),
-            sideOf(Side::B),
+            sideOf(other()),
             view,
             meshSnapshot(document_.scene(), meshes_),
             textures_.snapshot(),
@@ -140,7 +144,7 @@ void ComparisonMeter::rest() {
     measuring_ = worker_.askDistance(frames_, std::exchange(shown_, nullptr),
                                      [this, timed](const std::optional<PictureDistance>& distance) {
                                          if (distance && !areStale_) {
-                                             numbers_.distance = distance;
+                                             numbers_ = {other(), distance, std::nullopt};
                                              Q_EMIT numbersChanged();
                                              measuring_ = worker_.askTime(request(), timed);
                                          }

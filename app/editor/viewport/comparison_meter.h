@@ -11,13 +11,15 @@
 
 namespace patina {
 
-/// Holds what is known of how far B is from A.
+/// Holds what is known of how far another side is from A.
 struct ComparisonNumbers {
+    Side other = Side::B;
     std::optional<PictureDistance> distance;
     std::optional<TimeRatio> time;
 };
 
-/// Measures how far A and B are apart, seen from where A looks, while the document compares: the
+/// Measures how far A and the active side, or B, are apart, seen from where A looks, while the
+/// document compares: the
 /// frames as soon as something changes where somebody looks at their difference, and else, with all
 /// numbers, when nothing has changed for a moment. What has become needless is given up.
 class ComparisonMeter : public QObject {
@@ -38,7 +40,10 @@ class ComparisonMeter : public QObject {
     /// Tells whether the frames are of A and B as they are now.
     bool isUpToDate() const { return frames_ && !settle_.isActive() && !areFramesAsked_; }
 
-    /// Returns what is known of A and B as they are now.
+    /// The side that is compared with A.
+    Side other() const;
+
+    /// Returns what is known of both as they are now.
     const ComparisonNumbers& numbers() const { return numbers_; }
 
   Q_SIGNALS:

@@ -17,7 +17,7 @@ constexpr double sameTime = 0.01;
 /// From here on "times as long" is easier to read than "more".
 constexpr double severalTimes = 2.0;
 
-QString shown(const char* text) {
+QString numbersText(const char* text) {
     return QCoreApplication::translate("Comparison", text);
 }
 
@@ -28,18 +28,18 @@ QString wholePercent(double share) {
 QString timeText(const TimeRatio& time) {
     const double ratio = time.ratio.median;
     if (time.ratio.contains(1.0) || std::abs(ratio - 1.0) < sameTime) {
-        return shown("takes as long");
+        return numbersText("takes as long");
     }
     if (ratio >= severalTimes) {
-        return shown("takes %1 times as long").arg(roundText(ratio));
+        return numbersText("takes %1 times as long").arg(roundText(ratio));
     }
-    return ratio < 1.0 ? shown("takes %1 less time").arg(wholePercent(1.0 - ratio))
-                       : shown("takes %1 more time").arg(wholePercent(ratio - 1.0));
+    return ratio < 1.0 ? numbersText("takes %1 less time").arg(wholePercent(1.0 - ratio))
+                       : numbersText("takes %1 more time").arg(wholePercent(ratio - 1.0));
 }
 
 QString distanceText(const PictureDistance& distance) {
-    return distance.flip == 0.0 ? shown("looks the same")
-                                : shown("is FLIP %1 away").arg(digitsText(distance.flip));
+    return distance.flip == 0.0 ? numbersText("looks the same")
+                                : numbersText("is FLIP %1 away").arg(digitsText(distance.flip));
 }
 
 QString colorText(const Image& image, std::size_t pixel) {
@@ -57,40 +57,43 @@ QString comparisonText(const ComparisonNumbers& numbers) {
         return {};
     }
     const QString distance = distanceText(*numbers.distance);
-    return numbers.time ? shown("B %1 and %2").arg(timeText(*numbers.time), distance)
-                        : shown("B %1").arg(distance);
+    const QString letter = letterOf(numbers.other);
+    return numbers.time ? numbersText("%1 %2 and %3").arg(letter, timeText(*numbers.time), distance)
+                        : numbersText("%1 %2").arg(letter, distance);
 }
 
 QString comparisonDetails(const ComparisonNumbers& numbers) {
     QStringList lines;
     if (const auto& distance = numbers.distance) {
-        lines << shown("B's error relative to A, in linear light: at most %1, 99 % of the pixels "
-                       "below %2, mean %3")
+        lines << numbersText(
+                     "%4's error relative to A, in linear light: at most %1, 99 % of the pixels "
+                     "below %2, mean %3")
                      .arg(shareText(distance->largest), shareText(distance->percentile99),
-                          shareText(distance->mean))
-              << shown("FLIP %1, SSIM %2 (means of what displays show)")
+                          shareText(distance->mean), letterOf(numbers.other))
+              << numbersText("FLIP %1, SSIM %2 (means of what displays show)")
                      .arg(digitsText(distance->flip),
                           numberLocale().toString(distance->similarity, 'f', 4));
     }
     if (const auto& time = numbers.time) {
-        lines << shown("B's frame takes %1 of A's time (%2 to %3, of %4 pairs in turns)")
+        lines << numbersText("%5's frame takes %1 of A's time (%2 to %3, of %4 pairs in turns)")
                      .arg(shareText(time->ratio.median), shareText(time->ratio.lower),
                           shareText(time->ratio.upper))
-                     .arg(time->pairs);
+                     .arg(time->pairs)
+                     .arg(letterOf(numbers.other));
     }
     return lines.join('\n');
 }
 
-QString pixelText(const ComparedFrames& frames, const QPointF& place) {
+QString pixelText(const ComparedFrames& frames, Side other, const QPointF& place) {
     const auto at = [](double share, int count) {
         return std::clamp(static_cast<int>(share * count), 0, count - 1);
     };
     const int x = at(place.x(), frames.a.width);
     const int y = at(place.y(), frames.a.height);
     const std::size_t pixel = std::size_t(y) * std::size_t(frames.a.width) + std::size_t(x);
-    return shown("A %1   B %2   %3 apart")
+    return numbersText("A %1   %4 %2   %3 apart")
         .arg(colorText(frames.a, pixel), colorText(frames.b, pixel),
-             shareText(double(frames.difference.relative[pixel])));
+             shareText(double(frames.difference.relative[pixel])), letterOf(other));
 }
 
 } // namespace patina

@@ -17,13 +17,9 @@ constexpr double grabbed = 7.0; ///< pixels from the line, within which it is ta
 constexpr double gripRadius = 9.0;
 constexpr double knobRadius = 6.0;
 constexpr double turnStep = 15.0; ///< degrees, with Shift
-constexpr int titleMargin = 8;
-constexpr int titlePadding = 6;
-constexpr int titleOpacity = 225; ///< of 255
-
-constexpr std::size_t placeOf(Side side) {
-    return static_cast<std::size_t>(side);
-}
+constexpr int labelMargin = 8;
+constexpr int labelPadding = 6;
+constexpr int labelOpacity = 225; ///< of 255
 
 Side otherThan(Side side) {
     return side == Side::A ? Side::B : Side::A;
@@ -124,7 +120,7 @@ ComposedView::Part ComposedView::partAt(const QPointF& place) const {
 }
 
 void ComposedView::readSoon(Side side) {
-    isNew_[placeOf(side)] = true;
+    isNew_[indexOf(side)] = true;
     if (isVisible() && !reading_.isActive()) {
         reading_.start();
     }
@@ -133,8 +129,8 @@ void ComposedView::readSoon(Side side) {
 /// Outside of the views' own painting, which has just ended.
 void ComposedView::read() {
     for (const Side side : {Side::A, Side::B}) {
-        if (std::exchange(isNew_[placeOf(side)], false)) {
-            pictures_[placeOf(side)] =
+        if (std::exchange(isNew_[indexOf(side)], false)) {
+            pictures_[indexOf(side)] =
                 view(side).viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
         }
     }
@@ -178,7 +174,7 @@ QImage ComposedView::picture() const {
 }
 
 void ComposedView::drawPictures(QPainter& painter) const {
-    const auto draw = [&](Side side) { painter.drawImage(rect(), pictures_[placeOf(side)]); };
+    const auto draw = [&](Side side) { painter.drawImage(rect(), pictures_[indexOf(side)]); };
     if (const std::optional<Side> one = alone()) {
         draw(*one);
         return;
@@ -219,24 +215,24 @@ QRect ComposedView::drawTitle(QPainter& painter, Side side, bool atRight) const 
     QFont bold = font();
     bold.setBold(true);
     const QFontMetrics metrics = fontMetrics();
-    const int letter = QFontMetrics(bold).horizontalAdvance(letterOf(side)) + 2 * titlePadding;
+    const int letter = QFontMetrics(bold).horizontalAdvance(letterOf(side)) + 2 * labelPadding;
     const QString state = active ? tr(" (being edited)") : QString();
     const int room =
-        width() / 2 - 2 * titleMargin - letter - titlePadding - metrics.horizontalAdvance(state);
+        width() / 2 - 2 * labelMargin - letter - labelPadding - metrics.horizontalAdvance(state);
     const QString caption =
         metrics.elidedText(view(side).caption(), Qt::ElideRight, std::max(room, 0)) + state;
-    const QSize size(letter + metrics.horizontalAdvance(caption) + 2 * titlePadding,
-                     metrics.height() + titlePadding);
-    const int left = atRight ? width() - titleMargin - size.width() : titleMargin;
-    const QRect place({left, titleMargin}, size);
+    const QSize size(letter + metrics.horizontalAdvance(caption) + 2 * labelPadding,
+                     metrics.height() + labelPadding);
+    const int left = atRight ? width() - labelMargin - size.width() : labelMargin;
+    const QRect place({left, labelMargin}, size);
     QColor ground = active ? colourOf(side) : colourOf(side).darker(260);
-    ground.setAlpha(titleOpacity);
+    ground.setAlpha(labelOpacity);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground);
     painter.drawRoundedRect(place, 4.0, 4.0);
     painter.setPen(active ? QColor(0x10, 0x10, 0x10) : QColor(0xf0, 0xf0, 0xf0));
     painter.setFont(bold);
-    painter.drawText(QRect(left, titleMargin, letter, size.height()), Qt::AlignCenter,
+    painter.drawText(QRect(left, labelMargin, letter, size.height()), Qt::AlignCenter,
                      letterOf(side));
     painter.setFont(font());
     painter.drawText(place.adjusted(letter, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, caption);
@@ -251,7 +247,7 @@ void ComposedView::drawTitles(QPainter& painter) {
     titles_ = {};
     for (const Side side : {Side::A, Side::B}) {
         if (!one || *one == side) {
-            titles_[placeOf(side)] = drawTitle(painter, side, (side == Side::B) != isAtRight);
+            titles_[indexOf(side)] = drawTitle(painter, side, (side == Side::B) != isAtRight);
         }
     }
 }
@@ -270,7 +266,7 @@ void ComposedView::paintEvent(QPaintEvent*) {
 
 bool ComposedView::press(const QMouseEvent& event) {
     for (const Side side : {Side::A, Side::B}) {
-        if (titles_[placeOf(side)].contains(event.position().toPoint())) {
+        if (titles_[indexOf(side)].contains(event.position().toPoint())) {
             document_.setActiveSide(side);
             return true;
         }

@@ -35,7 +35,7 @@ DifferenceView::DifferenceView(ComparisonMeter& meter, Viewport& first, QWidget*
       title_(new QLabel(head_)), mode_(new QComboBox(head_)),
       slider_(new QSlider(Qt::Horizontal, head_)), number_(new QLabel(head_)) {
     setMinimumSize(minSize);
-    setAccessibleName(tr("View C: the difference of A and B"));
+    setAccessibleName(tr("The difference of the views"));
     layOut();
     connectParts();
     setGain(usualGain);
@@ -43,7 +43,7 @@ DifferenceView::DifferenceView(ComparisonMeter& meter, Viewport& first, QWidget*
 }
 
 void DifferenceView::layOut() {
-    title_->setText(QStringLiteral("<b>&nbsp;C&nbsp;</b>"));
+    title_->setText(QStringLiteral("<b>&nbsp;\u0394&nbsp;</b>"));
     mode_->addItem(tr("Difference"));
     mode_->setItemData(0, tr("How far A and B are apart in linear light, times the gain"),
                        Qt::ToolTipRole);
@@ -53,7 +53,7 @@ void DifferenceView::layOut() {
                           "less, violet, red, orange and yellow ten times more each, white all of "
                           "it"),
                        Qt::ToolTipRole);
-    mode_->setAccessibleName(tr("What C shows"));
+    mode_->setAccessibleName(tr("What of the difference is shown"));
     mode_->setMinimumContentsLength(5);
     slider_->setRange(0, stepOf(maxGain));
     slider_->setPageStep(stepsPerDecade);

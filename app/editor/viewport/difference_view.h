@@ -12,8 +12,8 @@ class QSlider;
 
 namespace patina {
 
-/// C beside A and B: how far they are apart, pixel by pixel, seen from where A looks. It follows
-/// what changes, some moments later.
+/// Shows beside A and another side how far they are apart, pixel by pixel, seen from where A looks.
+/// It follows what changes, some moments later.
 class DifferenceView : public QFrame {
     Q_OBJECT
 

@@ -44,7 +44,7 @@ const Scene& EffectSwitches::scene(Side side) {
     if (off_.empty()) {
         return document_.scene(side);
     }
-    std::optional<Scene>& made = scenes_[static_cast<std::size_t>(side)];
+    std::optional<Scene>& made = scenes_[indexOf(side)];
     if (!made) {
         made = withoutEffects(document_.scene(side), off_, document_.catalog());
     }
@@ -57,8 +57,7 @@ const Scene* EffectSwitches::effects(Side side) {
     if (held == nullptr || off_.empty()) {
         return held;
     }
-    return &effects_[static_cast<std::size_t>(side)].emplace(
-        withoutEffects(*held, off_, document_.catalog()));
+    return &effects_[indexOf(side)].emplace(withoutEffects(*held, off_, document_.catalog()));
 }
 
 void EffectSwitches::forget() {

@@ -41,8 +41,8 @@ class EffectSwitches : public QObject {
     Document& document_;
     ProgramEffects& programs_;
     std::vector<std::string> off_;
-    std::array<std::optional<Scene>, 2> scenes_; ///< by side; made on demand
-    std::array<std::optional<Scene>, 2> effects_;
+    std::array<std::optional<Scene>, sides.size()> scenes_; ///< by side; made on demand
+    std::array<std::optional<Scene>, sides.size()> effects_;
 };
 
 } // namespace patina

@@ -65,6 +65,9 @@ bool differInAccuracyAlone(Material a, const Material& b) {
 
 QString accuracyOfSide(const Document& document, Side side) {
     const DocumentState& state = document.state();
+    if (document.shownSides() > 2) {
+        return {};
+    }
     if (state.second && state.picture && !hasSecondMaterial(state)) {
         return textOf(cheapLevels(document.scene(side), document.catalog()));
     }

@@ -2,6 +2,7 @@
 #include "viewport/side_view.h"
 
 #include <algorithm>
+#include <array>
 
 #include <QLabel>
 #include <QPainter>
@@ -278,11 +279,12 @@ void SideView::updateTitle() {
 }
 
 QColor colourOf(Side side) {
-    return side == Side::A ? QColor(0xf0, 0xa0, 0x4b) : QColor(0x5b, 0xb6, 0xe8);
+    static constexpr std::array colours{0xf0a04bu, 0x5bb6e8u, 0x8fce6au, 0xd58be0u};
+    return QColor::fromRgb(colours[indexOf(side)]);
 }
 
 QString letterOf(Side side) {
-    return side == Side::A ? QStringLiteral("A") : QStringLiteral("B");
+    return QString(QChar(u'A' + static_cast<char16_t>(indexOf(side))));
 }
 
 } // namespace patina

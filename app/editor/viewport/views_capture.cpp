@@ -7,6 +7,7 @@
 
 #include <QPainter>
 
+#include "viewport/composed_view.h"
 #include "viewport/difference_view.h"
 
 namespace patina {
@@ -93,53 +94,104 @@ Image inARow(const std::vector<Image>& pictures) {
     return row;
 }
 
+Image inAColumn(const std::vector<Image>& pictures) {
+    int width = 0;
+    int height = 0;
+    for (const Image& picture : pictures) {
+        width = std::max(width, picture.width);
+        height += picture.height;
+    }
+    Image column = blank(width, height);
+    int top = 0;
+    for (const Image& picture : pictures) {
+        paste(picture, column, {0, top});
+        top += picture.height;
+    }
+    return column;
+}
+
 ViewsCapture::ViewsCapture(CompareArea& views) : QObject(&views), views_(views) {}
 
 void ViewsCapture::start(bool display, PictureCapture::Taken taken) {
-    SideView* second = views_.second();
-    PictureCapture& ofFirst = views_.first().viewport().capture();
-    if (!second || second->isHidden()) {
-        ofFirst.start(display, std::move(taken));
+    const CompareMode mode = views_.look().mode;
+    const bool isOne = mode == CompareMode::Wipe || mode == CompareMode::Onion;
+    if (display && isOne && views_.composed() && !views_.composed()->isHidden()) {
+        taken(asImage(views_.composed()->grab().toImage()));
         return;
     }
-    ofFirst.start(display, [this, second, display, taken = std::move(taken)](Image first) {
-        if (first.pixels.empty()) {
+    startEach(display,
+              [this, display, taken = std::move(taken)](std::vector<SidePictureTaken> pictures) {
+                  if (pictures.empty()) {
+                      taken({});
+                  } else if (pictures.size() == 1) {
+                      taken(std::move(pictures.front().picture));
+                  } else {
+                      taken(asTheyStand(std::move(pictures), display));
+                  }
+              });
+}
+
+void ViewsCapture::startEach(bool display, EachTaken taken) {
+    std::vector<SideView*> shown;
+    for (SideView* view : views_.views()) {
+        if (!view->isHidden()) {
+            shown.push_back(view);
+        }
+    }
+    if (shown.empty()) {
+        shown.push_back(&views_.first()); // the difference is seen alone
+    }
+    goOn(std::move(shown), {}, display, taken);
+}
+
+void ViewsCapture::goOn(std::vector<SideView*> rest, std::vector<SidePictureTaken> done,
+                        bool display, const EachTaken& taken) {
+    if (rest.empty()) {
+        taken(std::move(done));
+        return;
+    }
+    SideView* next = rest.front();
+    rest.erase(rest.begin());
+    next->viewport().capture().start(display, [this, next, rest = std::move(rest),
+                                               done = std::move(done), display,
+                                               taken](Image picture) mutable {
+        if (picture.pixels.empty()) {
             taken({});
             return;
         }
-        second->viewport().capture().start(
-            display, [this, display, taken, first = std::move(first)](Image other) mutable {
-                taken(other.pixels.empty()
-                          ? Image()
-                          : besideEachOther(std::move(first), std::move(other), display));
-            });
+        done.push_back({next->side(), next->caption(), std::move(picture)});
+        goOn(std::move(rest), std::move(done), display, taken);
     });
 }
 
 void ViewsCapture::cancel() {
-    views_.first().viewport().capture().cancel();
-    if (views_.second()) {
-        views_.second()->viewport().capture().cancel();
+    for (SideView* view : views_.views()) {
+        view->viewport().capture().cancel();
     }
 }
 
-Image ViewsCapture::besideEachOther(Image first, Image second, bool display) const {
-    if (!display) {
-        return inARow({std::move(first), std::move(second)});
+Image ViewsCapture::asTheyStand(std::vector<SidePictureTaken> pictures, bool display) const {
+    const int height = pictures.front().picture.height;
+    std::vector<Image> upper;
+    std::vector<Image> lower;
+    const ViewArrangement arrangement = views_.look().arrangement;
+    for (SidePictureTaken& each : pictures) {
+        const bool isBelow = arrangement == ViewArrangement::Grid && each.side > Side::B;
+        (isBelow ? lower : upper)
+            .push_back(display ? titled(each.picture, letterOf(each.side), each.caption,
+                                        colourOf(each.side), views_)
+                               : std::move(each.picture));
     }
-    const int height = first.height;
-    const auto titledSide = [](const Image& picture, SideView& view) {
-        return titled(picture, letterOf(view.side()), view.caption(), colourOf(view.side()), view);
-    };
-    std::vector<Image> pictures{titledSide(first, views_.first()),
-                                titledSide(second, *views_.second())};
     const DifferenceView* difference = views_.difference();
-    if (difference && !difference->isHidden() && !difference->picture().isNull()) {
+    if (display && difference && !difference->isHidden() && !difference->picture().isNull()) {
         const QImage shown = difference->picture().scaledToHeight(height, Qt::SmoothTransformation);
-        pictures.push_back(titled(asImage(shown), QStringLiteral("C"), difference->caption(),
-                                  QColor(0x90, 0x90, 0x90), *difference));
+        upper.push_back(titled(asImage(shown), QStringLiteral("\u0394"), difference->caption(),
+                               QColor(0x90, 0x90, 0x90), *difference));
     }
-    return inARow(pictures);
+    if (arrangement == ViewArrangement::Column) {
+        return inAColumn(upper);
+    }
+    return lower.empty() ? inARow(upper) : inAColumn({inARow(upper), inARow(lower)});
 }
 
 } // namespace patina

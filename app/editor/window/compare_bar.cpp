@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/compare_bar.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QComboBox>
@@ -8,7 +9,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
-#include "document/document.h"
+#include "document/comparison.h"
 #include "viewport/compare_area.h"
 
 namespace patina {
@@ -19,9 +20,16 @@ constexpr int amountWidth = 110;
 
 } // namespace
 
-CompareBar::CompareBar(Document& document, CompareArea& views, QWidget* parent)
-    : QWidget(parent), views_(views), mode_(new QComboBox(this)),
+CompareBar::CompareBar(Document& document, Comparison& comparison, CompareArea& views,
+                       QWidget* parent)
+    : QWidget(parent), views_(views), count_(new QComboBox(this)), mode_(new QComboBox(this)),
       amount_(new QSlider(Qt::Horizontal, this)) {
+    count_->setObjectName("compareCount");
+    count_->setAccessibleName(tr("How many views are compared"));
+    count_->setToolTip(count_->accessibleName());
+    for (std::size_t count = 2; count <= sides.size(); ++count) {
+        count_->addItem(tr("%1 views").arg(count));
+    }
     mode_->setObjectName("compareMode");
     mode_->setAccessibleName(tr("How A and B are shown together"));
     for (const CompareModeRow& row : compareModes()) {
@@ -34,8 +42,12 @@ CompareBar::CompareBar(Document& document, CompareArea& views, QWidget* parent)
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(4, 0, 4, 0);
+    row->addWidget(count_);
     row->addWidget(mode_);
     row->addWidget(amount_);
+    connect(count_, &QComboBox::activated, this, [&comparison](int index) {
+        comparison.setSideCount(static_cast<std::size_t>(index) + 2);
+    });
     connect(mode_, &QComboBox::activated, this, [this](int index) {
         CompareLook look = views_.look();
         look.mode = compareModes()[static_cast<std::size_t>(index)].mode;
@@ -46,7 +58,10 @@ CompareBar::CompareBar(Document& document, CompareArea& views, QWidget* parent)
         views_.setLook(withAmount(views_.look(), double(step) / amountSteps));
     });
     connect(&views, &CompareArea::lookChanged, this, &CompareBar::showLook);
-    const auto follow = [this, &document] { setEnabled(document.isComparing()); };
+    const auto follow = [this, &document] {
+        setEnabled(document.isComparing());
+        count_->setCurrentIndex(std::max(static_cast<int>(document.shownSides()) - 2, 0));
+    };
     onChange(document, DocumentChange::Comparing, this, follow);
     follow();
     showLook(views.look());

@@ -11,19 +11,23 @@ class QSlider;
 namespace patina {
 
 class CompareArea;
+class Comparison;
 class Document;
 
-/// Chooses how A and B are shown together, and the number that goes with it.
+/// Chooses how many views are compared, how A and B are shown together, and the number that goes
+/// with that.
 class CompareBar : public QWidget {
     Q_OBJECT
 
   public:
-    CompareBar(Document& document, CompareArea& views, QWidget* parent = nullptr);
+    CompareBar(Document& document, Comparison& comparison, CompareArea& views,
+               QWidget* parent = nullptr);
 
   private:
     void showLook(const CompareLook& look);
 
     CompareArea& views_;
+    QComboBox* count_;
     QComboBox* mode_;
     QSlider* amount_;
 };

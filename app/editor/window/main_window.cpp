@@ -133,9 +133,8 @@ void MainWindow::connectParts() {
         messages_.setGroup("shaders", mistakes);
         status_->clearMessage();
         // A view may wait for a block that it could not draw with before.
-        views_->first().viewport().frames().refresh();
-        if (SideView* second = views_->second()) {
-            second->viewport().frames().refresh();
+        for (SideView* view : views_->views()) {
+            view->viewport().frames().refresh();
         }
     });
 }

@@ -187,6 +187,28 @@ void Menus::makeCompareMenu(QMenu* menu) {
         group->addAction(action);
     }
     modes_->addSeparator();
+    auto* arrangements = new QActionGroup(this);
+    const std::pair<QString, ViewArrangement> ways[] = {
+        {tr("Views in a &Grid"), ViewArrangement::Grid},
+        {tr("Views in a &Row"), ViewArrangement::Row},
+        {tr("Views in a &Column"), ViewArrangement::Column}};
+    for (const auto& [text, arrangement] : ways) {
+        QAction* action = add(modes_, text, {}, [this, arrangement = arrangement] {
+            CompareLook look = parts_.views.look();
+            look.arrangement = arrangement;
+            parts_.views.setLook(look);
+        });
+        action->setCheckable(true);
+        arrangements->addAction(action);
+    }
+    modes_->addSeparator();
+    QAction* more = add(modes_, tr("&One View More"), QKeySequence("Ctrl+Shift+B"), [this] {
+        parts_.comparison.setSideCount(parts_.document.shownSides() + 1);
+    });
+    QAction* fewer = add(modes_, tr("One View &Less"), QKeySequence("Ctrl+Alt+B"), [this] {
+        parts_.comparison.setSideCount(parts_.document.shownSides() - 1);
+    });
+    modes_->addSeparator();
     QAction* next = add(modes_, tr("&Next Mode"), QKeySequence("C"), [this, choose] {
         const auto rows = compareModes();
         const auto now = static_cast<std::size_t>(&rowOf(parts_.views.look().mode) - rows.data());
@@ -203,24 +225,27 @@ void Menus::makeCompareMenu(QMenu* menu) {
     swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"),
                 [this] { parts_.comparison.swapSides(); });
     swap_->setToolTip(tr("Exchange the two materials (X)"));
-    difference_ = add(menu, tr("&Difference in C"), QKeySequence("Ctrl+D"),
+    difference_ = add(menu, tr("&Difference"), QKeySequence("Ctrl+D"),
                       [this] { parts_.views.setDifferenceWanted(difference_->isChecked()); });
     difference_->setCheckable(true);
-    difference_->setToolTip(tr("Show how far A and B are apart beside them (Ctrl+D)"));
-    const auto follow = [this, group, next] {
+    difference_->setToolTip(tr("Show how far A and another view are apart beside them (Ctrl+D)"));
+    const auto follow = [this, group, arrangements, next, more, fewer] {
         const bool comparing = parts_.document.isComparing();
         compare_->setChecked(comparing);
-        for (QAction* action : {modes_->menuAction(), next, link_, realign_, swap_, difference_}) {
+        for (QAction* action : {next, fewer, link_, realign_, swap_, difference_}) {
             action->setEnabled(comparing);
         }
+        more->setEnabled(parts_.document.shownSides() < sides.size());
         group->setEnabled(comparing);
+        arrangements->setEnabled(comparing);
     };
     onChange(parts_.document, DocumentChange::Comparing, this, follow);
     connect(&parts_.views, &CompareArea::linkChanged, link_, &QAction::setChecked);
     connect(&parts_.views, &CompareArea::differenceWantedChanged, difference_,
             &QAction::setChecked);
-    const auto followLook = [this, group](const CompareLook& look) {
+    const auto followLook = [this, group, arrangements](const CompareLook& look) {
         parts_.session.setCompareLook(look);
+        arrangements->actions().at(static_cast<int>(look.arrangement))->setChecked(true);
         const auto at = &rowOf(look.mode) - compareModes().data();
         group->actions().at(at)->setChecked(true);
     };
@@ -259,7 +284,7 @@ void Menus::makeToolBar() {
     bar->setMovable(false);
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
     bar->addAction(compare_);
-    bar->addWidget(new CompareBar(parts_.document, parts_.views));
+    bar->addWidget(new CompareBar(parts_.document, parts_.comparison, parts_.views));
     bar->addActions({link_, realign_, swap_, difference_});
 }
 
@@ -273,15 +298,35 @@ void Menus::exportPicture() {
             views->cancel();
         }
     };
-    const auto nameOf = [this](Side side) {
-        const Material* material = parts_.document.material(side);
-        return material ? QString::fromStdString(material->name) : QString();
-    };
+    PictureExport::Source source{capture, cancel};
+    QStringList names;
+    for (const Side side : sides) {
+        const Material* material =
+            indexOf(side) < parts_.document.shownSides() ? parts_.document.material(side) : nullptr;
+        if (material) {
+            names << QString::fromStdString(material->name);
+        }
+    }
     const bool isComparing = parts_.document.isComparing();
-    const QString title = isComparing ? tr("Export picture: A and B side by side, with titles")
+    if (isComparing) {
+        source.captureEach = [views](std::function<void(std::vector<NamedPicture>)> taken) {
+            if (!views) {
+                taken({});
+                return;
+            }
+            views->startEach(true, [taken](std::vector<SidePictureTaken> pictures) {
+                std::vector<NamedPicture> named;
+                for (SidePictureTaken& each : pictures) {
+                    named.push_back({letterOf(each.side), each.caption, colourOf(each.side).name(),
+                                     std::move(each.picture)});
+                }
+                taken(std::move(named));
+            });
+        };
+    }
+    const QString title = isComparing ? tr("Export picture: the views as they stand, with titles")
                                       : tr("Export picture");
-    const QString name = isComparing ? nameOf(Side::A) + ' ' + nameOf(Side::B) : nameOf(Side::A);
-    parts_.pictures.ask(title, FileActions::asFileName(name), {capture, cancel});
+    parts_.pictures.ask(title, FileActions::asFileName(names.join(' ')), source);
 }
 
 void Menus::checkStability() {

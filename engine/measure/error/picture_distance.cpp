@@ -14,7 +14,7 @@
 namespace patina {
 namespace {
 
-constexpr std::chrono::milliseconds slice{20};
+constexpr std::chrono::milliseconds workSlice{20};
 constexpr glm::dvec3 luma{0.2126, 0.7152, 0.0722}; ///< ITU-R BT.709
 
 std::vector<glm::dvec3> colorsOf(const Image& image) {
@@ -54,7 +54,7 @@ std::optional<PictureDistance> pictureDistance(std::vector<float> relative, cons
     const Flip flip(size, right, work);
     std::vector<double> map;
     flip.addDifferences(work, other, map);
-    while (!work.step(slice)) {
+    while (!work.step(workSlice)) {
         if (isNeedless()) {
             return std::nullopt;
         }

@@ -10,7 +10,7 @@ CompareCommand::CompareCommand(Document& document, std::optional<Material> after
 void CompareCommand::apply(const std::optional<Material>& second) {
     const bool isSame = state().second.has_value() == second.has_value();
     state().second = second;
-    showSecondOn(target());
+    showSidesOn(target());
     DocumentChange change{DocumentChange::Material};
     change.aspects.setFlag(DocumentChange::Comparing, !isSame);
     document().announce(change);

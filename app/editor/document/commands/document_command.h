@@ -21,8 +21,9 @@ class DocumentCommand : public QUndoCommand {
 
     Document& document() const { return document_; }
     DocumentState& state() const { return document_.state_; }
-    /// Side B is on the current object: an edit of it that is done again makes its own current.
-    void showSecondOn(int object) const { document_.setCurrentObject(object); }
+    /// All sides but A are on the current object: an edit of them that is done again makes its own
+    /// current.
+    void showSidesOn(int object) const { document_.setCurrentObject(object); }
 
   private:
     Document& document_;

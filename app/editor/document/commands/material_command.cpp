@@ -11,8 +11,8 @@ MaterialCommand::MaterialCommand(Document& document, const MaterialPlace& target
 void MaterialCommand::apply(const Material& material) {
     if (Material* held = materialAt(state(), target().object, target().side)) {
         *held = material;
-        if (target().side == Side::B) {
-            showSecondOn(target().object);
+        if (target().side != Side::A) {
+            showSidesOn(target().object);
         }
         document().announce({DocumentChange::Material});
     }

@@ -42,8 +42,8 @@ void ParameterCommand::apply(const Values& values) {
     for (const auto& [id, value] : values) {
         storeValue(state(), target().path, id, value);
     }
-    if (target().path.side == Side::B) {
-        showSecondOn(target().path.index);
+    if (target().path.side != Side::A) {
+        showSidesOn(target().path.index);
     }
     for (const auto& [id, value] : values) {
         document().announce({DocumentChange::Value, target().path, id});
