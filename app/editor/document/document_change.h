@@ -25,6 +25,7 @@ struct DocumentChange {
         Rights = 1 << 10,      ///< files that were not read may be read
         Current = 1 << 11,     ///< another object, light or side is the current one
         Interaction = 1 << 12, ///< an interaction began or ended
+        Snapshots = 1 << 13,   ///< one was taken, renamed or removed
         /// Any of what is drawn.
         Drawn = Value | Texture | Material | Block | Lights | Objects | Comparing | Camera | Scene |
                 Catalog | Rights

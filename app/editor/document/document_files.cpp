@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "document/commands/material_command.h"
+#include "document/snapshot_edits.h"
 #include "material/parked.h"
 #include "material/preset_file.h"
 #include "scene/scene_file.h"
@@ -18,6 +19,8 @@ const char* const compareObjectKey = "compareObject";
 
 /// Where it keeps sides C and D.
 const char* const compareFurtherKey = "compareFurther";
+
+const char* const snapshotsKey = "snapshots";
 
 /// The materials of a scene file that are no object's.
 struct ComparedMaterials {
@@ -220,7 +223,12 @@ std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path
     withheld_.set(reading->outside);
     withheld_.allowLinks(rights.allowed);
     const int object = compared && compared->second ? takeSecondObject(reading->scene) : 0;
+    std::vector<Snapshot> snapshots =
+        snapshotsFromJson(reading->scene.extras.value(snapshotsKey, nlohmann::json()), path,
+                          document_.catalog(), rights);
+    reading->scene.extras.erase(snapshotsKey);
     DocumentState state{reading->scene, std::nullopt};
+    state.snapshots = std::move(snapshots);
     if (compared) {
         state.second = compared->second;
         state.further = compared->further;
@@ -329,6 +337,9 @@ Scene DocumentFiles::sceneToSave() const {
     const int object = document_.state().preview ? document_.state().preview->object : -1;
     if (const std::optional<Material> own = materialAside(document_.state(), object)) {
         scene.objects[static_cast<std::size_t>(object)].material = *own;
+    }
+    if (!document_.state().snapshots.empty()) {
+        scene.extras[snapshotsKey] = snapshotsToJson(document_.state().snapshots);
     }
     return hasSecondMaterial(document_.state())
                ? withCompared(std::move(scene), document_.state(), document_.currentObject())

@@ -249,6 +249,9 @@ void reconcile(DocumentState& state, const Catalog& before, const Catalog& after
     for (Material& material : state.further) {
         material = reconciled(material, before, after);
     }
+    for (Snapshot& snapshot : state.snapshots) {
+        snapshot.material = reconciled(snapshot.material, before, after);
+    }
     if (state.picture) {
         state.picture->material = reconciled(state.picture->material, before, after);
     }

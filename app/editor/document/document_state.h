@@ -34,6 +34,15 @@ struct MaterialPreview {
     friend bool operator==(const MaterialPreview&, const MaterialPreview&) = default;
 };
 
+/// A look that was kept under a name.
+struct Snapshot {
+    std::string name;
+    Material material;
+    std::string png; ///< of a small picture of it, the bytes of the file
+
+    friend bool operator==(const Snapshot&, const Snapshot&) = default;
+};
+
 /// Everything an edit can change.
 struct DocumentState {
     Scene scene;
@@ -42,6 +51,7 @@ struct DocumentState {
     std::optional<ComparedPicture> picture = std::nullopt; ///< absent: both draw as the scene says
     /// Sides C and D, shown on the current object, too; they rest while nothing is compared.
     std::vector<Material> further{};
+    std::vector<Snapshot> snapshots{}; ///< in the order in which they were taken
 
     friend bool operator==(const DocumentState&, const DocumentState&) = default;
 };

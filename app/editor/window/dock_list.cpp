@@ -15,6 +15,7 @@
 #include "docks/parameters_dock.h"
 #include "docks/presets_dock.h"
 #include "docks/scene_dock.h"
+#include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
 
 namespace patina {
@@ -35,6 +36,7 @@ std::vector<DockEntry> dockList() {
     return {
         {"models", tr("Model"), DockPlace::LeftTop, make<ModelDock>},
         {"presets", tr("Presets"), DockPlace::LeftBottom, make<PresetsDock>},
+        {"snapshots", tr("Snapshots"), DockPlace::LeftBottom, make<SnapshotsDock>},
         {"parameters", tr("Parameters"), DockPlace::RightTop, make<ParametersDock>},
         {"fresnel", tr("Fresnel"), DockPlace::RightTop, make<FresnelDock>},
         {"opacity", tr("Surface"), DockPlace::RightTop, make<OpacityDock>},

@@ -11,6 +11,7 @@
 #include <QPointer>
 #include <QToolBar>
 
+#include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
 #include "document/comparison.h"
 #include "document/document_files.h"
@@ -118,6 +119,7 @@ void Menus::makeEditMenu() {
     redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     menu->addActions({undo, redo});
     menu->addSeparator();
+    add(menu, tr("&Take Snapshot"), QKeySequence("Ctrl+T"), [this] { takeSnapshot(); });
     add(menu, tr("Material &Details…"), QKeySequence("Alt+Return"),
         [this] { parts_.files.editDetails(); });
 }
@@ -327,6 +329,13 @@ void Menus::exportPicture() {
     const QString title = isComparing ? tr("Export picture: the views as they stand, with titles")
                                       : tr("Export picture");
     parts_.pictures.ask(title, FileActions::asFileName(names.join(' ')), source);
+}
+
+void Menus::takeSnapshot() {
+    parts_.layout.bringToFront("snapshots");
+    if (auto* snapshots = parts_.layout.dock("snapshots")->findChild<SnapshotsDock*>()) {
+        snapshots->take();
+    }
 }
 
 void Menus::checkStability() {

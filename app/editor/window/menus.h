@@ -55,6 +55,7 @@ class Menus : public QObject {
     void fillRecentFiles();
     void fillLighting();
     void exportPicture();
+    void takeSnapshot();
     void checkStability();
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,
                  std::function<void()> what);

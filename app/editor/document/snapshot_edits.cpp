@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/snapshot_edits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QByteArray>
+
+#include "document/commands/snapshots_command.h"
+
+namespace patina {
+namespace {
+
+/// A file may hold so many, with pictures of so many bytes.
+constexpr std::size_t maxSnapshots = 500;
+constexpr std::size_t maxPictureBytes = 1u << 20;
+
+bool isThere(const Document& document, std::size_t index) {
+    return index < document.state().snapshots.size();
+}
+
+void replaceAll(Document& document, const QString& label, std::vector<Snapshot> snapshots) {
+    if (snapshots != document.state().snapshots) {
+        document.undoStack().push(new SnapshotsCommand(document, label, std::move(snapshots)));
+    }
+}
+
+std::string freeName(const std::vector<Snapshot>& snapshots, const std::string& wanted) {
+    std::string name = wanted;
+    for (int number = 2; std::ranges::find(snapshots, name, &Snapshot::name) != snapshots.end();
+         ++number) {
+        name = wanted + ' ' + std::to_string(number);
+    }
+    return name;
+}
+
+std::string textIn(const nlohmann::json& json, const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+} // namespace
+
+void takeSnapshot(Document& document, std::string png) {
+    const Material* material = document.material(document.activeSide());
+    std::vector<Snapshot> snapshots = document.state().snapshots;
+    if (material && snapshots.size() < maxSnapshots) {
+        const std::string wanted =
+            material->name.empty() ? Document::tr("Snapshot").toStdString() : material->name;
+        snapshots.push_back({freeName(snapshots, wanted), *material, std::move(png)});
+        replaceAll(document, Document::tr("Take snapshot"), std::move(snapshots));
+    }
+}
+
+void renameSnapshot(Document& document, std::size_t index, const std::string& name) {
+    if (isThere(document, index) && !name.empty()) {
+        std::vector<Snapshot> snapshots = document.state().snapshots;
+        snapshots[index].name = name;
+        replaceAll(document, Document::tr("Rename snapshot"), std::move(snapshots));
+    }
+}
+
+void removeSnapshot(Document& document, std::size_t index) {
+    if (isThere(document, index)) {
+        std::vector<Snapshot> snapshots = document.state().snapshots;
+        snapshots.erase(snapshots.begin() + static_cast<std::ptrdiff_t>(index));
+        replaceAll(document, Document::tr("Remove snapshot"), std::move(snapshots));
+    }
+}
+
+void restoreSnapshot(Document& document, std::size_t index) {
+    if (isThere(document, index)) {
+        const Snapshot snapshot = document.state().snapshots[index];
+        document.replaceMaterial(
+            document.activeSide(), snapshot.material,
+            Document::tr("Restore %1").arg(QString::fromStdString(snapshot.name)));
+    }
+}
+
+void compareWithSnapshot(Document& document, std::size_t index) {
+    if (isThere(document, index) && document.material(Side::A)) {
+        document.setSecondMaterial(document.state().snapshots[index].material);
+    }
+}
+
+nlohmann::json snapshotsToJson(const std::vector<Snapshot>& snapshots) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Snapshot& snapshot : snapshots) {
+        const QByteArray picture = QByteArray::fromStdString(snapshot.png).toBase64();
+        list.push_back({{"name", snapshot.name},
+                        {"material", toJson(snapshot.material)},
+                        {"picture", picture.toStdString()}});
+    }
+    return list;
+}
+
+std::vector<Snapshot> snapshotsFromJson(const nlohmann::json& json,
+                                        const std::filesystem::path& file, const Catalog& catalog,
+                                        const ReadingRights& rights) {
+    std::vector<Snapshot> snapshots;
+    for (const nlohmann::json& each : json) {
+        if (!each.is_object() || !each.contains("material") || snapshots.size() >= maxSnapshots) {
+            continue;
+        }
+        const LocatedJson document{file.string(), each["material"], {}};
+        const auto reading = materialFromJson(document, "", catalog, rights);
+        const std::string picture = textIn(each, "picture");
+        if (reading && picture.size() <= maxPictureBytes) {
+            snapshots.push_back(
+                {textIn(each, "name"), reading->material,
+                 QByteArray::fromBase64(QByteArray::fromStdString(picture)).toStdString()});
+        }
+    }
+    return snapshots;
+}
+
+} // namespace patina
