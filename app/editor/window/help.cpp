@@ -24,6 +24,11 @@ void showKeys(QWidget* window) {
         row(helpText("Ctrl+left drag"), helpText("turn the object")) +
         row(helpText("L and left drag"), helpText("turn the key light")) +
         row(helpText("Double click"), helpText("turn about that point of the surface")) +
+        row(helpText("C"), helpText("compare in the next way; Ctrl+Shift+B: one view more")) +
+        row(helpText("Space"), helpText("hold it: the other side, where A and B are one picture")) +
+        row(helpText("[ and ], Shift: { and }"), helpText("move and turn the line between them")) +
+        row(helpText("Page Down, Page Up; with Shift"),
+            helpText("next and previous preset on B; on A")) +
         row(helpText("N"), helpText("numerical check of every pixel")) +
         row(helpText("F"), helpText("frame the object; once more: all of them")) +
         row(helpText("Home"), helpText("reset the view")) +

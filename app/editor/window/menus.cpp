@@ -31,7 +31,8 @@
 namespace patina {
 
 Menus::Menus(const Parts& parts)
-    : QObject(&parts.window), parts_(parts), capture_(new ViewsCapture(parts.views)) {
+    : QObject(&parts.window), parts_(parts), steps_(parts.document, parts.presets, parts.files),
+      capture_(new ViewsCapture(parts.views)) {
     makeFileMenu();
     makeEditMenu();
     makeViewMenu();
@@ -211,6 +212,8 @@ void Menus::makeCompareMenu(QMenu* menu) {
         parts_.comparison.setSideCount(parts_.document.shownSides() - 1);
     });
     modes_->addSeparator();
+    makeLibrarySteps(modes_);
+    modes_->addSeparator();
     QAction* next = add(modes_, tr("&Next Mode"), QKeySequence("C"), [this, choose] {
         const auto rows = compareModes();
         const auto now = static_cast<std::size_t>(&rowOf(parts_.views.look().mode) - rows.data());
@@ -255,6 +258,25 @@ void Menus::makeCompareMenu(QMenu* menu) {
     parts_.views.setLook(parts_.session.compareLook());
     followLook(parts_.views.look());
     follow();
+}
+
+/// Their keys mean something else in lists and number boxes: they work where a view has the focus.
+void Menus::makeLibrarySteps(QMenu* menu) {
+    const struct {
+        QString text;
+        const char* key;
+        Side side;
+        int by;
+    } steps[] = {{tr("Next Preset on B"), "PgDown", Side::B, 1},
+                 {tr("Previous Preset on B"), "PgUp", Side::B, -1},
+                 {tr("Next Preset on A"), "Shift+PgDown", Side::A, 1},
+                 {tr("Previous Preset on A"), "Shift+PgUp", Side::A, -1}};
+    for (const auto& step : steps) {
+        QAction* action = add(menu, step.text, QKeySequence(step.key),
+                              [this, side = step.side, by = step.by] { steps_.step(side, by); });
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        parts_.views.addAction(action);
+    }
 }
 
 void Menus::makeLookMenu(QMenu* menu) {

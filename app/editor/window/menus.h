@@ -5,6 +5,8 @@
 
 #include <QObject>
 
+#include "window/library_steps.h"
+
 class QAction;
 class QKeySequence;
 class QMainWindow;
@@ -18,6 +20,7 @@ class Document;
 class DocumentFiles;
 class FileActions;
 class PictureExport;
+class PresetLibrary;
 class Session;
 class Theme;
 class ViewsCapture;
@@ -37,6 +40,7 @@ class Menus : public QObject {
         Comparison& comparison;
         FileActions& files;
         PictureExport& pictures;
+        const PresetLibrary& presets;
         CompareArea& views;
         Session& session;
         Theme& theme;
@@ -49,6 +53,7 @@ class Menus : public QObject {
     void makeEditMenu();
     void makeViewMenu();
     void makeCompareMenu(QMenu* menu);
+    void makeLibrarySteps(QMenu* menu);
     void makeLookMenu(QMenu* menu);
     void makeHelpMenu();
     void makeToolBar();
@@ -61,6 +66,7 @@ class Menus : public QObject {
                  std::function<void()> what);
 
     Parts parts_;
+    LibrarySteps steps_;
     ViewsCapture* capture_; ///< the views'
     QMenu* recent_ = nullptr;
     QMenu* lighting_ = nullptr;
