@@ -56,8 +56,8 @@ constexpr const char* head = R"html(<!DOCTYPE html>
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy"
-      content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:;
+      style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 <style>
 body { margin: 0 auto; padding: 1em; max-width: max-content;
        background: #1e1e1e; color: #e6e6e6; font: 15px/1.4 sans-serif; }
@@ -104,7 +104,8 @@ part("right").value = 1;
 
 function across() {
     const turn = part("angle").value * Math.PI / 180, x = Math.cos(turn), y = Math.sin(turn);
-    return { x, y, reach: (Math.abs(x) * stage.clientWidth + Math.abs(y) * stage.clientHeight) / 2 };
+    const width = Math.abs(x) * stage.clientWidth + Math.abs(y) * stage.clientHeight;
+    return { x, y, reach: width / 2 };
 }
 
 function show() {
