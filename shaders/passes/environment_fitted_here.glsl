@@ -11,6 +11,9 @@ const int HALF_RINGS = 9;
 const int HALF_SECTORS = 3;
 const float HALF_NARROWEST = 5e-4;
 const float HALF_FACTOR = 2.6;
+// How far the mean of a third of a ring is from the ring's middle, for what its own middle is: a lobe
+// that one half vector sees alone is as wide as what that one stands for.
+const float HALF_MEAN = 0.805;
 
 vec3 fittedLight(Surface s, Model p) {
     vec3 matte = reflectanceLimited(ambientShare(s, p));
@@ -37,7 +40,7 @@ vec3 fittedLight(Surface s, Model p) {
                 float weight = rest.r + rest.g + rest.b;
                 color += rest;
                 all += weight;
-                shift += weight * (l - r);
+                shift += weight * HALF_MEAN * (l - r);
                 spread += weight * 0.5 * dot(l - r, l - r);
             }
         }

@@ -149,6 +149,22 @@ TEST_F(FittedEnvironmentTest, MaterialThatImagesChange_IsFittedAtEachPixel) {
     }
 }
 
+/// What is left of a rough surface's light beside a matte part is seen by few of the half vectors.
+TEST_F(FittedEnvironmentTest, RoughBallThatImagesChange_MirrorsNoLamps) {
+    size_ = 33;
+    Scene scene = ball("oren-nayar");
+    scene.objects[0].material.model.parameters["roughness"] = 1.0;
+    const Image right = settled(scene, 1024);
+    scene.objects[0].material.textures["diffuse.color"] =
+        textureUse("diffuse.color", "/nowhere.png"); // white
+    const Image shown = settled(fitted(scene), 4);
+    float apart = 0.0f;
+    for (std::size_t i = 0; i < right.pixels.size(); ++i) {
+        apart = std::max(apart, std::abs(right.pixels[i] - shown.pixels[i]));
+    }
+    EXPECT_LT(apart, 0.3 * meanOf(right));
+}
+
 TEST_F(FittedEnvironmentTest, ModelsThatWantAKeyLight_AndNoOthers_AreLitByOneLight) {
     for (const Block* model : catalog->ofKind(kinds::models)) {
         const Scene scene = fitted(ball(model->id));
