@@ -10,7 +10,8 @@ file(RELATIVE_PATH program_from_bin
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/link)
 file(CREATE_LINK ${program_from_bin} ${PROJECT_BINARY_DIR}/link/patina SYMBOLIC)
 install(FILES ${PROJECT_BINARY_DIR}/link/patina DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY shaders presets schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/patina)
+install(DIRECTORY shaders presets schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/patina
+        PATTERN *.py EXCLUDE)
 install(FILES packaging/desktop/patina.desktop
         DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES packaging/desktop/patina.metainfo.xml

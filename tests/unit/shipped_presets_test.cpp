@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -40,7 +41,8 @@ TEST(ShippedPresets, EveryOne_IsWrittenAsPatinaWritesIt) {
     for (const auto& file : shippedPresets()) {
         std::ostringstream bytes;
         bytes << std::ifstream(file).rdbuf();
-        EXPECT_EQ(bytes.str(), writeJson(toJson(readPreset(file, shippedCatalog())->material)))
+        EXPECT_EQ(bytes.str(), writeJson(toJson(readPreset(file, shippedCatalog())->material,
+                                                file.parent_path())))
             << file;
     }
 }
@@ -52,8 +54,8 @@ TEST(ShippedModels, LevelThatIsGone_OpensExactAndSaysSo) {
         const char* choice;
         const char* level;
     };
-    for (const Gone& gone : {Gone{"phong", "power", "squaring"},
-                             Gone{"cook-torrance", "shadowing", "hammon"}}) {
+    for (const Gone& gone :
+         {Gone{"phong", "power", "squaring"}, Gone{"cook-torrance", "shadowing", "hammon"}}) {
         const nlohmann::json preset{{"format", "patina.preset"},
                                     {"version", 1},
                                     {"model", {{"id", gone.model}, {"version", 1}}},
@@ -79,6 +81,31 @@ TEST(ShippedPresets, EveryOne_GivesAReasonForItsValues) {
     for (const auto& file : shippedPresets()) {
         EXPECT_GT(readPreset(file, shippedCatalog())->material.description.size(), 60u) << file;
     }
+}
+
+const std::filesystem::path imageFolder =
+    std::filesystem::path(PATINA_SOURCE_DIR) / "presets/images";
+
+TEST(ShippedPresets, EveryImage_IsThereAndIsUsed) {
+    std::set<std::string> used;
+    for (const auto& file : shippedPresets()) {
+        for (const auto& [key, image] : readPreset(file, shippedCatalog())->material.textures) {
+            EXPECT_TRUE(std::filesystem::exists(image.file)) << file << " " << key;
+            used.insert(std::filesystem::path(image.file).filename().string());
+        }
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(imageFolder)) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_TRUE(name == "make_images.py" || used.contains(name)) << name;
+    }
+}
+
+TEST(ShippedPresets, Images_TakeAtMostSixMegabytes) {
+    std::uintmax_t size = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(imageFolder)) {
+        size += entry.file_size();
+    }
+    EXPECT_LE(size, 6'000'000u);
 }
 
 TEST(ShippedPresets, EveryModel_HasAtLeastThree) {
