@@ -89,7 +89,8 @@ const std::filesystem::path imageFolder =
 TEST(ShippedPresets, EveryImage_IsThereAndIsUsed) {
     std::set<std::string> used;
     for (const auto& file : shippedPresets()) {
-        for (const auto& [key, image] : readPreset(file, shippedCatalog())->material.textures) {
+        const Material material = readPreset(file, shippedCatalog())->material;
+        for (const auto& [key, image] : material.textures) {
             EXPECT_TRUE(std::filesystem::exists(image.file)) << file << " " << key;
             used.insert(std::filesystem::path(image.file).filename().string());
         }
