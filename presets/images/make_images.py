@@ -540,13 +540,13 @@ def pile():
 
 
 def embers():
-    """Iron in the forge: how bright it glows, dark where scale lies on it."""
-    scale = smooth(0.15, 1.1, noise(281, scale=9.0, slope=1.2))
-    heat = noise(282, scale=2.5, slope=2.0)
+    """Iron in the forge: orange in the heart, cherry where it cools, dark under scale."""
+    scale = smooth(0.5, 1.5, noise(281, scale=12.0, slope=0.9))
+    heat = noise(282, scale=2.2, slope=1.9)
     fine = noise(283, scale=40.0, slope=0.9)
-    glow = (0.78 + 0.13 * heat + 0.05 * fine) * (1.0 - 0.62 * scale)
-    save_color("embers", ramp(glow, (0.0, (8, 2, 1)), (0.35, (70, 26, 14)),
-                              (0.6, (205, 170, 140)), (1.0, (255, 255, 255))))
+    glow = (0.58 + 0.2 * heat + 0.035 * fine) * (1.0 - 0.7 * scale)
+    save_color("embers", ramp(glow, (0.0, (6, 1, 0)), (0.25, (84, 6, 2)), (0.5, (196, 40, 10)),
+                              (0.75, (244, 104, 28)), (1.05, (255, 176, 84))))
 
 
 def tracks():

@@ -44,6 +44,12 @@ TEST_F(Installation, Program_UsesTheInstalledShaders) {
     EXPECT_EQ(installed({"models"}).out.find("poulin-fournier"), std::string::npos);
 }
 
+TEST_F(Installation, ImagesOfPresets_AreThereWithoutTheirScript) {
+    const std::filesystem::path images = prefix() + "/share/patina/presets/images";
+    EXPECT_TRUE(std::filesystem::exists(images / "wood.jpg"));
+    EXPECT_FALSE(std::filesystem::exists(images / "make_images.py"));
+}
+
 TEST_F(Installation, DesktopFiles_AreThere) {
     for (const char* file : {"applications/patina.desktop", "mime/packages/patina.xml",
                              "icons/hicolor/scalable/apps/patina.svg",
