@@ -413,7 +413,7 @@ def strands():
     """Combed hair along v: strands in locks."""
     locks = noise(165, scale=9.0, slope=1.6, stretch=(1.0, 9.0))
     fine = noise(166, scale=120.0, slope=0.7, stretch=(1.0, 60.0))
-    save_grey("strands", numpy.clip(0.72 + 0.15 * fine + 0.09 * locks, 0.05, 1.0))
+    save_normal("strands-normal", 0.0009 * fine + 0.004 * locks, 256)
 
 
 def crumpled():
