@@ -406,7 +406,7 @@ def brushed():
     """Brush marks along u: fine lines of uneven depth."""
     lines = noise(161, scale=130.0, slope=0.7, stretch=(60.0, 1.0))
     broad = noise(162, scale=20.0, slope=1.0, stretch=(30.0, 1.0))
-    save_grey("brushed", numpy.clip(0.84 + 0.075 * lines + 0.05 * broad, 0.0, 1.0))
+    save_normal("brushed-normal", 0.0002 * lines + 0.0007 * broad, 256)
 
 
 def strands():
