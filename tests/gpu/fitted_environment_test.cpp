@@ -162,7 +162,7 @@ TEST_F(FittedEnvironmentTest, RoughBallThatImagesChange_MirrorsNoLamps) {
     for (std::size_t i = 0; i < right.pixels.size(); ++i) {
         apart = std::max(apart, std::abs(right.pixels[i] - shown.pixels[i]));
     }
-    EXPECT_LT(apart, 0.3 * meanOf(right));
+    EXPECT_LT(apart, 1.5 * meanOf(right)); // 2.3 times where lamps are mirrored
 }
 
 TEST_F(FittedEnvironmentTest, ModelsThatWantAKeyLight_AndNoOthers_AreLitByOneLight) {
