@@ -11,7 +11,6 @@
 #include "scene/builtin_mesh.h"
 #include "shading/effects/block_trial.h"
 #include "shading/program/program_cache.h"
-#include "trial/trial_scene.h"
 
 namespace patina {
 namespace {

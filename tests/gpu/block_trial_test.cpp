@@ -3,16 +3,18 @@
 #include "shading/effects/block_trial.h"
 
 #include <algorithm>
+#include <set>
 
 #include "gpu_fixture.h"
+#include "shading/effects/neutral_values.h"
 #include "shading/program/program_cache.h"
 #include "support/program.h"
 
 namespace patina::block_trial_test {
 namespace {
 
-using tests::TemporaryFolder;
 using tests::readFile;
+using tests::TemporaryFolder;
 using tests::writeFile;
 
 class BlockTrial : public GpuTest {
@@ -48,6 +50,28 @@ TEST_F(BlockTrial, ShippedBlocks_AreInTheirProgramsAndCompile) {
         EXPECT_NE(all.find(call), std::string::npos) << block.id;
         EXPECT_EQ(text(mistakesIn(block, *catalog)), "") << block.id;
     }
+}
+
+TEST_F(BlockTrial, BlockWhoseDefaultsDoNothing_IsInItsProgramAllTheSame) {
+    Catalog changed = *catalog;
+    std::set<std::string> kinds;
+    for (Block& block : changed.blocks) {
+        const Block shipped = block;
+        for (Parameter& parameter : block.parameters) {
+            if (std::holds_alternative<double>(parameter.defaultValue) && parameter.min <= 0.0) {
+                parameter.defaultValue = 0.0;
+            }
+        }
+        if (isNeutral(block, defaultValues(block))) {
+            const auto source = trialProgram(block, changed);
+            ASSERT_TRUE(source) << text(source.error());
+            EXPECT_NE(source->fragment.text.find(functionName(block) + "("), std::string::npos)
+                << block.id;
+            kinds.insert(block.kind);
+        }
+        block = shipped;
+    }
+    EXPECT_GE(kinds.size(), 3u);
 }
 
 TEST_F(BlockTrial, SlipInAnyKindOfBlock_IsToldAtItsLine) {

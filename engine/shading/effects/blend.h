@@ -13,6 +13,7 @@ struct BlendEffect {
     std::optional<BlockUse> blend;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);
+    void admit(const BlockUse& use) { admitTo(blend, kinds::fresnel, use); }
     void adjust(const EffectSet& set);
     void addTo(ChoiceHash& hash) const { hash.add(blend); }
     void list(EffectListing& listing, const EffectSet& set) const;

@@ -11,10 +11,6 @@
 namespace patina {
 namespace {
 
-BlockUse usualUse(const Block& block) {
-    return BlockUse(block, defaultValues(block));
-}
-
 /// The first block that ships and suits; null: there is none.
 template <class Suits>
 const Block* shippedBlock(const Catalog& catalog, std::string_view kind, const Suits& suits) {
@@ -25,10 +21,10 @@ const Block* shippedBlock(const Catalog& catalog, std::string_view kind, const S
     return found == catalog.blocks.end() ? nullptr : &*found;
 }
 
-/// A model with a slot for a highlight; one without a slot for a Fresnel block, which then blends
-/// the sum, where all of it is called.
+/// A model with a slot for a block of a kind that needs one; else one without, so that the block is
+/// called by the program itself.
 bool suitsPart(const Block& model, const std::string& kind) {
-    return (model.slot(kind) != nullptr) == (kind == kinds::specular);
+    return (model.slot(kind) != nullptr) == findKind(kind)->needsSlot;
 }
 
 /// Where levels read tables, one of them is tried instead of the exact one.
@@ -42,16 +38,8 @@ void chooseTables(Material& material, const Block& block) {
     }
 }
 
-LightGroup lightFor(const Block& light, const Block& block) {
-    LightGroup group{usualUse(light), std::nullopt};
-    if (block.kind == kinds::shadows) {
-        group.shadow = usualUse(block);
-    }
-    return group;
-}
-
-} // namespace
-
+/// A material that has the block where its kind is a material's, and is plain otherwise. What puts
+/// surfaces together and what refracts needs it to be transparent; it still casts a shadow.
 Material trialMaterial(const Block& block, const Catalog& catalog) {
     const bool isPart = std::ranges::count(partKinds(BlockOwner::Material), block.kind) > 0;
     const Block* model = block.kind == kinds::models
@@ -60,6 +48,7 @@ Material trialMaterial(const Block& block, const Catalog& catalog) {
                                    return !isPart || suitsPart(candidate, block.kind);
                                });
     Material material = model == nullptr ? Material() : defaultMaterial(*model);
+    material.opacity = 0.5;
     if (isPart) {
         material.parts[block.kind] = defaultBlockValues(block);
     }
@@ -67,6 +56,7 @@ Material trialMaterial(const Block& block, const Catalog& catalog) {
     return material;
 }
 
+/// The block where it is a light, else one that casts shadows; null where none ships.
 const Block* trialLight(const Block& block, const Catalog& catalog) {
     if (block.kind == kinds::lights) {
         return &block;
@@ -76,26 +66,41 @@ const Block* trialLight(const Block& block, const Catalog& catalog) {
     });
 }
 
-Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) {
-    const Material material = trialMaterial(block, catalog);
-    EffectSet set = effectSet(material, Scene(), catalog);
-    set.ambient = true;
+/// Puts it in where its kind is a part of such an owner.
+template <class Owner>
+void addPart(Owner& owner, BlockOwner kindOfOwner, const Block& block) {
+    if (std::ranges::count(partKinds(kindOfOwner), block.kind) > 0) {
+        owner.setPart(block.kind, defaultBlockValues(block));
+    }
+}
+
+} // namespace
+
+Scene trialScene(const Block& block, const Catalog& catalog) {
+    Scene scene;
+    Object object;
+    object.material = trialMaterial(block, catalog);
+    scene.objects.push_back(object);
+    object.translation = {0.7, 0.7, -0.7}; // behind it, and in its shadow
+    scene.objects.push_back(object);
     if (const Block* light = trialLight(block, catalog)) {
-        set.lights = {lightFor(*light, block)};
+        scene.lights.push_back({"light", true, defaultBlockValues(*light)});
+        addPart(scene.lights.back(), BlockOwner::Light, block);
     }
-    if (block.kind == kinds::fog) {
-        set.fog = usualUse(block);
-    } else if (block.kind == kinds::environment) {
-        set.environment = usualUse(block);
-    } else if (block.kind == kinds::transparency) {
-        set.transparency = usualUse(block);
-        set.opacity = true;
-    } else if (block.kind == kinds::refraction) {
-        set.refraction = usualUse(block);
-        set.opacity = true;
-    }
-    if (block.kind == kinds::outline) {
-        set.outline = usualUse(block);
+    addPart(scene, BlockOwner::Scene, block);
+    scene.ambient = glm::dvec3(0.25);
+    return scene;
+}
+
+Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog) {
+    const Scene scene = trialScene(block, catalog);
+    EffectSet set = effectSet(scene.objects.front().material, scene, catalog);
+    set.each([use = BlockUse(block, defaultValues(block))](auto& effect) {
+        if constexpr (requires { effect.admit(use); }) {
+            effect.admit(use);
+        }
+    });
+    if (set.outline) {
         return outlineProgram(set, catalog);
     }
     // A picture looks entries up; the inspection computes them, so that their text is tried too.

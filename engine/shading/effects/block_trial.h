@@ -2,20 +2,17 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "material/material.h"
+#include "scene/scene.h"
 #include "shading/program/program_source.h"
 
 namespace patina {
 
-/// A small program that calls what the block is called by, whatever a document shows: to learn what
-/// a compiler says of it. The block has its defaults; beside it there are blocks that ship. Errors
-/// are those of files that cannot stand in a program.
+/// A scene in which the block is called, with its defaults; beside it there are blocks that ship.
+Scene trialScene(const Block& block, const Catalog& catalog);
+
+/// A small program that calls what the block is called by, whatever a document shows and even where
+/// its defaults call for nothing: to learn what a compiler says of it. Errors are those of files
+/// that cannot stand in a program.
 Checked<ProgramSource> trialProgram(const Block& block, const Catalog& catalog);
-
-/// A material that has the block where its kind is a material's, and is plain otherwise.
-Material trialMaterial(const Block& block, const Catalog& catalog);
-
-/// The block where it is a light, else one that casts shadows; null where none ships.
-const Block* trialLight(const Block& block, const Catalog& catalog);
 
 } // namespace patina

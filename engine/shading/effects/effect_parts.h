@@ -5,6 +5,9 @@
 //   void choose(const MaterialSubject& | const SceneSubject&, const EffectSet&): what is in; of the
 //       set the effects before this one are chosen already. It fills what it has anew and allocates
 //       nothing, since keys are made so in every frame.
+//   void admit(const BlockUse&): a block of its kind is in, whatever the subject calls for, since
+//   it
+//       is tried.
 //   void adjust(const EffectSet&): what follows from the choices of others.
 //   void addTo(ChoiceHash&) const: its share of EffectKey::ofMaterial() or ofScene(), by the
 //       subject of its choose().
@@ -19,6 +22,7 @@
 //       name is its own.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "shading/effects/choice_hash.h"
@@ -32,6 +36,13 @@ struct EffectSet;
 struct ObjectLayout;
 struct SceneLayout;
 class SurfaceText;
+
+/// Chooses a block where it is of the kind.
+inline void admitTo(std::optional<BlockUse>& choice, std::string_view kind, const BlockUse& use) {
+    if (use.block().kind == kind) {
+        choice = use;
+    }
+}
 
 /// Holds what is taken out: "lights/<id>" has a kind and an id, "ambient" only the first.
 struct EffectName {

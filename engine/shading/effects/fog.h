@@ -22,7 +22,7 @@ std::optional<double> hiddenShare(const Block& block, const Values& values, doub
 /// Infinite where the block does not say; 0 where the view misses its box.
 double maxChange(const Scene& scene, const Block& block, const EffectView& view);
 
-/// A box along the axes of the scene.
+/// Holds a box along the axes of the scene.
 struct FogBox {
     glm::dvec3 center{0.0};
     glm::dvec3 size{0.0}; ///< from side to side
@@ -53,6 +53,7 @@ struct FogEffect {
     bool fogsAtVertices = false; ///< but on the ground
 
     void choose(const SceneSubject& subject, const EffectSet& set);
+    void admit(const BlockUse& use) { admitTo(fog, kinds::fog, use); }
     void addTo(ChoiceHash& hash) const;
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;

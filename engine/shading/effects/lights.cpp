@@ -11,7 +11,6 @@
 #include "shading/effects/light_reach.h"
 #include "shading/effects/neutral_values.h"
 #include "shading/effects/surface_text.h"
-#include "shading/program/block_source.h"
 
 namespace patina {
 namespace {
@@ -207,6 +206,17 @@ void LightsEffect::choose(const SceneSubject& subject, const EffectSet&) {
     std::sort(lights.begin(), lights.end(), isBefore);
     for (LightGroup& group : lights) {
         group.lines = lines_.of(group.key());
+    }
+}
+
+/// A light is in alone; shadows are those of all lights.
+void LightsEffect::admit(const BlockUse& use) {
+    if (use.block().kind == kinds::lights) {
+        lights = {LightGroup{use, std::nullopt}};
+    } else if (use.block().kind == kinds::shadows) {
+        for (LightGroup& group : lights) {
+            group.shadow = use;
+        }
     }
 }
 

@@ -56,6 +56,7 @@ struct LightsEffect {
     std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
 
     void choose(const SceneSubject& subject, const EffectSet& set);
+    void admit(const BlockUse& use);
     void addTo(ChoiceHash& hash) const;
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;

@@ -22,6 +22,7 @@ struct OutlineEffect {
     std::optional<BlockUse> outline;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);
+    void admit(const BlockUse& use) { admitTo(outline, kinds::outline, use); }
     void addTo(ChoiceHash& hash) const { hash.add(outline); }
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;

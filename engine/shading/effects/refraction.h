@@ -39,6 +39,7 @@ struct RefractionEffect {
     std::optional<BlockUse> refraction;
 
     void choose(const MaterialSubject& subject, const EffectSet& set);
+    void admit(const BlockUse& use) { admitTo(refraction, kinds::refraction, use); }
     void addTo(ChoiceHash& hash) const { hash.add(refraction); }
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;

@@ -24,6 +24,7 @@ struct TransparencyEffect {
     std::optional<BlockUse> transparency;
 
     void choose(const SceneSubject& subject, const EffectSet& set);
+    void admit(const BlockUse& use) { admitTo(transparency, kinds::transparency, use); }
     void addTo(ChoiceHash& hash) const { hash.add(transparency); }
     void list(EffectListing& listing, const EffectSet& set) const;
     void listMissing(LeftOutListing& listing, const EffectSet& set) const;
