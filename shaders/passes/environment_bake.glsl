@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT-0
-// The environment as a small picture: each pixel is the mean over its own part of all directions.
+// The environment as a picture: each pixel is the mean over its own part of all directions, looked at in
+// PART_SIDE by PART_SIDE places. DIRECTION_AT(p) says where a place lies that is given in pixels.
 
-layout(location = 0) out vec4 bakedRadiance;
-
-const int SIDE = 4;
+layout(location = 0) out vec4 storedRadiance;
 
 void main() {
     Environment p = unpackEnvironment(2);
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < SIDE * SIDE; ++i) {
-        vec2 within = (vec2(float(i % SIDE), float(i / SIDE)) + 0.5) / float(SIDE);
-        vec2 place = (floor(gl_FragCoord.xy) + within) / environmentData[1].xy;
-        sum += environmentRadiance(environmentDirectionAt(place), p);
+    for (int i = 0; i < PART_SIDE * PART_SIDE; ++i) {
+        vec2 within = (vec2(float(i % PART_SIDE), float(i / PART_SIDE)) + 0.5) / float(PART_SIDE);
+        sum += environmentRadiance(DIRECTION_AT(floor(gl_FragCoord.xy) + within), p);
     }
-    bakedRadiance = vec4(sum / float(SIDE * SIDE), 1.0);
+    storedRadiance = vec4(sum / float(PART_SIDE * PART_SIDE), 1.0);
 }

@@ -2,10 +2,9 @@
 // An environment as lobes of von Mises' and Fisher's form, and matte surfaces, see it.
 #include "passes/octahedral_levels.glsl"
 
-uniform sampler2D environmentBlurred; // level 0 is sharp, level 1 seen by a lobe of SHARP - 2, ...
+uniform sampler2D environmentBlurred; // level 0 is sharp, level 1 seen by a lobe of LOG2_KAPPA - 2, ...
 
-const float SHARP = 14.0;     // log2 of kappa, by 2 less from one level to the next
-const float LAST_LEVEL = 6.0; // of 8 texels
+const float LAST_LEVEL = float(OCTAHEDRAL_LEVELS - 1);
 
 vec3 environmentTexel(vec2 at) {
     return texture(environmentBlurred, at * vec2(2.0 / 3.0, 1.0)).rgb;
@@ -14,7 +13,7 @@ vec3 environmentTexel(vec2 at) {
 // Of a lobe around `d`, in the environment's own directions; `kappa` is its log2.
 vec3 environmentSeenBy(vec3 d, float kappa) {
     vec2 place = octahedralPlace(d);
-    float level = clamp(0.5 * (SHARP - kappa), 0.0, LAST_LEVEL);
+    float level = clamp(0.5 * (float(LOG2_KAPPA) - kappa), 0.0, LAST_LEVEL);
     float share = exp2(-floor(level));
     float coarserShare = max(0.5 * share, exp2(-LAST_LEVEL));
     return mix(environmentTexel(octahedralLevel(place, octahedralOrigin(share), share)),

@@ -9,8 +9,8 @@
 const float OCTAHEDRAL_WIDTH = float(OCTAHEDRAL_TEXELS); // of level 0, with the texels around it
 
 // Beside level 2: what a matte surface shows.
-const float MATTE_SHARE = 1.0 / 16.0;
-const vec2 MATTE_ORIGIN = vec2(1.25, 0.5);
+const float MATTE_SHARE = float(MATTE_TEXELS) / OCTAHEDRAL_WIDTH;
+const vec2 MATTE_ORIGIN = vec2(MATTE_TEXEL_ORIGIN) / OCTAHEDRAL_WIDTH;
 
 float octahedralSign(float x) {
     return x < 0.0 ? -1.0 : 1.0;
@@ -35,6 +35,11 @@ vec3 octahedralDirection(vec2 place) {
     float height = 1.0 - abs(p.x) - abs(p.y);
     vec2 q = height < 0.0 ? octahedralFold(p) : p;
     return normalize(vec3(q, height));
+}
+
+// The same of a place in level 0, in its texels.
+vec3 octahedralDirectionAt(vec2 texel) {
+    return octahedralDirection((texel - 1.0) / (OCTAHEDRAL_WIDTH - 2.0));
 }
 
 // Where a level begins, in widths of level 0.

@@ -12,30 +12,25 @@
 namespace patina {
 namespace {
 
-constexpr int levels = 7;
-constexpr double kappaOfLevel1 = 4096.0;
-
-/// Where what matte surfaces show lies, as octahedral_levels.glsl has it.
-constexpr glm::ivec2 matteOrigin{octahedralTexels * 5 / 4, octahedralTexels / 2};
-constexpr int matteWidth = octahedralTexels / 16;
+using Layout = OctahedralLayout;
 
 /// What a texel of level 0 blurs: it is a box whose variance along either axis, a twelfth of its
 /// area in steradians, is 1 / kappa.
-constexpr double texelKappa = 12.0 * octahedralTexels * octahedralTexels / (4.0 * std::numbers::pi);
+constexpr double texelKappa = 12.0 * Layout::texels * Layout::texels / (4.0 * std::numbers::pi);
 
 /// Returns how far a level is out of focus: kappa falls to a quarter from one to the next.
 double kappaOf(int level) {
-    return level == 0 ? texelKappa : kappaOfLevel1 / std::pow(4.0, level - 1);
+    return level == 0 ? texelKappa : std::exp2(Layout::log2Kappa - 2.0 * level);
 }
 
 int widthOf(int level) {
-    return octahedralTexels >> level;
+    return Layout::texels >> level;
 }
 
 /// Returns where a level lies among all, as octahedralOrigin() in shaders has it.
 glm::ivec2 originOf(int level) {
     return level == 0 ? glm::ivec2(0)
-                      : glm::ivec2(octahedralTexels, octahedralTexels - widthOf(level - 1));
+                      : glm::ivec2(Layout::texels, Layout::texels - widthOf(level - 1));
 }
 
 } // namespace
@@ -46,11 +41,11 @@ void BlurredEnvironment::makeRoom() {
     }
     // A software driver reads half floats more slowly, and a GPU whole ones.
     const GLenum format = gl::isSoftware() ? GL_RGBA32F : GL_RGBA16F;
-    levels_ = gl::Texture::create({octahedralTexels * 3 / 2, octahedralTexels}, format, GL_RGBA,
-                                  GL_FLOAT);
+    levels_ =
+        gl::Texture::create({Layout::texels * 3 / 2, Layout::texels}, format, GL_RGBA, GL_FLOAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    drawn_ = gl::Texture::create(glm::ivec2(octahedralTexels), format, GL_RGBA, GL_FLOAT);
+    drawn_ = gl::Texture::create(glm::ivec2(Layout::texels), format, GL_RGBA, GL_FLOAT);
     framebuffer_ = gl::Framebuffer::create();
     framebuffer_.attachColor(drawn_);
 }
@@ -77,10 +72,10 @@ void BlurredEnvironment::draw(const gl::Program& sharp, const gl::Program& matte
     sharp.use();
     drawAt(originOf(0), widthOf(0));
     matte.use();
-    drawAt(matteOrigin, matteWidth);
+    drawAt(Layout::matteOrigin, Layout::matteTexels);
     blur.use();
     blur.bindSampler("environmentBlurred", 0);
-    for (int level = 1; level < levels; ++level) {
+    for (int level = 1; level < Layout::levels; ++level) {
         bind(0);
         // Variances add up: 1 / kappa is that of each level.
         const double added = 1.0 / kappaOf(level) - 1.0 / kappaOf(level - 1);

@@ -11,8 +11,9 @@
 
 #include "render/gpu/binding.h"
 #include "render/gpu/environment_units.h"
-#include "render/gpu/long_pieces.h"
+#include "render/gpu/slow_allocation.h"
 #include "render/lights/environment_harmonics.h"
+#include "scene/environment.h"
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_key.h"
 #include "shading/program/parameter_packer.h"
@@ -147,7 +148,7 @@ bool EnvironmentLight::takeImage(const std::shared_ptr<const EnvironmentImage>& 
         madeFor_ = nullptr;
         small_.fill(image ? image->small : blackTexels());
         whole_.begin(texels.size);
-        if (takesLong(texels.size)) {
+        if (isSlowToAllocate(texels.size)) {
             return true;
         }
     }

@@ -11,7 +11,6 @@
 #include "render/lights/environment_image.h"
 #include "render/lights/environment_table.h"
 #include "render/lights/environment_texture.h"
-#include "scene/environment.h"
 #include "shading/effects/environment_effect.h"
 #include "shading/program/block_use.h"
 #include "shading/program/program_cache.h"

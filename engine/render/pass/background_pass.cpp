@@ -5,10 +5,10 @@
 
 #include <epoxy/gl.h>
 
-#include "render/gpu/hdr_numbers.h"
-#include "render/gpu/long_pieces.h"
+#include "render/gpu/slow_allocation.h"
 #include "render/pass/frame_gpu.h"
 #include "shading/effects/refraction.h"
+#include "shading/program/storable.h"
 
 namespace patina {
 
@@ -16,7 +16,7 @@ Result<bool> BackgroundPass::prepare(FramePlan& plan, FrameGpu& gpu) {
     isDrawn_ = false;
     const Catalog& catalog = *gpu.shared.catalog;
     auto isNew = gpu.fitTarget(plan, showsSceneRefracted(*plan.effects, catalog));
-    if (!isNew || (*isNew && takesLong(gpu.target().drawnSize()))) {
+    if (!isNew || (*isNew && isSlowToAllocate(gpu.target().drawnSize()))) {
         return isNew;
     }
     const SceneToPack packing{*plan.scene, *plan.effects, {}};
@@ -31,9 +31,9 @@ bool BackgroundPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget&) {
     if (std::exchange(isDrawn_, true)) {
         return true;
     }
-    const glm::dvec3& color = plan.scene->background;
+    const glm::vec4 color = storable(plan.scene->background);
     gpu.target().bind();
-    glClearColor(storable(color.x), storable(color.y), storable(color.z), 1.0f);
+    glClearColor(color.x, color.y, color.z, 1.0f);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gpu.environment.drawBackground(plan.view->camera, plan.cameraToWorld,

@@ -3,7 +3,7 @@
 
 #include <epoxy/gl.h>
 
-#include "render/gpu/long_pieces.h"
+#include "render/gpu/slow_allocation.h"
 #include "shading/effects/refraction.h"
 
 namespace patina {
@@ -43,7 +43,7 @@ Result<bool> BlendedPass::fitRefraction(const FramePlan& plan, FrameGpu& gpu) {
     }
     const glm::ivec2 size = gpu.target().averagedSize();
     return refraction_->begin(size, needs, *gpu.shared.catalog, gpu.shared.programs())
-        .map([isNew, size] { return isNew && takesLong(size); });
+        .map([isNew, size] { return isNew && isSlowToAllocate(size); });
 }
 
 bool BlendedPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {

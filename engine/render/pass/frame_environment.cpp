@@ -9,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gl/driver.h"
-#include "render/gpu/long_pieces.h"
+#include "render/gpu/slow_allocation.h"
 #include "shading/effects/opacity.h"
 
 namespace patina {
@@ -91,7 +91,7 @@ Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
         return tl::unexpected(kept.error());
     }
     done_ = *kept && view.isContinued ? done_ : 0;
-    if (!*kept && takesLong(view.size)) {
+    if (!*kept && isSlowToAllocate(view.size)) {
         return true;
     }
     count_ = samplesOf(view, scene.effects, catalog, done_);

@@ -7,7 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "render/gpu/binding.h"
-#include "render/gpu/long_pieces.h"
+#include "render/gpu/slow_allocation.h"
 #include "shading/effects/layer_source.h"
 #include "shading/effects/texture_writer.h"
 
@@ -44,7 +44,7 @@ Result<std::shared_ptr<const gl::Program>> found(const Checked<ProgramSource>& s
 } // namespace
 
 Result<bool> LayerComposer::begin(const HdrTarget& target, int layers, const Catalog& catalog,
-                                     ProgramCache& cache) {
+                                  ProgramCache& cache) {
     const Shape wanted{target.drawnSize(), samplesOf(target), layers > 0};
     if (!(wanted == shape_)) {
         leaveOut();
@@ -55,7 +55,7 @@ Result<bool> LayerComposer::begin(const HdrTarget& target, int layers, const Cat
             leaveOut();
             return tl::unexpected(built.error());
         }
-        if (takesLong(shape_.size)) {
+        if (isSlowToAllocate(shape_.size)) {
             return true;
         }
     }
@@ -126,7 +126,7 @@ Result<void> LayerComposer::makeComposition(const Catalog& catalog, ProgramCache
 }
 
 Result<void> LayerComposer::addPipeline(const std::shared_ptr<const Pipeline>& pipeline,
-                                           ProgramCache& cache) {
+                                        ProgramCache& cache) {
     if (!shape_.isPeeled || depthPrograms_.contains(pipeline)) {
         return {};
     }
@@ -151,8 +151,8 @@ void LayerComposer::useDepths(const std::shared_ptr<const Pipeline>& pipeline) c
 }
 
 bool LayerComposer::draw(const HdrTarget& target, const DrawObjects& drawObjects) {
-    const bool isDone = shape_.isPeeled ? drawInOrder(target, drawObjects)
-                                        : drawMixed(target, drawObjects);
+    const bool isDone =
+        shape_.isPeeled ? drawInOrder(target, drawObjects) : drawMixed(target, drawObjects);
     glDepthMask(GL_TRUE);
     if (isDone) {
         compose(target);

@@ -32,7 +32,12 @@ std::string environmentText(const EffectSubject& subject) {
 }
 
 std::string octahedralSource() {
-    return fmt::format("#define OCTAHEDRAL_TEXELS {}\n", octahedralTexels);
+    using Layout = OctahedralLayout;
+    return fmt::format("#define OCTAHEDRAL_TEXELS {}\n#define OCTAHEDRAL_LEVELS {}\n"
+                       "#define LOG2_KAPPA {}\n#define MATTE_TEXELS {}\n"
+                       "#define MATTE_TEXEL_ORIGIN {}, {}\n",
+                       Layout::texels, Layout::levels, Layout::log2Kappa, Layout::matteTexels,
+                       Layout::matteOrigin.x, Layout::matteOrigin.y);
 }
 
 /// Declares what a white matte surface shows; the environment has its harmonics.
@@ -44,12 +49,16 @@ void addIrradiance(SourceBuilder& out, const BlockUse& use) {
 
 void addOutput(SourceBuilder& out, const BlockUse& use, EnvironmentOutput output) {
     if (output == EnvironmentOutput::Small) {
+        out.add("#define PART_SIDE 4\n"
+                "#define DIRECTION_AT(p) environmentDirectionAt((p) / environmentData[1].xy)\n");
         out.addFile("passes/environment_bake.glsl");
         return;
     }
     if (output == EnvironmentOutput::Octahedral) {
         out.add(octahedralSource());
-        out.addFile("passes/environment_octahedral.glsl");
+        out.addFile("passes/octahedral_levels.glsl");
+        out.add("#define PART_SIDE 2\n#define DIRECTION_AT(p) octahedralDirectionAt(p)\n");
+        out.addFile("passes/environment_bake.glsl");
         return;
     }
     if (output == EnvironmentOutput::Matte) {
@@ -152,6 +161,13 @@ void EnvironmentEffect::choose(const SceneSubject& subject, const EffectSet&) {
         environment.emplace(*block, subject.scene.part(kinds::environment)->parameters);
     }
     wantsFitted = block != nullptr && subject.scene.accuracy.fitsEnvironment();
+}
+
+/// Sampled, since a surface calls it then.
+void EnvironmentEffect::admit(const BlockUse& use) {
+    if (use.block().kind == kinds::environment) {
+        *this = {.environment = use};
+    }
 }
 
 void EnvironmentEffect::adjust(const EffectSet& set) {

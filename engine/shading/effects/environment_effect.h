@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include <glm/vec2.hpp>
+
 #include "catalog/catalog.h"
 #include "shading/effects/effect_parts.h"
 #include "shading/glsl/source_builder.h"
@@ -36,6 +38,7 @@ struct EnvironmentEffect {
     EnvironmentWay way = EnvironmentWay::Sampled;
 
     void choose(const SceneSubject& subject, const EffectSet& set);
+    void admit(const BlockUse& use);
     void adjust(const EffectSet& set);
     void addTo(ChoiceHash& hash) const {
         hash.add(environment);
@@ -72,9 +75,15 @@ enum class EnvironmentOutput {
 Checked<ProgramSource> environmentProgram(const BlockUse& use, const Catalog& catalog,
                                           EnvironmentOutput output);
 
-/// The width of level 0 of an environment's octahedral picture, whose levels are more and more out
-/// of focus, with the texels around it (shaders/passes/octahedral_levels.glsl).
-inline constexpr int octahedralTexels = 512;
+/// Says how an environment's octahedral picture lies, whose levels are more and more out of focus;
+/// beside level 2 stands what matte surfaces show (shaders/passes/octahedral_levels.glsl).
+struct OctahedralLayout {
+    static constexpr int texels = 512;   ///< the width of level 0, with the texels around it
+    static constexpr int levels = 7;     ///< each half as wide as the one before
+    static constexpr int log2Kappa = 14; ///< that level 0 is looked up for, by 2 less at each level
+    static constexpr int matteTexels = texels / 16;
+    static constexpr glm::ivec2 matteOrigin{texels * 5 / 4, texels / 2};
+};
 
 /// A program that makes a level of any environment's octahedral picture from the level before.
 Checked<ProgramSource> environmentBlurProgram(const Catalog& catalog);

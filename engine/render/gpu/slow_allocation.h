@@ -9,7 +9,7 @@ namespace patina {
 
 /// Tells whether a window would notice that images of this size are made: drivers that draw on the
 /// CPU fill their memory, which is some 10 ms for a view with several samples per pixel.
-constexpr bool takesLong(glm::ivec2 size) {
+constexpr bool isSlowToAllocate(glm::ivec2 size) {
     return std::int64_t(size.x) * size.y >= std::int64_t(1) << 18;
 }
 
