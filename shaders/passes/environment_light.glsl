@@ -16,8 +16,8 @@ float strengthAt(Surface s, vec3 h, Model p) {
         return 0.0;
     }
     vec3 value = shadeModel(d, p);
-    float most = max(max(value.r, value.g), value.b) * d.lh;
-    return most > 0.0 ? min(most, 1e15) : 0.0;
+    float maximum = max(max(value.r, value.g), value.b) * d.lh;
+    return maximum > 0.0 ? min(maximum, 1e15) : 0.0;
 }
 
 // The width of the strongest lobe along one tangent: the mean angle, on a logarithmic scale, by the

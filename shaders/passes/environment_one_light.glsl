@@ -5,9 +5,10 @@
 vec3 oneLight(Surface s, Model p) {
     const int C = ENVIRONMENT_HARMONICS;
     const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);
-    vec3 most = vec3(dot(environmentData[C + 3].rgb, LUMINANCE),
+    // The harmonics of the first degree are the mean direction of what arrives.
+    vec3 mean = vec3(dot(environmentData[C + 3].rgb, LUMINANCE),
         dot(environmentData[C + 1].rgb, LUMINANCE), dot(environmentData[C + 2].rgb, LUMINANCE));
-    vec3 inside = safeNormalize(most, vec3(0.0, 1.0, 0.0));
+    vec3 inside = safeNormalize(mean, vec3(0.0, 1.0, 0.0));
     Illumination light;
     light.l = environmentOutside(inside);
     light.radiance = environmentIrradiance(inside);

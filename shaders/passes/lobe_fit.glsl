@@ -92,7 +92,7 @@ void main() {
     float strong = 0.0;
     vec3 strongMean = vec3(0.0);
     vec3 allMean = vec3(0.0);
-    float least = 1e30;
+    float minimum = 1e30;
     for (int i = 0; i < LIGHTS; ++i) {
         vec4 light = tableLight(v, i);
         float m = fetched(entry, i).w;
@@ -102,7 +102,7 @@ void main() {
         strong += m * f;
         strongMean += m * f * light.xyz;
         if (light.z > 0.25) {
-            least = min(least, f / light.z);
+            minimum = min(minimum, f / light.z);
         }
     }
     storedMatte = vec4(0.0);
@@ -125,7 +125,7 @@ void main() {
     }
     narrowLobe.kappa = max(0.5 * kappaFor(strongSpread / max(strong, 1e-37)), 4.0);
     wideLobe.kappa = clamp(0.05 * narrowLobe.kappa, 1.0, 100.0);
-    float matteShare = clamp(PI * least / all, 0.02, 0.98);
+    float matteShare = clamp(PI * minimum / all, 0.02, 0.98);
     narrowLobe.share = 0.6 * (1.0 - matteShare);
     wideLobe.share = 0.4 * (1.0 - matteShare);
 

@@ -11,7 +11,7 @@ namespace patina {
 
 void ShadowCasters::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
-    holes_.forget();
+    alphaTested_.forget();
 }
 
 void ShadowCasters::clear() {
@@ -19,19 +19,20 @@ void ShadowCasters::clear() {
     byMesh_.clear();
     boxes_.clear();
     shapes_.clear();
-    holes_.clear();
+    alphaTested_.clear();
 }
 
 void ShadowCasters::add(const GpuMesh& mesh, const CasterBox& box, const Material& material) {
     meshes_.push_back(&mesh);
     boxes_.push_back(box);
-    shapes_.push_back({mesh.serial(), hasHoles(material)
-                                          ? holes_.add(material, opacityOf(material, *catalog_))
-                                          : solid});
+    shapes_.push_back(
+        {mesh.serial(), isAlphaTested(material)
+                            ? alphaTested_.add(material, opacityOf(material, *catalog_))
+                            : solid});
 }
 
 Result<void> ShadowCasters::prepare(ProgramCache& programs, const GpuTextureStore& textures) {
-    return holes_.prepare(catalog_, programs, textures);
+    return alphaTested_.prepare(catalog_, programs, textures);
 }
 
 std::int64_t ShadowCasters::triangles() const {
@@ -43,13 +44,13 @@ std::int64_t ShadowCasters::triangles() const {
 }
 
 bool ShadowCasters::hasChanged() const {
-    return boxes_ != drawnBoxes_ || shapes_ != drawnShapes_ || holes_.hasChanged();
+    return boxes_ != drawnBoxes_ || shapes_ != drawnShapes_ || alphaTested_.hasChanged();
 }
 
 void ShadowCasters::noteDrawn() {
     drawnBoxes_ = boxes_;
     drawnShapes_ = shapes_;
-    holes_.noteDrawn();
+    alphaTested_.noteDrawn();
 }
 
 void ShadowCasters::sortByMesh() {
@@ -71,11 +72,11 @@ void ShadowCasters::gather(const glm::dmat4& worldToMap, std::vector<Run>& runs,
         if (!isSeen(worldToMap, caster)) {
             continue;
         }
-        const std::size_t holes = shapes_[caster].holes;
-        const bool isLike =
-            !runs.empty() && runs.back().mesh == meshes_[caster] && runs.back().holes == holes;
+        const std::size_t alphaTested = shapes_[caster].alphaTested;
+        const bool isLike = !runs.empty() && runs.back().mesh == meshes_[caster] &&
+                            runs.back().alphaTested == alphaTested;
         if (!isLike) {
-            runs.push_back({meshes_[caster], instances.size(), 0, holes});
+            runs.push_back({meshes_[caster], instances.size(), 0, alphaTested});
         }
         ++runs.back().count;
         instances.add(instanceAt(boxes_[caster].world));

@@ -85,8 +85,8 @@ void ShadowDrawer::beginRun(const ShadowTargets& targets) {
     const ShadowLayers::Layer& layer = targets.layers[layer_];
     const glm::mat4 worldToMap(shadowClip(layer.view, layer.face));
     const ShadowCasters::Run& run = runs_[run_];
-    if (run.holes != ShadowCasters::solid) {
-        targets.casters.useHoles(run, worldToMap, targets.textures);
+    if (run.alphaTested != ShadowCasters::solid) {
+        targets.casters.useAlphaTest(run, worldToMap, targets.textures);
         return;
     }
     program_->use();

@@ -13,15 +13,15 @@ namespace patina {
 Checked<ProgramSource> shadowMapProgram(const Catalog& catalog);
 
 /// Tells whether an image of the material decides where it casts shadows.
-bool hasHoles(const Material& material);
+bool isAlphaTested(const Material& material);
 
 /// Returns what such a material's shadows depend on, with data of its own; nothing where no image
 /// decides.
-std::optional<OpacityPart> holesOf(const Material& material, const Catalog& catalog);
+std::optional<OpacityPart> alphaTestOf(const Material& material, const Catalog& catalog);
 
-/// The program for a surface with holes: also with the block of the object's data, and
-/// `samplerName(0)`. An image that cuts out leaves holes where it does, another one where less than
-/// half of the surface is there.
-Checked<ProgramSource> shadowMapProgram(const OpacityPart& holes, const Catalog& catalog);
+/// The program for an alpha-tested surface: also with the block of the object's data, and
+/// `samplerName(0)`. An image that cuts out lets light pass where it does, another one where less
+/// than half of the surface is there.
+Checked<ProgramSource> shadowMapProgram(const OpacityPart& tested, const Catalog& catalog);
 
 } // namespace patina

@@ -10,7 +10,7 @@
 #include "gpu_fixture.h"
 #include "render/lights/ground_place.h"
 
-namespace patina::shadow_holes_test {
+namespace patina::alpha_tested_shadows_test {
 namespace {
 
 constexpr int fieldPixels = 128;
@@ -143,4 +143,4 @@ TEST_F(ShadowHolesTest, OfAnotherObject_AreDrawnAgain) {
 }
 
 } // namespace
-} // namespace patina::shadow_holes_test
+} // namespace patina::alpha_tested_shadows_test

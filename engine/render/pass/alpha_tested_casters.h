@@ -16,8 +16,8 @@
 
 namespace patina {
 
-/// The materials of a frame whose shadows have holes, and the programs for them.
-class ShadowHoles {
+/// The materials of a frame that an image decides the shadows of, and the programs for them.
+class AlphaTestedCasters {
   public:
     /// The shader files may have changed.
     void forget() { pipelines_.clear(); }
@@ -32,7 +32,7 @@ class ShadowHoles {
     Result<void> prepare(const std::shared_ptr<const Catalog>& catalog, ProgramCache& programs,
                          const GpuTextureStore& textures);
 
-    /// Tells whether what decides their holes has changed since noteDrawn().
+    /// Tells whether what decides their shadows has changed since noteDrawn().
     bool hasChanged() const { return hasChanged_; }
     void noteDrawn() { hasChanged_ = false; }
 
@@ -41,7 +41,7 @@ class ShadowHoles {
 
   private:
     /// Holds what of a material its shadows depend on.
-    struct Holes {
+    struct Caster {
         Material material;       ///< its opacity and the image of that alone
         std::uint64_t state = 0; ///< of the image
         std::shared_ptr<const Pipeline> pipeline;
@@ -52,7 +52,7 @@ class ShadowHoles {
     pipelineFor(const Material& material, const std::shared_ptr<const Catalog>& catalog,
                 ProgramCache& programs);
 
-    std::vector<Holes> holes_; ///< kept for their memory: the first count_ are the frame's
+    std::vector<Caster> casters_; ///< kept for their memory: the first count_ are the frame's
     std::size_t count_ = 0;
     bool hasChanged_ = false;
     std::map<Key, std::shared_ptr<const Pipeline>> pipelines_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/pass/shadow_holes.h"
+#include "render/pass/alpha_tested_casters.h"
 
 #include <epoxy/gl.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -16,48 +16,49 @@ constexpr const char* opacityId = "opacity";
 
 } // namespace
 
-std::size_t ShadowHoles::add(const Material& material, double opacity) {
-    if (holes_.size() == count_) {
-        holes_.emplace_back();
+std::size_t AlphaTestedCasters::add(const Material& material, double opacity) {
+    if (casters_.size() == count_) {
+        casters_.emplace_back();
         hasChanged_ = true;
     }
-    Holes& holes = holes_[count_];
+    Caster& caster = casters_[count_];
     const TextureUse& use = material.textures.find(opacityId)->second;
-    const auto known = holes.material.textures.find(opacityId);
-    const bool isSame = known != holes.material.textures.end() && known->second == use &&
-                        holes.material.opacity == opacity;
+    const auto known = caster.material.textures.find(opacityId);
+    const bool isSame = known != caster.material.textures.end() && known->second == use &&
+                        caster.material.opacity == opacity;
     if (!isSame) {
-        holes.material.opacity = opacity;
-        holes.material.textures.insert_or_assign(opacityId, use);
-        holes.pipeline.reset();
+        caster.material.opacity = opacity;
+        caster.material.textures.insert_or_assign(opacityId, use);
+        caster.pipeline.reset();
         hasChanged_ = true;
     }
     return count_++;
 }
 
-Result<void> ShadowHoles::prepare(const std::shared_ptr<const Catalog>& catalog,
-                                  ProgramCache& programs, const GpuTextureStore& textures) {
+Result<void> AlphaTestedCasters::prepare(const std::shared_ptr<const Catalog>& catalog,
+                                         ProgramCache& programs, const GpuTextureStore& textures) {
     for (std::size_t i = 0; i < count_; ++i) {
-        Holes& holes = holes_[i];
-        if (!holes.pipeline || holes.pipeline->catalog != catalog) {
-            auto made = pipelineFor(holes.material, catalog, programs);
+        Caster& caster = casters_[i];
+        if (!caster.pipeline || caster.pipeline->catalog != catalog) {
+            auto made = pipelineFor(caster.material, catalog, programs);
             if (!made) {
                 return tl::unexpected(made.error());
             }
-            holes.pipeline = std::move(*made);
+            caster.pipeline = std::move(*made);
         }
         const std::uint64_t state =
-            textures.stateOf(holes.pipeline->effects.textures.front(), holes.material);
-        hasChanged_ = hasChanged_ || state != holes.state;
-        holes.state = state;
+            textures.stateOf(caster.pipeline->effects.textures.front(), caster.material);
+        hasChanged_ = hasChanged_ || state != caster.state;
+        caster.state = state;
     }
     return {};
 }
 
 Result<std::shared_ptr<const Pipeline>>
-ShadowHoles::pipelineFor(const Material& material, const std::shared_ptr<const Catalog>& catalog,
-                         ProgramCache& programs) {
-    OpacityPart part = *holesOf(material, *catalog);
+AlphaTestedCasters::pipelineFor(const Material& material,
+                                const std::shared_ptr<const Catalog>& catalog,
+                                ProgramCache& programs) {
+    OpacityPart part = *alphaTestOf(material, *catalog);
     const BoundTexture& image = part.set.textures.front();
     std::shared_ptr<const Pipeline>& known = pipelines_[{image.channel, image.mode, image.cutOut}];
     if (known && known->catalog == catalog) {
@@ -82,13 +83,14 @@ ShadowHoles::pipelineFor(const Material& material, const std::shared_ptr<const C
     return known;
 }
 
-void ShadowHoles::use(std::size_t number, const glm::mat4& worldToMap, FrameTextures& textures) {
-    const Holes& holes = holes_[number];
-    const Pipeline& pipeline = *holes.pipeline;
+void AlphaTestedCasters::use(std::size_t number, const glm::mat4& worldToMap,
+                             FrameTextures& textures) {
+    const Caster& caster = casters_[number];
+    const Pipeline& pipeline = *caster.pipeline;
     const auto vec4s = static_cast<std::size_t>(pipeline.object.vec4s);
     data_.reserve(vec4s);
-    packMaterial(data_.staging(), pipeline, holes.material, glm::dmat4(1.0));
-    textures.bind(data_.staging(), pipeline, holes.material);
+    packMaterial(data_.staging(), pipeline, caster.material, glm::dmat4(1.0));
+    textures.bind(data_.staging(), pipeline, caster.material);
     data_.upload(vec4s);
     data_.bind(binding::object);
     pipeline.program->use();
