@@ -52,7 +52,8 @@ std::string fragmentOf(const Scene& scene) {
 TEST(AddedEffect, CalledFor_IsInTheListAndInTheText) {
     EXPECT_TRUE(rowOf(night).in);
     EXPECT_EQ(rowOf(night).line.reason, "The exposure is below -4 stops.");
-    EXPECT_NE(fragmentOf(night).find("shaded = atNight(shaded)"), std::string::npos);
+    EXPECT_NE(fragmentOf(night).find("shaded = atNight(shaded, sceneData[1].x)"),
+              std::string::npos);
 }
 
 TEST(AddedEffect, NotCalledFor_IsInNoText) {
@@ -65,6 +66,17 @@ TEST(AddedEffect, ItsChoice_IsInTheKey) {
     EffectKey keys;
     EXPECT_NE(keys.ofScene(day, catalog(), {}), keys.ofScene(night, catalog(), {}));
     EXPECT_EQ(keys.ofScene(day, catalog(), {}), keys.ofScene(sceneAt(2.0), catalog(), {}));
+}
+
+TEST(AddedEffect, ItsData_ArePackedByItsOwnFile) {
+    const Scene dusk = sceneAt(-5.0);
+    const EffectSet set = sceneEffects(dusk, catalog());
+    const SceneLayout layout = sceneLayout(set);
+    ASSERT_EQ(layout.own.size(), 1u);
+    EXPECT_EQ(layout.firstLight, SceneLayout::fixed + 1);
+    std::array<glm::vec4, 1> packed{};
+    layout.own[0].pack(packed, dusk, set);
+    EXPECT_EQ(packed[0].x, 0.5f);
 }
 
 TEST(AddedEffect, SwitchedOff_LeavesTheTextOfADay) {

@@ -161,9 +161,8 @@ class Collector {
         if (effects_.ambient) {
             code_.ambient = data(SceneLayout::ambient);
         }
-        if (scene.hemisphere) {
-            code_.hemisphere = SurfaceCode::Hemisphere{
-                data(*scene.hemisphere), data(*scene.hemisphere + 1), data(*scene.hemisphere + 2)};
+        if (const std::optional<int> sky = hemisphereData(scene)) {
+            code_.hemisphere = SurfaceCode::Hemisphere{data(*sky), data(*sky + 1), data(*sky + 2)};
         }
         if (const BlockPlace* fog = scene.part(kinds::fog)) {
             code_.fog = codeOf(*fog, buffer_.sceneData, static_cast<std::size_t>(fog->first));

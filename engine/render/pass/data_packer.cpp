@@ -6,14 +6,13 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
-#include <glm/trigonometric.hpp>
 
-#include "render/gpu/hdr_numbers.h"
 #include "shading/effects/effect_key.h"
 #include "shading/effects/lights.h"
 #include "shading/effects/opacity.h"
 #include "shading/effects/shadows.h"
 #include "shading/program/parameter_packer.h"
+#include "shading/program/storable.h"
 
 namespace patina {
 namespace {
@@ -41,18 +40,6 @@ void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToP
                    index < packing.shadows.size() ? packing.shadows[index] : nowhere,
                    cameraToWorld);
     }
-}
-
-glm::vec4 radianceOf(const glm::dvec3& color) {
-    return {storable(color.x), storable(color.y), storable(color.z), 0.0f};
-}
-
-void packHemisphere(std::span<glm::vec4> out, const Hemisphere& hemisphere) {
-    const double length = glm::length(hemisphere.up);
-    const bool isDirection = std::isfinite(length) && length > 1e-30;
-    out[0] = radianceOf(hemisphere.sky);
-    out[1] = radianceOf(hemisphere.ground);
-    out[2] = glm::vec4(isDirection ? hemisphere.up / length : glm::dvec3(0.0, 1.0, 0.0), 0.0);
 }
 
 /// The lights of a group, and its header: how many there are, and where. A group that stands in the
@@ -106,6 +93,17 @@ void packPlace(std::span<glm::vec4> out, const BlockPlace& place, const Values& 
              cameraToWorld);
 }
 
+/// Data that effects have packed themselves.
+template <class Owner>
+void packOwn(std::span<glm::vec4> out, const OwnData<Owner>& data, const Owner& owner,
+             const EffectSet& set) {
+    for (const auto& place : data.own) {
+        place.pack(out.subspan(static_cast<std::size_t>(place.first),
+                               static_cast<std::size_t>(place.vec4s)),
+                   owner, set);
+    }
+}
+
 /// Values for the place of a part: the owner's when it is the owner's block.
 const Values& partValues(const BlockPlace& place, const BlockParts& parts) {
     static const Values none;
@@ -113,44 +111,13 @@ const Values& partValues(const BlockPlace& place, const BlockParts& parts) {
     return part != nullptr && part->id == place.block->id ? part->parameters : none;
 }
 
-/// The rows that take (u, v, 1) to a place in the image: turned about the middle, scaled, moved.
-void packTexture(std::span<glm::vec4> out, const TextureUse& use, TextureRole role) {
-    const double angle = glm::radians(std::fmod(use.rotation, 360.0));
-    const glm::dvec2 turn(std::cos(angle), std::sin(angle));
-    const glm::dvec2 across = use.scale.x * turn;
-    const glm::dvec2 up = use.scale.y * glm::dvec2(-turn.y, turn.x);
-    const glm::dvec2 start =
-        0.5 * use.scale + use.offset - 0.5 * glm::dvec2(across.x + across.y, up.x + up.y);
-    const bool isShare = role == TextureRole::Input || role == TextureRole::Opacity;
-    const double strength = isShare ? std::clamp(use.strength, 0.0, 1.0) : use.strength;
-    out[0] = glm::vec4(across, start.x, strength);
-    out[1] = glm::vec4(up, start.y, use.threshold);
-}
-
-void packTextures(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material) {
-    for (std::size_t i = 0; i < pipeline.effects.textures.size(); ++i) {
-        const BoundTexture& image = pipeline.effects.textures[i];
-        const TextureUse* use = image.in(material);
-        static const TextureUse nothing = [] {
-            TextureUse none;
-            none.strength = 0.0;
-            return none;
-        }();
-        packTexture(out.subspan(static_cast<std::size_t>(pipeline.object.texture(i))),
-                    use == nullptr ? nothing : *use, image.role);
-    }
-}
-
 } // namespace
 
 PackedScene packScene(std::span<glm::vec4> out, const Pipeline& pipeline,
                       const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
     const Scene& scene = packing.scene;
-    out[SceneLayout::ambient] = radianceOf(scene.ambient);
-    if (pipeline.scene.hemisphere) {
-        packHemisphere(out.subspan(static_cast<std::size_t>(*pipeline.scene.hemisphere)),
-                       scene.hemisphere);
-    }
+    out[SceneLayout::ambient] = storable(scene.ambient);
+    packOwn(out, pipeline.scene, scene, pipeline.effects);
     for (const BlockPlace& part : pipeline.scene.parts) {
         packPlace(out, part, partValues(part, scene.parts), exact, cameraToWorld);
     }
@@ -175,7 +142,7 @@ void packMaterial(std::span<glm::vec4> out, const Pipeline& pipeline, const Mate
                       cameraToWorld);
         }
     }
-    packTextures(out, pipeline, material);
+    packOwn(out, pipeline.object, material, pipeline.effects);
 }
 
 void packLayers(std::span<glm::vec4> out, const Pipeline& pipeline, const LayersToPack& packing,
@@ -195,7 +162,7 @@ void packGround(std::span<glm::vec4> out, const Pipeline& pipeline, const Ground
                            std::clamp(static_cast<float>(ground.opacity), 0.0f, 1.0f));
     out[first + 1] = glm::vec4(place.middle.x, place.middle.z, 1.0 / place.radius, 0.0);
     if (pipeline.scene.environment != nullptr) {
-        out[first + 2] = radianceOf(packing.environment);
+        out[first + 2] = storable(packing.environment);
     }
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pass/refraction_packer.h"
 
-#include "render/gpu/hdr_numbers.h"
 #include "shading/effects/refraction.h"
 #include "shading/program/parameter_packer.h"
+#include "shading/program/storable.h"
 
 namespace patina {
+
 void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Material& material,
                     const glm::dvec3& background) {
     static const Values none;
@@ -21,8 +22,7 @@ void packRefraction(std::span<glm::vec4> out, const Pipeline& pipeline, const Ma
                 static_cast<float>(bodyIndex(material, choice, *pipeline.catalog));
         }
     }
-    out[static_cast<std::size_t>(pipeline.object.refractionBackground())] =
-        glm::vec4(storable(background.x), storable(background.y), storable(background.z), 0.0f);
+    out[static_cast<std::size_t>(pipeline.object.refractionBackground())] = storable(background);
 }
 
 } // namespace patina

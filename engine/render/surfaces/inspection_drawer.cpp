@@ -11,6 +11,7 @@
 #include "core/color.h"
 #include "render/gpu/binding.h"
 #include "render/gpu/capture_image.h"
+#include "shading/program/storable.h"
 
 namespace patina {
 namespace {
@@ -21,11 +22,6 @@ constexpr int firstLightTerm = 7;
 
 /// Beyond this a half float's whole range is black or white.
 constexpr double maxStops = 40.0;
-
-float storableLuminance(const glm::dvec3& color) {
-    const double sum = luminance(color);
-    return std::isfinite(sum) ? static_cast<float>(std::clamp(sum, 0.0, 65504.0)) : 0.0f;
-}
 
 } // namespace
 
@@ -77,7 +73,7 @@ Result<void> InspectionDrawer::drawLinear(const Scene& scene, const View& view,
         return ready;
     }
     target_.bind();
-    glClearColor(storableLuminance(scene.background), 0.0f, 0.0f, 1.0f);
+    glClearColor(storable(luminance(scene.background)), 0.0f, 0.0f, 1.0f);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawItems(scene, 0);

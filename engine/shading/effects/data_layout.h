@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
+
+#include <glm/vec4.hpp>
 
 #include "shading/program/block_place.h"
 #include "shading/program/block_use.h"
@@ -12,6 +16,8 @@
 namespace patina {
 
 struct EffectSet;
+struct Material;
+struct Scene;
 
 /// Says where the values of blocks lie that an owner may have or not; each is packed from the
 /// owner's part of its kind.
@@ -20,6 +26,33 @@ struct PartPlaces {
 
     /// Returns that of the kind's block; null: no effect has placed one.
     const BlockPlace* part(std::string_view kind) const;
+};
+
+/// Says where data of effects lie that are no block's values, and what packs them.
+template <class Owner>
+struct OwnData {
+    /// Packs what a material or a scene says into the place; the set is the program's. Allocates
+    /// nothing.
+    using Pack = void (*)(std::span<glm::vec4> out, const Owner& owner, const EffectSet& set);
+
+    struct Place {
+        Pack pack = nullptr;
+        int first = 0;
+        int vec4s = 0;
+    };
+    std::vector<Place> own;
+
+    /// Places so many vec4s at `next`, which moves behind them.
+    void place(Pack pack, int vec4s, int& next) {
+        own.push_back({pack, next, vec4s});
+        next += vec4s;
+    }
+
+    /// Returns the first vec4 of what a function packs; nothing where no effect has placed it.
+    std::optional<int> firstOf(Pack pack) const {
+        const auto found = std::ranges::find(own, pack, &Place::pack);
+        return found == own.end() ? std::nullopt : std::optional(found->first);
+    }
 };
 
 /// Says where one light's values lie in those of its group: the light's, its shadows' and its
@@ -38,11 +71,11 @@ struct ShadowLayout {
 
 /// The array `objectData`: a material's values, shared by all objects that have them. Where an
 /// object is comes to the vertices (render/instance.h).
-struct ObjectLayout : PartPlaces {
+struct ObjectLayout : PartPlaces, OwnData<Material> {
     static constexpr int surface = 0; ///< x: opacity; y: one over what the model does not pass
     static constexpr int fixed = 1;   ///< the model's values follow
     /// The rows that take (u, v, 1) to a place in the image, with its strength and its threshold in
-    /// their w (see packTextures).
+    /// their w.
     static constexpr int vec4sPerTexture = 2;
 
     std::optional<BlockPlace> model;
@@ -72,14 +105,13 @@ struct ObjectLayout : PartPlaces {
 /// The array `sceneData`: fog, ambient and lights, shared by all programs of a scene. The effects
 /// place their data from the last one to the first: lights, of which there may be any number, end
 /// it.
-struct SceneLayout : PartPlaces {
+struct SceneLayout : PartPlaces, OwnData<Scene> {
     static constexpr int ambient = 0;
     static constexpr int fixed = 1;
     /// What every driver offers in one block (16 KiB), and the most that is used of it (64 KiB).
     static constexpr int minCapacity = 1024;
     static constexpr int maxCapacity = 4096;
 
-    std::optional<int> hemisphere;  ///< index of three: sky, ground, the unit direction up
     std::vector<LightPlace> groups; ///< as EffectSet::lights; a group's header:
                                     ///< x: number of lights, y: index of the first one's values
     int firstLight = fixed;
@@ -96,7 +128,7 @@ struct EnvironmentLayout {
     static constexpr int harmonics = 9; ///< behind them: the light on a matte surface by its normal
 };
 
-/// The array `viewData`.
+/// Lays out the array `viewData`.
 struct ViewLayout {
     static constexpr int clip = 0; ///< four columns of the matrix from world to clip space
     static constexpr int eye = 4;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "shading/effects/effect_parts.h"
 
 namespace patina {
@@ -21,6 +24,10 @@ struct HemisphereEffect {
 
     friend bool operator==(const HemisphereEffect&, const HemisphereEffect&) = default;
 };
+
+/// Returns the first of the three vec4s of its data (the sky, the ground and the unit direction
+/// up); nothing where it is not in the program.
+std::optional<int> hemisphereData(const SceneLayout& layout);
 
 /// Declares and calls what the sky and the ground of the ambient light send to a surface.
 std::string hemisphereLight(SurfaceText& text);

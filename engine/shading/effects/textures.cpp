@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/trigonometric.hpp>
 
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
@@ -161,6 +163,34 @@ void listComputedTables(LeftOutListing& listing, const BlockUse& use, const Mate
     }
 }
 
+/// The rows that take (u, v, 1) to a place in the image: turned about the middle, scaled, moved.
+void packTexture(std::span<glm::vec4> out, const TextureUse& use, TextureRole role) {
+    const double angle = glm::radians(std::fmod(use.rotation, 360.0));
+    const glm::dvec2 turn(std::cos(angle), std::sin(angle));
+    const glm::dvec2 across = use.scale.x * turn;
+    const glm::dvec2 up = use.scale.y * glm::dvec2(-turn.y, turn.x);
+    const glm::dvec2 start =
+        0.5 * use.scale + use.offset - 0.5 * glm::dvec2(across.x + across.y, up.x + up.y);
+    const bool isShare = role == TextureRole::Input || role == TextureRole::Opacity;
+    const double strength = isShare ? std::clamp(use.strength, 0.0, 1.0) : use.strength;
+    out[0] = glm::vec4(across, start.x, strength);
+    out[1] = glm::vec4(up, start.y, use.threshold);
+}
+
+void packTextures(std::span<glm::vec4> out, const Material& material, const EffectSet& set) {
+    for (std::size_t i = 0; i < set.textures.size(); ++i) {
+        const BoundTexture& image = set.textures[i];
+        const TextureUse* use = image.in(material);
+        static const TextureUse nothing = [] {
+            TextureUse none;
+            none.strength = 0.0;
+            return none;
+        }();
+        packTexture(out.subspan(i * ObjectLayout::vec4sPerTexture, ObjectLayout::vec4sPerTexture),
+                    use == nullptr ? nothing : *use, image.role);
+    }
+}
+
 } // namespace
 
 TextureTarget textureTarget(std::string_view key, const TextureUse& use, const Material& material,
@@ -233,7 +263,7 @@ const TextureUse* BoundTexture::in(const Material& material) const {
 }
 
 bool BoundTexture::isColor() const {
-    return parameter != nullptr && parameter->type == ParameterType::Color;
+    return parameter != nullptr && infoOf(parameter->type).isColor;
 }
 
 BoundTexture boundTexture(const TextureUse& use, const TextureTarget& target) {
@@ -299,7 +329,8 @@ void TexturesEffect::listMissing(LeftOutListing& listing, const EffectSet& set) 
 
 void TexturesEffect::place(ObjectLayout& layout, const EffectSet&) const {
     layout.firstTexture = layout.vec4s;
-    layout.vec4s = layout.texture(textures.size());
+    layout.place(packTextures, ObjectLayout::vec4sPerTexture * static_cast<int>(textures.size()),
+                 layout.vec4s);
 }
 
 void TexturesEffect::remove(Scene& scene, const EffectName& effect, const Catalog&) {
