@@ -83,20 +83,51 @@ std::size_t strideFor(std::size_t places) {
     return stride;
 }
 
+/// Evenly spread ones, so many of all; `phase` from 0 to 1 says where between two the first one
+/// lies.
+template <class Item>
+std::vector<Item> thinned(std::vector<Item> all, std::size_t count, double phase) {
+    if (count >= all.size()) {
+        return all;
+    }
+    const double step = static_cast<double>(all.size()) / static_cast<double>(count);
+    std::vector<Item> few;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double place = (static_cast<double>(i) + phase) * step;
+        few.push_back(std::move(all[static_cast<std::size_t>(place)]));
+    }
+    return few;
+}
+
+/// So many places with each set of values, where the sweep is whole.
+constexpr std::size_t wholePlacesPerRow = 16;
+
 } // namespace
+
+/// Says what a program's share of a sweep is.
+struct StabilitySweep::Share {
+    std::size_t cases = 0;
+    double phase = 0.0; ///< of what is left out, between 0 and 1
+};
 
 /// One program's cases, numbered: every place with the variant's own values, then a few places,
 /// edge cases and ordinary ones, with every other row of values.
 class StabilitySweep::Variant {
   public:
-    Variant(const EvalCase& variant, const SweepOptions& options, std::size_t cases)
+    Variant(const EvalCase& variant, const SweepOptions& options, const Share& share)
         : options_(options), variant_(variant), rows_(sweepRows(variant)),
-          places_(edgeCasesOf(variant)), edgeCaseCount_(places_.size()),
-          placesPerRow_(std::clamp<std::size_t>(
-              cases / rows_.size(), std::min<std::size_t>(16, places_.size()), places_.size())),
-          stride_(strideFor(edgeCaseCount_)), checks_(variant) {
-        const auto ordinary = ordinaryPlacesOf(variant);
-        places_.insert(places_.end(), ordinary.begin(), ordinary.end());
+          places_(edgeCasesOf(variant)), ordinary_(ordinaryPlacesOf(variant)), checks_(variant) {
+        placesPerRow_ = std::min(wholePlacesPerRow, places_.size());
+        wholeCount_ = count();
+        if (!options.isWhole && share.cases < wholeCount_) {
+            thin(share);
+        } else {
+            placesPerRow_ = std::clamp(share.cases / rows_.size(), placesPerRow_, places_.size());
+        }
+        edgeCaseCount_ = places_.size();
+        stride_ = strideFor(edgeCaseCount_);
+        places_.insert(places_.end(), ordinary_.begin(), ordinary_.end());
+        ordinary_.clear();
     }
 
     /// Makes what evaluates, evaluates all cases, then tries the claims.
@@ -120,9 +151,33 @@ class StabilitySweep::Variant {
         return claims_ ? 0.5 * (values + claims_->progress()) : values;
     }
 
-    std::size_t count() const { return places_.size() + (rows_.size() - 1) * placesPerRow_; }
+    std::size_t count() const {
+        return places_.size() + ordinary_.size() + (rows_.size() - 1) * placesPerRow_;
+    }
+
+    std::size_t leftOut() const { return wholeCount_ > count() ? wholeCount_ - count() : 0; }
 
   private:
+    /// Half of the cases have the variant's own values, and half the other sets.
+    void thin(const Share& share) {
+        const std::size_t ownPlaces = std::max<std::size_t>(1, share.cases / 2);
+        const std::size_t furtherCases = share.cases - std::min(share.cases, ownPlaces);
+        const double ordinaryShare = static_cast<double>(ordinary_.size()) /
+                                     static_cast<double>(places_.size() + ordinary_.size());
+        const auto ordinaryOnes =
+            static_cast<std::size_t>(ordinaryShare * static_cast<double>(ownPlaces));
+        places_ = thinned(std::move(places_), ownPlaces - ordinaryOnes, share.phase);
+        ordinary_ = thinned(std::move(ordinary_), ordinaryOnes, share.phase);
+        const EvalCase own = rows_.front();
+        rows_.erase(rows_.begin());
+        rows_ = thinned(std::move(rows_), std::min(rows_.size(), furtherCases), share.phase);
+        placesPerRow_ =
+            rows_.empty() ? placesPerRow_
+                          : std::clamp<std::size_t>(furtherCases / rows_.size(), 1, placesPerRow_);
+        placesPerRow_ = std::min(placesPerRow_, places_.size());
+        rows_.insert(rows_.begin(), own);
+    }
+
     /// An error when neither the CPU nor the device can evaluate.
     Result<void> open(std::string& withoutReference, SweepReport& report) {
         if (options_.cpu) {
@@ -178,7 +233,7 @@ class StabilitySweep::Variant {
         }
         const std::size_t further = i - places_.size();
         const std::size_t ordinary = further / ordinaryEvery;
-        return further % ordinaryEvery == 0
+        return further % ordinaryEvery == 0 && places_.size() > edgeCaseCount_
                    ? places_[edgeCaseCount_ + ordinary % (places_.size() - edgeCaseCount_)]
                    : places_[(further - ordinary) * stride_ % edgeCaseCount_];
     }
@@ -286,10 +341,12 @@ class StabilitySweep::Variant {
     SweepOptions options_;
     EvalCase variant_;
     std::vector<EvalCase> rows_;
-    std::vector<EvalPlace> places_; ///< the edge cases, then ordinary ones
-    std::size_t edgeCaseCount_;
-    std::size_t placesPerRow_;
-    std::size_t stride_;
+    std::vector<EvalPlace> places_;   ///< the edge cases, then ordinary ones
+    std::vector<EvalPlace> ordinary_; ///< until they are among them
+    std::size_t edgeCaseCount_ = 0;
+    std::size_t placesPerRow_ = 0;
+    std::size_t wholeCount_ = 0; ///< of cases, where nothing is left out
+    std::size_t stride_ = 1;
     ValueChecks checks_;
     std::optional<ReferenceCode> code_;
     std::optional<EvalProgram> program_;
@@ -316,10 +373,23 @@ double StabilitySweep::progress() const {
 
 std::size_t StabilitySweep::plannedCases() const {
     std::size_t cases = 0;
-    for (const EvalCase& variant : variants_) {
-        cases += Variant(variant, options_, casesOfEach()).count();
+    for (std::size_t i = 0; i < variants_.size(); ++i) {
+        cases += Variant(variants_[i], options_, shareOf(i)).count();
     }
     return cases;
+}
+
+std::size_t StabilitySweep::leftOut() const {
+    std::size_t cases = 0;
+    for (std::size_t i = 0; i < variants_.size(); ++i) {
+        cases += Variant(variants_[i], options_, shareOf(i)).leftOut();
+    }
+    return cases;
+}
+
+StabilitySweep::Share StabilitySweep::shareOf(std::size_t index) const {
+    const std::size_t count = variants_.size();
+    return {options_.cases / count, static_cast<double>(index) / static_cast<double>(count)};
 }
 
 /// Program after program. A step makes one, or evaluates a slice of its cases.
@@ -328,7 +398,7 @@ Steps StabilitySweep::run() {
         if (done_ > 0) {
             co_yield Steps::Pause();
         }
-        current_ = std::make_unique<Variant>(variants_[done_], options_, casesOfEach());
+        current_ = std::make_unique<Variant>(variants_[done_], options_, shareOf(done_));
         co_await current_->run(withoutReference_, report_);
         current_.reset();
     }

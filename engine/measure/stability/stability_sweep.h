@@ -15,9 +15,11 @@ struct SweepOptions {
     bool cpu = true;
     bool gpu = true;   ///< an OpenGL context must be current while the sweep exists
     bool error = true; ///< compare the two where both are evaluated
-    /// About so many cases in all; at least every place once and 16 with each set of edge-case
-    /// values.
+    /// About so many cases in all.
     std::size_t cases = 300000;
+    /// Every edge case of each program, and 16 with each set of edge-case values, even where they
+    /// are more. Otherwise an even part of them, another one for each program.
+    bool isWhole = true;
     std::size_t slice = 1u << 14;  ///< cases of one step
     std::filesystem::path shaders; ///< the folder that holds lib/ and passes/
 };
@@ -35,11 +37,14 @@ class StabilitySweep {
 
     bool finished() const { return run_.isDone(); }
 
-    /// 0 .. 1.
+    /// Goes from 0 to 1.
     double progress() const;
 
     /// Returns how many cases it evaluates from beginning to end.
     std::size_t plannedCases() const;
+
+    /// Returns how many edge cases and sets of values it leaves out; 0 where it is whole.
+    std::size_t leftOut() const;
 
     /// Does one slice of the work: compiles at most one program.
     void step() { run_.step(); }
@@ -52,7 +57,8 @@ class StabilitySweep {
 
   private:
     class Variant;
-    std::size_t casesOfEach() const { return options_.cases / variants_.size(); }
+    struct Share;
+    Share shareOf(std::size_t index) const;
     Steps run();
 
     std::vector<EvalCase> variants_;
