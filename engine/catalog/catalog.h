@@ -28,7 +28,7 @@ struct Catalog {
     /// The block with that id, else the one that had it before; null where there is none.
     const Block* find(std::string_view kind, std::string_view id) const;
 
-    /// All blocks of one kind, sorted by label.
+    /// Returns all blocks of one kind, sorted by label.
     std::vector<const Block*> ofKind(std::string_view kind) const;
 
     friend bool operator==(const Catalog&, const Catalog&) = default;
@@ -46,7 +46,8 @@ std::vector<BlockRoot> standardBlockRoots();
 /// The folder that holds shaders/, presets/ and schemas/.
 std::filesystem::path dataFolder();
 
-/// Whether a file is one of the presets and scenes that ship, links and all.
+/// Tells whether a file is one of the presets and scenes that ship, links and all: of those that
+/// were there when the program first asked.
 bool isShippedPreset(const std::filesystem::path& file);
 
 /// The scene that a new document starts as.

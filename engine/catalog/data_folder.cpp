@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <set>
 
 namespace patina {
 namespace {
@@ -44,6 +47,29 @@ std::optional<fs::path> userFolder(const char* variable, const fs::path& belowHo
     return home ? std::optional(*home / belowHome / "patina") : std::nullopt;
 }
 
+bool isBelow(const fs::path& path, const fs::path& above) {
+    std::error_code noFolder;
+    const fs::path folder = fs::weakly_canonical(above, noFolder);
+    return !noFolder &&
+           std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+               folder.end();
+}
+
+/// What was below the folder when this was first asked: an author may add to it.
+const std::set<fs::path>& shippedFiles(const fs::path& presets) {
+    static std::mutex mutex;
+    static std::map<fs::path, std::set<fs::path>> known;
+    const std::lock_guard lock(mutex);
+    const auto [found, isNew] = known.try_emplace(presets);
+    if (isNew) {
+        std::error_code ignored; // of a folder that cannot be read: there are none
+        for (const auto& entry : fs::recursive_directory_iterator(presets, ignored)) {
+            found->second.insert(fs::weakly_canonical(entry.path(), ignored));
+        }
+    }
+    return found->second;
+}
+
 } // namespace
 
 std::optional<fs::path> xdgDataFolder() {
@@ -66,17 +92,10 @@ std::filesystem::path dataFolder() {
 bool isShippedPreset(const std::filesystem::path& file) {
     std::error_code circle; // of links, which leads nowhere
     const fs::path path = fs::weakly_canonical(file, circle);
-    const auto isBelow = [&path](const fs::path& above) {
-        std::error_code noFolder;
-        const fs::path folder = fs::weakly_canonical(above, noFolder);
-        return !noFolder &&
-               std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-                   folder.end();
-    };
     const auto own = xdgDataFolder(); // where Patina may be installed as well
     std::error_code status;
-    return !file.empty() && !circle && fs::is_regular_file(path, status) &&
-           isBelow(dataFolder() / "presets") && !(own && isBelow(*own));
+    return !file.empty() && !circle && shippedFiles(dataFolder() / "presets").contains(path) &&
+           fs::is_regular_file(path, status) && !(own && isBelow(path, *own));
 }
 
 std::filesystem::path defaultSceneFile() {
