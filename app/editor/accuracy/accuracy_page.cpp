@@ -35,6 +35,34 @@ std::unique_ptr<KeptResults> keptCharts(const ChartTarget& target, MessageLog& m
     return std::make_unique<KeptCharts>(isOfPicture ? "picture" : "material", messages);
 }
 
+/// In the worker's thread; `take` is called in the window's.
+MeasureEnd sweepCosts(const CostSweep::Subject& subject, const CostSweep::Options& options,
+                      Worker::Control& control, const std::function<void(const CostChart&)>& take) {
+    const auto sweep = CostSweep::create(subject, options);
+    if (!sweep) {
+        return endOf(false, {sweep.error()});
+    }
+    const auto show = [&] {
+        if (!(*sweep)->chart().points.empty()) {
+            control.show([take, chart = (*sweep)->chart()] { take(chart); });
+        }
+    };
+    std::size_t shown = 0;
+    std::size_t told = 0;
+    while (!(*sweep)->finished() && !control.isCancelled()) {
+        (*sweep)->step(sweepSlice);
+        const SweepStep step = (*sweep)->doing();
+        const bool isAnother = step.of > 1 && std::exchange(told, step.number) != step.number;
+        control.tell(step.progress(), stepText(step, (*sweep)->chart()), isAnother);
+        const std::size_t points = (*sweep)->chart().points.size();
+        if (std::exchange(shown, points) != points) {
+            show();
+        }
+    }
+    show();
+    return endOf((*sweep)->finished(), (*sweep)->problems());
+}
+
 } // namespace
 
 AccuracyPage::AccuracyPage(const DockContext& context, std::unique_ptr<ChartTarget> target,
@@ -113,39 +141,12 @@ void AccuracyPage::measure(CostSweep::Options options) {
     options.scope = target_->scope();
     options.present = target_->levels(target_->choices());
     select(-1);
-    start([this, subject = costSubject(), options = std::move(options)](Worker::Control& control) {
-        return sweep(subject, options, control);
-    });
-}
-
-/// In the worker's thread.
-MeasureEnd AccuracyPage::sweep(const CostSweep::Subject& subject, const CostSweep::Options& options,
-                               Worker::Control& control) {
-    const auto sweep = CostSweep::create(subject, options);
-    if (!sweep) {
-        return endOf(false, {sweep.error()});
-    }
-    const auto show = [&] {
-        if (!(*sweep)->chart().points.empty()) {
-            control.show([this, camera = subject.camera, chart = (*sweep)->chart()] {
-                takeChart(camera, chart);
-            });
-        }
+    CostSweep::Subject subject = costSubject();
+    const auto take = [this, camera = subject.camera](const CostChart& chart) {
+        takeChart(camera, chart);
     };
-    std::size_t shown = 0;
-    std::size_t told = 0;
-    while (!(*sweep)->finished() && !control.isCancelled()) {
-        (*sweep)->step(sweepSlice);
-        const SweepStep step = (*sweep)->doing();
-        const bool isAnother = step.of > 1 && std::exchange(told, step.number) != step.number;
-        control.tell(step.progress(), stepText(step, (*sweep)->chart()), isAnother);
-        const std::size_t points = (*sweep)->chart().points.size();
-        if (std::exchange(shown, points) != points) {
-            show();
-        }
-    }
-    show();
-    return endOf((*sweep)->finished(), (*sweep)->problems());
+    start([subject = std::move(subject), options = std::move(options),
+           take](Worker::Control& control) { return sweepCosts(subject, options, control, take); });
 }
 
 void AccuracyPage::takeChart(const Camera& camera, const CostChart& chart) {

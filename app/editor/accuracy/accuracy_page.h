@@ -57,8 +57,6 @@ class AccuracyPage : public MeasurePage {
     void connectParts();
     void select(int point);
     void showSelected();
-    MeasureEnd sweep(const CostSweep::Subject& subject, const CostSweep::Options& options,
-                     Worker::Control& control);
     void takeChart(const Camera& camera, const CostChart& chart);
     /// A point of the chart; null where the target has not the chart's choices.
     const CostPoint* pointAt(int point) const;

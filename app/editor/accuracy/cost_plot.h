@@ -29,7 +29,7 @@ class CostPlot : public PlotWidget {
     /// Returns where a point is drawn, in this widget.
     QPoint placeOf(int point) const;
 
-    /// The chart as files.
+    /// Returns the chart as files.
     QByteArray png(const ChartHeading& heading = {}) const;
     QByteArray svg(const ChartHeading& heading = {}) const;
 

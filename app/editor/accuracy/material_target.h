@@ -9,7 +9,7 @@ class CompareArea;
 class Comparison;
 class Document;
 
-/// The active material of the current object.
+/// Measures the active material of the current object.
 class MaterialTarget : public ChartTarget {
   public:
     /// `views` show what is compared.

@@ -19,7 +19,7 @@ class MeasureBar : public QWidget {
     /// `what` says what starting measures; `endings` are those of the files it can be exported to.
     MeasureBar(const QString& what, const QStringList& endings, QWidget* parent = nullptr);
 
-    /// A button before that of the export.
+    /// Puts a button before that of the export.
     void addButton(QToolButton* button);
     /// Long sentences take a second line, for which there is room from now on.
     void giveTwoLines();

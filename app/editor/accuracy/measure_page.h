@@ -60,7 +60,8 @@ class MeasurePage : public QWidget {
     /// measure.
     bool canStart() const;
     /// Begins with what costSubject() is now, where it can. In the worker's thread a context is
-    /// current.
+    /// current. `measure` does not use the page there, whose own part may be gone by the end of it:
+    /// what it shows (Worker::Control::show) may.
     void start(std::function<MeasureEnd(Worker::Control&)> measure);
     CostSweep::Subject costSubject();
 

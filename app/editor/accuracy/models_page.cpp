@@ -30,6 +30,36 @@ QString methodOf(const ModelRanking& ranking) {
              QString::fromStdString(ranking.timer()));
 }
 
+using TakeCosts = std::function<void(const std::vector<ModelCost>&, const QString& method)>;
+
+/// In the worker's thread; `take` is called in the window's.
+MeasureEnd rankModels(const CostSweep::Subject& subject, const CostSweep::Options& options,
+                      Worker::Control& control, const TakeCosts& take) {
+    const auto ranking = ModelRanking::create(subject, options);
+    if (!ranking) {
+        return endOf(false, {ranking.error()});
+    }
+    const auto show = [&] {
+        std::vector<ModelCost> costs = (*ranking)->costs();
+        if (!costs.empty()) {
+            control.show([take, costs = std::move(costs), method = methodOf(**ranking)] {
+                take(costs, method);
+            });
+        }
+    };
+    std::size_t number = 0;
+    while (!(*ranking)->finished() && !control.isCancelled()) {
+        (*ranking)->step();
+        const ModelRanking::Turn turn = (*ranking)->turn();
+        control.tell((*ranking)->progress(), turnText(turn));
+        if (std::exchange(number, turn.number) != turn.number) {
+            show();
+        }
+    }
+    show();
+    return endOf((*ranking)->finished(), (*ranking)->problems());
+}
+
 } // namespace
 
 ModelsPage::ModelsPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
@@ -52,37 +82,12 @@ void ModelsPage::measure(CostSweep::Options options) {
         return;
     }
     options.programCache = programFolder();
-    start([this, subject = costSubject(), options = std::move(options)](Worker::Control& control) {
-        return rank(subject, options, control);
-    });
-}
-
-/// In the worker's thread.
-MeasureEnd ModelsPage::rank(const CostSweep::Subject& subject, const CostSweep::Options& options,
-                            Worker::Control& control) {
-    const auto ranking = ModelRanking::create(subject, options);
-    if (!ranking) {
-        return endOf(false, {ranking.error()});
-    }
-    const auto show = [&] {
-        std::vector<ModelCost> costs = (*ranking)->costs();
-        if (!costs.empty()) {
-            control.show([this, costs = std::move(costs), method = methodOf(**ranking)] {
-                take(costs, method);
-            });
-        }
+    const TakeCosts taken = [this](const std::vector<ModelCost>& costs, const QString& method) {
+        take(costs, method);
     };
-    std::size_t number = 0;
-    while (!(*ranking)->finished() && !control.isCancelled()) {
-        (*ranking)->step();
-        const ModelRanking::Turn turn = (*ranking)->turn();
-        control.tell((*ranking)->progress(), turnText(turn));
-        if (std::exchange(number, turn.number) != turn.number) {
-            show();
-        }
-    }
-    show();
-    return endOf((*ranking)->finished(), (*ranking)->problems());
+    start([subject = costSubject(), options = std::move(options), taken](Worker::Control& control) {
+        return rankModels(subject, options, control, taken);
+    });
 }
 
 /// Every model comes with its defaults: the object's own material does not matter.

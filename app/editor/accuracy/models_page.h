@@ -30,9 +30,6 @@ class ModelsPage : public MeasurePage {
     QByteArray bytesFor(const QString& ending) const override;
 
   private:
-    MeasureEnd rank(const CostSweep::Subject& subject, const CostSweep::Options& options,
-                    Worker::Control& control);
-
     ModelList* list_;
 };
 

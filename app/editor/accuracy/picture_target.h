@@ -9,7 +9,7 @@ class CompareArea;
 class Comparison;
 class Document;
 
-/// The picture of the scene, whatever its materials.
+/// Measures the picture of the scene, whatever its materials.
 class PictureTarget : public ChartTarget {
   public:
     /// `views` show what is compared.

@@ -34,6 +34,28 @@ QString methodOf(const ScalingSweep& sweep, int edge) {
         .arg(edge);
 }
 
+using TakeCurves = std::function<void(const std::vector<ScalingCurve>&, const QString& method)>;
+
+/// In the worker's thread; `take` is called in the window's.
+MeasureEnd sweepScaling(const CostSweep::Subject& subject, const ScalingSweep::Options& options,
+                        Worker::Control& control, const TakeCurves& take) {
+    const auto sweep = ScalingSweep::create(subject, options);
+    if (!sweep) {
+        return endOf(false, {sweep.error()});
+    }
+    int shown = 0;
+    while (!(*sweep)->finished() && !control.isCancelled()) {
+        (*sweep)->step();
+        control.tell((*sweep)->progress(), turnText((*sweep)->turn()));
+        if ((*sweep)->rounds() != shown) {
+            shown = (*sweep)->rounds();
+            control.show([take, curves = (*sweep)->curves(),
+                          method = methodOf(**sweep, options.edge)] { take(curves, method); });
+        }
+    }
+    return endOf((*sweep)->finished(), (*sweep)->problems());
+}
+
 } // namespace
 
 ScalingPage::ScalingPage(const DockContext& context, std::shared_ptr<MeasureTurn> turn)
@@ -61,29 +83,11 @@ void ScalingPage::measure(ScalingSweep::Options options) {
         return;
     }
     options.programCache = programFolder();
-    start([this, subject = costSubject(), options = std::move(options)](Worker::Control& control) {
-        return sweep(subject, options, control);
+    const TakeCurves taken = [this](const std::vector<ScalingCurve>& curves,
+                                    const QString& method) { take(curves, method); };
+    start([subject = costSubject(), options = std::move(options), taken](Worker::Control& control) {
+        return sweepScaling(subject, options, control, taken);
     });
-}
-
-/// In the worker's thread.
-MeasureEnd ScalingPage::sweep(const CostSweep::Subject& subject,
-                              const ScalingSweep::Options& options, Worker::Control& control) {
-    const auto sweep = ScalingSweep::create(subject, options);
-    if (!sweep) {
-        return endOf(false, {sweep.error()});
-    }
-    int shown = 0;
-    while (!(*sweep)->finished() && !control.isCancelled()) {
-        (*sweep)->step();
-        control.tell((*sweep)->progress(), turnText((*sweep)->turn()));
-        if ((*sweep)->rounds() != shown) {
-            shown = (*sweep)->rounds();
-            control.show([this, curves = (*sweep)->curves(),
-                          method = methodOf(**sweep, options.edge)] { take(curves, method); });
-        }
-    }
-    return endOf((*sweep)->finished(), (*sweep)->problems());
 }
 
 MeasuredSubject ScalingPage::subject() const {

@@ -31,9 +31,6 @@ class ScalingPage : public MeasurePage {
     QByteArray bytesFor(const QString& ending) const override;
 
   private:
-    MeasureEnd sweep(const CostSweep::Subject& subject, const ScalingSweep::Options& options,
-                     Worker::Control& control);
-
     QWidget* plots_;
     std::array<GrowthPlot*, 3> plot_; ///< by ScalingCurve::Axis
 };
