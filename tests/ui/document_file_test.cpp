@@ -73,6 +73,16 @@ TEST_F(DocumentFile_, PresetThatKeepsParkedValues_HasThemWhenItIsOpened) {
     EXPECT_EQ(fixture.number("roughness"), 0.75);
 }
 
+TEST_F(DocumentFile_, PresetThatHasParkedValues_KeepsThemWhenItIsWrittenAnew) {
+    document.setValue(fixture.model(), "roughness", 0.75);
+    document.setModel(Side::A, "second");
+    fixture.files.setKeepsParked(true);
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
+    fixture.files.setKeepsParked(false);
+    ASSERT_TRUE(fixture.files.savePreset(folder / "a.patina.json", Side::A));
+    EXPECT_NE(readFile(folder / "a.patina.json").find("roughness"), std::string::npos);
+}
+
 TEST_F(DocumentFile_, CopyOfUnsavedWork_HasTheValuesOfTheFormerModel) {
     document.setValue(fixture.model(), "roughness", 0.75);
     document.setModel(Side::A, "second");
