@@ -8,6 +8,7 @@
 
 #include "catalog/descriptor.h"
 #include "catalog/descriptor_checks.h"
+#include "catalog/kind_checks.h"
 #include "catalog/shader_names.h"
 #include "catalog/suggestion.h"
 
@@ -70,6 +71,16 @@ Errors missingRoots(std::span<const BlockRoot> roots) {
     return errors;
 }
 
+Errors kindMistakes() {
+    Errors errors;
+    for (const BlockKind& kind : blockKinds()) {
+        if (std::string mistake = kindMistake(kind); !mistake.empty()) {
+            errors.push_back({"", 0, 0, std::move(mistake), "Incidence, or a struct of fields"});
+        }
+    }
+    return errors;
+}
+
 /// Reads root after root into one catalogue.
 class Loader {
   public:
@@ -77,6 +88,7 @@ class Loader {
 
     Catalog run(std::span<const BlockRoot> roots) {
         catalog_.roots.assign(roots.begin(), roots.end());
+        catalog_.errors = kindMistakes();
         for (const BlockRoot& root : roots) {
             readRoot(root);
         }

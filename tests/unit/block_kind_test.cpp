@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -7,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "catalog/block_kind.h"
+#include "catalog/kind_checks.h"
 
 namespace patina::tests::block_kind_test {
 namespace {
@@ -33,6 +34,18 @@ TEST(BlockKinds, PartsOfAnOwner_AreThoseItMayDoWithout) {
     EXPECT_EQ(std::set<std::string_view>(parts.begin(), parts.end()),
               (std::set{kinds::fog, kinds::transparency, kinds::environment}));
     EXPECT_EQ(partKinds(BlockOwner::Light).size(), 1u);
+}
+
+TEST(BlockKinds, SecondFunctionOfDirections_IsRefusedByItsName) {
+    constexpr BlockFunction own{"", "vec3", "Directions", "d"};
+    constexpr BlockFunction tail{"Tail", "vec3", "Directions", "d"};
+    constexpr BlockFunction tint{"Tint", "vec3"};
+    constexpr std::array sound{own, tint};
+    constexpr std::array broken{own, tail};
+    BlockKind kind{.folder = "tried", .functions = sound};
+    EXPECT_EQ(kindMistake(kind), "");
+    kind.functions = broken;
+    EXPECT_NE(kindMistake(kind).find("\"Tail\" of Directions"), std::string::npos);
 }
 
 /// Other programs check files by the schemas alone.

@@ -136,9 +136,7 @@ std::optional<Subject> subjectOf(const BlockFunction& function) {
 std::vector<const BlockFunction*> evaluatedFunctions(const BlockKind& kind) {
     std::vector<const BlockFunction*> functions;
     for (const BlockFunction& function : kind.functions) {
-        // The double-precision code of directions is the block's own function alone.
-        const auto subject = subjectOf(function);
-        if (subject && (*subject != Subject::Model || function.suffix.empty())) {
+        if (subjectOf(function)) {
             functions.push_back(&function);
         }
     }
