@@ -124,7 +124,7 @@ class Checker : DescriptorChecker {
         if (infoOf(parameter.type).hasRange) {
             checkRange(parameter, pointer);
         }
-        if (parameter.type == ParameterType::Enum) {
+        if (infoOf(parameter.type).isChoice) {
             checkValues(parameter.values, pointer + "/values");
         } else if (has(pointer + "/values")) {
             add(pointer + "/values", "only an enum has values", "no such key");
@@ -139,7 +139,7 @@ class Checker : DescriptorChecker {
         if (parameter.space != Space::None && parameter.type != ParameterType::Vec3) {
             add(pointer + "/space", "only a vec3 lies in a space", "no such key");
         }
-        if (parameter.emission && parameter.type != ParameterType::Color) {
+        if (parameter.emission && !infoOf(parameter.type).isColor) {
             add(pointer + "/emission", "only a colour can be emitted", "no such key");
         }
         checkTexture(parameter, pointer);
@@ -163,7 +163,7 @@ class Checker : DescriptorChecker {
         if (parameter.textureChannels.empty() || isOfSettings()) {
             return;
         }
-        if ((parameter.type != ParameterType::Float && parameter.type != ParameterType::Color) ||
+        if (!infoOf(parameter.type).takesImage ||
             (parameter.compiled != Compiled::No && parameter.compiled != Compiled::WhenEqual)) {
             add(pointer + "/texture",
                 "only a float or a colour that is not compiled in takes an image", "no such key");
@@ -202,7 +202,7 @@ class Checker : DescriptorChecker {
         constexpr double largest = 1 << 24;
         for (const auto& [key, value] :
              {std::pair{"/min", parameter.min}, {"/max", parameter.max}}) {
-            if (parameter.type == ParameterType::Int && std::abs(value) > largest) {
+            if (infoOf(parameter.type).isWhole && std::abs(value) > largest) {
                 add(pointer + key, "a float cannot hold every whole number of this size",
                     "a number from -16777216 to 16777216");
             }
@@ -253,7 +253,7 @@ class Checker : DescriptorChecker {
 
     void checkDefault(const Parameter& parameter, const std::string& pointer) {
         const Json* json = member(pointer, "default");
-        const bool isChosen = parameter.type == ParameterType::Enum;
+        const bool isChosen = infoOf(parameter.type).isChoice;
         if (json == nullptr || !has(pointer + "/type") || (isChosen && parameter.values.empty())) {
             return;
         }
@@ -336,7 +336,7 @@ class Checker : DescriptorChecker {
                 "a number, a bool or an enum");
         } else if (!isComparable(*left, comparison.right)) {
             add(pointer, fmt::format("'{}' is nothing '{}' can be", comparison.right, left->id),
-                left->type == ParameterType::Enum ? oneOf(comparison.right, idsOf(left->values))
+                infoOf(left->type).isChoice ? oneOf(comparison.right, idsOf(left->values))
                                                   : "a number, true, false or a parameter");
         }
     }
@@ -345,7 +345,7 @@ class Checker : DescriptorChecker {
         if (right.empty() || block_.parameter(right) != nullptr) {
             return true;
         }
-        if (left.type == ParameterType::Enum) {
+        if (infoOf(left.type).isChoice) {
             const std::vector<std::string> ids = idsOf(left.values);
             return std::find(ids.begin(), ids.end(), right) != ids.end();
         }

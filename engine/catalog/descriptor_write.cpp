@@ -106,7 +106,7 @@ Json parameterJson(const Parameter& parameter) {
     if (infoOf(parameter.type).hasRange) {
         addRange(json, parameter);
     }
-    if (parameter.type == ParameterType::Enum) {
+    if (infoOf(parameter.type).isChoice) {
         json["values"] = arrayOf(parameter.values, choiceJson);
     }
     if (const auto& physical = parameter.physical) {

@@ -56,7 +56,7 @@ class NeutralChecker : DescriptorChecker {
             return &choice->values;
         }
         const Parameter* parameter = block_.parameter(id);
-        return parameter != nullptr && parameter->type == ParameterType::Enum ? &parameter->values
+        return parameter != nullptr && infoOf(parameter->type).isChoice ? &parameter->values
                                                                               : nullptr;
     }
 

@@ -16,7 +16,7 @@ int componentCount(ParameterType type) {
 }
 
 std::vector<std::string> componentNames(const Parameter& parameter) {
-    if (parameter.type != ParameterType::Vec2 && parameter.type != ParameterType::Vec3) {
+    if (!infoOf(parameter.type).hasAxes) {
         return {};
     }
     std::vector<std::string> names{"x", "y", "z"};

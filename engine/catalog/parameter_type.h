@@ -56,6 +56,13 @@ struct ParameterTypeInfo {
     bool needsRange = true;          ///< its descriptor must give them
     bool isContinuous = true;        ///< a small change of a number is a small one of the picture
     bool isAlwaysCompiled = false;   ///< the state of a value is part of the program
+    bool isWhole = false;            ///< its numbers have no fraction
+    bool isAngle = false;            ///< in degrees, of which the shader has radians
+    bool isColor = false;            ///< a value is linear light
+    bool isChoice = false;           ///< a value is the id of one of Parameter::values
+    bool isFile = false;             ///< a value names a file, and is kept with the images
+    bool hasAxes = false;            ///< its numbers have names, which a descriptor may change
+    bool takesImage = false;         ///< an image may drive it
     double step = 0.01;              ///< where the descriptor does not say
     int decimals = 3;
     std::string_view unit{};

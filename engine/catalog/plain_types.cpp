@@ -197,7 +197,7 @@ Vector vectorOf(Numbers numbers) {
 template <class Vector>
 ValueReading vectorFromJson(const Parameter& parameter, const Json& json) {
     if (!areNumbers(json, sizeOf<Vector>)) {
-        return wrong(json, parameter.type == ParameterType::Color
+        return wrong(json, infoOf(parameter.type).isColor
                                ? "a colour: an array of 3 numbers, linear red, green and blue"
                                : fmt::format("an array of {} numbers", sizeOf<Vector>));
     }
@@ -269,6 +269,7 @@ template <class Vector>
 ParameterTypeInfo vectorInfo(std::string_view word) {
     ParameterTypeInfo info;
     info.word = word;
+    info.hasAxes = true;
     info.components = Vector::length();
     info.glsl = info.cpp = Vector::length() == 2 ? "vec2" : "vec3";
     info.fromJson = &vectorFromJson<Vector>;
@@ -352,6 +353,7 @@ const ParameterTypeInfo& infoOfFloat() {
         ParameterTypeInfo row = numberInfo();
         row.word = "float";
         row.needsRange = false;
+        row.takesImage = true;
         return row;
     }();
     return info;
@@ -365,6 +367,7 @@ const ParameterTypeInfo& infoOfAngle() {
         row.decimals = 1;
         row.unit = "\u00b0";
         row.pack = &packAngle;
+        row.isAngle = true;
         return row;
     }();
     return info;
@@ -385,6 +388,7 @@ const ParameterTypeInfo& infoOfInt() {
         row.pack = &packWhole;
         row.edgeCases = &edgeCaseWholes;
         row.ordinary = &ordinaryWhole;
+        row.isWhole = true;
         return row;
     }();
     return info;
@@ -432,6 +436,8 @@ const ParameterTypeInfo& infoOfColor() {
         row.needsRange = false;
         row.fromText = &colorFromText;
         row.expected = &expectedColor;
+        row.isColor = row.takesImage = true;
+        row.hasAxes = false;
         return row;
     }();
     return info;
@@ -465,6 +471,7 @@ const ParameterTypeInfo& infoOfEnum() {
             return state < parameter.values.size() ? std::string_view(parameter.values[state].id)
                                                    : std::string_view();
         };
+        row.isChoice = true;
         return row;
     }();
     return info;
@@ -486,6 +493,7 @@ const ParameterTypeInfo& infoOfTexture() {
         row.ordinary = [](const Parameter& parameter, const Next&) {
             return parameter.defaultValue;
         };
+        row.isFile = true;
         return row;
     }();
     return info;

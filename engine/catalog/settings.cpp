@@ -89,7 +89,7 @@ class SettingsReader {
         if (!value) {
             return;
         }
-        if (parameter.type == ParameterType::Enum) {
+        if (infoOf(parameter.type).isChoice) {
             readChoice(reader, key, parameter, std::get<std::string>(*value));
             return;
         }
@@ -155,7 +155,7 @@ nlohmann::json readSettings(JsonReader& reader, const Block& block, Errors& note
                             const StoreSetting& store) {
     SettingsReader settings(reader, notes, store);
     for (const Parameter& parameter : block.parameters) {
-        if (parameter.type != ParameterType::Texture) {
+        if (!infoOf(parameter.type).isFile) {
             settings.read(parameter);
         }
     }
@@ -166,7 +166,7 @@ void writeSettings(nlohmann::json& json, const Block& block,
                    const std::function<std::optional<Value>(std::string_view id)>& held) {
     for (const Parameter& parameter : block.parameters) {
         const std::optional<Value> value =
-            parameter.type == ParameterType::Texture ? std::nullopt : held(parameter.id);
+            infoOf(parameter.type).isFile ? std::nullopt : held(parameter.id);
         if (!value) {
             continue;
         }

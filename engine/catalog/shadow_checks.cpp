@@ -13,7 +13,7 @@ bool hasSpace(const Block& block, Space world, Space camera) {
 
 bool hasAngle(const Block& block) {
     return std::any_of(block.parameters.begin(), block.parameters.end(),
-                       [](const Parameter& p) { return p.type == ParameterType::Angle; });
+                       [](const Parameter& p) { return infoOf(p.type).isAngle; });
 }
 
 } // namespace

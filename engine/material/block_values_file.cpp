@@ -139,7 +139,7 @@ class ValuesReader {
     /// A choice that is not known may be one of a later version: it is parked, the default used.
     Value refused(const Parameter& parameter, const std::string& id, const Json& json,
                   const ValueError& why) {
-        if (parameter.type == ParameterType::Enum && json.is_string()) {
+        if (infoOf(parameter.type).isChoice && json.is_string()) {
             note(id,
                  fmt::format("\"{}\" is no choice of \"{}\"; the default is used",
                              json.get<std::string>(), id),

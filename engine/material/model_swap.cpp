@@ -108,7 +108,7 @@ bool isBlack(const Material& material, const Parameter& parameter) {
 /// Nothing is to be seen of it, whatever the light.
 bool isDark(const Material& material, const Block& model) {
     const auto shows = [&](const Parameter& parameter) {
-        return parameter.type == ParameterType::Color && !isBlack(material, parameter);
+        return infoOf(parameter.type).isColor && !isBlack(material, parameter);
     };
     const auto isFilled = [&](const Slot& slot) {
         return slot.defaultBlock.empty() && material.part(slot.kind) != nullptr;
@@ -122,7 +122,7 @@ void bringBack(const Json& black, Material& material, const Block& model) {
     const Values usual = defaultBlockValues(model).parameters;
     for (const auto& [id, value] : black.items()) {
         const Parameter* parameter = model.parameter(id);
-        if (parameter != nullptr && parameter->type == ParameterType::Color &&
+        if (parameter != nullptr && infoOf(parameter->type).isColor &&
             material.model.parameters[id] == usual.at(id)) {
             material.model.parameters[id] = glm::dvec3(0.0);
         }
@@ -134,7 +134,7 @@ Json lighten(Material& material, const Block& model) {
     Json black = Json::object();
     for (const Parameter& parameter : model.parameters) {
         const Value usual = roundedToFloat(parameter.defaultValue);
-        if (parameter.type == ParameterType::Color && !parameter.emission &&
+        if (infoOf(parameter.type).isColor && !parameter.emission &&
             isBlack(material, parameter) && usual != Value(glm::dvec3(0.0))) {
             black[parameter.id] = {0.0, 0.0, 0.0};
             material.model.parameters[parameter.id] = usual;

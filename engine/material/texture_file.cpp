@@ -56,7 +56,7 @@ class TextureReader {
             return;
         }
         const ValueReading value = valueFromJson(setting, *json);
-        if (!value && setting.type == ParameterType::Enum && json->is_string()) {
+        if (!value && infoOf(setting.type).isChoice && json->is_string()) {
             note(setting.id,
                  fmt::format("\"{}\" is no choice of \"{}\"; the usual one is used",
                              json->get<std::string>(), setting.id),

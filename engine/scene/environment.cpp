@@ -20,7 +20,7 @@ const std::string* textOf(const BlockValues& values, const Parameter& parameter)
 const Parameter* pictureParameter(const Block& environment) {
     const auto found =
         std::find_if(environment.parameters.begin(), environment.parameters.end(),
-                     [](const Parameter& p) { return p.type == ParameterType::Texture; });
+                     [](const Parameter& p) { return infoOf(p.type).isFile; });
     return found == environment.parameters.end() ? nullptr : &*found;
 }
 

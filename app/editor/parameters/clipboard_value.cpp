@@ -37,7 +37,7 @@ std::optional<Value> interpreted(const Parameter& parameter, std::string_view te
     if (auto value = infoOf(parameter.type).fromText(parameter, text)) {
         return value;
     }
-    if (parameter.type == ParameterType::Color) { // hex without its "#"
+    if (infoOf(parameter.type).isColor) { // hex without its "#"
         const auto color = colorOfHex(trimmed(text, "# \t"));
         return color ? std::optional<Value>(*color) : std::nullopt;
     }

@@ -77,7 +77,7 @@ void NumberEdit::ask(double wanted) {
     if (!std::isfinite(wanted)) {
         return;
     }
-    const bool isWhole = parameter_.type == ParameterType::Int;
+    const bool isWhole = infoOf(parameter_.type).isWhole;
     const double number = isWhole ? std::round(wanted) : wanted;
     const QScopedValueRollback<bool> asking(isAsking_, true);
     Q_EMIT edited(std::clamp(number, parameter_.min, parameter_.max));
@@ -88,7 +88,7 @@ void NumberEdit::step(double steps) {
         Q_EMIT interactionBegan();
     }
     stepping_.start();
-    const bool isWhole = parameter_.type == ParameterType::Int;
+    const bool isWhole = infoOf(parameter_.type).isWhole;
     const double whole =
         steps < 0.0 ? std::min(-1.0, std::round(steps)) : std::max(1.0, std::round(steps));
     ask(range_.stepped(value_, isWhole ? whole : steps));

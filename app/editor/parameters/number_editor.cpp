@@ -33,7 +33,7 @@ NumberEditor::NumberEditor(const Parameter& parameter, QWidget* parent)
 }
 
 Value NumberEditor::valueOf(double number) const {
-    const bool isWhole = parameter().type == ParameterType::Int;
+    const bool isWhole = infoOf(parameter().type).isWhole;
     return isWhole ? Value(static_cast<int>(std::lround(number))) : Value(number);
 }
 

@@ -203,7 +203,7 @@ void ParameterRow::presentTexture(bool takes, const std::optional<TextureUse>& u
     takesTextures_ = takes;
     textureLine_->present(use, preview);
     textureLine_->setVisible(takes && !isFolded());
-    const bool hasEditor = parameter().type != ParameterType::Texture;
+    const bool hasEditor = !infoOf(parameter().type).isFile;
     pair_->setDirection(use && hasEditor ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     pair_->setStretchFactor(editor_, hasEditor ? 1 : 0);
     pair_->setAlignment(textureLine_, use ? Qt::Alignment() : Qt::AlignLeft);

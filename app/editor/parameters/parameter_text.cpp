@@ -56,7 +56,7 @@ struct Shower {
         return withUnit(number(v.x, parameter) + ", " + number(v.y, parameter), parameter);
     }
     QString operator()(const glm::dvec3& v) const {
-        if (parameter.type == ParameterType::Color) {
+        if (infoOf(parameter.type).isColor) {
             return text(hexOf(v));
         }
         const QStringList numbers{number(v.x, parameter), number(v.y, parameter),
@@ -67,8 +67,8 @@ struct Shower {
 
 /// Tells whether the range of a type tells more than the editor shows.
 bool tellsRange(ParameterType type) {
-    return infoOf(type).hasRange && infoOf(type).function == nullptr &&
-           type != ParameterType::Color;
+    const ParameterTypeInfo& info = infoOf(type);
+    return info.hasRange && info.function == nullptr && !info.isColor;
 }
 
 QString paragraph(const QString& text) {
@@ -134,14 +134,14 @@ QString shownValue(const Parameter& parameter, const Value& value) {
 QString tooltipOf(const Parameter& parameter) {
     QString tip = "<b>" + escaped(parameter.label) + "</b>";
     tip += paragraph(escaped(parameter.doc));
-    if (parameter.type == ParameterType::Enum) {
+    if (infoOf(parameter.type).isChoice) {
         tip += choicesText(parameter);
     }
     QStringList facts;
     if (tellsRange(parameter.type)) {
         facts << rangeText(parameter);
     }
-    if (parameter.type != ParameterType::Texture) {
+    if (!infoOf(parameter.type).isFile) {
         facts
             << tr("Default %1").arg(shownValue(parameter, parameter.defaultValue)).toHtmlEscaped();
     }

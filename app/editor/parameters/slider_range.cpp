@@ -21,7 +21,7 @@ SliderRange::SliderRange(const Parameter& parameter)
     : lower_(parameter.softMin), upper_(parameter.softMax), softMin_(parameter.softMin),
       softMax_(parameter.softMax), min_(parameter.min), max_(parameter.max),
       step_(parameter.step > 0.0 ? parameter.step : 0.01),
-      isWhole_(parameter.type == ParameterType::Int), scale_(parameter.scale) {
+      isWhole_(infoOf(parameter.type).isWhole), scale_(parameter.scale) {
     if (!(softMin_ < softMax_)) { // no slider to speak of; any length will do
         upper_ = softMax_ = softMin_ + 1.0;
     }

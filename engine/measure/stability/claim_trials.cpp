@@ -191,7 +191,7 @@ Trials claimTrials(const EvalCase& variant) {
 EvalCase brightest(EvalCase request) {
     for (EvalBlock* block : {&request.block, &request.slot}) {
         for (auto& [id, value] : block->values) {
-            if (block->block->parameter(id)->type == ParameterType::Color) {
+            if (infoOf(block->block->parameter(id)->type).isColor) {
                 value = glm::dvec3(block->block->parameter(id)->max);
             }
         }

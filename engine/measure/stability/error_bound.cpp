@@ -43,7 +43,7 @@ double moved(const Parameter& parameter, double x, double sign) {
     if (infoOf(parameter.type).function != nullptr) {
         return next;
     }
-    const bool angle = parameter.type == ParameterType::Angle;
+    const bool angle = infoOf(parameter.type).isAngle;
     const double low = angle ? glm::radians(parameter.min) : parameter.min;
     const double high = angle ? glm::radians(parameter.max) : parameter.max;
     return std::clamp(next, low, high);

@@ -32,7 +32,7 @@ const std::vector<EnumValue>* choicesOf(const ParameterField& field) {
     if (field.choice != nullptr) {
         return &field.choice->values;
     }
-    return field.parameter->type == ParameterType::Enum ? &field.parameter->values : nullptr;
+    return infoOf(field.parameter->type).isChoice ? &field.parameter->values : nullptr;
 }
 
 std::string constants(const Block& block, const ParameterField& field) {

@@ -51,7 +51,7 @@ LightFrame frameOf(const Block& light, const Values& values, const glm::dmat4& c
             const bool isPoint =
                 parameter.space == Space::WorldPoint || parameter.space == Space::CameraPoint;
             (isPoint ? frame.position : frame.direction) = isPoint ? placed : unit(placed);
-        } else if (number != nullptr && parameter.type == ParameterType::Angle) {
+        } else if (number != nullptr && infoOf(parameter.type).isAngle) {
             const double limited = std::clamp(*number, parameter.min, parameter.max);
             frame.angle = std::max(frame.angle, glm::radians(limited));
         }

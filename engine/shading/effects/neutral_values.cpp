@@ -42,7 +42,7 @@ bool holds(const NeutralValue& value, const Block& block, const Values& values,
                choice->values[chosenIndex(*choice, levels)].id == value.word;
     }
     const Parameter* parameter = block.parameter(value.id);
-    if (parameter != nullptr && parameter->type == ParameterType::Enum) {
+    if (parameter != nullptr && infoOf(parameter->type).isChoice) {
         return parameter->values[chosenIndex(*parameter, values)].id == value.word;
     }
     const Parameter* other = value.word.empty() ? nullptr : block.parameter(value.word);
@@ -95,14 +95,14 @@ std::string caseText(const NeutralCase& neutral, const Block& block, const Value
     std::vector<std::string> parts;
     for (const Parameter& parameter : block.parameters) {
         const auto value = std::ranges::find(neutral, parameter.id, &NeutralValue::id);
-        if (value == neutral.end() || parameter.type == ParameterType::Enum) {
+        if (value == neutral.end() || infoOf(parameter.type).isChoice) {
             continue;
         }
         if (!value->word.empty()) {
             parts.push_back(equalText(*block.parameter(value->word), parameter, values));
         } else {
             std::vector<std::string>& signedOrNot = parameter.min < 0.0 ? less : zero;
-            (parameter.type == ParameterType::Color ? black : signedOrNot)
+            (infoOf(parameter.type).isColor ? black : signedOrNot)
                 .push_back(quotedLabel(parameter.label));
         }
     }
