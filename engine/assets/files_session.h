@@ -9,7 +9,6 @@
 #include "assets/asset_client.h"
 #include "assets/files_process.h"
 #include "assets/message.h"
-#include "assets/shared_block.h"
 
 namespace patina {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A type of parameter is a row: nothing else asks which one it is.
-#include <map>
 #include <set>
 
 #include <gtest/gtest.h>

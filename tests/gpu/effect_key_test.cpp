@@ -3,7 +3,6 @@
 #include "shading/effects/effect_key.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several views of a context that share what is in the GPU's memory, each with its own frames.
-#include <algorithm>
-#include <chrono>
 #include <memory>
 #include <vector>
 

@@ -5,10 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
-#include <QHash>
 
 #include "core/ordinary_file.h"
 

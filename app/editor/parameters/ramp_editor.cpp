@@ -2,7 +2,6 @@
 #include "parameters/ramp_editor.h"
 
 #include <algorithm>
-#include <array>
 
 #include <QFrame>
 #include <QHBoxLayout>

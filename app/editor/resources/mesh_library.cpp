@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QPointer>
 #include <QTimer>
 
 #include "scene/builtin_mesh.h"

@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -15,7 +14,7 @@
 
 namespace patina {
 
-/// The numbers of all fields of a struct, one after the other.
+/// Holds the numbers of all fields of a struct, one after the other.
 using FieldNumbers = std::array<double, 8>;
 
 /// A block with values, as a case names it.

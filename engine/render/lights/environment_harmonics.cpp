@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/lights/environment_harmonics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

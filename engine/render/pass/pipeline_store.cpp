@@ -12,7 +12,6 @@
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_program.h"
 #include "shading/effects/texture_writer.h"
-#include "shading/program/program_source.h"
 
 namespace patina {
 

@@ -10,7 +10,6 @@
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_text.h"
-#include "shading/program/block_source.h"
 #include "shading/program/given_value.h"
 
 namespace patina {

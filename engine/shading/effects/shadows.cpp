@@ -8,9 +8,7 @@
 
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
-#include "shading/effects/neutral_values.h"
 #include "shading/effects/surface_text.h"
-#include "shading/program/block_source.h"
 
 namespace patina {
 namespace {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -34,7 +33,7 @@ class BlockUse {
     /// The compiled parameters, then the accuracy choices, in the descriptor's order.
     std::vector<CompiledValue> compiled() const;
 
-    /// The level of an accuracy choice of the block.
+    /// Returns the level of an accuracy choice of the block.
     const EnumValue& level(const AccuracyChoice& choice) const;
 
     /// Tells whether two compiled floats are taken to be the same everywhere.
