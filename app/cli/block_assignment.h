@@ -25,7 +25,7 @@ Result<Assignment> assignmentFrom(const std::string& text);
 /// Sets a parameter of a block, and what it sets with it; false when the block has none of this id.
 Result<bool> assignIn(const Block& block, Values& values, const Assignment& assignment);
 
-/// The ids of a block's parameters, each after a prefix.
+/// Returns the ids of a block's parameters, each after a prefix.
 std::vector<std::string> parameterIds(const Block& block, const std::string& prefix = {});
 
 /// The block of a kind with this id; the error names those that there are, and the nearest of them.

@@ -31,7 +31,7 @@ struct PlotShape {
 /// noise.
 std::vector<PlotShape> costPlot(const CostChart& chart, glm::ivec2 size);
 
-/// The drawing as an SVG file, and as a picture with sRGB values.
+/// Returns the drawing as an SVG file, and as a picture with sRGB values.
 std::string plotSvg(const std::vector<PlotShape>& shapes, glm::ivec2 size);
 Image plotImage(const std::vector<PlotShape>& shapes, glm::ivec2 size);
 

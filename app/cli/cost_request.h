@@ -30,7 +30,7 @@ struct CostRequest {
     bool hasBudget() const { return budgetMilliseconds || budgetError; }
 };
 
-/// All options of the command.
+/// Declares all options of the command.
 void addCostOptions(CLI::App& command, CostRequest& request);
 
 /// ".png" of "Errors.PNG"; empty where a name has none.

@@ -19,7 +19,7 @@ struct ShownObject {
     std::size_t count = 1;  ///< of the scene's objects
 };
 
-/// "Ball, object 1 of 3".
+/// Returns "Ball, object 1 of 3".
 std::string objectText(const ShownObject& object);
 
 /// Holds what `patina effects` prints: the effects of one object, and what they cost where that was
@@ -30,7 +30,7 @@ struct EffectTable {
     std::optional<EffectCosts> costs;
 };
 
-/// For people: a line for each effect, then the total.
+/// Returns it for people: a line for each effect, then the total.
 std::string tableText(const EffectTable& table);
 
 nlohmann::json tableJson(const EffectTable& table);

@@ -14,7 +14,7 @@ namespace patina {
 /// square in pixels. What does not fit between the corner and `right` is cut off.
 void drawLabel(Image& image, std::string_view text, glm::ivec2 corner, int scale, int right);
 
-/// Height of a label's band in pixels.
+/// Returns the height of a label's band in pixels.
 int labelHeight(int scale);
 
 } // namespace patina

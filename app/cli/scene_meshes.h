@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// All meshes of a scene, there before the first frame.
+/// Holds all meshes of a scene, there before the first frame.
 class SceneMeshes {
   public:
     /// Reads every mesh the visible objects name; all that cannot be had are in the error.

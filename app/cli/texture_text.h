@@ -15,7 +15,7 @@ namespace patina {
 Result<void> applyTexture(Material& material, const std::string& assignment,
                           const Catalog& catalog);
 
-/// The full paths of the images among such assignments.
+/// Returns the full paths of the images among such assignments.
 std::vector<std::string> filesIn(const std::vector<std::string>& assignments);
 
 } // namespace patina

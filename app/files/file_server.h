@@ -18,7 +18,7 @@ class FileServer {
   public:
     explicit FileServer(Channel channel);
 
-    /// The exit status of the program.
+    /// Returns the exit status of the program.
     int run();
 
   private:

@@ -81,7 +81,7 @@ class AssetClient {
     /// Written atomically.
     Result<void> saveImage(const std::filesystem::path& file, const Image&, Progress* = nullptr);
 
-    /// The bytes of such a file, for standard output. `extension` such as ".png".
+    /// Returns the bytes of such a file, for standard output. `extension` such as ".png".
     Result<std::string> encodeImage(const std::string& extension, const Image&);
 
     enum class Formats { meshes, images };

@@ -20,7 +20,7 @@ class ImageBlock {
     /// numbers where the image holds these, see FileImage.
     static void write(std::span<std::byte> block, const Image& image, int bits = 0);
 
-    /// An image another process wrote, checked: its sizes against the block's length.
+    /// Returns an image another process wrote, checked: its sizes against the block's length.
     static Result<Image> checked(std::span<const std::byte> block);
 
     /// The bits that were written into a checked block.

@@ -25,7 +25,7 @@ enum class MessageKind : std::uint32_t {
     failed,         ///< process: texts {problem, expected, the same paths}; numbers {line, column}
 };
 
-/// A small message: a kind, some numbers, some texts. Bulk data travels in a shared block.
+/// Holds a small message: a kind, some numbers, some texts. Bulk data travels in a shared block.
 struct Message {
     MessageKind kind = MessageKind::progress;
     std::vector<double> numbers;

@@ -15,7 +15,7 @@ namespace patina {
 /// process dies when. Once sealed nobody can write or shrink it, so what was checked stays true.
 class SharedBlock {
   public:
-    /// New zeroed memory of this size, writable until sealed.
+    /// Returns new zeroed memory of this size, writable until sealed.
     static Result<SharedBlock> create(std::size_t size);
 
     /// Maps what another process sent, for reading. Memory that is not sealed is refused.

@@ -84,7 +84,7 @@ enum class LightsWanted {
     Key  ///< by one light: it is a drawing, and the sum over several would be a veil upon it
 };
 
-/// A lighting model, Fresnel term, light, fog, ...: a descriptor and a GLSL file with one stem.
+/// Holds a lighting model, Fresnel term, light, ...: a descriptor and a GLSL file with one stem.
 struct Block {
     std::string kind; ///< the folder: "models", "fresnel", "specular", "lights", ...
     std::string id;   ///< the stem of both files
@@ -125,7 +125,7 @@ struct Block {
     friend bool operator==(const Block&, const Block&) = default;
 };
 
-/// The defaults of all parameters.
+/// Returns the defaults of all parameters.
 Values defaultValues(const Block& block);
 
 /// Name of the block's parameter struct in GLSL and C++: "CookTorrance", "SchlickFresnel",

@@ -87,7 +87,7 @@ inline constexpr std::string_view layers = "layers";             ///< put in ord
 inline constexpr std::string_view samples = "samples";           ///< places looked at per pixel
 } // namespace roles
 
-/// The kinds that Patina ships blocks of.
+/// Returns the kinds that Patina ships blocks of.
 std::span<const BlockKind> shippedBlockKinds();
 
 /// All kinds there are, in the order in which they are listed.

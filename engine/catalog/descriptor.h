@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// A block as its descriptor file declares it, with the file's text for later messages.
+/// Holds a block as its descriptor file declares it, with the file's text for later messages.
 struct Descriptor {
     Block block;
     LocatedJson document;

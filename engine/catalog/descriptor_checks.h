@@ -14,7 +14,7 @@ namespace patina {
 /// rejects is passed over.
 Errors descriptorMistakes(const Descriptor& descriptor);
 
-/// The ids of the blocks of a kind.
+/// Returns the ids of the blocks of a kind.
 using IdsOfKind = std::function<std::vector<std::string>(const std::string& kind)>;
 
 /// The slots whose default is no block that there is.

@@ -29,7 +29,7 @@ class Expression {
         std::string right; ///< empty when the operand stands alone
     };
 
-    /// All comparisons, for checking the words against a block's parameters.
+    /// Returns all comparisons, for checking the words against a block's parameters.
     std::vector<Comparison> comparisons() const;
 
   private:

@@ -66,7 +66,7 @@ class JsonReader {
     std::set<std::string, std::less<>> known_;
 };
 
-/// A reference token of a JSON pointer (RFC 6901): "~" and "/" escaped.
+/// Returns a reference token of a JSON pointer (RFC 6901): "~" and "/" escaped.
 std::string escapedToken(std::string_view key);
 
 /// Returns how a value is called in a message: "the number 5", "an array of 3",

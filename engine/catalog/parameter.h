@@ -35,7 +35,7 @@ enum class HighlightWidth {
     Angle     ///< of a bell curve over the angle between n and h, in radians
 };
 
-/// One choice of an enum parameter, or one level of an accuracy choice.
+/// Holds one choice of an enum parameter, or one level of an accuracy choice.
 struct EnumValue {
     std::string id;
     std::string label;

@@ -23,7 +23,7 @@ inline constexpr std::string_view material = "material";
 inline constexpr std::string_view accuracy = "accuracy"; ///< the choices of a material's blocks
 } // namespace settings
 
-/// The descriptors, sorted by their words.
+/// Returns the descriptors, sorted by their words.
 std::span<const Descriptor> settingsDescriptors();
 
 /// Returns what describes the settings of a word; null where nothing does.

@@ -21,7 +21,7 @@ std::string tableDeclaration(const Block& block, const BlockTable& table);
 /// double; it stands behind the block's text.
 std::string computedTable(const Block& block, const BlockTable& table);
 
-/// The same of all tables of a block.
+/// Returns the same of all tables of a block.
 std::string tableDeclarations(const Block& block);
 std::string computedTables(const Block& block);
 

@@ -9,10 +9,10 @@
 
 namespace patina {
 
-/// The sRGB transfer curve (IEC 61966-2-1): linear -> encoded, both clamped to [0, 1].
+/// Applies the sRGB transfer curve (IEC 61966-2-1): linear -> encoded, both clamped to [0, 1].
 double srgbEncoded(double linear);
 
-/// The inverse: encoded -> linear, both clamped to [0, 1].
+/// Applies the inverse: encoded -> linear, both clamped to [0, 1].
 double srgbDecoded(double encoded);
 
 glm::dvec3 srgbEncoded(const glm::dvec3& linear);
@@ -21,10 +21,10 @@ glm::dvec3 srgbDecoded(const glm::dvec3& encoded);
 /// Returns how bright a linear colour is: the Y of sRGB's primaries (IEC 61966-2-1).
 double luminance(const glm::dvec3& linear);
 
-/// "#8c8c8c": a linear colour encoded as sRGB, eight bits per channel.
+/// Returns "#8c8c8c": a linear colour encoded as sRGB, eight bits per channel.
 std::string hexOf(const glm::dvec3& linear);
 
-/// The linear colour of "#8cf", "#88ccff" or the same without "#".
+/// Returns the linear colour of "#8cf", "#88ccff" or the same without "#".
 std::optional<glm::dvec3> colorOfHex(std::string_view text);
 
 } // namespace patina

@@ -35,7 +35,7 @@ void sortByPlace(Errors& errors);
 /// Appends those of `more` that are not in `errors` yet.
 void addNew(Errors& errors, const Errors& more);
 
-/// The texts of all errors, one per line.
+/// Returns the texts of all errors, one per line.
 std::string text(const Errors& errors);
 
 /// A value, or the one reason why there is none.

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Pixels as linear floats, rows from the top, channels interleaved.
+/// Holds pixels as linear floats, rows from the top, channels interleaved.
 struct Image {
     int width = 0;
     int height = 0;

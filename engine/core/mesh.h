@@ -50,7 +50,7 @@ struct Mesh {
     MeshView view() const { return {vertices, indices, bounds}; }
 };
 
-/// The box around all vertices.
+/// Returns the box around all vertices.
 Bounds boundsOf(std::span<const Vertex> vertices);
 
 } // namespace patina

@@ -10,10 +10,10 @@ namespace patina {
 /// The shortest text that reads back as the same float; always the C locale ("0.1", "1e+20").
 std::string shortestText(float value);
 
-/// The same for the float next to a double.
+/// Returns the same for the float next to a double.
 std::string shortestFloatText(double value);
 
-/// 17 significant digits, enough for every double; always the C locale.
+/// Writes 17 significant digits, enough for every double; always the C locale.
 std::string fullText(double value);
 
 /// A finite number, whole text, C locale; leading and trailing blanks allowed. Nothing else:

@@ -65,7 +65,7 @@ class OrdinaryFile {
     std::uintmax_t maxBytes_ = 0;
 };
 
-/// The content of an ordinary file of at most so many bytes.
+/// Returns the content of an ordinary file of at most so many bytes.
 Result<std::string> readFile(const std::filesystem::path& file, std::uintmax_t maxBytes);
 
 } // namespace patina

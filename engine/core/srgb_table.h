@@ -9,12 +9,12 @@
 
 namespace patina {
 
-/// The sRGB curve for 8-bit pictures, as tables: exact rounding at a few nanoseconds per value.
+/// Holds the sRGB curve of 8-bit pictures as tables, exact rounding at a few nanoseconds per value.
 class SrgbTable {
   public:
     SrgbTable();
 
-    /// The linear value of a code.
+    /// Returns the linear value of a code.
     float decoded(std::uint8_t code) const { return linear_[code]; }
 
     /// The code whose encoded value is nearest; below 0 and NaN give 0, above 1 gives 255.

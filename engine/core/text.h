@@ -12,10 +12,10 @@ bool isBlank(std::string_view line);
 /// Tells whether a character may stand in a name of GLSL or C++.
 bool isNameCharacter(char c);
 
-/// "fresnel" -> "Fresnel".
+/// Makes "fresnel" -> "Fresnel".
 std::string capitalised(std::string_view word);
 
-/// "CookTorrance" -> "COOK_TORRANCE", "diffuseColor" -> "DIFFUSE_COLOR", "v-cavity" -> "V_CAVITY".
+/// Makes "CookTorrance" -> "COOK_TORRANCE", "diffuseColor" -> "DIFFUSE_COLOR", "v-g" -> "V_G".
 std::string constantCase(std::string_view name);
 
 } // namespace patina

@@ -27,10 +27,10 @@ struct NumberList {
 /// Documents round numbers to float when they are set; only `patina eval` keeps all 53 bits.
 using Value = std::variant<bool, int, double, glm::dvec2, glm::dvec3, std::string, NumberList>;
 
-/// Parameter id -> value.
+/// Maps the id of a parameter to its value.
 using Values = std::map<std::string, Value, std::less<>>;
 
-/// The same value with every number rounded to the nearest float.
+/// Returns the same value with every number rounded to the nearest float.
 Value roundedToFloat(const Value& value);
 
 /// True when every number in the value is finite.

@@ -10,7 +10,7 @@ namespace patina::gl {
 
 void deleteBuffer(unsigned name);
 
-/// A buffer object.
+/// Owns a buffer object.
 class Buffer {
   public:
     static Buffer create();

@@ -15,13 +15,13 @@ namespace patina::gl {
 
 void deleteProgram(unsigned name);
 
-/// A linked program as the driver stores it.
+/// Holds a linked program as the driver stores it.
 struct ProgramBinary {
     unsigned format = 0;
     std::vector<std::byte> bytes;
 };
 
-/// A linked program.
+/// Owns a linked program.
 class Program {
   public:
     /// The error is the driver's log as it came. A geometry stage, where there is one, stands
@@ -41,7 +41,7 @@ class Program {
     /// Connects a sampler to a texture unit; nothing happens when the program lacks it.
     void bindSampler(const char* sampler, unsigned unit) const;
 
-    /// -1 when the program lacks it.
+    /// Is -1 when the program lacks it.
     int uniform(const char* uniformName) const;
 
     void use() const;

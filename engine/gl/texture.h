@@ -9,7 +9,7 @@ namespace patina::gl {
 
 void deleteTexture(unsigned name);
 
-/// A two-dimensional texture of one level, sampled at texel centres.
+/// Owns a two-dimensional texture of one level, sampled at texel centres.
 class Texture {
   public:
     Texture() = default;

@@ -15,7 +15,7 @@ class TextureArray {
     /// `internalFormat` is a sized depth format; the content is undefined.
     static TextureArray create(glm::ivec2 size, int layers, unsigned internalFormat);
 
-    /// The same for a sized format of colours.
+    /// Returns the same for a sized format of colours.
     static TextureArray createColors(glm::ivec2 size, int layers, unsigned internalFormat);
 
     unsigned name() const { return name_.get(); }

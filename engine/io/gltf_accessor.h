@@ -17,7 +17,7 @@ namespace patina {
 Result<std::vector<float>> readFloats(const tinygltf::Model& model, GltfViews& views, int accessor,
                                       std::size_t components);
 
-/// The values of a scalar accessor of unsigned integers.
+/// Returns the values of a scalar accessor of unsigned integers.
 Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, GltfViews& views,
                                                int accessor);
 

@@ -12,7 +12,7 @@ namespace patina {
 /// True when the primitive's data is in KHR_draco_mesh_compression.
 bool isDraco(const tinygltf::Primitive& primitive);
 
-/// The triangles of such a primitive.
+/// Returns the triangles of such a primitive.
 Result<RawMesh> readDraco(const tinygltf::Model& model, GltfViews& views,
                           const tinygltf::Primitive& primitive);
 

@@ -12,7 +12,7 @@
 
 namespace patina {
 
-/// The buffer views of a model, with EXT_meshopt_compression undone, every range checked.
+/// Reads the buffer views of a model, with EXT_meshopt_compression undone, every range checked.
 class GltfViews {
   public:
     explicit GltfViews(const tinygltf::Model& model) : model_(model) {}

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// A block with every parameter at its default, rounded to float as everything in a document.
+/// Returns a block with all parameters at their defaults, rounded to float as all in a document.
 BlockValues defaultBlockValues(const Block& block);
 
 /// The values for another block, or for another version of the same one: values whose id and type

@@ -63,7 +63,7 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// A material of `model` with every parameter at its default.
+/// Returns a material of `model` with every parameter at its default.
 Material defaultMaterial(const Block& model);
 
 /// The material with another model: values whose parameter id and type both models have carry

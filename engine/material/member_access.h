@@ -33,7 +33,7 @@ MemberAccess<Owner> member(Member Owner::*field) {
             }};
 }
 
-/// A member of a member.
+/// Reaches a member of a member.
 template <class Owner, class Inner, class Member>
 MemberAccess<Owner> member(Inner Owner::*inner, Member Inner::*field) {
     return {[=](const Owner& owner) { return Value(owner.*inner.*field); },

@@ -11,7 +11,7 @@ namespace patina {
 BlockValues reconciled(const BlockValues& values, std::string_view kind, const Catalog& before,
                        const Catalog& after);
 
-/// The same for all blocks of a material.
+/// Returns the same for all blocks of a material.
 Material reconciled(const Material& material, const Catalog& before, const Catalog& after);
 
 } // namespace patina

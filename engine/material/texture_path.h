@@ -15,7 +15,7 @@ bool staysInFolder(std::string_view path);
 /// a folder it stays as it is.
 std::string imageFromFile(const std::string& image, const std::filesystem::path& folder);
 
-/// The inverse: relative to the folder, with forward slashes.
+/// Returns the inverse: relative to the folder, with forward slashes.
 std::string imageForFile(const std::string& image, const std::filesystem::path& folder);
 
 } // namespace patina

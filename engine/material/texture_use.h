@@ -53,7 +53,7 @@ struct TextureUse {
 /// The keys of a material's images that are no parameter's id.
 TextureRole textureRole(std::string_view key);
 
-/// An image laid on as usual for that key.
+/// Returns an image laid on as usual for that key.
 TextureUse textureUse(std::string_view key, std::string file);
 
 /// The settings of an image in this role, described as the parameters of a block; `channels` are

@@ -13,7 +13,7 @@
 /// are held against. Nothing else in the program compiles a block.
 namespace patina::reference {
 
-/// The values of a block, packed by the catalogue's ParameterLayout.
+/// Holds the values of a block, packed by the catalogue's ParameterLayout.
 using Parameters = std::span<const double>;
 
 /// Says where a surface is lit and seen from. All unit, away from the surface; n, t, b orthogonal.
@@ -38,14 +38,14 @@ struct Illumination {
     glm::dvec3 radiance{0.0};    ///< E / pi
 };
 
-/// The way from the eye to a surface.
+/// Holds the way from the eye to a surface.
 struct FogRay {
     glm::dvec3 eye{0.0};
     glm::dvec3 direction{0.0, 0.0, -1.0}; ///< unit
     double range = 0.0;                   ///< metres, 0 or more
 };
 
-/// A ray where it meets the surface of a transparent body.
+/// Holds a ray where it meets the surface of a transparent body.
 struct Crossing {
     glm::dvec3 l{0.0, 0.0, 1.0}; ///< unit, from the surface to where the ray comes from
     glm::dvec3 n{0.0, 0.0, 1.0}; ///< unit normal on the side of l
@@ -89,7 +89,7 @@ struct BlockCall {
     void (*call)(const double* arguments, double* results, Parameters) = nullptr;
 };
 
-/// A compiled block.
+/// Holds a compiled block.
 struct Block {
     std::string_view kind;
     std::string_view id;
@@ -132,10 +132,10 @@ struct Block {
     const BlockCall& findCall(std::string_view suffix) const;
 };
 
-/// Every block, sorted by kind and id.
+/// Returns every block, sorted by kind and id.
 std::span<const Block> blocks();
 
-/// The block, or null.
+/// Returns the block, or null.
 const Block* findBlock(std::string_view kind, std::string_view id);
 
 /// Returns what the model's function returns, with the gates its descriptor names and not yet cut

@@ -18,14 +18,14 @@ struct ProfilePoint {
 /// A smooth piece of a profile; where one span ends and the next begins the surface has an edge.
 using Span = std::vector<ProfilePoint>;
 
-/// The outline of a solid of revolution about +y, from the bottom to the top.
+/// Holds the outline of a solid of revolution about +y, from the bottom to the top.
 using Profile = std::vector<Span>;
 
 /// `steps` straight pieces from `from` to `to`, the solid to the left when looking along them.
 Span segment(const glm::dvec2& from, const glm::dvec2& to, int steps);
 
-/// An arc about `centre`; angles in radians from +y towards the outside, normals away from the
-/// centre.
+/// Returns an arc about `centre`; angles in radians from +y towards the outside, normals away from
+/// the centre.
 Span arc(const glm::dvec2& centre, double radius, double from, double to, int steps);
 
 /// Adds the surface of revolution of `profile` with `columns` steps around the axis. Normals are

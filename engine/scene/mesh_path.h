@@ -8,13 +8,13 @@
 
 namespace patina {
 
-/// "sphere" for "builtin:sphere"; nothing for the path of a file.
+/// Returns "sphere" for "builtin:sphere"; nothing for the path of a file.
 std::optional<std::string_view> builtinName(std::string_view mesh);
 
 /// A mesh as a scene file names it, made absolute: relative paths start at the scene's folder.
 std::string meshFromFile(const std::string& mesh, const std::filesystem::path& folder);
 
-/// The inverse: relative to the folder, with forward slashes.
+/// Returns the inverse: relative to the folder, with forward slashes.
 std::string meshForFile(const std::string& mesh, const std::filesystem::path& folder);
 
 } // namespace patina

@@ -24,7 +24,7 @@ struct PictureChoiceText {
     const char* doc;
     std::span<const Level> levels; ///< the exact one first
 
-    /// The number of a level by its id.
+    /// Returns the number of a level by its id.
     std::optional<std::size_t> level(std::string_view levelId) const;
 };
 

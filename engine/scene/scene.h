@@ -33,7 +33,7 @@ struct Object {
     friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// A light of some kind in the catalogue.
+/// Holds a light of some kind in the catalogue.
 struct Light {
     std::string name;
     bool enabled = true;

@@ -25,7 +25,7 @@ Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog
 /// Tells whether a JSON file says by its "format" that it is a scene, whatever it is called.
 bool saysItIsAScene(const std::filesystem::path& path);
 
-/// The scene's JSON; mesh paths relative to `folder`.
+/// Returns the scene's JSON; mesh paths relative to `folder`.
 nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder);
 
 Result<void> writeScene(const std::filesystem::path& path, const Scene& scene);

@@ -13,7 +13,7 @@ using MeasureEnd = Checked<bool>;
 
 MeasureEnd endOf(bool finished, const Errors& problems);
 
-/// Why it ended before its time; else empty.
+/// Returns why it ended before its time; else empty.
 QString problemText(const MeasureEnd& end);
 
 } // namespace patina

@@ -18,16 +18,16 @@ void fillPanel(QWidget* panel, const std::vector<QWidget*>& rows, QWidget* scrol
 /// than its content; one that is very wide scrolls to the sides, too.
 QWidget* scrolledUpDown(QWidget* content);
 
-/// A label before a widget, as its buddy.
+/// Returns a label before a widget, as its buddy.
 QWidget* labelled(const QString& text, QWidget* widget);
 
-/// Widgets in one row, the first stretched.
+/// Returns widgets in one row, the first stretched.
 QWidget* rowOf(const std::vector<QWidget*>& widgets);
 
-/// A word-wrapped, faint line of help.
+/// Returns a word-wrapped, faint line of help.
 QLabel* hintLabel(QWidget* parent);
 
-/// A flat button with a text.
+/// Returns a flat button with a text.
 QToolButton* textButton(const QString& text, const QString& toolTip, QWidget* parent);
 
 } // namespace patina

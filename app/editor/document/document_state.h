@@ -103,7 +103,7 @@ std::size_t shownSides(const DocumentState& state);
 /// Tells whether values at this path may have images.
 bool takesTextures(const BlockPath& path);
 
-/// The key of a value's image in Material::textures.
+/// Returns the key of a value's image in Material::textures.
 std::string textureKey(const BlockPath& path, std::string_view parameterId);
 
 /// The material a path lies in; null when the object or the side is not there.

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// The choices of the picture's accuracy as parameters of the scene's form: "picture.<choice>".
+/// Returns the choices of the picture's accuracy as parameters of a form: "picture.<choice>".
 std::vector<Parameter> pictureAccuracyParameters();
 
 /// Nothing where the id names no such choice.

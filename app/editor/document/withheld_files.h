@@ -21,7 +21,7 @@ class WithheldFiles : public QObject {
   public:
     explicit WithheldFiles(Document& document, QObject* parent = nullptr);
 
-    /// All of them, the images of materials too.
+    /// Returns all of them, the images of materials too.
     OutsideFiles all() const;
     /// Returns what may be read of meshes, of the picture and of the links of meshes.
     FileRights rights() const;
@@ -31,7 +31,7 @@ class WithheldFiles : public QObject {
     void allowLinks(FileSet links);
     /// A mesh was read without these links.
     void addLinks(const std::vector<std::string>& places);
-    /// The user named this file himself.
+    /// Allows what the user named file himself.
     void allow(const std::filesystem::path& file);
     /// Reads them all from now on; images and presets as one undoable step. Paths of presets start
     /// in the folder of this file.

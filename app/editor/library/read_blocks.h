@@ -22,7 +22,7 @@ struct ReadBlocks {
 /// The blocks that a scene names, or its parts go without.
 ReadBlocks readBlocksOf(const Scene& scene, const Catalog& catalog);
 
-/// All blocks of a catalogue.
+/// Returns all blocks of a catalogue.
 ReadBlocks readBlocks(const Catalog& catalog);
 
 /// Knows what something was found out with: whether the same blocks are still there.

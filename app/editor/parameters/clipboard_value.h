@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// A value as text for the clipboard: "0.5", "true", "ggx", "[0.8, 0.1, 0.1]".
+/// Returns a value as text for the clipboard: "0.5", "true", "ggx", "[0.8, 0.1, 0.1]".
 std::string copiedText(const Value& value);
 
 /// Returns what pasted text means to a parameter, inside its hard range; a colour may be sRGB hex

@@ -22,7 +22,7 @@ class SaturationField : public ColorArea {
     double hue_ = 0.0;
 };
 
-/// All hues, along x.
+/// Shows all hues, along x.
 class HueStrip : public ColorArea {
     Q_OBJECT
 

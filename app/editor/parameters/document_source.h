@@ -8,7 +8,7 @@ namespace patina {
 
 class TextureLibrary;
 
-/// The values at a path of a document.
+/// Gives the values at a path of a document.
 class DocumentSource : public ParameterSource {
   public:
     DocumentSource(Document& document, TextureLibrary& textures, const BlockPath& path)

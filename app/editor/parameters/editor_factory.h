@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// The editor of a parameter's type.
+/// Returns the editor of a parameter's type.
 ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent);
 
 /// What makes the editors of each type; each stands beside its editor.

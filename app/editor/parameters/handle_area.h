@@ -59,7 +59,7 @@ class HandleArea : public QWidget {
     void activated(); ///< the chosen handle was double clicked, or Return was pressed
 
   protected:
-    /// A new handle at a pixel.
+    /// Returns a new handle at a pixel.
     virtual Handle handleAt(const QPointF& pixel) const = 0;
     /// A handle that is dragged to a pixel.
     virtual Handle dragged(const Handle& handle, const QPointF& pixel) const = 0;

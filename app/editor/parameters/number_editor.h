@@ -7,7 +7,7 @@ namespace patina {
 
 class NumberEdit;
 
-/// A slider and a box for a float, a whole number or an angle in degrees.
+/// Shows a slider and a box for a float, a whole number or an angle in degrees.
 class NumberEditor : public ParameterEditor {
     Q_OBJECT
 

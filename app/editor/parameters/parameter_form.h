@@ -42,10 +42,10 @@ class ParameterForm : public QWidget {
     void refresh(std::string_view parameterId);
     void refresh();
 
-    /// The row of a parameter, or null.
+    /// Returns the row of a parameter, or null.
     ParameterRow* row(std::string_view parameterId) const;
     std::vector<ParameterRow*> rows() const;
-    /// The images on the form's values.
+    /// Returns the images on the form's values.
     FormTextures& textures() const { return *textures_; }
 
     QSize minimumSizeHint() const override;

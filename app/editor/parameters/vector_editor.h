@@ -9,7 +9,7 @@ namespace patina {
 
 class NumberEdit;
 
-/// A slider and a box for each component of a vec2 or vec3, one below the other.
+/// Shows a slider and a box for each component of a vec2 or vec3, one below the other.
 class VectorEditor : public ParameterEditor {
     Q_OBJECT
 

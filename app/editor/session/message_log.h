@@ -19,7 +19,7 @@ class MessageLog : public QObject {
   public:
     using QObject::QObject;
 
-    /// All messages: the groups first, then the events, oldest first.
+    /// Returns all messages: the groups first, then the events, oldest first.
     Errors messages() const;
     int count() const;
     /// How many of them are notes.

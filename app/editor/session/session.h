@@ -45,7 +45,7 @@ class Session {
     bool keepsParked() const;
     void setKeepsParked(bool keeps);
 
-    /// The folder a file dialog opened in last, one for each purpose ("preset", "scene", "mesh").
+    /// Returns where a file dialog opened last, one for each purpose ("preset", "scene", "mesh").
     QString folder(const QString& purpose) const;
     void setFolderOf(const QString& purpose, const QString& file);
 
@@ -55,7 +55,7 @@ class Session {
     QSettings settings_;
 };
 
-/// $XDG_CACHE_HOME/patina, $XDG_STATE_HOME/patina and $XDG_DATA_HOME/patina.
+/// Return $XDG_CACHE_HOME/patina, $XDG_STATE_HOME/patina and $XDG_DATA_HOME/patina.
 std::filesystem::path cacheFolder();
 std::filesystem::path stateFolder();
 std::filesystem::path userDataFolder();

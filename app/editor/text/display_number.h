@@ -22,7 +22,7 @@ QString likeText(double number, double other);
 /// The digits of digitsText() without zeros that say nothing: "2", "0.5".
 QString roundText(double number);
 
-/// Large numbers in short: "2.5 k", "50 k", "1 M"; below a thousand as roundText().
+/// Returns large numbers in short: "2.5 k", "50 k", "1 M"; below a thousand as roundText().
 QString shortText(double number);
 
 /// "0.39 %" of a share, with as many digits as tell something.

@@ -39,7 +39,7 @@ bool isSameView(const Camera& a, const Camera& b);
 /// The camera with another pivot and the eye where it was.
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot);
 
-/// Unit vectors of the camera in world space.
+/// Returns unit vectors of the camera in world space.
 glm::dvec3 rightOf(const Camera& camera);
 glm::dvec3 upOf(const Camera& camera);
 

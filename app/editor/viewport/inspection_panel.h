@@ -29,7 +29,7 @@ class InspectionPanel : public QFrame {
     QLabel* numbers_;
 };
 
-/// The numbers of a pixel as the rows of an HTML table.
+/// Returns the numbers of a pixel as the rows of an HTML table.
 QString probeText(const PixelProbe& probe, const Scene& scene);
 
 } // namespace patina

@@ -22,7 +22,7 @@ class PictureCapture : public QObject {
     /// All outlive it; `frames` are drawn in `widget`.
     PictureCapture(QOpenGLWidget& widget, FrameLoop& frames, const ViewedScene& viewed);
 
-    /// The picture before exposure and tone mapping.
+    /// Returns the picture before exposure and tone mapping.
     Image linearPicture();
 
     /// The picture as it is shown, divided by 255, or as linear floats with the exposure in them;

@@ -32,7 +32,7 @@ struct Hit {
 /// The ray from the eye through a place in a view of `size` pixels, (0, 0) at the top left.
 Ray rayThrough(const Camera& camera, const glm::dvec2& place, const glm::dvec2& size);
 
-/// The nearest visible surface that the ray meets, whichever way it faces.
+/// Returns the nearest visible surface that the ray meets, whichever way it faces.
 std::optional<Hit> cast(const Ray& ray, const Scene& scene,
                         const std::function<PickMesh(const Object&)>& meshes);
 

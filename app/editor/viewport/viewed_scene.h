@@ -55,7 +55,7 @@ class ViewedScene {
     std::shared_ptr<const Catalog> catalog_;
 };
 
-/// A size in the pixels of the widget's screen; never empty.
+/// Returns a size in the pixels of the widget's screen; never empty.
 glm::ivec2 pixelsOf(const QWidget& widget, const QSize& size);
 
 } // namespace patina

@@ -6,7 +6,7 @@
 
 namespace patina {
 
-/// Pictures through OpenImageIO.
+/// Reads and writes pictures through OpenImageIO.
 class OiioCodec final : public ImageCodec {
   public:
     OiioCodec();

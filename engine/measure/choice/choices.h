@@ -78,10 +78,10 @@ struct ChosenFrame {
 void choose(ChosenFrame& frame, std::size_t object, const std::vector<Choice>& choices,
             const ChosenLevels& levels, const Catalog& catalog);
 
-/// "fresnel.reflectance=high-index power=table", or "exact".
+/// Returns "fresnel.reflectance=high-index power=table", or "exact".
 std::string levelsText(const ChosenLevels& levels);
 
-/// The objects with the material of `object`.
+/// Returns the objects with the material of `object`.
 std::vector<bool> sharingMaterial(const Scene& scene, std::size_t object);
 
 } // namespace patina

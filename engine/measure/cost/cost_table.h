@@ -33,14 +33,14 @@ std::string instructionsText(const std::optional<InstructionCount>& count); ///<
 /// "0.512 (0.509 .. 0.514)?": a ratio with so many digits after the point and what is to be doubted
 /// of it; "<" and ">" before a bound, "-" where nothing is known of it.
 std::string ratioText(const ChoiceCost& cost, RatioBound bound, int digits);
-/// Nanoseconds per pixel; "<" before a bound.
+/// Returns nanoseconds per pixel; "<" before a bound.
 std::string nanosecondsText(const ChoiceCost& cost);
 /// '!': too few runs for an interval, '?': it is wider than was wanted, ' '.
 char doubtOf(const ChoiceCost& cost);
-/// Below a table with such ratios to the time of `what`.
+/// Stands below a table with such ratios to the time of `what`.
 std::string signsText(std::string_view what);
 
-/// A text as a field of comma-separated values: in quotation marks, those in it doubled (RFC 4180).
+/// Writes a text as a field of a CSV file: in quotation marks, those in it doubled (RFC 4180).
 std::string csvText(std::string_view text);
 
 } // namespace patina

@@ -76,7 +76,7 @@ class EffectCostMeter {
     static Result<std::unique_ptr<EffectCostMeter>> create(Subject subject, const Options& options);
     ~EffectCostMeter();
 
-    /// One pair of frames, or one of the first frames, which only warm up.
+    /// Draws one pair of frames, or one of the first frames, which only warm up.
     void step();
     bool finished() const;
     double progress() const; ///< 0 .. 1

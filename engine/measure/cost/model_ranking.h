@@ -38,7 +38,7 @@ class ModelRanking {
                                                         const CostSweep::Options& options);
     ~ModelRanking();
 
-    /// Two frames, one of them of the first model.
+    /// Draws two frames, one of them of the first model.
     void step();
     bool finished() const;
     double progress() const; ///< 0 .. 1

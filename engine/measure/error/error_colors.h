@@ -18,7 +18,7 @@ inline constexpr double greatestErrorShown = 1.0;
 /// equal steps for equal factors; what is not a number is as bright as the worst.
 glm::vec3 errorColor(double relative);
 
-/// A map of relative errors, rows from the top, as a picture of these colours, sRGB.
+/// Returns a map of relative errors, rows from the top, as a picture of these colours, sRGB.
 Image errorPicture(std::span<const double> errors, glm::ivec2 size);
 
 } // namespace patina

@@ -29,7 +29,7 @@ class Flip {
     Flip(glm::ivec2 size, const std::vector<glm::dvec3>& right, ParallelJob& work,
          double pixelsPerDegree = usualPixelsPerDegree);
 
-    /// The difference of each pixel, 0 .. 1.
+    /// Returns the difference of each pixel, 0 .. 1.
     std::vector<double> differences(const std::vector<glm::dvec3>& shown) const;
 
     /// Writes the same into `map`, by `work`. Until it is done all of them must stay where they

@@ -27,7 +27,7 @@ FrameDifference differenceOf(const Image& a, const Image& b);
 /// gaps.
 std::vector<unsigned char> shownDifference(const FrameDifference& difference, double gain);
 
-/// The relative errors in the colours of errorColor(), laid out alike.
+/// Returns the relative errors in the colours of errorColor(), laid out alike.
 std::vector<unsigned char> shownErrors(const FrameDifference& difference);
 
 } // namespace patina

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// A frame in linear light before exposure, in double precision. Rows from the top.
+/// Holds a frame in linear light before exposure, in double precision. Rows from the top.
 struct LinearFrame {
     glm::ivec2 size{0};
     std::vector<glm::dvec3> colors;

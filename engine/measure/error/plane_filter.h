@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// Weights for the pixels from -r to r around one.
+/// Holds weights for the pixels from -r to r around one.
 using Kernel = std::vector<double>;
 
 /// Pixel `i` of a plane filtered along its row, or down its column; beyond the edges the plane goes

@@ -16,7 +16,7 @@ std::string placeText(const EvalCase& request);
 /// By how much a value is wrong: "gives (nan, 0, 0)", "gives 0.153, exactly 0.05, 3.2 times ...".
 std::string amountText(const SweepFinding& finding);
 
-/// "on the graphics device" or "on the CPU in double precision".
+/// Returns "on the graphics device" or "on the CPU in double precision".
 const char* precisionText(bool gpu);
 
 /// Returns what a verdict has to add where not everything was evaluated twice: " on the graphics

@@ -25,7 +25,7 @@ enum class Defect {
     NotMonotonic
 };
 
-/// "not a number", "negative", ...
+/// Returns "not a number", "negative", ...
 const char* wordsFor(Defect defect);
 
 /// One value that is wrong.

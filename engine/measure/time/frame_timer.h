@@ -36,7 +36,7 @@ class FrameTimer {
 
     Method method() const { return method_; }
 
-    /// The method for people: "GPU timer" or "clock around glFinish".
+    /// Returns the method for people: "GPU timer" or "clock around glFinish".
     std::string_view methodText() const;
 
   private:

@@ -37,7 +37,7 @@ class PairedFrames {
 
     ChoiceCost cost() const { return pairs_.cost(); }
 
-    /// Milliseconds of the exact frame, pair by pair.
+    /// Returns milliseconds of the exact frame, pair by pair.
     const std::vector<double>& exactTimes() const { return exactTimes_; }
 
   private:

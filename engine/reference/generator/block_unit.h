@@ -20,7 +20,7 @@ std::string blockSource(const Block& block, const GlslLines& lines);
 /// The C++ file of a block whose kind is not compiled in double precision.
 std::string emptyUnit(const Block& block);
 
-/// The C++ file with the table of all blocks.
+/// Returns the C++ file with the table of all blocks.
 std::string registrySource(const std::vector<Block>& blocks);
 
 } // namespace patina

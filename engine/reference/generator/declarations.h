@@ -6,7 +6,7 @@
 
 namespace patina {
 
-/// A field of a struct or an argument of a function.
+/// Names a field of a struct or an argument of a function.
 struct Variable {
     std::string type;
     std::string name;
@@ -23,7 +23,7 @@ struct FunctionDeclaration {
     std::string name;
     std::vector<Variable> arguments;
 
-    /// "float f(float x, OUT(float) y)"
+    /// Returns "float f(float x, OUT(float) y)".
     std::string signature() const;
 };
 

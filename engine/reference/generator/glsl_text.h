@@ -26,7 +26,7 @@ class GlslReader {
     /// their place is taken by C++.
     GlslReader(std::filesystem::path root, std::set<std::string> left);
 
-    /// The lines of a file and of what it includes.
+    /// Returns the lines of a file and of what it includes.
     Result<GlslLines> read(const std::filesystem::path& file);
 
     /// The files that were included or left, as they are named in an #include.

@@ -34,10 +34,10 @@ inline constexpr unsigned environmentSmall = 6;
 inline constexpr unsigned lobeTable = environmentTable;
 inline constexpr unsigned environmentBlurred = environmentSmall;
 
-/// The shadow maps.
+/// Has the shadow maps.
 inline constexpr unsigned shadowMaps = 7;
 
-/// A material's images, one unit for each.
+/// Begins a material's images, one unit for each.
 inline constexpr unsigned firstTexture = 8;
 
 } // namespace patina::binding

@@ -12,8 +12,8 @@ namespace patina {
 
 class EdgeFinder;
 
-/// The edges of a mesh in the GPU's memory: four numbers of vertices each, as lines with adjacency
-/// (MeshEdge), 16 bytes for an edge.
+/// Holds the edges of a mesh in the GPU's memory: four numbers of vertices each, as lines with
+/// adjacency (MeshEdge), 16 bytes for an edge.
 class GpuEdges {
   public:
     explicit GpuEdges(const MeshView& mesh);

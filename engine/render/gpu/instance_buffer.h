@@ -39,7 +39,7 @@ class InstanceBuffer {
     std::size_t sentCount_ = 0;
 };
 
-/// One object alone.
+/// Holds one object alone.
 class SingleInstance {
   public:
     bool place(const glm::dmat4& world) {

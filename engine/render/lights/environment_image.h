@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// Texels of an environment's picture as half floats, RGBA, rows from the top.
+/// Holds texels of an environment's picture as half floats, RGBA, rows from the top.
 struct EnvironmentTexels {
     glm::ivec2 size{0};
     std::vector<std::uint16_t> halves;

@@ -21,7 +21,7 @@ namespace patina {
 /// and how much of fog that gets thinner with height. Where nobody knows they meet all of it.
 class FogReach {
   public:
-    /// The eight corners of a box, numbered as by cornerOf().
+    /// Holds the eight corners of a box, numbered as by cornerOf().
     using Corners = std::array<glm::dvec3, 8>;
 
     /// `eye` is in world space.

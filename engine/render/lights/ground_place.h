@@ -37,10 +37,10 @@ class GroundUnder {
 /// Adds what the ground needs to the depths of what is drawn.
 void addGround(DepthRange& depths, const GroundPlace& place, const Camera& camera);
 
-/// From a square of two metres a side, level at the origin, into the world.
+/// Leads from a square of two metres a side, level at the origin, into the world.
 glm::dmat4 worldMatrix(const GroundPlace& place);
 
-/// That square, and its box.
+/// Returns that square, and its box.
 Mesh groundMesh();
 Bounds groundBounds();
 

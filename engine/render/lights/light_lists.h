@@ -21,10 +21,10 @@ struct Ball {
     double radius = 0.0;
 };
 
-/// The ball around a box of object space.
+/// Returns the ball around a box of object space.
 Ball ballAround(const Bounds& bounds, const glm::dmat4& world);
 
-/// The ball around the ground's square.
+/// Returns the ball around the ground's square.
 Ball ballAround(const GroundPlace& ground);
 
 /// Knows which of a scene's lights reach which objects, by what the lights' descriptors say of

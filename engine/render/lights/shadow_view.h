@@ -49,7 +49,7 @@ struct CasterBox {
 ShadowView shadowViewOf(const Block& light, const Values& values, const glm::dmat4& cameraToWorld,
                         std::span<const CasterBox> casters, int texels);
 
-/// World space to the clip space of one face of the map.
+/// Leads from world space to the clip space of one face of the map.
 glm::dmat4 shadowClip(const ShadowView& view, int face);
 
 /// Fills the vec4s of ShadowLayout.

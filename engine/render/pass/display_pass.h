@@ -17,7 +17,7 @@
 
 namespace patina {
 
-/// Exposure, tone mapping and the sRGB curve: from the linear image to a framebuffer.
+/// Applies exposure, tone mapping and the sRGB curve: from the linear image to a framebuffer.
 class DisplayPass : public Pass {
   public:
     /// Compiles (or finds) the program for the scene's exposure and tone mapping the first time it

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// The ground: a plane, or shadows alone, behind the solid objects and in front of nothing.
+/// Draws the ground: a plane, or shadows alone, behind the solid objects and in front of nothing.
 class GroundPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;

@@ -45,7 +45,7 @@ class ShadowMaps {
     /// Draws about so many triangles of them; their meshes are complete.
     void drawSome(int triangles, FrameTextures& textures);
 
-    /// The view of each light.
+    /// Returns the view of each light.
     std::span<const ShadowView> views() const { return layers_.views(); }
     /// Lights for whose maps there is no room.
     int lost() const { return layers_.lost(); }

@@ -33,7 +33,7 @@ struct DrawMaterial {
     bool refracts() const { return pipeline && pipeline->object.refraction.has_value(); }
 };
 
-/// One object of a frame.
+/// Says what is drawn of one object of a frame.
 struct DrawItem {
     std::size_t index = 0; ///< in the scene
     MeshView view;

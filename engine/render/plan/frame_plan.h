@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -18,7 +17,7 @@
 
 namespace patina {
 
-/// The ground of a frame.
+/// Says what is drawn of the ground of a frame.
 struct PlannedGround {
     bool isSeen = false;
     GroundPlace place;

@@ -7,7 +7,7 @@
 
 namespace patina {
 
-/// A model's albedo by the viewer's direction, on the GPU.
+/// Holds a model's albedo by the viewer's direction, on the GPU.
 class AlbedoTable {
   public:
     /// Fills it with a pipeline of SurfaceOutput::AlbedoTable, from the object data that is bound.

@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// The scene's ambient colour: light from everywhere.
+/// Adds the scene's ambient colour: light from everywhere.
 struct AmbientEffect {
     bool ambient = false;
 
@@ -24,7 +24,7 @@ struct AmbientEffect {
 /// An expression for what the model makes of light from all around.
 std::string ambientShare(SurfaceText& text);
 
-/// "0.1, 0.2, 0.3".
+/// Returns "0.1, 0.2, 0.3".
 std::string colorText(const glm::dvec3& color);
 
 } // namespace patina

@@ -11,7 +11,7 @@
 
 namespace patina {
 
-/// One line of a listing of effects.
+/// Holds one line of a listing of effects.
 struct EffectLine {
     std::string effect; ///< "models/<id>", "lights/<id>", "ambient", "opacity": each once
     std::string detail; ///< compiled values and counts; may be empty

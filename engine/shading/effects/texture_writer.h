@@ -21,10 +21,10 @@ class TextureWriter {
   public:
     TextureWriter(const EffectSet& set, const ObjectLayout& layout) : set_(set), layout_(layout) {}
 
-    /// Texture coordinates, for the vertex stage, and the statements of its main.
+    /// Writes texture coordinates, for the vertex stage, and the statements of its main.
     std::string writeVertex(SourceBuilder& out) const;
 
-    /// Samplers and functions.
+    /// Writes samplers and functions.
     void writeDeclarations(SourceBuilder& out) const;
 
     /// Those that opacity() needs alone.

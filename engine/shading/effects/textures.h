@@ -60,7 +60,7 @@ struct BoundTexture {
 /// Returns how an image is used that has an effect.
 BoundTexture boundTexture(const TextureUse& use, const TextureTarget& target);
 
-/// The material's images, sorted by their keys.
+/// Holds the material's images, sorted by their keys.
 struct TexturesEffect {
     boost::container::small_vector<BoundTexture, maxTextures> textures;
 

@@ -15,7 +15,7 @@ struct GlslVariable {
     bool isOut = false;    ///< declared OUT(type)
 };
 
-/// A function that a text defines.
+/// Names a function that a text defines.
 struct GlslFunction {
     GlslToken name;
     std::string_view result;

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-/// The text of a user's block within a program's.
+/// Holds the text of a user's block within a program's.
 struct BlockPart {
     std::size_t first = 0; ///< byte, where a line begins
     std::size_t last = 0;  ///< behind its last byte

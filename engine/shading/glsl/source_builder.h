@@ -24,7 +24,7 @@ class SourceBuilder {
     /// Text that no file holds. Ends it with a newline when it has none.
     void add(std::string_view generated);
 
-    /// A file, absolute or below the root.
+    /// Adds a file, absolute or below the root.
     void addFile(const std::filesystem::path& file);
 
     /// The file of a block, with an error for what would be wrong only in the text around it (see

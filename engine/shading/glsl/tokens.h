@@ -26,7 +26,7 @@ using GlslTokens = std::vector<GlslToken>;
 /// The tokens of a text without comments, into which they point.
 GlslTokens glslTokens(std::string_view text);
 
-/// The tokens of a directive, behind its #.
+/// Returns the tokens of a directive, behind its #.
 GlslTokens directiveTokens(const GlslToken& directive);
 
 /// The tokens with those of each directive in its place.

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-/// `const int <BLOCK>_<FIELD>_<VALUE> = <index>;` for every enum value and accuracy level.
+/// Writes `const int <BLOCK>_<FIELD>_<VALUE> = <index>;` for every enum value and accuracy level.
 std::string constantsSource(const Block& block);
 
 /// The parameter struct: parameters, accuracy choices, then one field per slot of type
@@ -49,7 +49,7 @@ std::string emptySlotSource(std::string_view kind);
 /// The names by which a model knows the block that fills its slot.
 std::string slotNamesSource(const Block& block);
 
-/// "FresnelSlot" from the kind "fresnel", and "slotFresnel".
+/// Makes "FresnelSlot" from the kind "fresnel", and "slotFresnel".
 std::string slotStructName(std::string_view kind);
 std::string slotFunctionName(std::string_view kind);
 

@@ -23,7 +23,7 @@ struct TablePlace {
     int row = 0;   ///< the first of table->size.y rows; an entry has a texel
 };
 
-/// All tables of a program: one above the other in one texture.
+/// Lays out all tables of a program: one above the other in one texture.
 struct TableLayout {
     std::vector<TablePlace> places;
     glm::ivec2 size{0};              ///< of the texture

@@ -8,7 +8,7 @@
 
 namespace patina {
 
-/// One undoable edit of a document.
+/// Does one undoable edit of a document.
 class DocumentCommand : public QUndoCommand {
   public:
     /// The undo stack merges commands of one id: those of one interaction.
