@@ -6,7 +6,6 @@
 
 #include "document/commands/material_command.h"
 #include "document/commands/preview_command.h"
-#include "document/picture_parameters.h"
 
 namespace patina {
 

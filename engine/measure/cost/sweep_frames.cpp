@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "measure/choice/picture_choices.h"
 #include "measure/cost/measured_scene.h"
 #include "render/surfaces/surface_buffer_drawer.h"
 

@@ -6,7 +6,6 @@
 
 #include "core/color.h"
 #include "measure/eval/reference_case.h"
-#include "measure/stability/claim_trials.h"
 #include "measure/stability/hemisphere_rule.h"
 #include "measure/stability/sweep_cases.h"
 
