@@ -13,8 +13,8 @@ std::string kindMistake(const BlockKind& kind) {
     });
     return found == kind.functions.end()
                ? std::string()
-               : fmt::format("the kind \"{}\" has a function \"{}\" of Directions, and only the one "
-                             "that is named as its block may be one",
+               : fmt::format("the kind \"{}\" has a function \"{}\" of Directions, and only the "
+                             "one that is named as its block may be one",
                              kind.folder, found->suffix);
 }
 

@@ -42,7 +42,8 @@ TEST(BlockKinds, SecondFunctionOfDirections_IsRefusedByItsName) {
     constexpr BlockFunction tint{"Tint", "vec3"};
     constexpr std::array sound{own, tint};
     constexpr std::array broken{own, tail};
-    BlockKind kind{.folder = "tried", .functions = sound};
+    BlockKind kind = blockKinds().front();
+    kind.functions = sound;
     EXPECT_EQ(kindMistake(kind), "");
     kind.functions = broken;
     EXPECT_NE(kindMistake(kind).find("\"Tail\" of Directions"), std::string::npos);

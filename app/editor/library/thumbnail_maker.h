@@ -34,8 +34,8 @@ class ThumbnailMaker : public QObject {
     void start() { worker_.resume(); }
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
-    /// Takes the place of what was asked for by that name and is not begun. ready() follows with the
-    /// name, unless nothing can be drawn on this machine.
+    /// Takes the place of what was asked for by that name and is not begun. ready() follows with
+    /// the name, unless nothing can be drawn on this machine.
     void ask(const QString& name, const Material& material);
 
     static constexpr int pixels = 160;
