@@ -17,7 +17,7 @@ using tests::TemporaryFolder;
 using tests::writeFile;
 
 /// A folder `patina` with one preset, from which Patina takes its data.
-class DataFolder : public testing::Test {
+class PresetsThatShip : public testing::Test {
   protected:
     void SetUp() override {
         fs::create_directories(shipped_.parent_path());
@@ -33,18 +33,18 @@ class DataFolder : public testing::Test {
     fs::path shipped_ = folder_ / "patina/presets/model/a.patina.json";
 };
 
-TEST_F(DataFolder, PresetThatWasThere_Ships) {
+TEST_F(PresetsThatShip, PresetThatWasThere_Ships) {
     EXPECT_TRUE(isShippedPreset(shipped_));
     EXPECT_FALSE(isShippedPreset(shipped_.parent_path()));
     EXPECT_FALSE(isShippedPreset({}));
 }
 
-TEST_F(DataFolder, LinkToOne_IsOneThatShips) {
+TEST_F(PresetsThatShip, LinkToOne_IsOneThatShips) {
     fs::create_symlink(shipped_, folder_ / "link.patina.json");
     EXPECT_TRUE(isShippedPreset(folder_ / "link.patina.json"));
 }
 
-TEST_F(DataFolder, PresetThatIsPutThereLater_IsItsAuthors) {
+TEST_F(PresetsThatShip, PresetThatIsPutThereLater_IsItsAuthors) {
     const fs::path added = shipped_.parent_path() / "b.patina.json";
     EXPECT_FALSE(isShippedPreset(added));
     writeFile(added, "{}");
@@ -52,7 +52,7 @@ TEST_F(DataFolder, PresetThatIsPutThereLater_IsItsAuthors) {
     EXPECT_TRUE(isShippedPreset(shipped_));
 }
 
-TEST_F(DataFolder, PresetInTheUsersOwnFolder_NeverShips) {
+TEST_F(PresetsThatShip, PresetInTheUsersOwnFolder_NeverShips) {
     setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
     EXPECT_FALSE(isShippedPreset(shipped_));
 }
