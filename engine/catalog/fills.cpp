@@ -6,7 +6,7 @@
 namespace patina {
 namespace {
 
-const EnumValue* choiceOf(const Parameter& parameter, const Value& value) {
+const EnumValue* chosenValue(const Parameter& parameter, const Value& value) {
     const auto* id = std::get_if<std::string>(&value);
     const auto found =
         std::find_if(parameter.values.begin(), parameter.values.end(),
@@ -32,7 +32,7 @@ bool tellsTheTruth(const Block& block, const Values& values, const EnumValue* ch
 /// The choice of a shorthand that agrees with the values.
 Value settled(const Block& block, const Values& values, const Parameter& shorthand) {
     const Value& chosen = valueIn(values, shorthand);
-    if (tellsTheTruth(block, values, choiceOf(shorthand, chosen))) {
+    if (tellsTheTruth(block, values, chosenValue(shorthand, chosen))) {
         return chosen;
     }
     const auto own = std::find_if(shorthand.values.begin(), shorthand.values.end(),
@@ -48,7 +48,7 @@ bool fills(const Parameter& shorthand, std::string_view id) {
 /// What a choice sets, and the values of today for what only its siblings set.
 void addFilled(const Block& block, const Values& values, const Parameter& shorthand,
                Values& after) {
-    if (const EnumValue* choice = choiceOf(shorthand, after.at(shorthand.id))) {
+    if (const EnumValue* choice = chosenValue(shorthand, after.at(shorthand.id))) {
         for (const auto& [id, value] : choice->fills) {
             after.insert_or_assign(id, roundedToFloat(value));
         }
@@ -88,7 +88,7 @@ void fillGaps(const Block& block, Values& given) {
     for (const Parameter& parameter : block.parameters) {
         const auto chosen = given.find(parameter.id);
         const EnumValue* choice =
-            chosen == given.end() ? nullptr : choiceOf(parameter, chosen->second);
+            chosen == given.end() ? nullptr : chosenValue(parameter, chosen->second);
         if (choice != nullptr) {
             given.insert(choice->fills.begin(), choice->fills.end());
         }

@@ -311,7 +311,7 @@ std::optional<Value> choiceFromText(const Parameter& parameter, std::string_view
     return std::nullopt;
 }
 
-std::size_t choiceOf(const Parameter& parameter, const Value& value) {
+std::size_t chosenIndex(const Parameter& parameter, const Value& value) {
     const auto isChosen = [&](const Value& wanted) {
         return std::ranges::find(parameter.values, std::get<std::string>(wanted), &EnumValue::id);
     };
@@ -329,7 +329,7 @@ Value conformedChoice(const Parameter& parameter, const Value& value) {
 }
 
 void packChoice(const Parameter& parameter, const Value& value, double* out) {
-    *out = static_cast<double>(choiceOf(parameter, value));
+    *out = static_cast<double>(chosenIndex(parameter, value));
 }
 
 std::vector<Value> allChoices(const Parameter& parameter) {
@@ -466,7 +466,7 @@ const ParameterTypeInfo& infoOfEnum() {
             return parameter.values[static_cast<std::size_t>(share * count)].id;
         };
         row.states = &allChoices;
-        row.state = &choiceOf;
+        row.state = &chosenIndex;
         row.stateWord = [](const Parameter& parameter, std::size_t state) {
             return state < parameter.values.size() ? std::string_view(parameter.values[state].id)
                                                    : std::string_view();

@@ -16,7 +16,15 @@ add_library(patina_compiler INTERFACE)
 add_library(patina::compiler ALIAS patina_compiler)
 target_compile_options(patina_compiler INTERFACE
     -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
-    $<$<NOT:$<CONFIG:Release>>:-Wshadow> $<$<NOT:$<CONFIG:Release>>:-Werror>)
+    $<$<NOT:$<CONFIG:Release>>:-Werror>)
+# In files that are compiled together only what is local shadows what is local; the clang preset,
+# which takes each alone, sees the rest.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_UNITY_BUILD)
+    set(PATINA_SHADOW -Wshadow=local)
+else()
+    set(PATINA_SHADOW -Wshadow)
+endif()
+target_compile_options(patina_compiler INTERFACE $<$<NOT:$<CONFIG:Release>>:${PATINA_SHADOW}>)
 # gcc 12 sees overlaps in sums of std::string that are not there (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(patina_compiler INTERFACE -Wno-restrict)

@@ -6,9 +6,9 @@ option(PATINA_PRECOMPILE "Precompile the headers of the libraries" ON)
 
 set(PATINA_STANDARD_HEADERS <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional>
     <limits> <map> <memory> <optional> <set> <span> <string> <string_view> <utility> <vector>)
-set(PATINA_ENGINE_HEADERS ${PATINA_STANDARD_HEADERS} <fmt/format.h> <glm/common.hpp>
+set(PATINA_ENGINE_HEADERS ${PATINA_STANDARD_HEADERS} <epoxy/gl.h> <fmt/format.h> <glm/common.hpp>
     <glm/geometric.hpp> <glm/mat3x3.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp> <glm/trigonometric.hpp>
-    <glm/vec2.hpp> <glm/vec3.hpp> <glm/vec4.hpp> <tl/expected.hpp>)
+    <glm/vec2.hpp> <glm/vec3.hpp> <glm/vec4.hpp> <nlohmann/json.hpp> <tl/expected.hpp>)
 set(PATINA_WIDGET_HEADERS ${PATINA_ENGINE_HEADERS} <QApplication> <QComboBox> <QDockWidget>
     <QFileInfo> <QHBoxLayout> <QKeyEvent> <QLabel> <QMenu> <QMouseEvent> <QPainter> <QPushButton>
     <QString> <QThreadPool> <QTimer> <QToolButton> <QTreeWidget> <QVBoxLayout> <QWidget>)

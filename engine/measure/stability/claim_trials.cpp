@@ -19,7 +19,7 @@ using Verdict = std::optional<Broken>;
 using Trials = std::vector<ClaimTrial>;
 
 /// Two values of the shader are each within 1e-4 of theirs.
-constexpr double rounding = 2e-4;
+constexpr double deviceRounding = 2e-4;
 
 /// What the rule and the shader's rounding may add to an albedo of 1.
 constexpr double albedoSlack = 5e-3;
@@ -51,7 +51,7 @@ EvalPlace placed(const glm::dvec3& l, const glm::dvec3& v) {
 
 /// `value` may not differ from `wanted`, both on the scale of 1.
 Verdict unequal(double value, double wanted) {
-    const double excess = std::abs(value - wanted) / (rounding * (1.0 + std::abs(wanted)));
+    const double excess = std::abs(value - wanted) / (deviceRounding * (1.0 + std::abs(wanted)));
     return excess <= 1.0 ? Verdict() : Broken{0, value, wanted, excess};
 }
 

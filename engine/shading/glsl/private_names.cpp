@@ -43,7 +43,7 @@ void addWords(Stretch& stretch, const GlslTokens& tokens) {
 }
 
 /// The macro that "#  define NAME..." defines; empty: it is another directive.
-std::string_view macroOf(const GlslToken& directive) {
+std::string_view definedMacro(const GlslToken& directive) {
     const GlslTokens tokens = directiveTokens(directive);
     return tokens.size() > 1 && tokens[0].text == "define" ? tokens[1].text : std::string_view();
 }
@@ -91,7 +91,7 @@ Stretch stretchOf(std::string_view text) {
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const std::string_view token = tokens[i].text;
         if (tokens[i].isDirective()) {
-            stretch.macros.insert(macroOf(tokens[i]));
+            stretch.macros.insert(definedMacro(tokens[i]));
         }
         if (depth == 0 && declares(tokens, i)) {
             stretch.declared[token].insert(argumentsOf(tokens, i));

@@ -82,7 +82,7 @@ std::string_view nameBefore(const GlslTokens& tokens, GlslTokens::const_iterator
 }
 
 /// What a directive defines.
-std::string_view macroOf(const GlslToken& directive) {
+std::string_view definedOrDroppedMacro(const GlslToken& directive) {
     const GlslTokens tokens = directiveTokens(directive);
     const bool isMacro =
         tokens.size() > 1 && (tokens[0].text == "define" || tokens[0].text == "undef");
@@ -127,7 +127,7 @@ class ItemReader {
             item_.last = i;
             take(tokens);
             if (begins && directive != nullptr) {
-                finish(macroOf(*directive));
+                finish(definedOrDroppedMacro(*directive));
             } else if (depth_ < 0 || parentheses_ < 0) {
                 return std::nullopt;
             } else if (isEnded_) {
