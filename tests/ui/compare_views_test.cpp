@@ -77,6 +77,8 @@ TEST_F(CompareViews, ChosenInTheBar_StandInAGridOrARow) {
     const auto placeOf = [this](Side side) { return viewOf(side).mapTo(&window(), QPoint(0, 0)); };
     EXPECT_GT(placeOf(Side::D).y(), placeOf(Side::B).y());
     EXPECT_EQ(placeOf(Side::D).x(), placeOf(Side::B).x());
+    EXPECT_NEAR(viewOf(Side::D).height(), viewOf(Side::B).height(), 1);
+    EXPECT_NEAR(viewOf(Side::D).width(), viewOf(Side::B).width(), 1);
     CompareLook look = window().views().look();
     look.arrangement = ViewArrangement::Row;
     window().views().setLook(look);
@@ -126,6 +128,16 @@ TEST_F(CompareViews, Wipe_IsOfAAndBAndGivesTheOthersBack) {
     for (const Side side : sides) {
         EXPECT_TRUE(isShown(side)) << indexOf(side);
     }
+}
+
+TEST_F(CompareViews, ThirdView_IsSeenAfterAWipe) {
+    window().comparison().setComparing(true);
+    CompareLook look = window().views().look();
+    look.mode = CompareMode::Wipe;
+    window().views().setLook(look);
+    window().comparison().setSideCount(3);
+    EXPECT_EQ(window().views().look().mode, CompareMode::SideBySide);
+    EXPECT_TRUE(isShown(Side::B) && isShown(Side::C));
 }
 
 TEST_F(CompareViews, ExportedPicture_HasAllFour) {

@@ -157,27 +157,45 @@ bool CompareArea::makeMissingViews() {
 }
 
 void CompareArea::showSides() {
-    const bool isNew = makeMissingViews();
+    showFurtherSide();
+    bool isMoved = makeMissingViews();
     const bool comparing = document_.isComparing();
     const bool isComposed = comparing && rowOf(look_.mode).isComposed();
     if (second() != nullptr) {
         showComposed(isComposed);
     }
-    placeViews(isNew);
+    isMoved |= placeViews();
     for (const Side side : sides) {
         if (SideView* shown = view(side)) {
             shown->setTitleVisible(comparing && !isComposed);
             shown->setVisible(isShown(side));
         }
     }
+    if (isMoved) {
+        shareRoom();
+    }
     showDifference(comparing && (wantsDifference_ || look_.mode == CompareMode::Difference));
     fitNarrowViews();
 }
 
-/// Every view to its row; the difference stays the last of the upper one.
-void CompareArea::placeViews(bool isNew) {
+/// Who asks for a third view wants to see it.
+void CompareArea::showFurtherSide() {
+    const std::size_t before = std::exchange(sideCount_, document_.shownSides());
+    if (sideCount_ > std::max(before, indexOf(Side::C)) && look_.mode != CompareMode::SideBySide) {
+        look_.mode = CompareMode::SideBySide;
+        Q_EMIT lookChanged(look_);
+    }
+}
+
+/// Every view to its row; the difference stays the last of the upper one. Tells whether something
+/// stands elsewhere now.
+bool CompareArea::placeViews() {
     const bool isGrid = look_.arrangement == ViewArrangement::Grid;
-    bool isMoved = isNew;
+    const auto way = look_.arrangement == ViewArrangement::Column ? Qt::Vertical : Qt::Horizontal;
+    const bool hasLower = isGrid && isShown(Side::C);
+    bool isMoved = upper_->orientation() != way || lower_->isHidden() == hasLower;
+    upper_->setOrientation(way);
+    lower_->setVisible(hasLower);
     for (const Side side : sides) {
         SideView* placed = view(side);
         QSplitter* row = isGrid && side > Side::B ? lower_ : upper_;
@@ -185,18 +203,21 @@ void CompareArea::placeViews(bool isNew) {
             (side == Side::B && isComposed())) {
             continue;
         }
-        row->insertWidget(
-            static_cast<int>(row == lower_ ? indexOf(side) - indexOf(Side::C) : indexOf(side)),
-            placed);
+        const std::size_t place = indexOf(side) - (row == lower_ ? indexOf(Side::C) : 0);
+        row->insertWidget(static_cast<int>(place), placed);
         isMoved = true;
     }
-    const auto way = look_.arrangement == ViewArrangement::Column ? Qt::Vertical : Qt::Horizontal;
-    lower_->setVisible(isGrid && isShown(Side::C));
-    if (isMoved || upper_->orientation() != way) {
-        upper_->setOrientation(way);
-        upper_->setSizes(QList<int>(upper_->count(), 1));
-        lower_->setSizes(QList<int>(lower_->count(), 1));
-        rows_->setSizes({1, 1});
+    return isMoved;
+}
+
+/// As much to each view, and none to what is hidden.
+void CompareArea::shareRoom() {
+    for (QSplitter* splitter : {rows_, upper_, lower_}) {
+        QList<int> sizes;
+        for (int i = 0; i < splitter->count(); ++i) {
+            sizes << (splitter->widget(i)->isHidden() ? 0 : 1);
+        }
+        splitter->setSizes(sizes);
     }
 }
 
@@ -243,9 +264,7 @@ void CompareArea::showDifference(bool shown) {
         upper_->addWidget(difference_);
     }
     difference_->setVisible(shown);
-    QList<int> equal(upper_->count(), 1);
-    equal.last() = shown ? 1 : 0;
-    upper_->setSizes(equal);
+    shareRoom();
 }
 
 /// Side B's view then lies where side A's is, below it: it draws there as it does elsewhere.

@@ -78,7 +78,9 @@ class CompareArea : public QWidget {
     bool isLinked(Side side) const { return side == Side::A || linked_; }
     void showSides();
     bool makeMissingViews();
-    void placeViews(bool isNew);
+    bool placeViews();
+    void shareRoom();
+    void showFurtherSide();
     void makeMeter();
     void showNumbers();
     void showComposed(bool shown);
@@ -98,6 +100,7 @@ class CompareArea : public QWidget {
     QSplitter* rows_;
     QSplitter* upper_; ///< all but what is in the second row of a grid
     QSplitter* lower_;
+    std::size_t sideCount_ = 1; ///< that are compared
     bool linked_ = true;
     bool wantsDifference_ = false;
     bool inspecting_ = false;
