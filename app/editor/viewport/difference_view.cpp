@@ -35,6 +35,7 @@ DifferenceView::DifferenceView(ComparisonMeter& meter, Viewport& first, QWidget*
       title_(new QLabel(head_)), mode_(new QComboBox(head_)),
       slider_(new QSlider(Qt::Horizontal, head_)), number_(new QLabel(head_)) {
     setMinimumSize(minSize);
+    setFocusPolicy(Qt::ClickFocus); // the keys of the views work here, too
     setAccessibleName(tr("The difference of the views"));
     layOut();
     connectParts();
