@@ -13,6 +13,8 @@
 #include "material/model_swap.h"
 #include "material/texture_file.h"
 #include "material/texture_key.h"
+#include "material/texture_path.h"
+#include "material/variant.h"
 
 namespace patina {
 namespace {
@@ -32,6 +34,7 @@ class PresetReader {
     Checked<PresetReading> run() {
         reading_.readOnly = readHeader(reader_, presetFormat, reading_.notes) == FileAge::Newer;
         readTexts();
+        readParent();
         readKept();
         readModel();
         readParts();
@@ -42,6 +45,7 @@ class PresetReader {
         material().textures = textures.uses;
         noteTextures();
         material().unknown = reader_.unknown();
+        setParent(material(), parent_);
         if (!textures.unknown.empty()) {
             material().unknown["textures"] = textures.unknown;
         }
@@ -71,6 +75,12 @@ class PresetReader {
                 reader_.addError("tags", described((*tags)[i]) + " stands among the tags", "text");
             }
         }
+    }
+
+    void readParent() {
+        std::string parent;
+        reader_.read("parent", parent);
+        parent_ = imageFromFile(parent, references_.base());
     }
 
     void readKept() {
@@ -213,6 +223,7 @@ class PresetReader {
     JsonReader reader_;
     BlockReader blocks_;
     References references_;
+    std::string parent_;
 };
 
 /// The model object holds the id and version; its values stand beside it.
@@ -233,6 +244,9 @@ Checked<PresetReading> materialFromJson(const LocatedJson& document, const std::
 
 nlohmann::json toJson(const Material& material, const std::filesystem::path& folder) {
     Json json = material.unknown;
+    if (const std::string parent = parentOf(material); !parent.empty()) {
+        json["parent"] = imageForFile(parent, folder);
+    }
     json["format"] = presetFormat.name;
     json["version"] = presetFormat.version;
     json["name"] = material.name;
@@ -264,11 +278,20 @@ Checked<PresetReading> readPreset(const std::filesystem::path& path, const Catal
     if (!document) {
         return tl::unexpected(Errors{document.error()});
     }
-    return materialFromJson(*document, "", catalog, rights);
+    return document->value.is_object() && document->value.contains("parent")
+               ? readVariant(*document, catalog, rights)
+               : materialFromJson(*document, "", catalog, rights);
 }
 
-Result<void> writePreset(const std::filesystem::path& path, const Material& material) {
-    return writeFileAtomically(path, writeJson(toJson(material, referenceFolder(path))));
+Json presetJson(const Material& material, const std::filesystem::path& file,
+                const Catalog& catalog) {
+    return parentOf(material).empty() ? toJson(material, referenceFolder(file))
+                                      : variantJson(material, file, catalog);
+}
+
+Result<void> writePreset(const std::filesystem::path& path, const Material& material,
+                         const Catalog& catalog) {
+    return writeFileAtomically(path, writeJson(presetJson(material, path, catalog)));
 }
 
 } // namespace patina

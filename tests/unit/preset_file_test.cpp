@@ -28,8 +28,7 @@ Catalog madePresetCatalog() {
     lobe["values"] = {{{"id", "wide"}, {"label", "W"}}, {{"id", "narrow"}, {"label", "N"}}};
     json fuzz = oneParameter("fuzz", "float", 0.25);
     fuzz["migrations"] = {{{"from", "hair"}, {"until", 1}}};
-    model["parameters"] = {color, lobe, fuzz,
-                           oneParameter("soft", "bool", true)};
+    model["parameters"] = {color, lobe, fuzz, oneParameter("soft", "bool", true)};
     model["accuracy"] = {
         {{"id", "sum"},
          {"label", "Sum"},
@@ -352,7 +351,7 @@ TEST(WritePreset, Written_ReadsAsTheSameMaterial) {
 TEST(WritePreset, File_ReadsAsTheSameMaterial) {
     const tests::TemporaryFolder folder;
     const Material before = reading(json::object())->material;
-    ASSERT_TRUE(writePreset(folder / "a.patina.json", before));
+    ASSERT_TRUE(writePreset(folder / "a.patina.json", before, presetCatalog()));
     EXPECT_EQ(readPreset(folder / "a.patina.json", presetCatalog())->material, before);
 }
 

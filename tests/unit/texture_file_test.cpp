@@ -146,7 +146,7 @@ TEST(TextureFile, WrittenFile_ReadsAsTheSameMaterial) {
     before.model.id = "not-here";
     before.textures["height"] =
         textureUse("height", (std::filesystem::absolute(folder.path()) / "h.png").string());
-    ASSERT_TRUE(writePreset(folder / "a.patina.json", before));
+    ASSERT_TRUE(writePreset(folder / "a.patina.json", before, Catalog()));
     EXPECT_EQ(readPreset(folder / "a.patina.json", Catalog())->material.textures, before.textures);
 }
 
@@ -157,8 +157,8 @@ TEST(TextureSettings, EachRole_OffersWhatItUses) {
 }
 
 TEST(TextureSettings, Stored_IsWhatIsReadBack) {
-    for (const TextureRole role : {TextureRole::Input, TextureRole::Normal, TextureRole::Height,
-                                   TextureRole::Opacity}) {
+    for (const TextureRole role :
+         {TextureRole::Input, TextureRole::Normal, TextureRole::Height, TextureRole::Opacity}) {
         for (const Parameter& setting : textureSettings(role, {"rgb", "r", "a"}).parameters) {
             TextureUse changed;
             const Value other = setting.values.empty() ? conformed(setting, setting.defaultValue)

@@ -6,7 +6,7 @@
 #include "document/commands/material_command.h"
 #include "document/snapshot_edits.h"
 #include "material/parked.h"
-#include "material/preset_file.h"
+#include "material/variant.h"
 #include "scene/scene_file.h"
 
 namespace patina {
@@ -245,7 +245,7 @@ OutsideFiles DocumentFiles::outsideOf(const std::filesystem::path& path, Documen
                                       const Catalog& catalog, const ReadingRights& rights) {
     if (kind == DocumentFile::Kind::Preset) {
         const auto reading = readPreset(path, catalog, rights);
-        return reading ? reading->outside : OutsideFiles();
+        return reading ? reading->outside : parentsOutside(path, rights);
     }
     auto reading = readScene(path, catalog, rights);
     if (!reading) {
@@ -417,8 +417,8 @@ bool DocumentFiles::savePreset(const std::filesystem::path& path, const BlockPat
         kept.name = saved.name;
     }
     const bool keeps = keepsParked_ || holdsParked(path, document_.catalog());
-    const Result<void> written =
-        writePreset(path, keeps ? kept : withoutParked(kept, document_.catalog()));
+    const Result<void> written = writePreset(
+        path, keeps ? kept : withoutParked(kept, document_.catalog()), document_.catalog());
     if (!written) {
         Q_EMIT message(written.error());
         return false;
