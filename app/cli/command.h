@@ -19,6 +19,8 @@ void addCompare(CLI::App& program, int& status);
 void addCost(CLI::App& program, int& status);
 void addEffects(CLI::App& program, int& status);
 void addEval(CLI::App& program, int& status);
+void addExport(CLI::App& program, int& status);
+void addImport(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);
 void addRender(CLI::App& program, int& status);
 void addValidate(CLI::App& program, int& status);

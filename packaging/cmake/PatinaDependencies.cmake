@@ -29,6 +29,7 @@ find_package(glslang REQUIRED)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
 pkg_check_modules(glu REQUIRED IMPORTED_TARGET glu)
+pkg_check_modules(minizip REQUIRED IMPORTED_TARGET minizip)
 
 # QCustomPlot brings CMake files on Debian only; its library has another name on each system.
 find_package(QCustomPlotQt6 QUIET)

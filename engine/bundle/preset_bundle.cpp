@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bundle/preset_bundle.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+
+#include <fmt/format.h>
+
+#include <sys/stat.h>
+#include <unzip.h>
+#include <zip.h>
+
+#include "catalog/json_text.h"
+#include "core/ordinary_file.h"
+#include "material/preset_file.h"
+#include "material/texture_path.h"
+#include "material/variant.h"
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view presetSuffix = ".patina.json";
+constexpr std::string_view pictureFolder = "pictures/";
+constexpr std::array imageSuffixes{".png",  ".jpg", ".jpeg", ".exr", ".hdr", ".tif",
+                                   ".tiff", ".dds", ".tga",  ".bmp", ".webp"};
+constexpr std::uintmax_t maxBundleBytes = std::uintmax_t(2) << 30;
+constexpr int unixHost = 3; ///< the system of "version made by" whose attributes have a mode
+
+struct CloseUnzip {
+    void operator()(void* file) const { unzClose(file); }
+};
+struct CloseZip {
+    void operator()(void* file) const { zipClose(file, nullptr); }
+};
+using Unzip = std::unique_ptr<void, CloseUnzip>;
+using Zip = std::unique_ptr<void, CloseZip>;
+
+bool isPreset(std::string_view name) {
+    return name.ends_with(presetSuffix);
+}
+
+bool isImage(const fs::path& name) {
+    std::string suffix = name.extension().string();
+    std::ranges::transform(suffix, suffix.begin(),
+                           [](unsigned char letter) { return std::tolower(letter); });
+    return std::ranges::find(imageSuffixes, suffix) != imageSuffixes.end();
+}
+
+bool add(void* zip, const std::string& name, std::string_view bytes) {
+    constexpr uLong utf8Names = 1u << 11;
+    zip_fileinfo info{};
+    const int opened =
+        zipOpenNewFileInZip4_64(zip, name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr,
+                                Z_DEFLATED, Z_DEFAULT_COMPRESSION, 0, -MAX_WBITS, DEF_MEM_LEVEL,
+                                Z_DEFAULT_STRATEGY, nullptr, 0, 0, utf8Names, 1);
+    return opened == ZIP_OK &&
+           zipWriteInFileInZip(zip, bytes.data(), static_cast<unsigned>(bytes.size())) == ZIP_OK &&
+           zipCloseFileInZip(zip) == ZIP_OK;
+}
+
+/// Puts presets into an open zip; images that several of them name are in it once.
+class BundleWriter {
+  public:
+    explicit BundleWriter(void* zip) : zip_(zip) {}
+
+    BundleOutcome add(const BundledPreset& preset) {
+        Material material = preset.material;
+        setParent(material, {});
+        for (auto& [key, use] : material.textures) {
+            const Result<std::string> name = addImage(use.file);
+            if (!name) {
+                return {preset.name, name.error().problem};
+            }
+            use.file = *name;
+        }
+        const std::string stem = unused(preset.name, presets_);
+        const bool isAdded =
+            patina::add(zip_, stem + std::string(presetSuffix), writeJson(toJson(material))) &&
+            (preset.picture.empty() ||
+             patina::add(zip_, fmt::format("{}{}.png", pictureFolder, stem), preset.picture));
+        return {preset.name, isAdded ? "" : "it could not be written"};
+    }
+
+  private:
+    /// The path of an image in the bundle.
+    Result<std::string> addImage(const std::string& file) {
+        const auto [known, isNew] = images_.try_emplace(file);
+        if (isNew) {
+            const fs::path path(file);
+            const Result<std::string> bytes = readFile(path, BundleLimits{}.fileBytes);
+            if (!bytes) {
+                images_.erase(known);
+                return tl::unexpected(bytes.error());
+            }
+            known->second = fmt::format("images/{}{}", unused(path.stem().string(), imageStems_),
+                                        path.extension().string());
+            if (!patina::add(zip_, known->second, *bytes)) {
+                return failure("an image could not be written");
+            }
+        }
+        return known->second;
+    }
+
+    /// A file's name that none of the others has.
+    static std::string unused(std::string stem, std::set<std::string>& others) {
+        std::ranges::replace(stem, '/', '-');
+        std::string name = stem;
+        for (int number = 2; !others.insert(name).second; ++number) {
+            name = fmt::format("{}-{}", stem, number);
+        }
+        return name;
+    }
+
+    void* zip_;
+    std::map<std::string, std::string> images_; ///< by the file they came from
+    std::set<std::string> imageStems_;
+    std::set<std::string> presets_;
+};
+
+/// Unpacks the entries of a zip into a folder.
+class BundleReader {
+  public:
+    BundleReader(void* zip, fs::path folder, const BundleLimits& limits)
+        : zip_(zip), folder_(std::move(folder)), limits_(limits) {}
+
+    Result<std::vector<BundleOutcome>> run() {
+        unz_global_info64 all{};
+        if (unzGetGlobalInfo64(zip_, &all) != UNZ_OK) {
+            return failure("it is no zip file");
+        }
+        if (all.number_entry > limits_.files) {
+            return failure(
+                fmt::format("it holds {} files, more than {}", all.number_entry, limits_.files));
+        }
+        int found = all.number_entry > 0 ? unzGoToFirstFile(zip_) : UNZ_END_OF_LIST_OF_FILE;
+        for (; found == UNZ_OK; found = unzGoToNextFile(zip_)) {
+            if (auto taken = takeEntry(); !taken) {
+                return tl::unexpected(taken.error());
+            }
+        }
+        return found == UNZ_END_OF_LIST_OF_FILE ? Result<std::vector<BundleOutcome>>(outcomes_)
+                                                : failure("its list of files is damaged");
+    }
+
+  private:
+    Result<void> takeEntry() {
+        std::array<char, 4096> name{};
+        unz_file_info64 info{};
+        if (unzGetCurrentFileInfo64(zip_, &info, name.data(), name.size() - 1, nullptr, 0, nullptr,
+                                    0) != UNZ_OK) {
+            return failure("its list of files is damaged");
+        }
+        const std::string entry = name.data();
+        if (entry.ends_with('/') || entry.starts_with(pictureFolder)) {
+            return {};
+        }
+        const std::string why = whyNot(entry, info);
+        if (!why.empty()) {
+            outcomes_.push_back({entry, why});
+            return {};
+        }
+        return unpack(entry);
+    }
+
+    std::string whyNot(const std::string& entry, const unz_file_info64& info) const {
+        if (info.size_filename >= 4096 || info.size_filename != entry.size()) {
+            return "its name cannot be read";
+        }
+        if (!staysInFolder(entry)) {
+            return "its path leads out of the bundle";
+        }
+        const bool hasMode = (info.version >> 8) == unixHost;
+        const auto mode = static_cast<mode_t>(info.external_fa >> 16);
+        if (hasMode && (mode & S_IFMT) != 0 && !S_ISREG(mode)) {
+            return "it is no ordinary file";
+        }
+        if (!isPreset(entry) && !isImage(entry)) {
+            return "it is neither a preset nor an image";
+        }
+        std::error_code unreadable;
+        return fs::exists(folder_ / entry, unreadable) ? "the bundle has two files of this name"
+                                                       : "";
+    }
+
+    Result<void> unpack(const std::string& entry) {
+        const fs::path file = folder_ / entry;
+        std::error_code failed;
+        fs::create_directories(file.parent_path(), failed);
+        std::ofstream out(file, std::ios::binary);
+        if (failed || !out) {
+            outcomes_.push_back({entry, "it could not be written"});
+            return {};
+        }
+        if (unzOpenCurrentFile(zip_) != UNZ_OK) {
+            fs::remove(file, failed);
+            outcomes_.push_back({entry, "it cannot be unpacked"});
+            return {};
+        }
+        const Result<bool> whole = copyCurrent(entry, out);
+        const bool isSound = unzCloseCurrentFile(zip_) == UNZ_OK; // also its checksum
+        out.close();
+        if (!whole) {
+            return tl::unexpected(whole.error());
+        }
+        if (!*whole || !isSound || !out) {
+            fs::remove(file, failed);
+            outcomes_.push_back({entry, out ? "it is damaged" : "it could not be written"});
+        } else {
+            outcomes_.push_back({entry, ""});
+        }
+        return {};
+    }
+
+    /// What comes out counts, whatever the zip says of it. False: it is damaged.
+    Result<bool> copyCurrent(const std::string& entry, std::ofstream& out) {
+        std::array<char, 65536> bytes{};
+        std::uint64_t size = 0;
+        for (;;) {
+            const int read = unzReadCurrentFile(zip_, bytes.data(), bytes.size());
+            if (read <= 0) {
+                return read == 0;
+            }
+            size += static_cast<std::uint64_t>(read);
+            all_ += static_cast<std::uint64_t>(read);
+            if (size > limits_.fileBytes || all_ > limits_.bytes) {
+                return failure(fmt::format("\"{}\" makes it larger than it may be", entry));
+            }
+            out.write(bytes.data(), read);
+        }
+    }
+
+    void* zip_;
+    fs::path folder_;
+    BundleLimits limits_;
+    std::uint64_t all_ = 0;
+    std::vector<BundleOutcome> outcomes_;
+};
+
+/// A folder that is not there yet, called as the bundle.
+fs::path newFolder(const fs::path& bundle, const fs::path& folder) {
+    const std::string stem = bundle.stem().empty() ? "presets" : bundle.stem().string();
+    fs::path place = folder / stem;
+    std::error_code unreadable;
+    for (int number = 2; fs::exists(place, unreadable); ++number) {
+        place = folder / fmt::format("{}-{}", stem, number);
+    }
+    return place;
+}
+
+Error at(const fs::path& file, Error error) {
+    error.file = file.string();
+    return error;
+}
+
+} // namespace
+
+Result<std::vector<BundleOutcome>> exportBundle(const fs::path& file,
+                                                const std::vector<BundledPreset>& presets) {
+    fs::path unfinished = file;
+    unfinished += ".part";
+    std::vector<BundleOutcome> outcomes;
+    std::error_code ignored; // it is not there
+    {
+        const Zip zip(zipOpen64(unfinished.c_str(), APPEND_STATUS_CREATE));
+        if (!zip) {
+            return tl::unexpected(Error{file.string(), 0, 0, "it cannot be written", {}});
+        }
+        BundleWriter writer(zip.get());
+        for (const BundledPreset& preset : presets) {
+            outcomes.push_back(writer.add(preset));
+        }
+    }
+    std::error_code failed;
+    fs::rename(unfinished, file, failed);
+    if (failed) {
+        fs::remove(unfinished, ignored);
+        return tl::unexpected(Error{file.string(), 0, 0, "it cannot be written", {}});
+    }
+    return outcomes;
+}
+
+Result<BundleImport> importBundle(const fs::path& file, const fs::path& folder,
+                                  const BundleLimits& limits) {
+    const Result<OrdinaryFile> opened = OrdinaryFile::open(file, maxBundleBytes);
+    if (!opened) {
+        return tl::unexpected(opened.error());
+    }
+    const std::string open = fmt::format("/proc/self/fd/{}", opened->descriptor());
+    const Unzip zip(unzOpen64(open.c_str()));
+    if (!zip) {
+        return tl::unexpected(Error{file.string(), 0, 0, "it is no zip file", {}});
+    }
+    BundleImport import{newFolder(file, folder), {}};
+    std::error_code failed;
+    fs::create_directories(import.folder, failed);
+    if (failed) {
+        return tl::unexpected(
+            Error{import.folder.string(), 0, 0, "the folder cannot be made", failed.message()});
+    }
+    Result<std::vector<BundleOutcome>> outcomes =
+        BundleReader(zip.get(), import.folder, limits).run();
+    const bool isEmpty = outcomes && std::ranges::none_of(*outcomes, [](const auto& outcome) {
+                             return outcome.problem.empty();
+                         });
+    if (!outcomes || isEmpty) {
+        fs::remove_all(import.folder, failed);
+    }
+    if (!outcomes) {
+        return tl::unexpected(at(file, outcomes.error()));
+    }
+    import.outcomes = std::move(*outcomes);
+    return import;
+}
+
+} // namespace patina
