@@ -10,6 +10,7 @@ bool sliderTick();
 bool modelSwap();
 bool largeMesh();
 bool meshLoading();
+bool presetLibrary();
 bool programMaking();
 bool modelCost();
 bool accuracyCost();

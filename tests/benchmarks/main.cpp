@@ -26,6 +26,7 @@ int main(int count, char** arguments) {
                                         {"model-swap", patina::benchmarks::modelSwap},
                                         {"large-mesh", patina::benchmarks::largeMesh},
                                         {"mesh-loading", patina::benchmarks::meshLoading},
+                                        {"preset-library", patina::benchmarks::presetLibrary},
                                         {"program-making", patina::benchmarks::programMaking},
                                         {"model-cost", patina::benchmarks::modelCost},
                                         {"accuracy-cost", patina::benchmarks::accuracyCost},
