@@ -12,7 +12,7 @@ namespace {
 std::vector<PictureGrid::Entry> entries(int count) {
     std::vector<PictureGrid::Entry> entries;
     for (int i = 0; i < count; ++i) {
-        entries.push_back({QString::number(i), QString::number(i), {}, {}});
+        entries.push_back({QString::number(i), QString::number(i), {}});
     }
     return entries;
 }

@@ -5,7 +5,7 @@
 #include <QTimer>
 
 #include "catalog/catalog.h"
-#include "docks/picture_grid.h"
+#include "docks/preset_view.h"
 #include "material/preset_file.h"
 #include "ui/window_fixture.h"
 
@@ -68,9 +68,15 @@ class WatchedFolders : public WindowFixture {
     }
 
     bool isOffered(const QString& name) {
-        auto* grid = window().dock("presets")->findChild<PictureGrid*>();
-        return QTest::qWaitFor([&] { return !grid->findItems(name, Qt::MatchExactly).isEmpty(); },
-                               waitMs);
+        const QAbstractItemModel& shown =
+            *window().dock("presets")->findChild<PresetView*>()->model();
+        return QTest::qWaitFor(
+            [&] {
+                return shown.rowCount() > 0 &&
+                       !shown.match(shown.index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly)
+                            .isEmpty();
+            },
+            waitMs);
     }
 
     std::string messages() { return text(window().messages().messages()); }

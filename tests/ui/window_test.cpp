@@ -16,6 +16,7 @@
 #include <QToolButton>
 
 #include "docks/picture_grid.h"
+#include "docks/preset_view.h"
 #include "document/scene_edits.h"
 #include "files/key_pause.h"
 #include "parameters/reset_mark.h"
@@ -275,9 +276,9 @@ TEST_F(Window, PictureThatCannotBeWritten_IsAMessage) {
 
 TEST_F(Window, ShippedPresets_AppearInTheirDock) {
     window().startRest();
-    auto* grid = window().dock("presets")->findChild<PictureGrid*>();
-    ASSERT_NE(grid, nullptr);
-    EXPECT_TRUE(waitUntil([&] { return grid->count() > 0; }));
+    auto* view = window().dock("presets")->findChild<PresetView*>();
+    ASSERT_NE(view, nullptr);
+    EXPECT_TRUE(waitUntil([&] { return view->model()->rowCount() > 0; }));
 }
 
 TEST_F(Window, PresetsThatWereNotReadYet_AreNotSaidToBeMissing) {

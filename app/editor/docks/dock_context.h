@@ -13,16 +13,20 @@ class FileActions;
 class MeshLibrary;
 class MessageLog;
 class PresetLibrary;
+class Session;
 class TextureLibrary;
 class ThumbnailMaker;
+class TriedMaterial;
 
 /// Holds what docks are made from. Everything in it outlives them.
 struct DockContext {
     Document& document;
     Comparison& comparison;
+    TriedMaterial& tried;
     DocumentFiles& documentFiles;
     FileActions& files;
     MessageLog& messages;
+    Session& session;
     PresetLibrary& presets;
     ThumbnailMaker& thumbnails;
     MeshLibrary& meshes;

@@ -53,7 +53,7 @@ void ModelDock::fill() {
     std::vector<PictureGrid::Entry> entries;
     for (const Block* model : document_.catalog().ofKind(kinds::models)) {
         const QString id = QString::fromStdString(model->id);
-        entries.push_back({id, QString::fromStdString(model->label), blockToolTip(*model), {}});
+        entries.push_back({id, QString::fromStdString(model->label), blockToolTip(*model)});
     }
     grid_->setEntries(entries);
     showCurrent();

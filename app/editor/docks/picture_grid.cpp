@@ -5,33 +5,16 @@
 
 #include <QEvent>
 #include <QKeyEvent>
-#include <QMimeData>
 #include <QPainter>
 #include <QScrollBar>
-#include <QUrl>
+
+#include "docks/rounded_picture.h"
 
 namespace patina {
 namespace {
 
 constexpr int keyRole = Qt::UserRole;
-constexpr int fileRole = Qt::UserRole + 1;
 constexpr int spaceBeside = 14;
-
-/// A picture with soft corners at the screen's own resolution.
-QIcon rounded(const QImage& picture) {
-    QPixmap rounded(picture.size());
-    rounded.fill(Qt::transparent);
-    QPainter painter(&rounded);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(QBrush(picture));
-    painter.setPen(Qt::NoPen);
-    const double radius = 0.07 * picture.width();
-    painter.drawRoundedRect(rounded.rect(), radius, radius);
-    painter.end();
-    QIcon icon(rounded);
-    icon.addPixmap(rounded, QIcon::Selected); // not tinted when it is chosen
-    return icon;
-}
 
 } // namespace
 
@@ -46,8 +29,6 @@ PictureGrid::PictureGrid(int pictureSize, QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setDragEnabled(true);
-    setDragDropMode(QAbstractItemView::DragOnly);
     connect(this, &QListWidget::itemClicked, this, &PictureGrid::chosen);
 }
 
@@ -56,16 +37,12 @@ void PictureGrid::setEntries(const std::vector<Entry>& entries) {
     const int inSight = verticalScrollBar()->value();
     clear();
     wished_.clear();
-    const QIcon empty(emptyPicture()); // one for all: a library may hold thousands
+    const QIcon empty(emptyPicture());
     for (const Entry& entry : entries) {
         auto* item = new QListWidgetItem(entry.name, this);
         item->setData(keyRole, entry.key);
-        item->setData(fileRole, entry.file);
         item->setToolTip(entry.toolTip);
         item->setIcon(pictures_.value(entry.key, empty));
-        if (entry.file.isEmpty()) {
-            item->setFlags(item->flags() & ~Qt::ItemIsDragEnabled);
-        }
     }
     if (QListWidgetItem* same = find(current)) {
         setCurrentItem(same);
@@ -132,10 +109,6 @@ QString PictureGrid::keyOf(const QListWidgetItem* item) const {
     return item ? item->data(keyRole).toString() : QString();
 }
 
-QString PictureGrid::fileOf(const QListWidgetItem* item) const {
-    return item ? item->data(fileRole).toString() : QString();
-}
-
 QListWidgetItem* PictureGrid::find(const QString& key) const {
     for (int row = 0; row < count(); ++row) {
         if (keyOf(item(row)) == key) {
@@ -152,16 +125,6 @@ QListWidgetItem* PictureGrid::firstShown() const {
         }
     }
     return nullptr;
-}
-
-QMimeData* PictureGrid::mimeData(const QList<QListWidgetItem*>& items) const {
-    QList<QUrl> files;
-    for (const QListWidgetItem* item : items) {
-        files << QUrl::fromLocalFile(fileOf(item));
-    }
-    auto* dragged = new QMimeData;
-    dragged->setUrls(files);
-    return dragged;
 }
 
 /// Only a click on an item chooses one: the space between them and drags leave the choice alone.

@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// A grid of named pictures that fits its columns to its width. An item has a key, and may stand
-/// for a file, which can then be dragged out. It is chosen by a click or Enter.
+/// A grid of named pictures that fits its columns to its width. An item has a key, and is chosen by
+/// a click or Enter.
 class PictureGrid : public QListWidget {
     Q_OBJECT
 
@@ -20,7 +20,6 @@ class PictureGrid : public QListWidget {
         QString key;
         QString name;
         QString toolTip; ///< rich text
-        QString file;    ///< empty: cannot be dragged
     };
 
     /// Replaces all items; pictures that are known by key stay, and so does what is in sight.
@@ -33,7 +32,6 @@ class PictureGrid : public QListWidget {
     void wishAnew();
 
     QString keyOf(const QListWidgetItem* item) const;
-    QString fileOf(const QListWidgetItem* item) const;
     QListWidgetItem* find(const QString& key) const;
     /// The first item that is not hidden; null where all are.
     QListWidgetItem* firstShown() const;
@@ -47,7 +45,6 @@ class PictureGrid : public QListWidget {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
-    QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
                                                          const QEvent* event) const override;
     void resizeEvent(QResizeEvent* event) override;

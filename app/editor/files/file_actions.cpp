@@ -367,7 +367,9 @@ void FileActions::drop(const QStringList& files, Side side) {
 void FileActions::applyPreset(const QString& file, Side side) {
     const ReadingRights rights =
         consent_.rightsFor(file, DocumentFile::Kind::Preset, document_.catalog());
-    files_.applyPreset(file.toStdString(), side, rights);
+    if (files_.applyPreset(file.toStdString(), side, rights)) {
+        Q_EMIT presetApplied(file);
+    }
 }
 
 void FileActions::allowOutside() {

@@ -71,6 +71,8 @@ class FileActions : public QObject {
   Q_SIGNALS:
     /// The document is on disk, all of it.
     void saved();
+    /// A preset was put on a side.
+    void presetApplied(const QString& file);
     /// There is another document; what was not saved of the former one was given up on purpose.
     void documentReplaced();
     /// A mesh that was opened, imported or dropped is now the current object.

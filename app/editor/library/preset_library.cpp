@@ -2,103 +2,129 @@
 #include "library/preset_library.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include <QDir>
-#include <QDirIterator>
-#include <QFileInfo>
 
-#include "material/preset_file.h"
 #include "session/session.h"
 
 namespace patina {
 namespace {
 
 constexpr int settleMs = 200;
-const QString presetPattern = QStringLiteral("*.patina.json");
-
-QString text(const std::filesystem::path& path) {
-    return QString::fromStdString(path.string());
-}
-
-struct Folders {
-    std::vector<PresetEntry> entries;
-    Errors errors; ///< of the files that cannot be read
-};
-
-void readFolder(const std::filesystem::path& folder, bool shipped, const Catalog& catalog,
-                Folders& read) {
-    QDirIterator walk(text(folder), {presetPattern}, QDir::Files, QDirIterator::Subdirectories);
-    while (walk.hasNext()) {
-        const std::filesystem::path file = walk.next().toStdString();
-        if (Checked<PresetReading> reading = readPreset(file, catalog)) {
-            read.entries.push_back({file, std::move(reading->material), shipped});
-        } else {
-            const Errors& errors = reading.error();
-            read.errors.insert(read.errors.end(), errors.begin(), errors.end());
-        }
-    }
-}
-
-Folders readAll(const Catalog& catalog) {
-    Folders read;
-    readFolder(PresetLibrary::shippedFolder(), true, catalog, read);
-    readFolder(PresetLibrary::userFolder(), false, catalog, read);
-    std::vector<PresetEntry>& entries = read.entries;
-    std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
-        return QString::localeAwareCompare(QString::fromStdString(a.material.name),
-                                           QString::fromStdString(b.material.name)) < 0;
-    });
-    return read;
-}
-
-/// With the presets in them: one that is written in place changes no folder.
-QStringList pathsBelow(const std::filesystem::path& top) {
-    if (!QDir(text(top)).exists()) {
-        return {};
-    }
-    QStringList paths{text(top)};
-    QDirIterator walk(text(top), {presetPattern},
-                      QDir::AllDirs | QDir::Files | QDir::NoDotAndDotDot,
-                      QDirIterator::Subdirectories);
-    while (walk.hasNext()) {
-        paths << walk.next();
-    }
-    return paths;
-}
 
 } // namespace
 
-PresetLibrary::PresetLibrary(std::shared_ptr<const Catalog> catalog, QObject* parent)
-    : QObject(parent), catalog_(std::move(catalog)) {
+PresetLibrary::PresetLibrary(std::shared_ptr<const Catalog> catalog, Session& session,
+                             QObject* parent)
+    : QObject(parent), session_(session), catalog_(std::move(catalog)), marks_(session) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     connect(&settle_, &QTimer::timeout, this, &PresetLibrary::scan);
+    connect(&watcher_, &FolderWatcher::changed, &settle_, qOverload<>(&QTimer::start));
 }
 
 void PresetLibrary::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
+    isOfCatalog_ = false;
     settle_.start();
+}
+
+PresetPtr PresetLibrary::find(const QString& file) const {
+    const auto found = std::ranges::find_if(
+        entries_, [&file](const PresetPtr& entry) { return entry->path == file; });
+    return found == entries_.end() ? nullptr : *found;
+}
+
+std::vector<PresetFolder> PresetLibrary::folders() const {
+    std::vector<PresetFolder> folders{{shippedFolder(), true}, {userFolder(), false}};
+    for (const QString& folder : session_.presets(Session::Presets::Folders)) {
+        folders.push_back({folder.toStdString(), false});
+    }
+    return folders;
+}
+
+void PresetLibrary::addFolder(const QString& folder) {
+    const std::string path = QDir::cleanPath(QDir(folder).absolutePath()).toStdString();
+    const bool isKnown = std::ranges::any_of(folders(), [&path](const PresetFolder& known) {
+        return path == known.path || path.starts_with(known.path.string() + '/');
+    });
+    if (!isKnown) {
+        session_.setPresets(Session::Presets::Folders, session_.presets(Session::Presets::Folders)
+                                                           << QString::fromStdString(path));
+        scan();
+    }
+}
+
+void PresetLibrary::removeFolder(const QString& folder) {
+    QStringList folders = session_.presets(Session::Presets::Folders);
+    if (folders.removeAll(folder) > 0) {
+        session_.setPresets(Session::Presets::Folders, folders);
+        scan();
+    }
 }
 
 void PresetLibrary::scan() {
     std::error_code ignored; // a folder that cannot be made has no presets in it
     std::filesystem::create_directories(userFolder(), ignored);
-    watchAll();
-    const auto take = [this](const Result<Folders>& read) {
+    settle_.stop();
+    watch(); // first: what changes while they are read is read again
+    const auto known = isOfCatalog_ ? entries_ : std::vector<PresetPtr>();
+    const bool isFirst = !isRead_;
+    const auto reading = [this, known, isFirst, folders = folders(),
+                          catalog = catalog_](Worker::Control& control) {
+        return readPresets(folders, *catalog, known, [&](const PresetsRead& soFar) {
+            if (isFirst) {
+                control.show([this, entries = soFar.entries] { setEntries(entries); });
+            }
+            return !control.isCancelled();
+        });
+    };
+    const auto take = [this, catalog = catalog_](const Result<PresetsRead>& read) {
         if (!read) {
             Q_EMIT checked({read.error()});
             return;
         }
         isRead_ = true;
-        if (read->entries != entries_) {
-            entries_ = read->entries;
-            Q_EMIT changed();
+        isOfCatalog_ = catalog == catalog_;
+        tellVariants(read->entries);
+        setEntries(read->entries);
+        if (watched_ != read->folders) {
+            watched_ = read->folders;
+            settle_.start();
         }
         Q_EMIT checked(read->errors);
     };
-    worker_.ask([catalog = catalog_](Worker::Control&) { return readAll(*catalog); }, take,
-                QStringLiteral("folders"));
+    worker_.ask(reading, take, QStringLiteral("folders"));
+}
+
+/// Compares with what there was before.
+void PresetLibrary::tellVariants(const std::vector<PresetPtr>& entries) {
+    std::unordered_map<std::string, PresetPtr> before;
+    for (const PresetPtr& entry : entries_) {
+        if (entry->sources.size() > 1) {
+            before[entry->file.string()] = entry;
+        }
+    }
+    std::vector<VariantChange> changes;
+    for (const PresetPtr& entry : entries) {
+        const auto found = before.find(entry->file.string());
+        if (found != before.end() && found->second->sources.front() == entry->sources.front() &&
+            !(found->second->material == entry->material)) {
+            changes.push_back({found->second, entry});
+        }
+    }
+    if (!changes.empty()) {
+        Q_EMIT variantsChanged(changes);
+    }
+}
+
+void PresetLibrary::setEntries(const std::vector<PresetPtr>& entries) {
+    if (entries != entries_) {
+        entries_ = entries;
+        Q_EMIT changed();
+    }
 }
 
 std::filesystem::path PresetLibrary::shippedFolder() {
@@ -110,17 +136,13 @@ std::filesystem::path PresetLibrary::userFolder() {
 }
 
 /// Anew each time: a folder that was moved away and made again is another one.
-void PresetLibrary::watchAll() {
-    watcher_ = std::make_unique<QFileSystemWatcher>();
-    const auto settle = [this] { settle_.start(); };
-    connect(watcher_.get(), &QFileSystemWatcher::directoryChanged, this, settle);
-    connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, settle);
-    QStringList wanted = pathsBelow(shippedFolder()) + pathsBelow(userFolder());
-    wanted << text(userDataFolder());
-    wanted.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
-    if (!wanted.isEmpty()) {
-        watcher_->addPaths(wanted);
+void PresetLibrary::watch() {
+    std::vector<std::filesystem::path> all = watched_;
+    for (const PresetFolder& folder : folders()) {
+        all.push_back(folder.path);
+        all.push_back(folder.path.parent_path());
     }
+    watcher_.watch(all);
 }
 
 } // namespace patina

@@ -6,12 +6,10 @@
 #include <map>
 #include <utility>
 
-#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include "material/preset_file.h"
 #include "render/gpu/texture_loader.h"
 #include "render/renderer.h"
 #include "scene/primitives.h"
@@ -19,36 +17,6 @@
 
 namespace patina {
 namespace {
-
-/// Part of every file name, so that pictures made another way are not taken.
-constexpr int pictureVersion = 1;
-
-void addFile(QCryptographicHash& hash, const std::filesystem::path& file) {
-    const QFileInfo info(QString::fromStdString(file.string()));
-    hash.addData(QByteArray::number(info.size()));
-    hash.addData(QByteArray::number(info.lastModified().toMSecsSinceEpoch()));
-}
-
-void addBlock(QCryptographicHash& hash, const Block* block) {
-    if (block) {
-        addFile(hash, block->descriptorFile);
-        addFile(hash, block->shaderFile);
-    }
-}
-
-/// Where the picture of a material lies: named by everything it depends on.
-QString fileOf(const ThumbnailMaker::Folders& folders, const Material& material,
-               const Catalog& catalog) {
-    QCryptographicHash hash(QCryptographicHash::Sha1);
-    hash.addData(QByteArray::fromStdString(toJson(material).dump()));
-    addBlock(hash, catalog.find(kinds::models, material.model.id));
-    for (const auto& [kind, values] : material.parts) {
-        addBlock(hash, catalog.find(kind, values.id));
-    }
-    addFile(hash, folders.scene);
-    return QString::fromStdString(folders.cache.string()) +
-           QStringLiteral("/%1-%2.png").arg(pictureVersion).arg(hash.result().toHex());
-}
 
 QImage toQImage(const Image& image) {
     QImage picture(image.width, image.height, QImage::Format_RGB888);
@@ -137,10 +105,10 @@ class ThumbnailMaker::Studio {
 
 ThumbnailMaker::ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,
                                QObject* parent)
-    : QObject(parent), folders_(std::move(folders)), catalog_(std::move(catalog)), studio_(nullptr),
-      worker_({.priority = QThread::IdlePriority,
-               .atRest = [this] { studio_ = nullptr; },
-               .isPaused = true}) {}
+    : QObject(parent), folders_(std::move(folders)), catalog_(std::move(catalog)),
+      keys_(folders_.scene), studio_(nullptr), worker_({.priority = QThread::IdlePriority,
+                                                        .atRest = [this] { studio_ = nullptr; },
+                                                        .isPaused = true}) {}
 
 ThumbnailMaker::~ThumbnailMaker() = default;
 
@@ -149,21 +117,21 @@ void ThumbnailMaker::setCatalog(std::shared_ptr<const Catalog> catalog) {
 }
 
 void ThumbnailMaker::ask(const QString& name, const Material& material) {
-    worker_.ask([this, material, catalog = catalog_](
-                    const Worker::Control& control) { return picture(material, catalog, control); },
-                [this, name](const Result<QImage>& drawn) {
-                    if (drawn) {
-                        Q_EMIT ready(name, *drawn);
-                    }
-                },
-                name);
+    worker_.ask(
+        [this, material, catalog = catalog_](const Worker::Control& control) {
+            return picture(material, catalog, control);
+        },
+        [this, name](const Result<QImage>& drawn) { Q_EMIT ready(name, drawn.value_or(QImage())); },
+        name);
 }
 
 /// In the worker's thread.
 Result<QImage> ThumbnailMaker::picture(const Material& material,
                                        const std::shared_ptr<const Catalog>& catalog,
                                        const Worker::Control& control) {
-    const QString file = fileOf(folders_, material, *catalog);
+    const QString file = QStringLiteral("%1/%2.png")
+                             .arg(QString::fromStdString(folders_.cache.string()),
+                                  QString::fromLatin1(keys_.of(material, *catalog)));
     if (QImage kept(file); !kept.isNull()) {
         return kept;
     }

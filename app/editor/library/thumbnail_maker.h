@@ -8,14 +8,13 @@
 #include <QObject>
 
 #include "background/worker.h"
-#include "catalog/catalog.h"
-#include "material/material.h"
+#include "library/thumbnail_keys.h"
 
 namespace patina {
 
 /// Small pictures of materials in one fixed neutral scene, whatever the document shows. Drawn in a
 /// worker thread with a context of its own that lives while there is something to draw, and kept
-/// on disk until a block they are made of changes.
+/// on disk until something they are made of changes.
 class ThumbnailMaker : public QObject {
     Q_OBJECT
 
@@ -35,13 +34,14 @@ class ThumbnailMaker : public QObject {
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
     /// Takes the place of what was asked for by that name and is not begun. ready() follows with
-    /// the name, unless nothing can be drawn on this machine.
+    /// the name.
     void ask(const QString& name, const Material& material);
 
-    static constexpr int pixels = 160;
+    static constexpr int pixels = 256;
 
   Q_SIGNALS:
-    /// The picture is null when the material's shader does not compile.
+    /// The picture is null when the material's shader does not compile, and where nothing can be
+    /// drawn.
     void ready(QString name, QImage picture);
 
   private:
@@ -52,6 +52,7 @@ class ThumbnailMaker : public QObject {
 
     Folders folders_;
     std::shared_ptr<const Catalog> catalog_;
+    ThumbnailKeys keys_;                     ///< of the worker's thread
     Result<std::unique_ptr<Studio>> studio_; ///< of the worker's thread; null: it was not needed
     Worker worker_;
 };

@@ -38,6 +38,17 @@ QString outsideKey(const QString& file, bool allowed) {
              QString::fromLatin1(name));
 }
 
+QString presetsKey(Session::Presets which) {
+    switch (which) {
+    case Session::Presets::Favourites:
+        return QStringLiteral("presets/favourites");
+    case Session::Presets::Recent:
+        return QStringLiteral("presets/recent");
+    default:
+        return QStringLiteral("presets/folders");
+    }
+}
+
 } // namespace
 
 Session::Session() : settings_(settingsFile(), QSettings::IniFormat) {}
@@ -153,6 +164,26 @@ bool Session::keepsParked() const {
 
 void Session::setKeepsParked(bool keeps) {
     settings_.setValue("files/keepParked", keeps);
+}
+
+QStringList Session::presets(Presets which) const {
+    return settings_.value(presetsKey(which)).toStringList();
+}
+
+void Session::setPresets(Presets which, const QStringList& paths) {
+    settings_.setValue(presetsKey(which), paths);
+}
+
+Session::PresetsLook Session::presetsLook() const {
+    return {settings_.value("presets/pictureSize", 0).toInt(),
+            settings_.value("presets/asList", false).toBool(),
+            settings_.value("presets/order").toString()};
+}
+
+void Session::setPresetsLook(const PresetsLook& look) {
+    settings_.setValue("presets/pictureSize", look.pictureSize);
+    settings_.setValue("presets/asList", look.asList);
+    settings_.setValue("presets/order", look.order);
 }
 
 QString Session::folder(const QString& purpose) const {

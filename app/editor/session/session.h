@@ -45,6 +45,21 @@ class Session {
     bool keepsParked() const;
     void setKeepsParked(bool keeps);
 
+    /// Lists of preset files or folders that the preset library remembers.
+    enum class Presets { Favourites, Recent, Folders };
+    QStringList presets(Presets which) const;
+    void setPresets(Presets which, const QStringList& paths);
+
+    /// How the preset library is looked at: the size of pictures, 0 where it was never chosen, as a
+    /// list or not, and the name of an order.
+    struct PresetsLook {
+        int pictureSize = 0;
+        bool asList = false;
+        QString order;
+    };
+    PresetsLook presetsLook() const;
+    void setPresetsLook(const PresetsLook& look);
+
     /// Returns where a file dialog opened last, one for each purpose ("preset", "scene", "mesh").
     QString folder(const QString& purpose) const;
     void setFolderOf(const QString& purpose, const QString& file);

@@ -7,12 +7,17 @@
 
 namespace patina {
 
-EffectSwitches::EffectSwitches(Document& document, ProgramEffects& effects, QObject* parent)
-    : QObject(parent), document_(document), programs_(effects) {
+EffectSwitches::EffectSwitches(Document& document, ProgramEffects& effects, TriedMaterial& tried,
+                               QObject* parent)
+    : QObject(parent), document_(document), programs_(effects), tried_(tried) {
     onChange(document, DocumentChange::Drawn | DocumentChange::Current, this,
              &EffectSwitches::forget);
     connect(&effects, &ProgramEffects::changed, this, &EffectSwitches::forget);
     onChange(document, DocumentChange::Scene, this, &EffectSwitches::switchAllOn);
+    connect(&tried, &TriedMaterial::changed, this, [this] {
+        forget();
+        Q_EMIT changed();
+    });
 }
 
 bool EffectSwitches::isOff(std::string_view effect) const {
@@ -41,12 +46,14 @@ void EffectSwitches::switchAllOn() {
 }
 
 const Scene& EffectSwitches::scene(Side side) {
+    const Scene* tried = tried_.scene(side);
+    const Scene& whole = tried ? *tried : document_.scene(side);
     if (off_.empty()) {
-        return document_.scene(side);
+        return whole;
     }
     std::optional<Scene>& made = scenes_[indexOf(side)];
     if (!made) {
-        made = withoutEffects(document_.scene(side), off_, document_.catalog());
+        made = withoutEffects(whole, off_, document_.catalog());
     }
     return *made;
 }

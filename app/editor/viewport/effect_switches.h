@@ -10,6 +10,7 @@
 #include <QObject>
 
 #include "document/program_effects.h"
+#include "document/tried_material.h"
 
 namespace patina {
 
@@ -20,13 +21,15 @@ class EffectSwitches : public QObject {
     Q_OBJECT
 
   public:
-    EffectSwitches(Document& document, ProgramEffects& effects, QObject* parent = nullptr);
+    EffectSwitches(Document& document, ProgramEffects& effects, TriedMaterial& tried,
+                   QObject* parent = nullptr);
 
     bool isOff(std::string_view effect) const;
     void setOff(const std::string& effect, bool off);
     const std::vector<std::string>& off() const { return off_; }
 
-    /// The document's scene as a view of a side shows it; valid until the document changes.
+    /// The document's scene as a view of a side shows it, with the material that is tried there;
+    /// valid until one of them changes.
     const Scene& scene(Side side);
     /// ProgramEffects::scene() in the same way.
     const Scene* effects(Side side);
@@ -40,6 +43,7 @@ class EffectSwitches : public QObject {
 
     Document& document_;
     ProgramEffects& programs_;
+    TriedMaterial& tried_;
     std::vector<std::string> off_;
     std::array<std::optional<Scene>, sides.size()> scenes_; ///< by side; made on demand
     std::array<std::optional<Scene>, sides.size()> effects_;

@@ -86,7 +86,7 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
     connect(&meshes_, &MeshLibrary::loaded, frames, &FrameLoop::refresh);
     connect(&sources.environments, &EnvironmentLibrary::loaded, frames, &FrameLoop::refresh);
     connect(&sources.environments, &EnvironmentLibrary::failed, frames, &FrameLoop::refresh);
-    connect(viewport_, &Viewport::filesDropped, this, &SideView::filesDropped);
+    connect(viewport_, &Viewport::filesDropped, this, &SideView::take);
     connect(viewport_, &Viewport::focusShown, this, [this](bool byKeyboard) {
         focusShown_ = byKeyboard;
         update();
@@ -230,13 +230,25 @@ void SideView::endTurn() {
     }
 }
 
-void SideView::pivotOn(QPointF place) {
+std::optional<Hit> SideView::hitAt(QPointF place) const {
     const Ray ray = rayThrough(viewport_->camera(), {place.x(), place.y()},
                                {viewport_->width(), viewport_->height()});
     const auto meshes = [this](const Object& object) { return meshes_.pickMesh(object); };
-    if (const std::optional<Hit> hit = cast(ray, document_.scene(side_), meshes)) {
+    return cast(ray, document_.scene(side_), meshes);
+}
+
+void SideView::pivotOn(QPointF place) {
+    if (const std::optional<Hit> hit = hitAt(place)) {
         Q_EMIT cameraWished(pivotedAt(viewport_->camera(), hit->point));
     }
+}
+
+/// A preset is for the object that it was dropped on.
+void SideView::take(const QStringList& files, QPointF place) {
+    if (const std::optional<Hit> hit = hitAt(place)) {
+        document_.setCurrentObject(hit->object);
+    }
+    Q_EMIT filesDropped(files);
 }
 
 QString SideView::caption() const {

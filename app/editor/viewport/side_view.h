@@ -9,6 +9,7 @@
 #include "resources/mesh_library.h"
 #include "resources/texture_library.h"
 #include "viewport/effect_switches.h"
+#include "viewport/ray_cast.h"
 #include "viewport/viewport.h"
 
 class QLabel;
@@ -72,7 +73,9 @@ class SideView : public QFrame {
     void turnLight(double yaw, double pitch);
     void beginTurn();
     void endTurn();
+    std::optional<Hit> hitAt(QPointF place) const;
     void pivotOn(QPointF place);
+    void take(const QStringList& files, QPointF place);
     void updateTitle();
 
     Document& document_;

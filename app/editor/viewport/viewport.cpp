@@ -179,7 +179,7 @@ void Viewport::dropEvent(QDropEvent* event) {
     const QStringList files = draggedFiles(*event->mimeData());
     if (!files.isEmpty()) {
         event->acceptProposedAction();
-        Q_EMIT filesDropped(files);
+        Q_EMIT filesDropped(files, event->position());
     }
 }
 

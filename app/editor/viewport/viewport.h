@@ -52,7 +52,7 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     void activated();                 ///< it was clicked
     void resized();                   ///< it has another size
     void focusShown(bool byKeyboard); ///< the keyboard brought the focus here, or it went
-    void filesDropped(QStringList files);
+    void filesDropped(QStringList files, QPointF place);
 
   protected:
     void initializeGL() override;

@@ -18,8 +18,8 @@ constexpr int saidMs = 4000; ///< so long the status line says what was done
 } // namespace
 
 MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& theme)
-    : theme_(theme), document_(catalog), switches_(document_, effects_), watcher_(catalog),
-      presets_(catalog),
+    : theme_(theme), document_(catalog), switches_(document_, effects_, tried_), watcher_(catalog),
+      presets_(catalog, session_),
       thumbnails_(catalog, {cacheFolder() / "thumbnails", programFolder(), defaultSceneFile()}),
       programs_(programFolder()), autosave_(document_, documentFiles_, stateFolder() / "autosave"),
       files_(new FileActions(document_, documentFiles_, meshes_, session_, this)),
@@ -66,8 +66,8 @@ void MainWindow::startRest() {
 }
 
 DockContext MainWindow::dockContext() {
-    return {document_,   comparison_, documentFiles_, *files_,       messages_, presets_,
-            thumbnails_, meshes_,     textures_,      environments_, switches_, *views_};
+    return {document_, comparison_, tried_,  documentFiles_, *files_,       messages_, session_,
+            presets_,  thumbnails_, meshes_, textures_,      environments_, switches_, *views_};
 }
 
 void MainWindow::connectParts() {

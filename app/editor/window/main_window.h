@@ -8,6 +8,7 @@
 #include "document/comparison.h"
 #include "document/document_files.h"
 #include "document/program_effects.h"
+#include "document/tried_material.h"
 #include "files/autosave.h"
 #include "files/catalog_watcher.h"
 #include "files/file_actions.h"
@@ -75,6 +76,7 @@ class MainWindow : public QMainWindow {
     DocumentFiles documentFiles_{document_};
     Comparison comparison_{document_};
     ProgramEffects effects_{document_};
+    TriedMaterial tried_{document_};
     MeshLibrary meshes_;
     TextureLibrary textures_{[this]() -> AssetClient& { return meshes_.client(); }};
     EnvironmentLibrary environments_;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QHash>
+
+#include "library/preset_library.h"
+
+class QLabel;
+
+namespace patina {
+
+class ThumbnailMaker;
+
+/// Shows variants that changed with a preset above them, each before and after.
+class VariantChangesDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    VariantChangesDialog(const std::vector<VariantChange>& changes, ThumbnailMaker& thumbnails,
+                         QWidget* parent = nullptr);
+
+  private:
+    QLabel* pictureOf(const PresetPtr& entry, const QString& said, ThumbnailMaker& thumbnails);
+
+    QHash<QString, QLabel*> pictures_; ///< that are on their way, by the name asked under
+};
+
+} // namespace patina

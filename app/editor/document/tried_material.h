@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/document.h"
+
+namespace patina {
+
+/// A material that a side shows on the current object just to be tried. The document does not know
+/// it: it is no edit and in no file, and it goes with the next edit.
+class TriedMaterial : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit TriedMaterial(Document& document, QObject* parent = nullptr);
+
+    /// Side B shows it only while the document compares.
+    void show(Side side, const Material& material);
+    void end();
+
+    bool isShown() const { return shown_.has_value(); }
+    /// What the side shows in place of the document's scene; null: nothing.
+    const Scene* scene(Side side) const;
+
+  Q_SIGNALS:
+    void changed();
+
+  private:
+    struct Shown {
+        Side side = Side::A;
+        Scene scene;
+    };
+
+    Document& document_;
+    std::optional<Shown> shown_;
+};
+
+} // namespace patina

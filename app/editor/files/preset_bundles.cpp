@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/preset_bundles.h"
+
+#include <QBuffer>
+#include <QImage>
+
+#include "library/thumbnail_maker.h"
+
+namespace patina {
+namespace {
+
+std::string asPng(const QImage& picture) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    return picture.save(&buffer, "PNG") ? bytes.toStdString() : std::string();
+}
+
+/// A preset's file without the suffix.
+std::string fileStem(const std::filesystem::path& file) {
+    return file.stem().stem().string();
+}
+
+} // namespace
+
+PresetBundles::PresetBundles(ThumbnailMaker& thumbnails, QObject* parent)
+    : QObject(parent), thumbnails_(thumbnails), worker_({.atEnd = Worker::AtEnd::Finish}) {
+    connect(&thumbnails, &ThumbnailMaker::ready, this, &PresetBundles::take);
+}
+
+void PresetBundles::exportTo(const QString& file, const std::vector<PresetPtr>& entries) {
+    cancelExport();
+    file_ = file;
+    for (const PresetPtr& entry : entries) {
+        const QString name = QStringLiteral("bundle/%1").arg(++lastAsked_);
+        asked_[name] = presets_.size();
+        presets_.push_back({fileStem(entry->file), entry->material});
+        thumbnails_.ask(name, entry->material);
+    }
+}
+
+void PresetBundles::cancelExport() {
+    asked_.clear();
+    presets_.clear();
+}
+
+/// A preset of which there can be no picture goes without one.
+void PresetBundles::take(const QString& name, const QImage& picture) {
+    const auto place = asked_.find(name);
+    if (place == asked_.end()) {
+        return;
+    }
+    presets_.at(*place).picture = picture.isNull() ? std::string() : asPng(picture);
+    asked_.erase(place);
+    const auto all = static_cast<int>(presets_.size());
+    Q_EMIT drawn(all - static_cast<int>(asked_.size()), all);
+    if (asked_.empty() && !presets_.empty()) {
+        write();
+    }
+}
+
+void PresetBundles::write() {
+    worker_.ask([file = file_.toStdString(), presets = std::move(presets_)](
+                    Worker::Control&) { return exportBundle(file, presets); },
+                [this, file = file_](const Result<std::vector<BundleOutcome>>& outcomes) {
+                    if (outcomes) {
+                        Q_EMIT exported(file, *outcomes);
+                    } else {
+                        Q_EMIT failed(outcomes.error());
+                    }
+                });
+    presets_.clear();
+}
+
+void PresetBundles::importFrom(const QString& file, const std::filesystem::path& folder) {
+    worker_.ask([file = file.toStdString(),
+                 folder](Worker::Control&) { return importBundle(file, folder); },
+                [this](const Result<BundleImport>& import) {
+                    if (import) {
+                        Q_EMIT imported(QString::fromStdString(import->folder.string()),
+                                        import->outcomes);
+                    } else {
+                        Q_EMIT failed(import.error());
+                    }
+                });
+}
+
+} // namespace patina

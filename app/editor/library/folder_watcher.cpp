@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "library/folder_watcher.h"
+
+#include <array>
+
+#include <sys/inotify.h>
+#include <unistd.h>
+
+namespace patina {
+namespace {
+
+constexpr std::uint32_t events = IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVE | IN_DELETE_SELF |
+                                 IN_MOVE_SELF | IN_ATTRIB | IN_ONLYDIR;
+
+} // namespace
+
+FolderWatcher::FolderWatcher(QObject* parent) : QObject(parent) {}
+
+FolderWatcher::~FolderWatcher() {
+    close();
+}
+
+void FolderWatcher::close() {
+    arrived_.reset();
+    if (queue_ >= 0) {
+        ::close(queue_);
+        queue_ = -1;
+    }
+}
+
+/// A new queue each time: a folder that was moved away and made again is another one.
+void FolderWatcher::watch(const std::vector<std::filesystem::path>& folders) {
+    close();
+    queue_ = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    if (queue_ < 0) {
+        return;
+    }
+    for (const std::filesystem::path& folder : folders) {
+        inotify_add_watch(queue_, folder.c_str(), events); // one that is not there tells nothing
+    }
+    arrived_ = std::make_unique<QSocketNotifier>(queue_, QSocketNotifier::Read);
+    connect(arrived_.get(), &QSocketNotifier::activated, this, &FolderWatcher::read);
+}
+
+void FolderWatcher::read() {
+    std::array<char, 16384> names{};
+    while (::read(queue_, names.data(), names.size()) > 0) {
+        // which file it was does not matter
+    }
+    Q_EMIT changed();
+}
+
+} // namespace patina

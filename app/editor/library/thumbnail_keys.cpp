@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "library/thumbnail_keys.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <QCryptographicHash>
+#include <QFile>
+
+#include "library/preset_entry.h"
+#include "material/blocks_in_use.h"
+#include "material/preset_file.h"
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Counts the ways in which pictures have been made.
+constexpr int pictureVersion = 2;
+
+/// What of a material is to be seen.
+nlohmann::json lookOf(const Material& material) {
+    nlohmann::json look = toJson(material);
+    for (const char* text : {"name", "description", "author", "license", "tags", "extras"}) {
+        look.erase(text);
+    }
+    return look;
+}
+
+/// What blocks include and what calls them.
+std::vector<fs::path> sharedShaders(const Catalog& catalog) {
+    std::vector<fs::path> files;
+    if (catalog.roots.empty()) {
+        return files;
+    }
+    for (const char* folder : {"lib", "passes"}) {
+        std::error_code missing;
+        for (const auto& file :
+             fs::directory_iterator(catalog.roots.front().folder / folder, missing)) {
+            files.push_back(file.path());
+        }
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+} // namespace
+
+QByteArray ThumbnailKeys::of(const Material& material, const Catalog& catalog) {
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(QByteArray::number(pictureVersion));
+    hash.addData(QByteArray::fromStdString(lookOf(material).dump()));
+    for (const Block* block : blocksInUse(material, catalog)) {
+        hash.addData(hashOf(block->descriptorFile));
+        hash.addData(hashOf(block->shaderFile));
+    }
+    for (const auto& [key, use] : material.textures) {
+        hash.addData(use.outside ? QByteArray() : hashOf(use.file)); // it is not read
+    }
+    hash.addData(renderer(catalog));
+    return hash.result().toHex();
+}
+
+/// The same for all materials: the scene with whatever blocks it is made of, and the program.
+QByteArray ThumbnailKeys::renderer(const Catalog& catalog) {
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(hashOf(scene_));
+    for (const Block& block : catalog.blocks) {
+        if (block.kind != kinds::models) {
+            hash.addData(hashOf(block.descriptorFile));
+            hash.addData(hashOf(block.shaderFile));
+        }
+    }
+    for (const fs::path& file : sharedShaders(catalog)) {
+        hash.addData(hashOf(file));
+    }
+    const FileStamp program = stampOf("/proc/self/exe");
+    hash.addData(QByteArray::number(qint64(program.bytes)));
+    hash.addData(QByteArray::number(qint64(program.written)));
+    return hash.result();
+}
+
+/// Empty where there is no such file.
+QByteArray ThumbnailKeys::hashOf(const fs::path& file) {
+    const FileStamp stamp = stampOf(file);
+    Hashed& known = files_[file.string()];
+    if (known.hash.isEmpty() || known.bytes != stamp.bytes || known.written != stamp.written) {
+        QFile content(QString::fromStdString(file.string()));
+        QCryptographicHash hash(QCryptographicHash::Sha1);
+        known = {stamp.bytes, stamp.written, {}};
+        if (stamp.bytes >= 0 && content.open(QIODevice::ReadOnly) && hash.addData(&content)) {
+            known.hash = hash.result();
+        }
+    }
+    return known.hash;
+}
+
+} // namespace patina
