@@ -11,8 +11,8 @@ namespace patina {
 
 void LibrarySteps::step(Side side, int by) {
     std::vector<const PresetEntry*> entries;
-    for (const PresetEntry& entry : library_.entries()) {
-        entries.push_back(&entry);
+    for (const PresetPtr& entry : library_.entries()) {
+        entries.push_back(entry.get());
     }
     if (entries.empty() || document_.material(Side::A) == nullptr) {
         return;
