@@ -17,14 +17,14 @@ add_library(patina::compiler ALIAS patina_compiler)
 target_compile_options(patina_compiler INTERFACE
     -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
     $<$<NOT:$<CONFIG:Release>>:-Werror>)
-# In files that are compiled together only what is local shadows what is local; the clang preset,
-# which takes each alone, sees the rest.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_UNITY_BUILD)
-    set(PATINA_SHADOW -Wshadow=local)
-else()
-    set(PATINA_SHADOW -Wshadow)
+# In files that are compiled together only what is local shadows what is local, which gcc can tell
+# apart; the clang preset, which takes each alone, sees the rest.
+if(NOT CMAKE_UNITY_BUILD)
+    set(shadow -Wshadow)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set(shadow -Wshadow=local)
 endif()
-target_compile_options(patina_compiler INTERFACE $<$<NOT:$<CONFIG:Release>>:${PATINA_SHADOW}>)
+target_compile_options(patina_compiler INTERFACE $<$<NOT:$<CONFIG:Release>>:${shadow}>)
 # gcc 12 sees overlaps in sums of std::string that are not there (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(patina_compiler INTERFACE -Wno-restrict)
