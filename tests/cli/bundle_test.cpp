@@ -10,15 +10,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Bundle, ExportedPreset_IsImportedAsItWas) {
-    const TemporaryFolder folder;
-    const fs::path preset = shipped("presets") / "lambert/plaster.patina.json";
+/// Exports a preset that ships and imports it below folder / "out".
+void takeThrough(const TemporaryFolder& folder, const fs::path& preset) {
     const std::string zip = (folder / "set.zip").string();
-    const Outcome exported = patina({"export", preset.string(), "-o", zip});
+    const Outcome exported = patina({"export", (shipped("presets") / preset).string(), "-o", zip});
     ASSERT_EQ(exported.exitCode, 0) << exported.err;
     const Outcome imported = patina({"import", zip, "--into", (folder / "out").string()});
     ASSERT_EQ(imported.exitCode, 0) << imported.err;
-    EXPECT_EQ(readFile(folder / "out/set/plaster.patina.json"), readFile(preset));
+}
+
+TEST(Bundle, ExportedPreset_IsImportedAsItWas) {
+    const TemporaryFolder folder;
+    takeThrough(folder, "lambert/grey-card.patina.json");
+    EXPECT_EQ(readFile(folder / "out/set/grey-card.patina.json"),
+              readFile(shipped("presets") / "lambert/grey-card.patina.json"));
+}
+
+TEST(Bundle, ImageOfAnExportedPreset_LiesBesideItUnchanged) {
+    const TemporaryFolder folder;
+    takeThrough(folder, "lambert/plaster.patina.json");
+    EXPECT_NE(readFile(folder / "out/set/plaster.patina.json")
+                  .find("\"file\": \"images/concrete-normal.png\""),
+              std::string::npos);
+    EXPECT_EQ(readFile(folder / "out/set/images/concrete-normal.png"),
+              readFile(shipped("presets") / "images/concrete-normal.png"));
 }
 
 TEST(Bundle, FileThatIsNoZip_IsRefused) {
