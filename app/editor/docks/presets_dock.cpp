@@ -308,12 +308,15 @@ void PresetsDock::updateActions() {
                            std::ranges::all_of(chosen, [this](const PresetPtr& entry) {
                                return presets_.marks().isFavourite(entry->path);
                            }));
-    undo_->setEnabled(isLastEdit_ && edits_.undoStack().canUndo());
-    undo_->setText(tr("Undo: %1").arg(edits_.undoStack().undoText()));
-    undo_->setVisible(undo_->isEnabled());
-    redo_->setEnabled(isLastEdit_ && edits_.undoStack().canRedo());
-    redo_->setText(tr("Redo: %1").arg(edits_.undoStack().redoText()));
-    redo_->setVisible(redo_->isEnabled());
+    const QUndoStack& edits = edits_.undoStack();
+    const bool canUndo = isLastEdit_ && edits.canUndo();
+    const bool canRedo = isLastEdit_ && edits.canRedo();
+    undo_->setVisible(canUndo); // what is not shown cannot be enabled
+    undo_->setEnabled(canUndo);
+    undo_->setText(tr("Undo: %1").arg(edits.undoText()));
+    redo_->setVisible(canRedo);
+    redo_->setEnabled(canRedo);
+    redo_->setText(tr("Redo: %1").arg(edits.redoText()));
 }
 
 void PresetsDock::showMenu(const QPoint& place) {
