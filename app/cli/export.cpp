@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
-#include <iostream>
 #include <memory>
 #include <optional>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "assets/asset_client.h"
-#include "bundle/preset_bundle.h"
-#include "catalog/xdg_folders.h"
+#include "cli/bundle_outcomes.h"
 #include "cli/environment_setup.h"
 #include "cli/picture.h"
 #include "cli/scene_meshes.h"
@@ -28,11 +25,6 @@ struct ExportOptions {
     std::string output;
     bool allowOutside = false;
     bool noPictures = false;
-};
-
-struct ImportOptions {
-    std::string file;
-    std::string into;
 };
 
 /// Draws presets in the default scene, one after the other.
@@ -80,20 +72,6 @@ class BundlePictures {
     std::optional<PictureMaker> maker_;
 };
 
-/// Prints what was done, and reports the rest; false where anything was not.
-bool tell(const std::vector<BundleOutcome>& outcomes, const std::string& file) {
-    bool isAllDone = true;
-    for (const BundleOutcome& outcome : outcomes) {
-        if (outcome.problem.empty()) {
-            std::cout << outcome.name << '\n';
-        } else {
-            isAllDone = false;
-            report({Error{file, 0, 0, fmt::format("{}: {}", outcome.name, outcome.problem), {}}});
-        }
-    }
-    return isAllDone;
-}
-
 bool exportPresets(const ExportOptions& options) {
     const auto catalog = std::make_shared<const Catalog>(loadCatalog(standardBlockRoots()));
     BundlePictures pictures(catalog);
@@ -125,24 +103,7 @@ bool exportPresets(const ExportOptions& options) {
         report({outcomes.error()});
         return false;
     }
-    return tell(*outcomes, options.output) && isAllRead;
-}
-
-bool importPresets(const ImportOptions& options) {
-    const auto user = xdgDataFolder();
-    if (options.into.empty() && !user) {
-        report({Error{options.file, 0, 0, "there is no folder for presets", "--into FOLDER"}});
-        return false;
-    }
-    const fs::path folder = options.into.empty() ? *user / "presets" : fs::path(options.into);
-    const auto import = importBundle(options.file, folder);
-    if (!import) {
-        report({import.error()});
-        return false;
-    }
-    const bool isAllDone = tell(import->outcomes, options.file);
-    std::cout << "in " << import->folder.string() << '\n';
-    return isAllDone;
+    return tellOutcomes(*outcomes, options.output) && isAllRead;
 }
 
 } // namespace
@@ -157,16 +118,6 @@ void addExport(CLI::App& program, int& status) {
                       "Read what the presets name outside their folders");
     command->add_flag("--no-pictures", options->noPictures, "Draw nothing");
     command->callback([options, &status] { status = exportPresets(*options) ? 0 : 1; });
-}
-
-void addImport(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand(
-        "import", "Unpack the presets and images of such a zip file into a new folder");
-    auto options = std::make_shared<ImportOptions>();
-    command->add_option("file", options->file, "The zip file")->required();
-    command->add_option("--into", options->into,
-                        "Where the folder is made; your presets where it is not given");
-    command->callback([options, &status] { status = importPresets(*options) ? 0 : 1; });
 }
 
 } // namespace patina
