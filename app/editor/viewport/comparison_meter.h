@@ -19,9 +19,9 @@ struct ComparisonNumbers {
 };
 
 /// Measures how far A and the active side, or B, are apart, seen from where A looks, while the
-/// document compares: the
-/// frames as soon as something changes where somebody looks at their difference, and else, with all
-/// numbers, when nothing has changed for a moment. What has become needless is given up.
+/// document compares: the frames as soon as something changes where somebody looks at their
+/// difference, and else, with all numbers, when nothing has changed for a moment. What has become
+/// needless is given up.
 class ComparisonMeter : public QObject {
     Q_OBJECT
 
