@@ -39,6 +39,9 @@ struct View {
     /// Nothing has changed but that more samples are wanted: the picture is the mean of all since
     /// the last frame that was new.
     bool isContinued = false;
+    /// The scene is changing: where its environment's light is sampled it is fitted instead, so
+    /// that each frame has all of it without grain.
+    bool isMoving = false;
 };
 
 /// Tells what a frame is drawn for.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "environment_fixture.h"
+#include "material/preset_file.h"
 #include "render/lights/environment_harmonics.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_program.h"
@@ -111,6 +112,51 @@ TEST_F(FittedEnvironmentTest, OneFrame_IsAllOfIt) {
     const Image first = settled(scene, 4);
     EXPECT_EQ(renderer->job().environmentSamples(), 0);
     EXPECT_EQ(settled(scene, 64).pixels, first.pixels);
+}
+
+TEST_F(FittedEnvironmentTest, ViewThatMoves_ShowsTheFittedPictureOfASampledScene) {
+    const Scene scene = ball("cook-torrance");
+    View moving = viewWith(scene, 4);
+    moving.isMoving = true;
+    const auto shown = renderer->capture(scene, moving, squares(), false);
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(renderer->job().environmentSamples(), 0);
+    EXPECT_EQ(settled(scene, 8).pixels.size(), shown->pixels.size());
+    EXPECT_EQ(renderer->job().environmentSamples(), 8);
+    EXPECT_EQ(settled(fitted(scene), 4).pixels, shown->pixels);
+}
+
+/// What a drag ends in is as bright as what it showed.
+TEST_F(FittedEnvironmentTest, ViewThatMoves_IsAsBrightAsAtRestForManyPresets) {
+    for (const char* preset :
+         {"cook-torrance/red-plastic", "cook-torrance/gold-polished", "lambert/grey-card",
+          "oren-nayar/clay", "phong/billiard-ball", "strauss/frosted-steel", "gaussian/glazed-tile",
+          "he-torrance/copper-roughened"}) {
+        const auto file = std::filesystem::path(PATINA_SOURCE_DIR "/presets") /
+                          (std::string(preset) + ".patina.json");
+        const auto read = readPreset(file, *catalog);
+        ASSERT_TRUE(read) << preset;
+        Scene scene = ball("lambert");
+        scene.objects[0].material = read->material;
+        View moving = viewWith(scene, 4);
+        moving.isMoving = true;
+        const auto shown = renderer->capture(scene, moving, squares(), true);
+        const auto rested = renderer->capture(scene, viewWith(scene, 512), squares(), true);
+        ASSERT_TRUE(shown && rested);
+        EXPECT_NEAR(meanOf(*shown) / meanOf(*rested), 1.0, 0.02) << preset;
+    }
+}
+
+TEST_F(FittedEnvironmentTest, ScenesThatFitTheirLightWhileTheyMove_AreThoseWhoseLightIsSampled) {
+    Scene scene = ball("cook-torrance");
+    EXPECT_TRUE(fitsWhileMoving(scene, *catalog));
+    EXPECT_FALSE(fitsWhileMoving(fitted(scene), *catalog));
+    scene.objects.push_back(object("toon"));
+    EXPECT_FALSE(fitsWhileMoving(scene, *catalog)); // its look would change
+    scene.objects[1].visible = false;
+    EXPECT_TRUE(fitsWhileMoving(scene, *catalog));
+    scene.part(kinds::environment)->parameters["intensity"] = 0.0;
+    EXPECT_FALSE(fitsWhileMoving(scene, *catalog));
 }
 
 TEST_F(FittedEnvironmentTest, LobesAreFittedWhereAValueChangesAndCompileNothing) {

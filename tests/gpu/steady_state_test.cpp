@@ -7,6 +7,7 @@
 #include "catalog/curve.h"
 #include "frame_target.h"
 #include "gpu_fixture.h"
+#include "render/frame/frame_job.h"
 
 namespace {
 
@@ -67,18 +68,25 @@ class SteadyStateTest : public GpuTest {
         GpuTest::TearDown();
     }
 
-    void draw() { renderer->draw(scene_, viewOf(scene_), source_, target_->name()); }
+    View view() const {
+        View view = viewOf(scene_);
+        view.isMoving = isMoving_;
+        return view;
+    }
+
+    void draw() { renderer->draw(scene_, view(), source_, target_->name()); }
 
     /// Allocations of the next frame after the working memory has been made.
     long ofTheNextFrame() {
-        const View view = viewOf(scene_);
+        const View drawn = view();
         const long before = allocations;
-        renderer->draw(scene_, view, source_, target_->name());
+        renderer->draw(scene_, drawn, source_, target_->name());
         return allocations - before;
     }
 
     Scene scene_;
     MeshSource source_;
+    bool isMoving_ = false;
     std::optional<FrameTarget> target_;
 };
 
@@ -174,6 +182,30 @@ TEST_F(SteadyStateTest, DraggedEnvironment_AllocatesNothing) {
         EXPECT_EQ(ofTheNextFrame(), 0) << id;
         EXPECT_EQ(renderer->report().compiled, 0) << id;
     }
+}
+
+/// Each drag begins with the fitted light and ends with the sampled one.
+TEST_F(SteadyStateTest, DragUnderASampledEnvironment_AllocatesAndCompilesNothing) {
+    scene_.setPart(kinds::environment, block("environment", "studio"));
+    double& roughness = std::get<double>(scene_.objects[0].material.model.parameters["roughness"]);
+    for (const bool isMoving : {false, true, false, true, false}) {
+        isMoving_ = isMoving;
+        draw();
+        EXPECT_EQ(renderer->job().environmentSamples() == 0, isMoving);
+    }
+    isMoving_ = true;
+    roughness = 0.31;
+    draw(); // names what is in the programs now
+    EXPECT_EQ(renderer->report().compiled, 0);
+    for (const double value : {0.32, 0.33}) {
+        roughness = value;
+        EXPECT_EQ(ofTheNextFrame(), 0) << value;
+        EXPECT_EQ(renderer->report().compiled, 0) << value;
+        EXPECT_EQ(renderer->report().filledTables, 1) << value;
+    }
+    isMoving_ = false;
+    draw();
+    EXPECT_EQ(renderer->report().compiled, 0);
 }
 
 } // namespace

@@ -22,6 +22,18 @@ class EnvironmentInTheWindow : public WindowFixture {
         return QTest::qWaitFor([=, this] { return view().frames().samples() >= samples; }, limitMs);
     }
 
+    /// The mean of what is on the screen, 0 to 255.
+    double brightness() {
+        const QImage shown = view().grabFramebuffer();
+        double sum = 0.0;
+        for (int y = 0; y < shown.height(); ++y) {
+            for (int x = 0; x < shown.width(); ++x) {
+                sum += qGray(shown.pixel(x, y));
+            }
+        }
+        return sum / shown.width() / shown.height();
+    }
+
     /// A panorama of one colour in a format without compression: Radiance, 8 by 4.
     std::string panorama() {
         const std::string file = home("sky.hdr").string();
@@ -55,6 +67,55 @@ TEST_F(EnvironmentInTheWindow, ChangedValue_StartsAgainWithoutAProgram) {
     ASSERT_TRUE(frames.wait());
     EXPECT_LT(view().frames().samples(), 24);
     EXPECT_EQ(view().frames().report().compiled, 0);
+}
+
+/// Samples take the fitted picture's place little by little, and it never blinks.
+TEST_F(EnvironmentInTheWindow, WhileItChanges_IsFittedAndSettlesWithoutAJump) {
+    constexpr int wanted = 64;
+    view().setFixedSize(160, 120);
+    document().setBlock(pathOf(kinds::environment), "studio");
+    const BlockPath path = document().currentPath(kinds::environment);
+    document().setValue(path, "directions", wanted);
+    ASSERT_TRUE(waitForSamples(wanted));
+    newFrames();
+    int compiled = 0;
+    std::vector<int> samples;
+    QObject::connect(&view().frames(), &FrameLoop::frameDrawn, &view(), [&] {
+        compiled += view().frames().report().compiled;
+        samples.push_back(view().frames().samples());
+    });
+    for (const double turn : {3.0, 6.0, 9.0}) {
+        const int frames = view().frames().frameCount();
+        document().setValue(path, "rotate", turn);
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
+    }
+    EXPECT_EQ(samples, std::vector<int>({0, 0, 0}));
+    const double fitted = brightness();
+    std::vector<double> shown;
+    while (view().frames().samples() < wanted) {
+        const int frames = view().frames().frameCount();
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return view().frames().frameCount() > frames; }, limitMs));
+        shown.push_back(brightness());
+    }
+    EXPECT_GT(shown.size(), 2U);
+    for (const double each : shown) {
+        EXPECT_NEAR(each / fitted, 1.0, 0.02);
+    }
+    EXPECT_EQ(compiled, 0);
+}
+
+TEST_F(EnvironmentInTheWindow, TurnedCamera_SeesFittedLightUntilItRests) {
+    view().setFixedSize(160, 120);
+    document().setBlock(pathOf(kinds::environment), "studio");
+    ASSERT_TRUE(waitForSamples(24));
+    QSignalSpy frames(&view().frames(), &FrameLoop::frameDrawn);
+    drag(Qt::LeftButton, Qt::NoModifier, {40, 0});
+    ASSERT_TRUE(frames.wait());
+    EXPECT_EQ(view().frames().samples(), 0);
+    EXPECT_EQ(view().frames().report().compiled, 0);
+    EXPECT_TRUE(waitForSamples(8));
 }
 
 TEST_F(EnvironmentInTheWindow, IntensityDraggedToNothingAndBack_CompilesNothing) {
@@ -142,6 +203,31 @@ TEST_F(EnvironmentInTheWindow, ChosenAndTurnedOff_AreStepsThatUndo) {
     EXPECT_EQ(document().scene().part(kinds::environment)->parameters.at("rotate"), Value(30.0));
     document().undoStack().setIndex(before);
     EXPECT_FALSE(document().scene().part(kinds::environment));
+}
+
+TEST_F(EnvironmentInTheWindow, ShiftRightDrag_TurnsItInOneStep) {
+    document().setBlock(pathOf(kinds::environment), "studio");
+    const int before = document().undoStack().count();
+    const Camera camera = view().camera();
+    drag(Qt::RightButton, Qt::ShiftModifier, {50, 30});
+    const auto turned = [this] {
+        const auto& values = document().scene().part(kinds::environment)->parameters;
+        const auto found = values.find("rotate");
+        return found == values.end() ? 0.0 : std::get<double>(found->second);
+    };
+    EXPECT_NEAR(turned(), 20.0, 1e-6);
+    EXPECT_EQ(view().camera(), camera);
+    EXPECT_EQ(document().undoStack().count(), before + 1);
+    document().undoStack().undo();
+    EXPECT_EQ(turned(), 0.0);
+}
+
+TEST_F(EnvironmentInTheWindow, ShiftRightDragWithoutOne_ChangesNothing) {
+    const int before = document().undoStack().count();
+    const Camera camera = view().camera();
+    drag(Qt::RightButton, Qt::ShiftModifier, {50, 0});
+    EXPECT_EQ(document().undoStack().count(), before);
+    EXPECT_EQ(view().camera(), camera);
 }
 
 TEST_F(EnvironmentInTheWindow, TurnedOnAgain_HasItsValues) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/frame_loop.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QOpenGLWidget>
@@ -22,6 +23,14 @@ constexpr std::chrono::milliseconds sketchPatience{30};
 
 /// What is between two frames that add samples, for the rest of the window.
 constexpr int pauseMs = 5;
+
+/// So long nothing changes before samples take the fitted picture's place: longer than between two
+/// moves of a slow hand.
+constexpr int restMs = 200;
+
+/// After so many samples nothing of the fitted picture is left. The grain of n of them is shown
+/// with the weight n / 256, and so never more than that of 256 is.
+constexpr int mixedSamples = 256;
 
 } // namespace
 
@@ -65,10 +74,12 @@ void FrameLoop::paint() {
         return;
     }
     if (progress_ == Progress::Drawn) {
-        renderer_->job().show(widget_.defaultFramebufferObject());
+        show();
         std::exchange(sketching_, false) ? finishSketch() : finishFrame();
     } else if (progress_ == Progress::Idle && (stale_ || moreSamples_)) {
-        isContinued_ = !std::exchange(stale_, false);
+        isAtRest_ = !std::exchange(stale_, false);
+        isMoving_ = !isAtRest_ && viewed_.fitsWhileMoving();
+        isContinued_ = isAtRest_ && samples() > 0;
         beginFrame();
     }
 }
@@ -76,8 +87,8 @@ void FrameLoop::paint() {
 void FrameLoop::refresh() {
     const Scene& drawn =
         progress_ == Progress::Lent ? viewed_.sources().whole() : viewed_.sources().scene();
-    if (isDrawing() && (isContinued_ || !renderer_->job().hasMeshesOf(drawn))) {
-        giveUp(); // it only adds to a picture that is gone, or objects have come or gone
+    if (isDrawing() && (isAtRest_ || !renderer_->job().hasMeshesOf(drawn))) {
+        giveUp(); // it only refines a picture that is gone, or objects have come or gone
     }
     stale_ = true;
     widget_.update();
@@ -129,6 +140,13 @@ View FrameLoop::view() const {
     return view;
 }
 
+/// How the next frame is drawn.
+View FrameLoop::drawnView() const {
+    View drawn = view();
+    drawn.isMoving = isMoving_;
+    return drawn;
+}
+
 int FrameLoop::samples() const {
     return renderer_ ? renderer_->job().environmentSamples() : 0;
 }
@@ -167,7 +185,8 @@ void FrameLoop::beginFrame() {
 }
 
 FrameJob& FrameLoop::beginJob(FramePurpose purpose) {
-    return renderer_->begin(viewed_.sources().scene(), view(), viewed_.sources().meshes, purpose);
+    return renderer_->begin(viewed_.sources().scene(), drawnView(), viewed_.sources().meshes,
+                            purpose);
 }
 
 /// Tells whether the frame to be drawn lacks programs that are made elsewhere meanwhile. The first
@@ -183,7 +202,7 @@ bool FrameLoop::waitsForPrograms(FrameJob& job) {
         missing_ = 0;
         return false;
     }
-    programs_.order(viewed_.sources().scene(), view());
+    programs_.order(viewed_.sources().scene(), drawnView());
     missing_ = missing;
     ++waitCount_;
     goOnWith(Progress::Waiting);
@@ -204,7 +223,7 @@ void FrameLoop::takePrograms() {
     if (progress_ == Progress::Waiting) {
         turn_.stop();
         progress_ = Progress::Idle;
-        stale_ = true;
+        (isAtRest_ ? moreSamples_ : stale_) = true;
         widget_.update();
     }
 }
@@ -230,9 +249,25 @@ void FrameLoop::drawFrame(FrameJob& job) {
     if (job.step(firstPatience) == FrameJob::Progress::More) {
         goOnWith(Progress::Drawing);
     } else {
-        job.show(widget_.defaultFramebufferObject());
+        show();
         finishFrame();
     }
+}
+
+void FrameLoop::show() {
+    renderer_->job().show(widget_.defaultFramebufferObject(), sketching_ ? 1.0 : nextShare());
+}
+
+/// The share that the frame has of what is on the screen from now on: at rest the fitted picture
+/// leaves as samples come.
+double FrameLoop::nextShare() {
+    const int all = std::min(mixedSamples, viewed_.wantedSamples());
+    if (!isAtRest_) {
+        mixedSamples_ = isMoving_ ? 0 : all;
+        return 1.0;
+    }
+    const double left = all - std::exchange(mixedSamples_, std::min(samples(), all));
+    return left > 0.0 ? std::clamp(1.0 - (all - mixedSamples_) / left, 0.0, 1.0) : 1.0;
 }
 
 void FrameLoop::goOnWith(Progress progress) {
@@ -292,13 +327,14 @@ void FrameLoop::finishFrame() {
 }
 
 bool FrameLoop::wantsSamples() const {
-    return samples() > 0 && samples() < viewed_.wantedSamples() && !inspecting_;
+    const bool hasFirst = samples() > 0;
+    return (hasFirst || isMoving_) && samples() < viewed_.wantedSamples() && !inspecting_;
 }
 
 /// After a frame that shows the scene as it is.
 void FrameLoop::continueSoon() {
-    if (wantsSamples() && !sampleTimer_.isActive()) {
-        sampleTimer_.start(pauseMs);
+    if (wantsSamples() && (isMoving_ || !sampleTimer_.isActive())) {
+        sampleTimer_.start(isMoving_ ? restMs : pauseMs);
     }
 }
 
@@ -332,6 +368,7 @@ Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
 Renderer& FrameLoop::lend() {
     if (progress_ != Progress::Lent) {
         giveUp();
+        isAtRest_ = false;
         isContinued_ = false;
         progress_ = Progress::Lent;
     }
@@ -345,6 +382,8 @@ void FrameLoop::takeBack(bool isAnother) {
         refresh();
     } else if (stale_) {
         widget_.update();
+    } else {
+        continueSoon();
     }
 }
 

@@ -23,7 +23,8 @@ namespace patina {
 /// Draws what a widget shows with a Renderer of its own. A frame is drawn only after refresh(),
 /// once however often that was called. One that takes long is drawn over several turns of the event
 /// loop with the last picture on the screen, or a sketch where the scene is a new one; what changes
-/// meanwhile is in the next one. While nothing changes it adds samples of an environment's light.
+/// meanwhile is in the next one. An environment's light is fitted while something changes; when
+/// nothing does any more, the sampled one takes its place little by little.
 class FrameLoop : public QObject {
     Q_OBJECT
 
@@ -120,6 +121,7 @@ class FrameLoop : public QObject {
     };
 
     void beginFrame();
+    View drawnView() const;
     FrameJob& beginJob(FramePurpose purpose);
     bool waitsForPrograms(FrameJob& job);
     void takePrograms();
@@ -129,6 +131,8 @@ class FrameLoop : public QObject {
     void goOnWith(Progress progress);
     void proceed();
     void finishSketch();
+    void show();
+    double nextShare();
     void finishFrame();
     bool wantsSamples() const;
     void continueSoon();
@@ -155,7 +159,11 @@ class FrameLoop : public QObject {
     bool inspecting_ = false;
     QTimer sampleTimer_;       ///< the next frame that adds samples
     bool moreSamples_ = false; ///< that frame is asked for
-    bool isContinued_ = false; ///< the frame that is drawn, or was drawn last, adds samples
+    // The frame that is drawn, or was drawn last:
+    bool isMoving_ = false;    ///< its light is fitted, because something has changed
+    bool isAtRest_ = false;    ///< nothing has changed since the last one
+    bool isContinued_ = false; ///< it adds samples to those of the last one
+    int mixedSamples_ = 0;     ///< so many have taken the fitted picture's place on the screen
     IdleRelease targets_;
 };
 

@@ -3,19 +3,25 @@
 
 #include <utility>
 
+#include "shading/effects/environment_effect.h"
+
 namespace patina {
 
 Prewarmer::Prewarmer(FrameLoop& frames, const ViewedScene& viewed)
-    : frames_(frames), programs_(viewed) {
+    : frames_(frames), viewed_(viewed), programs_(viewed) {
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, &Prewarmer::makeNext);
     connect(&frames, &FrameLoop::frameDrawn, this, &Prewarmer::goOn);
     connect(&programs_, &OrderedPrograms::came, this, &Prewarmer::prepare);
 }
 
+/// What a change is shown with goes first.
 void Prewarmer::add(const Scene& ahead) {
     if (frames_.canDraw() && !frames_.isInspecting()) {
-        scenes_.push_back(ahead);
+        ahead_.push_back({ahead, false});
+        if (viewed_.catalog() != nullptr && fitsWhileMoving(ahead, *viewed_.catalog())) {
+            ahead_.push_back({ahead, true});
+        }
         programs_.forget();
         turn_.start(0);
     }
@@ -30,14 +36,14 @@ void Prewarmer::goOn() {
 /// What is drawn goes first; the frame that comes then asks again for what is left.
 void Prewarmer::makeNext() {
     if (!frames_.canDraw() || frames_.isInspecting()) {
-        scenes_.clear();
+        ahead_.clear();
         return;
     }
-    if (scenes_.empty() || !frames_.isUpToDate()) {
+    if (ahead_.empty() || !frames_.isUpToDate()) {
         return;
     }
     if (programs_.canOrder()) {
-        programs_.order(scenes_.back(), viewAhead());
+        programs_.order(ahead_.back().scene, viewOf(ahead_.back()));
     } else {
         prepare();
     }
@@ -45,20 +51,21 @@ void Prewarmer::makeNext() {
 
 /// Loads what was made elsewhere, so that a frame that needs it does not have to.
 void Prewarmer::prepare() {
-    if (!frames_.canDraw() || scenes_.empty() || !frames_.isUpToDate()) {
+    if (!frames_.canDraw() || ahead_.empty() || !frames_.isUpToDate()) {
         return;
     }
-    const Scene ahead = std::move(scenes_.back());
-    scenes_.pop_back();
-    frames_.drawUnseen(ahead, viewAhead());
+    const Ahead ahead = std::move(ahead_.back());
+    ahead_.pop_back();
+    frames_.drawUnseen(ahead.scene, viewOf(ahead));
     turn_.start(0);
 }
 
 /// How a scene that is prewarmed will be looked at.
-View Prewarmer::viewAhead() const {
-    View ahead = frames_.view();
-    ahead.effects = nullptr;
-    return ahead;
+View Prewarmer::viewOf(const Ahead& ahead) const {
+    View view = frames_.view();
+    view.effects = nullptr;
+    view.isMoving = ahead.isMoving;
+    return view;
 }
 
 } // namespace patina

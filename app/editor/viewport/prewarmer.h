@@ -24,18 +24,25 @@ class Prewarmer : public QObject {
     void add(const Scene& ahead);
 
     /// Something is still to be made.
-    bool isBusy() const { return !scenes_.empty(); }
+    bool isBusy() const { return !ahead_.empty(); }
 
   private:
+    /// A scene, drawn as while it changes or as at rest.
+    struct Ahead {
+        Scene scene;
+        bool isMoving = false;
+    };
+
     void goOn();
     void makeNext();
     void prepare();
-    View viewAhead() const;
+    View viewOf(const Ahead& ahead) const;
 
     FrameLoop& frames_;
-    std::vector<Scene> scenes_; ///< whose programs are still to be made
-    OrderedPrograms programs_;  ///< of the last of them
-    QTimer turn_;               ///< one of them a turn
+    const ViewedScene& viewed_;
+    std::vector<Ahead> ahead_; ///< whose programs are still to be made
+    OrderedPrograms programs_; ///< of the last of them
+    QTimer turn_;              ///< one of them a turn
 };
 
 } // namespace patina

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "scene/environment.h"
+#include "shading/effects/environment_effect.h"
 
 namespace patina {
 
@@ -29,6 +30,12 @@ int ViewedScene::wantedSamples() const {
     const Block* block =
         catalog_ == nullptr ? nullptr : blockOf(scene.parts, kinds::environment, *catalog_);
     return block == nullptr ? usualDirections : directionsOf(*environment, *block);
+}
+
+bool ViewedScene::fitsWhileMoving() const {
+    const Scene* effects = sources_.effects ? sources_.effects() : nullptr;
+    return catalog_ != nullptr &&
+           patina::fitsWhileMoving(effects != nullptr ? *effects : sources_.scene(), *catalog_);
 }
 
 glm::ivec2 pixelsOf(const QWidget& widget, const QSize& size) {

@@ -48,6 +48,9 @@ class ViewedScene {
     /// the scene says.
     int wantedSamples() const;
 
+    /// Tells whether the scene's light is fitted while it changes, and sampled at rest.
+    bool fitsWhileMoving() const;
+
   private:
     Sources sources_;
     const QWidget& widget_;

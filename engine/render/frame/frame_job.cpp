@@ -251,8 +251,7 @@ std::uint64_t FrameJob::missingPrograms() {
 
 /// Those of a drag, in which places and distances decide nothing.
 bool FrameJob::hasHeldPrograms() {
-    return passes_.display.has(*plan_.effects) &&
-           passes_.programs.hasHeld(*plan_.effects, *shared_);
+    return passes_.display.has(*plan_.effects) && passes_.programs.hasHeld(plan_, *shared_);
 }
 
 /// The programs of the picture, and those of a drag.
@@ -286,12 +285,12 @@ void FrameJob::drawUnseen() {
     gpu_.report = std::move(before);
 }
 
-void FrameJob::show(unsigned framebuffer) {
+void FrameJob::show(unsigned framebuffer, double share) {
     if (failure_) {
         return;
     }
     if (!gpu_.isSketch) {
-        showIn(framebuffer, size_, exposure_);
+        showIn(framebuffer, size_, exposure_, share);
         return;
     }
     const StretchedPicture picture(view_.size);
@@ -299,10 +298,10 @@ void FrameJob::show(unsigned framebuffer) {
     picture.show(framebuffer, size_);
 }
 
-void FrameJob::showIn(unsigned framebuffer, glm::ivec2 size, double exposure) {
+void FrameJob::showIn(unsigned framebuffer, glm::ivec2 size, double exposure, double share) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
-    passes_.display.show(gpu_.picture(), exposure);
+    passes_.display.show(gpu_.picture(), exposure, share);
     leaveState();
 }
 

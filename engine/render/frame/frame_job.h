@@ -60,8 +60,9 @@ class FrameJob {
     /// Notes what the frame for a window has taken, with all its steps: the next one goes by it.
     void noteTime(double milliseconds) { passes_.solid.noteTime(milliseconds); }
 
-    /// Brings the frame into a framebuffer, tone mapped and sRGB encoded.
-    void show(unsigned framebuffer);
+    /// Brings the frame into a framebuffer, tone mapped and sRGB encoded; below a share of 1 it is
+    /// mixed with what is there. A sketch is shown whole.
+    void show(unsigned framebuffer, double share = 1.0);
 
     /// The frame as linear floats (RGBA, straight alpha), with the exposure in them, or as the
     /// 8-bit display values / 255. An exposure that is given takes the place of the scene's.
@@ -113,7 +114,7 @@ class FrameJob {
     void prewarm();
     void drawUnseen();
     bool hasHeldPrograms();
-    void showIn(unsigned framebuffer, glm::ivec2 size, double exposure);
+    void showIn(unsigned framebuffer, glm::ivec2 size, double exposure, double share = 1.0);
 
     std::shared_ptr<RenderResources> shared_;
     std::shared_ptr<const Catalog> catalog_; ///< the one that the passes know

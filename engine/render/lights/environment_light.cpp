@@ -69,16 +69,14 @@ const gl::Program* EnvironmentLight::program(Known& known, EnvironmentOutput out
     return made.get();
 }
 
-void EnvironmentLight::follow(const Scene& effects, const Scene& scene,
-                              const std::shared_ptr<const EnvironmentImage>& image,
-                              const Catalog& catalog, ProgramCache& cache) {
-    while (followSome(effects, scene, image, catalog, cache)) {
+void EnvironmentLight::follow(const Subject& subject, const Catalog& catalog, ProgramCache& cache) {
+    while (followSome(subject, catalog, cache)) {
     }
 }
 
-bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
-                                  const std::shared_ptr<const EnvironmentImage>& image,
-                                  const Catalog& catalog, ProgramCache& cache) {
+bool EnvironmentLight::followSome(const Subject& subject, const Catalog& catalog,
+                                  ProgramCache& cache) {
+    const auto& [effects, scene, image, isFitted] = subject;
     const std::uint64_t key = EffectKey::ofEnvironment(effects, catalog);
     const bool fits = key != 0 && scene.part(kinds::environment) &&
                       effects.part(kinds::environment)->id == scene.part(kinds::environment)->id;
@@ -103,19 +101,17 @@ bool EnvironmentLight::followSome(const Scene& effects, const Scene& scene,
         }
         return true;
     }
-    if (effects.accuracy.fitsEnvironment() && blurredFor_ != current_ &&
-        makeBlurred(catalog, cache)) {
+    if (isFitted && blurredFor_ != current_ && makeBlurred(catalog, cache)) {
         return true;
     }
     const Backdrop backdrop = backdropOf(values, current_->use.block());
     blur_ = 0.5 * glm::radians(environmentNumber(values, current_->use.block(), roles::blur));
     if (backdrop != Backdrop::Hidden) {
-        background_ =
-            program(*current_,
-                    backdrop == Backdrop::Sharp          ? EnvironmentOutput::SharpBackground
-                    : effects.accuracy.fitsEnvironment() ? EnvironmentOutput::FittedBackground
-                                                         : EnvironmentOutput::BlurredBackground,
-                    catalog, cache);
+        background_ = program(*current_,
+                              backdrop == Backdrop::Sharp ? EnvironmentOutput::SharpBackground
+                              : isFitted                  ? EnvironmentOutput::FittedBackground
+                                                          : EnvironmentOutput::BlurredBackground,
+                              catalog, cache);
     }
     return false;
 }

@@ -21,18 +21,21 @@ namespace patina {
 /// is bright. Programs read it at the places of binding.h.
 class EnvironmentLight {
   public:
-    /// Follows the scene; `effects` is the one whose effects the programs have. Allocates nothing
-    /// while only values change. Without a picture that is there an environment that needs one is
-    /// black.
-    void follow(const Scene& effects, const Scene& scene,
-                const std::shared_ptr<const EnvironmentImage>& image, const Catalog& catalog,
-                ProgramCache& cache);
+    /// Holds what is followed.
+    struct Subject {
+        const Scene& effects; ///< whose effects the programs have
+        const Scene& scene;
+        /// Without a picture that is there an environment that needs one is black.
+        const std::shared_ptr<const EnvironmentImage>& image;
+        bool isFitted = false; ///< programs look it up out of focus
+    };
+
+    /// Follows the scene. Allocates nothing while only values change.
+    void follow(const Subject& subject, const Catalog& catalog, ProgramCache& cache);
 
     /// The same up to and with the first thing that takes long, a part of the picture, a program or
     /// the table: true as long as there may be more, and the next call goes on.
-    bool followSome(const Scene& effects, const Scene& scene,
-                    const std::shared_ptr<const EnvironmentImage>& image, const Catalog& catalog,
-                    ProgramCache& cache);
+    bool followSome(const Subject& subject, const Catalog& catalog, ProgramCache& cache);
 
     /// Tells whether programs look at an environment.
     bool isIn() const { return current_ != nullptr; }

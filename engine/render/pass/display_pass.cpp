@@ -54,9 +54,11 @@ Result<void> DisplayPass::make(const Scene& scene, const Catalog& catalog, Progr
     return {};
 }
 
-void DisplayPass::show(const gl::Texture& linear, double exposure) {
+void DisplayPass::show(const gl::Texture& linear, double exposure, double share) {
     glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
+    (share < 1.0 ? glEnable : glDisable)(GL_BLEND);
+    glBlendColor(0.0f, 0.0f, 0.0f, static_cast<float>(share));
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     glDisable(GL_DITHER);
     glDisable(GL_FRAMEBUFFER_SRGB);
     current_->program->use();
@@ -66,6 +68,7 @@ void DisplayPass::show(const gl::Texture& linear, double exposure) {
     glBindTexture(GL_TEXTURE_2D, linear.name());
     noVertices_.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
 }
 
 void DisplayPass::forget() {

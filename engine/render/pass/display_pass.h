@@ -30,8 +30,9 @@ class DisplayPass : public Pass {
 
     bool isPrepared() const { return current_ != nullptr; }
 
-    /// Draws with the program that was prepared last into the bound framebuffer.
-    void show(const gl::Texture& linear, double exposure);
+    /// Draws with the program that was prepared last into the bound framebuffer; below a share of
+    /// 1 the result is mixed with what is there.
+    void show(const gl::Texture& linear, double exposure, double share = 1.0);
 
     void forget() override;
 

@@ -102,8 +102,8 @@ void FrameData::fitLobes(const FramePlan& plan) {
             const Material& values = plan.scene->objects[plan.materials[i].object].material;
             gpu_.report.filledTables +=
                 lobes_.fit(i, *pipeline, values, plan.cameraToWorld) ? 1 : 0;
-        } else {
-            lobes_.drop(i);
+        } else if (pipeline == nullptr || !pipeline->effects.environment) {
+            lobes_.drop(i); // a view that is at rest fits them again when the scene changes
         }
     }
 }

@@ -55,6 +55,10 @@ int samplesOf(const View& view, const Scene& effects, const Catalog& catalog, in
     return wholeRounds(std::min(view.environmentSamples, maxRounds * roundSamples));
 }
 
+bool isFitted(const Scene& effects, const View& view) {
+    return view.isMoving || effects.accuracy.fitsEnvironment();
+}
+
 void set(const gl::Program& program, const char* name, const glm::dvec3& value) {
     glUniform3f(program.uniform(name), static_cast<float>(value.x), static_cast<float>(value.y),
                 static_cast<float>(value.z));
@@ -65,12 +69,15 @@ void set(const gl::Program& program, const char* name, const glm::dvec3& value) 
 Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
                                      const Catalog& catalog, ProgramCache& cache) {
     const int built = cache.builtCount();
-    if (light_.followSome(scene.effects, scene.scene, view.environmentImage, catalog, cache) ||
+    const bool fits = isFitted(scene.effects, view);
+    if (light_.followSome({scene.effects, scene.scene, view.environmentImage, fits}, catalog,
+                          cache) ||
         cache.builtCount() > built) {
         return true;
     }
-    if (!isIn() || scene.effects.accuracy.fitsEnvironment()) {
-        if (accumulation_.mean().size().x > 0) {
+    if (!isIn() || fits) {
+        const bool isWantedSoon = isIn() && !scene.effects.accuracy.fitsEnvironment();
+        if (!isWantedSoon && accumulation_.mean().size().x > 0) {
             accumulation_ = Accumulation();
         }
         done_ = 0;
@@ -101,7 +108,9 @@ Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
 
 void FrameEnvironment::prewarm(const SceneToPack& scene, const View& view, const Catalog& catalog,
                                ProgramCache& cache) {
-    light_.follow(scene.effects, scene.scene, view.environmentImage, catalog, cache);
+    light_.follow(
+        {scene.effects, scene.scene, view.environmentImage, isFitted(scene.effects, view)}, catalog,
+        cache);
     if (isIn()) {
         light_.setSamples({0, roundSamples, 0});
     }

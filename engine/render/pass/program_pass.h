@@ -29,7 +29,7 @@ class ProgramPass : public Pass {
 
     /// Tells whether those are there that a drag is drawn with, in which places and distances
     /// decide nothing.
-    bool hasHeld(const Scene& effects, RenderResources& shared);
+    bool hasHeld(const FramePlan& plan, RenderResources& shared);
 
     /// Returns what the program of a material is, as it was chosen; there may be none but messages.
     const PipelineStore::Entry& entryOf(const FramePlan& plan, const DrawMaterial& material,

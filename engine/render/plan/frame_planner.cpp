@@ -81,6 +81,7 @@ void FramePlanner::make(FramePlan& plan, const Scene& scene, const View& view,
     count(plan);
     addGround(plan);
     plan.effectView = plan.isHeld ? EffectView() : effectView(plan.depths, fogReach(plan, catalog));
+    plan.effectView.fitsEnvironment = view.isMoving;
 }
 
 void FramePlanner::collect(FramePlan& plan, const MeshSource& meshes, const Catalog& catalog) {

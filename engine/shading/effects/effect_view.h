@@ -24,6 +24,9 @@ struct EffectView {
     /// is drawn, where it gets thinner with height.
     double fogThickness = 1.0;
 
+    /// An environment's light is fitted, whatever the scene says.
+    bool fitsEnvironment = false;
+
     bool reaches(std::size_t light) const { return unreached == nullptr || !unreached->has(light); }
 };
 

@@ -154,13 +154,24 @@ EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog) 
     return {block, ""};
 }
 
+bool fitsWhileMoving(const Scene& scene, const Catalog& catalog) {
+    const auto isDrawing = [&catalog](const Object& object) {
+        const Block* model = catalog.find(kinds::models, object.material.model.id);
+        return object.visible && model != nullptr && model->lighting == LightsWanted::Key;
+    };
+    return !scene.accuracy.fitsEnvironment() &&
+           environmentChoice(scene, catalog).block != nullptr &&
+           std::ranges::none_of(scene.objects, isDrawing);
+}
+
 void EnvironmentEffect::choose(const SceneSubject& subject, const EffectSet&) {
     const Block* block = environmentChoice(subject.scene, subject.catalog).block;
     environment.reset();
     if (block != nullptr) {
         environment.emplace(*block, subject.scene.part(kinds::environment)->parameters);
     }
-    wantsFitted = block != nullptr && subject.scene.accuracy.fitsEnvironment();
+    wantsFitted = block != nullptr &&
+                  (subject.scene.accuracy.fitsEnvironment() || subject.view.fitsEnvironment);
 }
 
 /// Sampled, since a surface calls it then.

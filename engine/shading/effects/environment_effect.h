@@ -22,6 +22,11 @@ struct EnvironmentChoice {
 };
 EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog);
 
+/// Tells whether a view may fit the scene's light while it changes and sample it at rest: the scene
+/// has an environment whose light is sampled, and shows no drawing, which would take a fitted one
+/// for one light.
+bool fitsWhileMoving(const Scene& scene, const Catalog& catalog);
+
 /// Tells how the light of an environment comes to a surface.
 enum class EnvironmentWay : std::uint8_t {
     Sampled,  ///< a mean over directions
@@ -34,7 +39,7 @@ enum class EnvironmentWay : std::uint8_t {
 /// behind it, and where it lacks its picture.
 struct EnvironmentEffect {
     std::optional<BlockUse> environment;
-    bool wantsFitted = false; ///< as the scene says
+    bool wantsFitted = false; ///< as the scene or the view says
     EnvironmentWay way = EnvironmentWay::Sampled;
 
     void choose(const SceneSubject& subject, const EffectSet& set);
