@@ -15,7 +15,7 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
     chooser_->setAccessibleName(tr("Kind of environment"));
     QLabel* hint = hintLabel(this);
     hint->setText(tr("Drop an .hdr or .exr panorama on the view to light the scene with it. Its "
-                     "light adds to that of the lights."));
+                     "light adds to that of the lights. Shift+right drag in a view turns it."));
     fillPanel(this, {labelled(tr("&Kind"), chooser_), hint},
               new DocumentForm(document_, context.textures, kinds::environment));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {

@@ -52,6 +52,9 @@ Drag dragFor(const QMouseEvent& event, bool lightKey) {
     if (!alt && event.button() == Qt::LeftButton) {
         return dragWithLeft(event.modifiers(), lightKey);
     }
+    if (event.button() == Qt::RightButton && event.modifiers() == Qt::ShiftModifier) {
+        return Drag::TurnEnvironment;
+    }
     return dragWithAlt(event.button());
 }
 
@@ -148,6 +151,9 @@ void CameraNavigation::drag(const QPointF& pixels) {
         break;
     case Drag::TurnLight:
         Q_EMIT lightTurnWished(turn.x(), turn.y());
+        break;
+    case Drag::TurnEnvironment:
+        Q_EMIT environmentTurnWished(turn.x());
         break;
     case Drag::None:
         break;

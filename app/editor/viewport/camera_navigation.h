@@ -14,13 +14,14 @@ namespace patina {
 ///
 /// Left drag orbits, middle drag or Shift+left pans, right drag and the wheel dolly; Alt with the
 /// left, middle and right button orbits, pans and dollies as in Maya; Ctrl+left turns the object;
-/// left with the L key held turns the key light; a double click asks for a pivot.
+/// left with the L key held turns the key light; Shift+right turns the environment; a double click
+/// asks for a pivot.
 class CameraNavigation : public QObject {
     Q_OBJECT
 
   public:
     /// Tells what a drag does, from the press to the release.
-    enum class Drag { None, Orbit, Pan, Dolly, TurnObject, TurnLight };
+    enum class Drag { None, Orbit, Pan, Dolly, TurnObject, TurnLight, TurnEnvironment };
 
     explicit CameraNavigation(QObject* parent = nullptr);
 
@@ -39,6 +40,7 @@ class CameraNavigation : public QObject {
     void dollyWished(double factor);
     void objectTurnWished(double yaw, double pitch); ///< degrees
     void lightTurnWished(double yaw, double pitch);  ///< degrees
+    void environmentTurnWished(double yaw);          ///< degrees
     void dragFinished();
     void pivotWished(QPointF place);
     void frameWished();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <QLabel>
 #include <QPainter>
@@ -10,6 +11,7 @@
 
 #include "document/scene_edits.h"
 #include "resources/texture_library.h"
+#include "scene/environment.h"
 #include "shading/effects/effect_rows.h"
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
@@ -185,6 +187,8 @@ void SideView::connectNavigation() {
             });
     connect(&navigation, &CameraNavigation::objectTurnWished, this, &SideView::turnObject);
     connect(&navigation, &CameraNavigation::lightTurnWished, this, &SideView::turnLight);
+    connect(&navigation, &CameraNavigation::environmentTurnWished, this,
+            &SideView::turnEnvironment);
     connect(&navigation, &CameraNavigation::dragFinished, this, &SideView::endTurn);
     connect(&navigation, &CameraNavigation::pivotWished, this, &SideView::pivotOn);
     connect(&navigation, &CameraNavigation::frameWished, this, &SideView::frameObjects);
@@ -214,6 +218,20 @@ void SideView::turnLight(double yaw, double pitch) {
     const Block* block = document_.block(path);
     storeTurned(document_, path, before,
                 turnedLight(before, *block, viewport_->camera(), yaw, pitch));
+}
+
+/// As the mouse pulls what the front of an object mirrors.
+void SideView::turnEnvironment(double yaw) {
+    const BlockPath path = pathOf(kinds::environment);
+    const BlockValues* environment = document_.scene().part(kinds::environment);
+    const Block* block = environment != nullptr ? document_.block(path) : nullptr;
+    const Parameter* rotation = block != nullptr ? block->withRole(roles::rotate) : nullptr;
+    if (rotation == nullptr) {
+        return;
+    }
+    beginTurn();
+    const double now = environmentNumber(*environment, *block, roles::rotate);
+    document_.setValue(path, rotation->id, std::remainder(now + yaw, 360.0));
 }
 
 void SideView::beginTurn() {

@@ -71,6 +71,7 @@ class SideView : public QFrame {
     Camera framedOnAll() const;
     void turnObject(double yaw, double pitch);
     void turnLight(double yaw, double pitch);
+    void turnEnvironment(double yaw);
     void beginTurn();
     void endTurn();
     std::optional<Hit> hitAt(QPointF place) const;

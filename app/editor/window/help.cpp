@@ -23,6 +23,7 @@ void showKeys(QWidget* window) {
         row(helpText("Wheel, right drag, Alt+right"), helpText("move nearer or farther")) +
         row(helpText("Ctrl+left drag"), helpText("turn the object")) +
         row(helpText("L and left drag"), helpText("turn the key light")) +
+        row(helpText("Shift+right drag"), helpText("turn the environment")) +
         row(helpText("Double click"), helpText("turn about that point of the surface")) +
         row(helpText("C"), helpText("compare in the next way; Ctrl+Shift+B: one view more")) +
         row(helpText("Space"), helpText("hold it: the other side, where A and B are one picture")) +
