@@ -2,13 +2,16 @@
 // The environment in the window: chosen, dropped, undone, and drawn until it has settled.
 #include <QDockWidget>
 #include <QLabel>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTest>
 
 #include "docks/block_chooser.h"
+#include "docks/environment_chooser.h"
 #include "document/scene_edits.h"
 #include "scene/environment.h"
+#include "session/session.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::environment_test {
@@ -236,6 +239,49 @@ TEST_F(EnvironmentInTheWindow, TurnedOnAgain_HasItsValues) {
     document().setBlock(pathOf(kinds::environment), "");
     document().setBlock(pathOf(kinds::environment), "studio");
     EXPECT_EQ(document().scene().part(kinds::environment)->parameters.at("rotate"), Value(30.0));
+}
+
+TEST_F(EnvironmentInTheWindow, PanoramaDroppedOnTheChooser_JoinsTheListAndLightsTheSceneInOneStep) {
+    window().dock("environment")->show();
+    window().dock("environment")->raise();
+    newFrames();
+    auto* chooser = window().dock("environment")->findChild<EnvironmentChooser*>();
+    ASSERT_NE(chooser, nullptr);
+    const int before = document().undoStack().count();
+    QMimeData dragged;
+    dragged.setUrls({QUrl::fromLocalFile(QString::fromStdString(panorama()))});
+    const QPoint middle = chooser->rect().center();
+    QDragEnterEvent enter(middle, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(chooser, &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(middle, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(chooser, &drop);
+    EXPECT_EQ(environmentPicture(document()), home("sky.hdr").string());
+    EXPECT_EQ(document().undoStack().count(), before + 1);
+    EXPECT_EQ(chooser->currentText(), "sky");
+    EXPECT_EQ(Session().environments(), QStringList{QString::fromStdString(panorama())});
+    document().setBlock(pathOf(kinds::environment), "studio");
+    EXPECT_GE(chooser->findText("sky"), 0); // to be chosen again
+}
+
+TEST_F(EnvironmentInTheWindow, ListOfEnvironments_HasAPictureOfEach) {
+    window().dock("environment")->show();
+    window().dock("environment")->raise();
+    newFrames();
+    auto* chooser = window().dock("environment")->findChild<EnvironmentChooser*>();
+    ASSERT_NE(chooser, nullptr);
+    chooser->add(QString::fromStdString(panorama()));
+    const auto isPictured = [&](const char* text) {
+        const QImage shown =
+            chooser->itemIcon(chooser->findText(text)).pixmap(QSize(128, 64)).toImage();
+        return !shown.isNull() && shown.pixelColor(shown.rect().center()).alpha() == 255;
+    };
+    EXPECT_FALSE(isPictured("Sky"));
+    window().startRest(); // pictures come after the first frame
+    chooser->showPopup();
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return isPictured("Sky") && isPictured("Studio") && isPictured("sky"); }, limitMs));
+    chooser->hidePopup();
 }
 
 TEST_F(EnvironmentInTheWindow, Dock_OffersEveryKindAndOff) {

@@ -13,7 +13,7 @@ BlockChooser::BlockChooser(Document& document, std::string_view kind, const QStr
     : ChoiceBox(parent), document_(document), kind_(kind), off_(off) {
     connect(this, &QComboBox::activated, this,
             [this](int index) { Q_EMIT chosen(itemData(index).toString()); });
-    onChange(document, DocumentChange::Catalog, this, &BlockChooser::fill);
+    onChange(document, DocumentChange::Catalog, this, [this] { fill(); });
     fill();
 }
 

@@ -26,9 +26,13 @@ class BlockChooser : public ChoiceBox {
   Q_SIGNALS:
     void chosen(QString id);
 
-  private:
-    void fill();
+  protected:
+    Document& document() { return document_; }
 
+    /// Lists all blocks, and shows the one in use.
+    virtual void fill();
+
+  private:
     Document& document_;
     std::string kind_;
     QString off_; ///< empty: there is no such choice

@@ -7,9 +7,10 @@
 
 namespace patina {
 
-class BlockChooser;
+class EnvironmentChooser;
 
-/// Turns the scene's environment on and off, chooses its kind and edits its values.
+/// Turns the scene's environment on and off, chooses its kind or a picture, and edits its
+/// values.
 class EnvironmentDock : public QWidget {
     Q_OBJECT
 
@@ -20,7 +21,7 @@ class EnvironmentDock : public QWidget {
     void update();
 
     Document& document_;
-    BlockChooser* chooser_;
+    EnvironmentChooser* chooser_;
 };
 
 } // namespace patina

@@ -10,6 +10,7 @@
 #include "library/preset_entry.h"
 #include "material/blocks_in_use.h"
 #include "material/preset_file.h"
+#include "scene/environment.h"
 
 namespace patina {
 namespace {
@@ -57,6 +58,18 @@ QByteArray ThumbnailKeys::of(const Material& material, const Catalog& catalog) {
     }
     for (const auto& [key, use] : material.textures) {
         hash.addData(use.outside ? QByteArray() : hashOf(use.file)); // it is not read
+    }
+    hash.addData(renderer(catalog));
+    return hash.result().toHex();
+}
+
+QByteArray ThumbnailKeys::of(const BlockValues& environment, const Catalog& catalog) {
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(QByteArray::number(pictureVersion));
+    if (const Block* block = catalog.find(kinds::environment, environment.id)) {
+        hash.addData(hashOf(block->descriptorFile));
+        hash.addData(hashOf(block->shaderFile));
+        hash.addData(hashOf(pictureFile(environment, *block)));
     }
     hash.addData(renderer(catalog));
     return hash.result().toHex();

@@ -20,6 +20,9 @@ class ThumbnailKeys {
 
     QByteArray of(const Material& material, const Catalog& catalog);
 
+    /// The same for the picture of an environment.
+    QByteArray of(const BlockValues& environment, const Catalog& catalog);
+
   private:
     struct Hashed {
         std::int64_t bytes = 0;

@@ -6,12 +6,18 @@
 #include <map>
 #include <utility>
 
+#include <glm/exponential.hpp>
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include "core/color.h"
+#include "render/frame/frame_job.h"
 #include "render/gpu/texture_loader.h"
+#include "render/lights/environment_image.h"
 #include "render/renderer.h"
+#include "scene/environment.h"
 #include "scene/primitives.h"
 #include "scene/scene_file.h"
 
@@ -33,6 +39,37 @@ QImage toQImage(const Image& image) {
         }
     }
     return picture;
+}
+
+/// As bright as a photographer would take it: the mean of its brightness in stops becomes a middle
+/// grey.
+QImage seenFromWithin(const EnvironmentRadiance& environment) {
+    constexpr double grey = 0.18;
+    constexpr double darkest = 1e-4;
+    if (environment.texels.empty()) {
+        return {};
+    }
+    double stops = 0.0;
+    for (const glm::vec4& texel : environment.texels) {
+        const double brightness = luminance(glm::dvec3(texel));
+        stops += std::log2(std::isfinite(brightness) ? std::max(brightness, darkest) : darkest);
+    }
+    const double mean = std::exp2(stops / double(environment.texels.size()));
+    const double exposure = std::clamp(grey / mean, 0.01, 16.0);
+    QImage picture(environment.size.x, environment.size.y, QImage::Format_RGB888);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const glm::dvec3 light(
+                environment.texels[std::size_t(y) * std::size_t(picture.width()) + std::size_t(x)]);
+            const glm::dvec3 shown = srgbEncoded(1.0 - glm::exp(-exposure * light));
+            picture.setPixel(x, y,
+                             qRgb(int(std::lround(255.0 * shown.r)),
+                                  int(std::lround(255.0 * shown.g)),
+                                  int(std::lround(255.0 * shown.b))));
+        }
+    }
+    return picture.scaled(ThumbnailMaker::environmentPixels, Qt::IgnoreAspectRatio,
+                          Qt::SmoothTransformation);
 }
 
 /// On a full disk only flush() fails, commit() does not.
@@ -68,10 +105,7 @@ class ThumbnailMaker::Studio {
 
     /// Null where its program does not compile: what is drawn instead is not what it looks like.
     QImage draw(const Material& material, std::shared_ptr<const Catalog> catalog) {
-        if (catalog != catalog_) {
-            catalog_ = std::move(catalog);
-            renderer_->setCatalog(catalog_);
-        }
+        use(std::move(catalog));
         scene_.objects.front().material = material;
         View view;
         view.size = {ThumbnailMaker::pixels, ThumbnailMaker::pixels};
@@ -81,7 +115,36 @@ class ThumbnailMaker::Studio {
         return image && !isBroken() ? toQImage(*image) : QImage();
     }
 
+    /// Null where its picture cannot be read or its shader does not compile.
+    QImage drawEnvironment(const BlockValues& environment, std::shared_ptr<const Catalog> catalog) {
+        use(std::move(catalog));
+        Scene alone;
+        alone.setPart(kinds::environment, environment);
+        View view;
+        view.size = glm::ivec2(1);
+        const Block* block = catalog_->find(kinds::environment, environment.id);
+        if (block != nullptr && pictureParameter(*block) != nullptr) {
+            const auto read = files_.loadImage(std::string(pictureFile(environment, *block)));
+            if (!read) {
+                return {};
+            }
+            view.environmentImage = EnvironmentImage::from(*read);
+        }
+        const auto noMeshes = [](const Object&) { return MeshView(); };
+        if (!renderer_->capture(alone, view, noMeshes, true)) {
+            return {};
+        }
+        return seenFromWithin(renderer_->job().environmentRadiance());
+    }
+
   private:
+    void use(std::shared_ptr<const Catalog> catalog) {
+        if (catalog != catalog_) {
+            catalog_ = std::move(catalog);
+            renderer_->setCatalog(catalog_);
+        }
+    }
+
     bool isBroken() const {
         const FrameReport& report = renderer_->report();
         return report.messages.size() > report.warnings;
@@ -119,19 +182,33 @@ void ThumbnailMaker::setCatalog(std::shared_ptr<const Catalog> catalog) {
 void ThumbnailMaker::ask(const QString& name, const Material& material) {
     worker_.ask(
         [this, material, catalog = catalog_](const Worker::Control& control) {
-            return picture(material, catalog, control);
+            return picture(keys_.of(material, *catalog), catalog, control,
+                           [&](Studio& studio) { return studio.draw(material, catalog); });
         },
-        [this, name](const Result<QImage>& drawn) { Q_EMIT ready(name, drawn.value_or(QImage())); },
-        name);
+        [this, name](const Result<QImage>& drawn) { handOver(name, drawn); }, name);
+}
+
+void ThumbnailMaker::askEnvironment(const QString& name, const BlockValues& environment) {
+    worker_.ask(
+        [this, environment, catalog = catalog_](const Worker::Control& control) {
+            return picture(keys_.of(environment, *catalog), catalog, control, [&](Studio& studio) {
+                return studio.drawEnvironment(environment, catalog);
+            });
+        },
+        [this, name](const Result<QImage>& drawn) { handOver(name, drawn); }, name);
+}
+
+void ThumbnailMaker::handOver(const QString& name, const Result<QImage>& drawn) {
+    Q_EMIT ready(name, drawn.value_or(QImage()));
 }
 
 /// In the worker's thread.
-Result<QImage> ThumbnailMaker::picture(const Material& material,
+Result<QImage> ThumbnailMaker::picture(const QByteArray& key,
                                        const std::shared_ptr<const Catalog>& catalog,
-                                       const Worker::Control& control) {
-    const QString file = QStringLiteral("%1/%2.png")
-                             .arg(QString::fromStdString(folders_.cache.string()),
-                                  QString::fromLatin1(keys_.of(material, *catalog)));
+                                       const Worker::Control& control, const Drawing& draw) {
+    const QString file =
+        QStringLiteral("%1/%2.png")
+            .arg(QString::fromStdString(folders_.cache.string()), QString::fromLatin1(key));
     if (QImage kept(file); !kept.isNull()) {
         return kept;
     }
@@ -141,7 +218,7 @@ Result<QImage> ThumbnailMaker::picture(const Material& material,
     if (!studio_) {
         return tl::unexpected(studio_.error());
     }
-    const QImage drawn = (*studio_)->draw(material, catalog);
+    const QImage drawn = draw(**studio_);
     if (!drawn.isNull()) {
         keep(drawn, file);
     }

@@ -2,19 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include <QImage>
 #include <QObject>
+#include <QSize>
 
 #include "background/worker.h"
 #include "library/thumbnail_keys.h"
 
 namespace patina {
 
-/// Small pictures of materials in one fixed neutral scene, whatever the document shows. Drawn in a
-/// worker thread with a context of its own that lives while there is something to draw, and kept
-/// on disk until something they are made of changes.
+/// Small pictures of materials in one fixed neutral scene, whatever the document shows, and of
+/// environments. Drawn in a worker thread with a context of its own that lives while there is
+/// something to draw, and kept on disk until something they are made of changes.
 class ThumbnailMaker : public QObject {
     Q_OBJECT
 
@@ -37,7 +39,12 @@ class ThumbnailMaker : public QObject {
     /// the name.
     void ask(const QString& name, const Material& material);
 
+    /// The same for all that is seen from within an environment of these blocks' default values,
+    /// or of the picture that the values name: twice as wide as high.
+    void askEnvironment(const QString& name, const BlockValues& environment);
+
     static constexpr int pixels = 256;
+    static constexpr QSize environmentPixels{128, 64};
 
   Q_SIGNALS:
     /// The picture is null when the material's shader does not compile, and where nothing can be
@@ -47,8 +54,11 @@ class ThumbnailMaker : public QObject {
   private:
     class Studio;
 
-    Result<QImage> picture(const Material& material, const std::shared_ptr<const Catalog>& catalog,
-                           const Worker::Control& control);
+    using Drawing = std::function<QImage(Studio& studio)>;
+
+    Result<QImage> picture(const QByteArray& key, const std::shared_ptr<const Catalog>& catalog,
+                           const Worker::Control& control, const Drawing& draw);
+    void handOver(const QString& name, const Result<QImage>& drawn);
 
     Folders folders_;
     std::shared_ptr<const Catalog> catalog_;

@@ -10,6 +10,7 @@ namespace patina {
 namespace {
 
 constexpr int maxRecentFiles = 12;
+constexpr int maxEnvironments = 24;
 constexpr int maxAskedFiles = 200;
 constexpr std::uintmax_t maxSettingsBytes = 16u << 20;
 
@@ -90,6 +91,20 @@ void Session::addRecentFile(const QString& file) {
 
 void Session::clearRecentFiles() {
     settings_.remove("files/recent");
+}
+
+QStringList Session::environments() const {
+    QStringList files = settings_.value("files/environments").toStringList();
+    files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+    return files;
+}
+
+void Session::addEnvironment(const QString& file) {
+    QStringList files = settings_.value("files/environments").toStringList();
+    const QString absolute = QFileInfo(file).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    settings_.setValue("files/environments", QStringList(files.mid(0, maxEnvironments)));
 }
 
 QStringList Session::outside(const QString& file, bool allowed) const {

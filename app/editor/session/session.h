@@ -30,6 +30,10 @@ class Session {
     void addRecentFile(const QString& file);
     void clearRecentFiles();
 
+    /// Returns the pictures that scenes were lit with, newest first, only those that exist.
+    QStringList environments() const;
+    void addEnvironment(const QString& file);
+
     /// Returns what a file may read outside of its folder, and what not, as the user said. The
     /// files that were asked about last are remembered.
     QStringList outside(const QString& file, bool allowed) const;

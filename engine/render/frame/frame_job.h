@@ -71,6 +71,10 @@ class FrameJob {
     /// Samples per pixel of the environment's light in the picture; 0 where programs look at none.
     int environmentSamples() const { return gpu_.environment.samples(); }
 
+    /// Returns the light of the scene's environment in small, as the last frame had it; it stays
+    /// until the next one is begun.
+    EnvironmentRadiance environmentRadiance() const { return gpu_.environment.radiance(); }
+
     /// Tells whether the picture of an environment is there, in this size.
     bool holdsPicture(glm::ivec2 size) const { return gpu_.environment.holds(size); }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "render/gpu/uniform_buffer.h"
@@ -16,6 +17,13 @@
 #include "shading/program/program_cache.h"
 
 namespace patina {
+
+/// Holds the light of an environment from all around, in its own space: rows from straight up,
+/// columns from -z over +x; alpha is 1.
+struct EnvironmentRadiance {
+    glm::ivec2 size{0}; ///< 0 where there is none
+    std::span<const glm::vec4> texels;
+};
 
 /// Holds what the frames of a scene know of its environment: its values, its picture, and where it
 /// is bright. Programs read it at the places of binding.h.
@@ -42,6 +50,13 @@ class EnvironmentLight {
 
     /// Returns what a white matte surface that faces up reflects.
     glm::dvec3 upward() const { return table_.upward(); }
+
+    /// Returns the small picture that its table was made from, which stays until the next frame.
+    EnvironmentRadiance radiance() const {
+        return isIn() && madeFor_ == current_
+                   ? EnvironmentRadiance{table_.size(), baked_.radiance()}
+                   : EnvironmentRadiance();
+    }
 
     /// Says which samples programs draw.
     struct Samples {

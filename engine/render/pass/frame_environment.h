@@ -30,6 +30,9 @@ class FrameEnvironment {
     /// Returns what a level white surface that faces up reflects of it, seen from anywhere.
     glm::dvec3 upward() const { return isIn() ? light_.upward() : glm::dvec3(0.0); }
 
+    /// See EnvironmentLight::radiance().
+    EnvironmentRadiance radiance() const { return light_.radiance(); }
+
     /// Draws into the target that is bound, whose viewport is all of it.
     void drawBackground(const Camera& camera, const glm::dmat4& cameraToWorld, double aspect) const;
 
