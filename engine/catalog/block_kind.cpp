@@ -62,15 +62,18 @@ constexpr auto inRefraction = std::to_array<ParameterRole>(
      {.word = roles::filter, .type = ParameterType::Color, .mayRepeat = true}});
 constexpr auto inOutline =
     std::to_array<ParameterRole>({{.word = roles::width, .mayRepeat = true}});
-constexpr auto inLights = std::to_array<ParameterRole>({{roles::color, ParameterType::Color}});
-constexpr auto inShadows = std::to_array<ParameterRole>({{roles::samples, ParameterType::Enum}});
+constexpr auto inLights =
+    std::to_array<ParameterRole>({{roles::color, ParameterType::Color}, {roles::intensity}});
+constexpr auto inShadows = std::to_array<ParameterRole>(
+    {{roles::samples, ParameterType::Enum}, {roles::angle, ParameterType::Angle}});
 constexpr auto inFog = std::to_array<ParameterRole>({{roles::color, ParameterType::Color}});
 constexpr auto inTransparency = std::to_array<ParameterRole>({{roles::layers, ParameterType::Int}});
 constexpr auto inEnvironment = std::to_array<ParameterRole>(
     {{.word = roles::background, .type = ParameterType::Enum, .choices = backdrops},
      {roles::blur, ParameterType::Angle},
      {roles::rotate, ParameterType::Angle},
-     {roles::directions, ParameterType::Int}});
+     {roles::directions, ParameterType::Int},
+     {roles::limit}});
 
 constexpr auto rows = std::to_array<BlockKind>({
     {.folder = kinds::models,

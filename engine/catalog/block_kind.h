@@ -83,6 +83,9 @@ inline constexpr std::string_view background = "background";     ///< "sharp", "
 inline constexpr std::string_view blur = "blur";                 ///< of the background
 inline constexpr std::string_view rotate = "rotate";             ///< about the vertical
 inline constexpr std::string_view directions = "directions";     ///< looked in per pixel
+inline constexpr std::string_view limit = "limit";               ///< no direction sends more
+inline constexpr std::string_view intensity = "intensity";       ///< of a light
+inline constexpr std::string_view angle = "angle";               ///< how large a far lamp looks
 inline constexpr std::string_view layers = "layers";             ///< put in order
 inline constexpr std::string_view samples = "samples";           ///< places looked at per pixel
 } // namespace roles

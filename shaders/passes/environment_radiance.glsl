@@ -5,5 +5,5 @@ vec3 environmentRadiance(vec3 d, Environment p) {
     Outlook o;
     o.d = d;
     o.picture = ENVIRONMENT_PICTURE(d);
-    return environmentLimited(environmentValue(o, p));
+    return ENVIRONMENT_CUT(environmentLimited(environmentValue(o, p)), p);
 }

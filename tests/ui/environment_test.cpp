@@ -9,6 +9,7 @@
 
 #include "docks/block_chooser.h"
 #include "docks/environment_chooser.h"
+#include "docks/lamp_taking.h"
 #include "document/scene_edits.h"
 #include "scene/environment.h"
 #include "session/session.h"
@@ -239,6 +240,33 @@ TEST_F(EnvironmentInTheWindow, TurnedOnAgain_HasItsValues) {
     document().setBlock(pathOf(kinds::environment), "");
     document().setBlock(pathOf(kinds::environment), "studio");
     EXPECT_EQ(document().scene().part(kinds::environment)->parameters.at("rotate"), Value(30.0));
+}
+
+TEST_F(EnvironmentInTheWindow, LampsTakenOutInTheMenu_AreLightsWithShadowsInOneStep) {
+    document().setBlock(pathOf(kinds::environment), "studio");
+    ASSERT_TRUE(waitForSamples(8));
+    const std::size_t lights = document().scene().lights.size();
+    const int before = document().undoStack().count();
+    for (QAction* action : window().findChildren<QAction*>()) {
+        if (action->text() == "Take Lamps &Out of the Environment") {
+            action->trigger();
+        }
+    }
+    EXPECT_EQ(document().undoStack().count(), before + 1);
+    ASSERT_GT(document().scene().lights.size(), lights);
+    EXPECT_TRUE(document().scene().lights.back().part(kinds::shadows));
+    EXPECT_NE(document().scene().part(kinds::environment)->parameters.at("limit"), Value(0.0));
+    document().undoStack().undo();
+    EXPECT_EQ(document().scene().lights.size(), lights);
+}
+
+TEST_F(EnvironmentInTheWindow, LampsOfAnEnvironmentWithoutAny_AreAMessage) {
+    window().files().drop({QString::fromStdString(panorama())}, Side::A);
+    ASSERT_TRUE(waitForSamples(8));
+    const int before = document().undoStack().count();
+    takeLampsOut(document(), window().views(), window().messages());
+    EXPECT_EQ(document().undoStack().count(), before);
+    EXPECT_EQ(window().messages().count(), 1);
 }
 
 TEST_F(EnvironmentInTheWindow, PanoramaDroppedOnTheChooser_JoinsTheListAndLightsTheSceneInOneStep) {

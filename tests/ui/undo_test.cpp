@@ -55,6 +55,11 @@ const std::vector<Edit> edits{
      }},
     {"Lighting",
      [](Document& d) { setLighting(d, readScene(defaultSceneFile(), d.catalog())->scene); }},
+    {"LampsTakenOut",
+     [](Document& d) {
+         d.setBlock(pathOf(kinds::environment), "studio");
+         takeLampsOut(d, {2.0, {{{0.0, 0.6, 0.8}, {1.0, 0.9, 0.8}, 0.2}}});
+     }},
     {"LightValue", [](Document& d) { set(d, kinds::lights, "intensity", 0.0); }},
     {"Fog", [](Document& d) { d.setBlock(pathOf(kinds::fog), "exponential"); }},
     {"FogValue",

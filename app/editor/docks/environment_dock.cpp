@@ -2,8 +2,10 @@
 #include "docks/environment_dock.h"
 
 #include <QLabel>
+#include <QToolButton>
 
 #include "docks/environment_chooser.h"
+#include "docks/lamp_taking.h"
 #include "docks/panel.h"
 #include "document/scene_edits.h"
 #include "parameters/document_form.h"
@@ -13,13 +15,17 @@ namespace patina {
 
 EnvironmentDock::EnvironmentDock(const DockContext& context)
     : document_(context.document),
-      chooser_(new EnvironmentChooser(document_, context.session, context.thumbnails, this)) {
+      chooser_(new EnvironmentChooser(document_, context.session, context.thumbnails, this)),
+      take_(textButton(tr("Take Lamps Out"),
+                       tr("Make lights with shadows of the sun and the lamps in the environment"),
+                       this)) {
     chooser_->setAccessibleName(tr("Kind of environment"));
+    take_->setObjectName("takeLampsOut");
     QLabel* hint = hintLabel(this);
     hint->setText(tr("Drop an .hdr or .exr panorama here or on the view to light the scene with "
                      "it. Its light adds to that of the lights. Shift+right drag in a view turns "
                      "it."));
-    fillPanel(this, {labelled(tr("&Kind"), chooser_), hint},
+    fillPanel(this, {labelled(tr("&Kind"), chooser_), hint, take_},
               new DocumentForm(document_, context.textures, kinds::environment));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         if (id.isEmpty() || document_.catalog().find(kinds::environment, id.toStdString())) {
@@ -29,6 +35,8 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
     connect(chooser_, &EnvironmentChooser::pictureChosen, this,
             [this](const QString& file) { setEnvironmentPicture(document_, file.toStdString()); });
     connect(&context.environments, &EnvironmentLibrary::loaded, chooser_, &EnvironmentChooser::add);
+    connect(take_, &QToolButton::clicked, this,
+            [context] { takeLampsOut(context.document, context.views, context.messages); });
     onChange(document_, DocumentChange::Block | DocumentChange::Scene | DocumentChange::Value, this,
              &EnvironmentDock::update);
     update();
@@ -36,6 +44,7 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
 
 void EnvironmentDock::update() {
     chooser_->showCurrent();
+    take_->setEnabled(document_.scene().part(kinds::environment) != nullptr);
 }
 
 } // namespace patina

@@ -5,12 +5,14 @@
 
 #include "docks/dock_context.h"
 
+class QToolButton;
+
 namespace patina {
 
 class EnvironmentChooser;
 
-/// Turns the scene's environment on and off, chooses its kind or a picture, and edits its
-/// values.
+/// Turns the scene's environment on and off, chooses its kind or a picture, takes its lamps out and
+/// edits its values.
 class EnvironmentDock : public QWidget {
     Q_OBJECT
 
@@ -22,6 +24,7 @@ class EnvironmentDock : public QWidget {
 
     Document& document_;
     EnvironmentChooser* chooser_;
+    QToolButton* take_; ///< lamps out
 };
 
 } // namespace patina

@@ -2,6 +2,9 @@
 #include "document/scene_edits.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
 
 #include "document/commands/light_command.h"
 #include "document/commands/lighting_command.h"
@@ -13,13 +16,87 @@
 namespace patina {
 namespace {
 
+/// The way that the light of a block takes; null where it has none of its own.
+const Parameter* wayOf(const Block& block) {
+    const auto found = std::ranges::find_if(block.parameters, [](const Parameter& parameter) {
+        return parameter.space == Space::WorldDirection;
+    });
+    return found == block.parameters.end() ? nullptr : &*found;
+}
+
 template <class Element>
 const Element* at(const std::vector<Element>& list, int index) {
     const bool isInside = index >= 0 && index < static_cast<int>(list.size());
     return isInside ? &list[static_cast<std::size_t>(index)] : nullptr;
 }
 
+/// A light from very far away whose brightness can be set; null: there is none.
+const Block* farLight(const Catalog& catalog) {
+    const std::vector<const Block*> all = catalog.ofKind(kinds::lights);
+    const auto found = std::ranges::find_if(all, [](const Block* block) {
+        return block->shadowProjection == ShadowProjection::Parallel &&
+               block->withRole(roles::color) != nullptr &&
+               block->withRole(roles::intensity) != nullptr && wayOf(*block) != nullptr;
+    });
+    return found == all.end() ? nullptr : *found;
+}
+
+/// The shadows of lamps with a size; null: there are none.
+const Block* softShadows(const Catalog& catalog) {
+    const std::vector<const Block*> all = catalog.ofKind(kinds::shadows);
+    const auto found = std::ranges::find_if(
+        all, [](const Block* block) { return block->withRole(roles::angle) != nullptr; });
+    return found == all.end() ? nullptr : *found;
+}
+
+/// `direction`: towards the lamp, in the world.
+Light lightOf(const EnvironmentLamp& lamp, const glm::dvec3& direction, const Block& block,
+              const Block* shadows) {
+    Light light{{}, true, defaultsOf(block)};
+    Values& values = light.block.parameters;
+    const Parameter& intensity = *block.withRole(roles::intensity);
+    const double brightest = std::max({lamp.radiance.r, lamp.radiance.g, lamp.radiance.b, 1e-12});
+    values[block.withRole(roles::color)->id] = roundedToFloat(Value(lamp.radiance / brightest));
+    values[intensity.id] =
+        roundedToFloat(Value(std::clamp(brightest, intensity.min, intensity.max)));
+    values[wayOf(block)->id] = roundedToFloat(Value(-direction));
+    if (shadows != nullptr) {
+        BlockValues soft = defaultsOf(*shadows);
+        const Parameter& angle = *shadows->withRole(roles::angle);
+        soft.parameters[angle.id] =
+            roundedToFloat(Value(std::clamp(glm::degrees(lamp.width), angle.min, angle.max)));
+        light.setPart(kinds::shadows, std::move(soft));
+    }
+    return light;
+}
+
 } // namespace
+
+bool takeLampsOut(Document& document, const EnvironmentLamps& lamps) {
+    const Catalog& catalog = document.catalog();
+    const Block* environment = blockOf(document.scene().parts, kinds::environment, catalog);
+    const Parameter* limit = environment ? environment->withRole(roles::limit) : nullptr;
+    const Block* light = farLight(catalog);
+    if (limit == nullptr || light == nullptr || lamps.lamps.empty()) {
+        return false;
+    }
+    Scene after = document.scene();
+    BlockValues& values = *after.part(kinds::environment);
+    values.parameters[limit->id] = roundedToFloat(Value(lamps.limit));
+    const double turn = glm::radians(environmentNumber(values, *environment, roles::rotate));
+    for (const EnvironmentLamp& lamp : lamps.lamps) {
+        const glm::dvec3& d = lamp.direction; // as in shaders/passes/environment.glsl
+        const glm::dvec3 outside(std::cos(turn) * d.x + std::sin(turn) * d.z, d.y,
+                                 std::cos(turn) * d.z - std::sin(turn) * d.x);
+        after.lights.push_back(lightOf(lamp, outside, *light, softShadows(catalog)));
+        after.lights.back().name = Document::tr("Lamp of %1")
+                                       .arg(QString::fromStdString(environment->label))
+                                       .toStdString();
+    }
+    document.undoStack().push(
+        new LightingCommand(document, std::move(after), Document::tr("Take lamps out")));
+    return true;
+}
 
 void addLight(Document& document, std::string_view blockId) {
     const Block* block = document.catalog().find(kinds::lights, blockId);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "document/document.h"
+#include "render/lights/environment_lamps.h"
 
 namespace patina {
 
@@ -19,6 +20,11 @@ void removeObject(Document& document, int index);
 
 /// Lights the scene as another one is lit (see LightingCommand).
 void setLighting(Document& document, const Scene& from);
+
+/// Makes lights of the scene of the lamps of its environment, whose light is limited by as much:
+/// with soft shadows where there are any such. False where the catalogue has no light or limit for
+/// that, and where there are no lamps.
+bool takeLampsOut(Document& document, const EnvironmentLamps& lamps);
 
 /// The file of the environment's picture; empty where it needs none.
 std::string_view environmentPicture(const Document& document);

@@ -151,6 +151,11 @@ int FrameLoop::samples() const {
     return renderer_ ? renderer_->job().environmentSamples() : 0;
 }
 
+EnvironmentLamps FrameLoop::environmentLamps() const {
+    return renderer_ ? patina::environmentLamps(renderer_->job().environmentRadiance())
+                     : EnvironmentLamps();
+}
+
 const FrameReport& FrameLoop::report() const {
     static const FrameReport nothing;
     return renderer_ ? renderer_->report() : nothing;

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "render/lights/environment_lamps.h"
 #include "render/renderer.h"
 #include "render/surfaces/pixel_probe.h"
 #include "viewport/drawing_note.h"
@@ -77,6 +78,9 @@ class FrameLoop : public QObject {
 
     /// Samples that the picture has; 0 without an environment.
     int samples() const;
+
+    /// Returns the lamps of the environment that was drawn last.
+    EnvironmentLamps environmentLamps() const;
 
     int frameCount() const { return frameCount_; }
 

@@ -11,6 +11,7 @@
 #include <QPointer>
 #include <QToolBar>
 
+#include "docks/lamp_taking.h"
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
 #include "document/comparison.h"
@@ -123,6 +124,9 @@ void Menus::makeEditMenu() {
     add(menu, tr("&Take Snapshot"), QKeySequence("Ctrl+T"), [this] { takeSnapshot(); });
     add(menu, tr("Material &Details…"), QKeySequence("Alt+Return"),
         [this] { parts_.files.editDetails(); });
+    menu->addSeparator();
+    add(menu, tr("Take Lamps &Out of the Environment"), {},
+        [this] { takeLampsOut(parts_.document, parts_.views, parts_.messages); });
 }
 
 void Menus::makeViewMenu() {

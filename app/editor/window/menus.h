@@ -19,6 +19,7 @@ class Comparison;
 class Document;
 class DocumentFiles;
 class FileActions;
+class MessageLog;
 class PictureExport;
 class PresetLibrary;
 class Session;
@@ -43,6 +44,7 @@ class Menus : public QObject {
         const PresetLibrary& presets;
         CompareArea& views;
         Session& session;
+        MessageLog& messages;
         Theme& theme;
     };
 

@@ -133,6 +133,17 @@ void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
     }
 }
 
+/// The parameter that no direction's light exceeds; null where there is no limit.
+const Parameter* limitOf(const BlockUse& use) {
+    const Parameter* limit = use.block().withRole(roles::limit);
+    const std::vector<CompiledValue> compiled = use.compiled();
+    const bool isIn =
+        limit != nullptr && std::ranges::none_of(compiled, [limit](const CompiledValue& value) {
+            return value.id == limit->id && value.value == "zero";
+        });
+    return isIn ? limit : nullptr;
+}
+
 } // namespace
 
 EnvironmentChoice environmentChoice(const Scene& scene, const Catalog& catalog) {
@@ -247,6 +258,13 @@ void addEnvironment(SourceBuilder& out, const BlockUse& use, int more) {
                         "#define ENVIRONMENT_PICTURE(d) {}\n",
                         structName(block), functionName(block),
                         hasPicture ? "environmentPicture(d)" : "vec3(1.0)"));
+    if (const Parameter* limit = limitOf(use)) {
+        out.addFile("passes/environment_limit.glsl");
+        out.add(fmt::format("#define ENVIRONMENT_CUT(x, p) environmentCut(x, (p).{})\n",
+                            fieldName(limit->id)));
+    } else {
+        out.add("#define ENVIRONMENT_CUT(x, p) (x)\n");
+    }
     out.addFile("passes/environment_radiance.glsl");
 }
 

@@ -7,9 +7,11 @@
 namespace patina {
 
 LightingCommand::LightingCommand(Document& document, Scene after)
-    : ChangeCommand(document,
-                    Document::tr("Light as in %1").arg(QString::fromStdString(after.name)),
-                    SceneLighting(), document.scene(), std::move(after)) {}
+    : LightingCommand(document, after,
+                      Document::tr("Light as in %1").arg(QString::fromStdString(after.name))) {}
+
+LightingCommand::LightingCommand(Document& document, Scene after, const QString& label)
+    : ChangeCommand(document, label, SceneLighting(), document.scene(), std::move(after)) {}
 
 void LightingCommand::apply(const Scene& lighting) {
     Scene lit = lighting;

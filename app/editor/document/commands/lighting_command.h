@@ -16,6 +16,7 @@ struct SceneLighting {
 class LightingCommand : public ChangeCommand<SceneLighting, Scene> {
   public:
     LightingCommand(Document& document, Scene after);
+    LightingCommand(Document& document, Scene after, const QString& label);
 
   private:
     void apply(const Scene& lighting) override;
