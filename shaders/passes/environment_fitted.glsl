@@ -20,15 +20,17 @@ vec3 fittedLight(Surface s) {
     vec4 shifts = texture(lobeTable, vec3(place, 3.0));
     vec3 narrowMean = r + shifts.x * along + shifts.y * s.n;
     vec3 wideMean = r + shifts.z * along + shifts.w * s.n;
+    vec4 part = texture(lobeTable, vec3(place, 0.0));
+    vec3 matteMean = s.n + part.a * along;
     if (AZIMUTHS > 1) {
         vec3 across = cross(s.n, along);
         vec4 sideways = texture(lobeTable, vec3(place, 4.0));
         narrowMean += sideways.x * across;
         wideMean += sideways.y * across;
+        matteMean += sideways.z * across;
     }
     // One after another, so that few numbers are kept at a time.
-    vec4 part = texture(lobeTable, vec3(place, 0.0));
-    vec3 sum = part.rgb * environmentOnMatte(environmentInside(s.n));
+    vec3 sum = part.rgb * environmentOnMatte(environmentInside(matteMean));
     part = texture(lobeTable, vec3(place, 1.0));
     sum += part.rgb * environmentSeenBy(environmentInside(narrowMean), part.a);
     part = texture(lobeTable, vec3(place, 2.0));

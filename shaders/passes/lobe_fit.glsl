@@ -23,6 +23,12 @@ struct FittedLobe {
     float share;
 };
 
+// Goes with the cosine to its mean direction, which leans to where more of the light comes from.
+struct FittedMatte {
+    vec3 mean;
+    float share;
+};
+
 float versine(vec3 a, vec3 b) {
     vec3 d = a - b;
     return 0.5 * dot(d, d);
@@ -42,9 +48,9 @@ float kappaFor(float missing) {
 
 // The shares that the matte part and the two lobes have of a direction; the first where none of them
 // reaches it, so that nothing is lost.
-vec3 sharesAt(vec3 l, float matteShare, FittedLobe narrowLobe, FittedLobe wideLobe) {
-    vec3 densities = vec3(matteShare * max(l.z, 0.0) / PI, lobeDensity(narrowLobe, l),
-        lobeDensity(wideLobe, l));
+vec3 sharesAt(vec3 l, FittedMatte matte, FittedLobe narrowLobe, FittedLobe wideLobe) {
+    vec3 densities = vec3(matte.share * max(dot(matte.mean, l), 0.0) / PI,
+        lobeDensity(narrowLobe, l), lobeDensity(wideLobe, l));
     float sum = densities.x + densities.y + densities.z;
     return sum > 1e-30 ? densities / sum : vec3(1.0, 0.0, 0.0);
 }
@@ -125,25 +131,29 @@ void main() {
     }
     narrowLobe.kappa = max(0.5 * kappaFor(strongSpread / max(strong, 1e-37)), 4.0);
     wideLobe.kappa = clamp(0.05 * narrowLobe.kappa, 1.0, 100.0);
-    float matteShare = clamp(PI * minimum / all, 0.02, 0.98);
-    narrowLobe.share = 0.6 * (1.0 - matteShare);
-    wideLobe.share = 0.4 * (1.0 - matteShare);
+    FittedMatte matte = FittedMatte(vec3(0.0, 0.0, 1.0), clamp(PI * minimum / all, 0.02, 0.98));
+    narrowLobe.share = 0.6 * (1.0 - matte.share);
+    wideLobe.share = 0.4 * (1.0 - matte.share);
 
     for (int step = 0; step < STEPS; ++step) {
         Gathered toNarrow = Gathered(0.0, vec3(0.0), 0.0);
         Gathered toWide = Gathered(0.0, vec3(0.0), 0.0);
+        vec3 matteMean = vec3(0.0);
         float toMatte = 0.0;
         for (int i = 0; i < LIGHTS; ++i) {
             vec3 l = tableLight(v, i).xyz;
             float m = fetched(entry, i).w;
-            vec3 shares = m * sharesAt(l, matteShare, narrowLobe, wideLobe);
+            vec3 shares = m * sharesAt(l, matte, narrowLobe, wideLobe);
             toMatte += shares.x;
+            matteMean += shares.x * l;
             gather(toNarrow, narrowLobe, l, shares.y);
             gather(toWide, wideLobe, l, shares.z);
         }
         toNarrow.shift *= both;
         toWide.shift *= both;
-        matteShare = toMatte / all;
+        matteMean *= both;
+        matteMean.z = max(matteMean.z, 0.3 * sqrt(dot(matteMean, matteMean)));
+        matte = FittedMatte(safeNormalize(matteMean, vec3(0.0, 0.0, 1.0)), toMatte / all);
         narrowLobe = fitted(toNarrow, narrowLobe, all);
         wideLobe = fitted(toWide, wideLobe, all);
     }
@@ -154,16 +164,16 @@ void main() {
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 l = tableLight(v, i).xyz;
         vec3 value = fetched(entry, i).rgb;
-        vec3 shares = sharesAt(l, matteShare, narrowLobe, wideLobe);
+        vec3 shares = sharesAt(l, matte, narrowLobe, wideLobe);
         matteColor += shares.x * value;
         narrowColor += shares.y * value;
         wideColor += shares.z * value;
     }
-    storedMatte = vec4(matteColor, 1.0);
+    storedMatte = vec4(matteColor, matte.mean.x / matte.mean.z);
     storedNarrow = vec4(narrowColor, log2(narrowLobe.kappa));
     storedWide = vec4(wideColor, log2(wideLobe.kappa));
     vec3 narrowShift = narrowLobe.mean - r;
     vec3 wideShift = wideLobe.mean - r;
     storedShifts = vec4(narrowShift.xz, wideShift.xz);
-    storedSideways = vec4(narrowShift.y, wideShift.y, 0.0, 0.0);
+    storedSideways = vec4(narrowShift.y, wideShift.y, matte.mean.y / matte.mean.z, 0.0);
 }

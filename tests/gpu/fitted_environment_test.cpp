@@ -3,10 +3,13 @@
 // directions.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "environment_fixture.h"
 #include "material/preset_file.h"
+#include "measure/error/flip.h"
 #include "render/lights/environment_harmonics.h"
+#include "scene/scene_file.h"
 #include "shading/effects/effect_set.h"
 #include "shading/effects/surface_program.h"
 
@@ -33,6 +36,14 @@ double meanOf(const Image& image) {
         sum += image.pixels[i] + image.pixels[i + 1] + image.pixels[i + 2];
     }
     return sum / (0.75 * double(image.pixels.size()));
+}
+
+std::vector<glm::dvec3> colorsOf(const Image& image) {
+    std::vector<glm::dvec3> colors;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        colors.emplace_back(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
+    }
+    return colors;
 }
 
 TEST_F(FittedEnvironmentTest, WhiteSurfaceUnderAWhiteSky_IsWhite) {
@@ -144,6 +155,30 @@ TEST_F(FittedEnvironmentTest, ViewThatMoves_IsAsBrightAsAtRestForManyPresets) {
         const auto rested = renderer->capture(scene, viewWith(scene, 512), squares(), true);
         ASSERT_TRUE(shown && rested);
         EXPECT_NEAR(meanOf(*shown) / meanOf(*rested), 1.0, 0.02) << preset;
+    }
+}
+
+/// Without images, and with some, where the light is fitted at each pixel.
+TEST_F(FittedEnvironmentTest, PresetsOfAllSorts_LookAsWhenSampled) {
+    size_ = 64;
+    const std::filesystem::path presets = PATINA_SOURCE_DIR "/presets";
+    Scene scene = readScene(presets / "three-lights.patina-scene.json", *catalog).value().scene;
+    scene.objects.resize(1);
+    scene.lights.clear();
+    scene.setPart(kinds::environment, block("environment", "studio"));
+    for (const char* preset : {"cook-torrance/red-plastic", "oren-nayar/felt",
+                               "lommel-seeliger/moon-dust", "minnaert/velvet"}) {
+        const std::filesystem::path file = presets / (std::string(preset) + ".patina.json");
+        scene.objects[0].material = readPreset(file, *catalog).value().material;
+        const auto right = renderer->capture(scene, viewWith(scene, 512), squares(), true);
+        const auto shown = renderer->capture(fitted(scene), viewWith(scene, 4), squares(), true);
+        ASSERT_TRUE(right && shown);
+        const std::vector<glm::dvec3> colors = colorsOf(*right);
+        const std::vector<double> map =
+            Flip(glm::ivec2(size_), colors).differences(colorsOf(*shown));
+        const double flip =
+            std::accumulate(map.begin(), map.end(), 0.0) / static_cast<double>(map.size());
+        EXPECT_LT(flip, 0.065) << preset; // 0.06, and the grain of 512 directions
     }
 }
 

@@ -23,6 +23,23 @@ double kappaOf(int level) {
     return level == 0 ? texelKappa : std::exp2(Layout::log2Kappa - 2.0 * level);
 }
 
+/// The length of the mean direction of a lobe.
+double meanOf(double kappa) {
+    return kappa > 20.0 ? 1.0 - 1.0 / kappa : 1.0 / std::tanh(kappa) - 1.0 / kappa;
+}
+
+/// The lobe that makes one of `to` of one of `from`: the lengths of their means multiply.
+double kappaBetween(double from, double to) {
+    const double wanted = meanOf(to) / meanOf(from);
+    double low = 0.0; // of log2
+    double high = 40.0;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = 0.5 * (low + high);
+        (meanOf(std::exp2(middle)) < wanted ? low : high) = middle;
+    }
+    return std::exp2(low);
+}
+
 int widthOf(int level) {
     return Layout::texels >> level;
 }
@@ -77,10 +94,9 @@ void BlurredEnvironment::draw(const gl::Program& sharp, const gl::Program& matte
     blur.bindSampler("environmentBlurred", 0);
     for (int level = 1; level < Layout::levels; ++level) {
         bind(0);
-        // Variances add up: 1 / kappa is that of each level.
-        const double added = 1.0 / kappaOf(level) - 1.0 / kappaOf(level - 1);
         glUniform1f(blur.uniform("finerShare"), std::exp2(1.0f - static_cast<float>(level)));
-        glUniform1f(blur.uniform("addedKappa"), static_cast<float>(1.0 / added));
+        glUniform1f(blur.uniform("addedKappa"),
+                    static_cast<float>(kappaBetween(kappaOf(level - 1), kappaOf(level))));
         drawAt(originOf(level), widthOf(level));
     }
     glBindVertexArray(0);

@@ -85,7 +85,7 @@ Checked<ProgramSource> environmentProgram(const BlockUse& use, const Catalog& ca
 struct OctahedralLayout {
     static constexpr int texels = 512;   ///< the width of level 0, with the texels around it
     static constexpr int levels = 7;     ///< each half as wide as the one before
-    static constexpr int log2Kappa = 14; ///< that level 0 is looked up for, by 2 less at each level
+    static constexpr int log2Kappa = 12; ///< that level 0 is looked up for, by 2 less at each level
     static constexpr int matteTexels = texels / 16;
     static constexpr glm::ivec2 matteOrigin{texels * 5 / 4, texels / 2};
 };
