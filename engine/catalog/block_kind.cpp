@@ -49,6 +49,7 @@ constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l
 constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o", false, outlook});
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
+constexpr std::array<std::string_view, 2> falloffs{"polynomial", "inverse-square"};
 constexpr std::array<std::string_view, 3> backdrops{"sharp", "blurred", "hidden"};
 
 constexpr auto inModels = std::to_array<ParameterRole>({{roles::index}});
@@ -62,8 +63,14 @@ constexpr auto inRefraction = std::to_array<ParameterRole>(
      {.word = roles::filter, .type = ParameterType::Color, .mayRepeat = true}});
 constexpr auto inOutline =
     std::to_array<ParameterRole>({{.word = roles::width, .mayRepeat = true}});
-constexpr auto inLights =
-    std::to_array<ParameterRole>({{roles::color, ParameterType::Color}, {roles::intensity}});
+constexpr auto inLights = std::to_array<ParameterRole>(
+    {{roles::color, ParameterType::Color},
+     {roles::intensity},
+     {.word = roles::falloff, .type = ParameterType::Enum, .choices = falloffs},
+     {roles::constant},
+     {roles::linear},
+     {roles::quadratic},
+     {roles::nearest}});
 constexpr auto inShadows = std::to_array<ParameterRole>(
     {{roles::samples, ParameterType::Enum}, {roles::angle, ParameterType::Angle}});
 constexpr auto inFog = std::to_array<ParameterRole>({{roles::color, ParameterType::Color}});

@@ -69,10 +69,16 @@ inline constexpr std::string_view environment = "environment";
 
 /// The roles of parameters that some code is about.
 namespace roles {
-inline constexpr std::string_view color = "color";               ///< of a light, of fog
-inline constexpr std::string_view index = "index";               ///< of refraction
-inline constexpr std::string_view indexFrom = "indexFrom";       ///< "surface" or "own"
-inline constexpr std::string_view indexInside = "indexInside";   ///< below the surface
+inline constexpr std::string_view color = "color";             ///< of a light, of fog
+inline constexpr std::string_view intensity = "intensity";     ///< that multiplies the colour
+inline constexpr std::string_view falloff = "falloff";         ///< "polynomial" or "inverse-square"
+inline constexpr std::string_view constant = "constant";       ///< of 1/(c + l x + q x^2)
+inline constexpr std::string_view linear = "linear";           ///< of the same
+inline constexpr std::string_view quadratic = "quadratic";     ///< of the same
+inline constexpr std::string_view nearest = "nearest";         ///< where 1/x^2 ends
+inline constexpr std::string_view index = "index";             ///< of refraction
+inline constexpr std::string_view indexFrom = "indexFrom";     ///< "surface" or "own"
+inline constexpr std::string_view indexInside = "indexInside"; ///< below the surface
 inline constexpr std::string_view indexOutside = "indexOutside"; ///< above it
 inline constexpr std::string_view f0 = "f0";                     ///< the reflectance facing you
 inline constexpr std::string_view dispersion = "dispersion";     ///< at 0 colours bend alike
@@ -84,7 +90,6 @@ inline constexpr std::string_view blur = "blur";                 ///< of the bac
 inline constexpr std::string_view rotate = "rotate";             ///< about the vertical
 inline constexpr std::string_view directions = "directions";     ///< looked in per pixel
 inline constexpr std::string_view limit = "limit";               ///< no direction sends more
-inline constexpr std::string_view intensity = "intensity";       ///< of a light
 inline constexpr std::string_view angle = "angle";               ///< how large a far lamp looks
 inline constexpr std::string_view layers = "layers";             ///< put in order
 inline constexpr std::string_view samples = "samples";           ///< places looked at per pixel

@@ -39,6 +39,7 @@ struct Light {
     bool enabled = true;
     BlockValues block;
     BlockParts parts{}; ///< without a shadow objects cast none in it
+    bool isKey = false; ///< marked as the light that drawings take
 
     const BlockValues* part(std::string_view kind) const { return partOf(parts, kind); }
     BlockValues* part(std::string_view kind) { return partOf(parts, kind); }
@@ -71,6 +72,9 @@ struct Hemisphere {
 
 enum class ToneMapping { None, KhronosNeutral };
 
+/// Tells which of a scene's lights a drawing takes: a material whose model wants the key light.
+enum class DrawingLights { Key, All };
+
 /// Everything that is drawn. A value: copying it is how undo works.
 struct Scene {
     std::string name;
@@ -84,6 +88,7 @@ struct Scene {
     Camera camera;
     double exposure = 0.0; ///< EV, powers of two
     ToneMapping toneMapping = ToneMapping::KhronosNeutral;
+    DrawingLights drawings = DrawingLights::Key;
     PictureAccuracy accuracy; ///< of the picture, whatever the materials
     nlohmann::json extras = nlohmann::json::object();
     nlohmann::json unknown = nlohmann::json::object();

@@ -18,6 +18,9 @@ using SettingWords = std::array<std::pair<std::string_view, T>, N>;
 constexpr SettingWords<ToneMapping, 2> toneMappingWords{
     {{"none", ToneMapping::None}, {"khronosNeutral", ToneMapping::KhronosNeutral}}};
 
+constexpr SettingWords<DrawingLights, 2> drawingWords{
+    {{"key", DrawingLights::Key}, {"all", DrawingLights::All}}};
+
 constexpr SettingWords<GroundMode, 3> groundModeWords{
     {{"off", GroundMode::Off}, {"shadows", GroundMode::Shadows}, {"plane", GroundMode::Plane}}};
 
@@ -56,6 +59,12 @@ MemberAccess<Scene> groundMode() {
         }};
 }
 
+MemberAccess<Scene> drawings() {
+    return {
+        [](const Scene& scene) { return Value(settingWord(drawingWords, scene.drawings)); },
+        [](Scene& scene, const Value& value) { storeWord(drawingWords, value, scene.drawings); }};
+}
+
 const MemberTable<Scene>& sceneMembers() {
     static const MemberTable<Scene> members{
         {"ambient", member(&Scene::ambient)},
@@ -65,6 +74,7 @@ const MemberTable<Scene>& sceneMembers() {
         {"background", member(&Scene::background)},
         {"exposure", member(&Scene::exposure)},
         {"toneMapping", toneMapping()},
+        {"drawings", drawings()},
         {"ground.mode", groundMode()},
         {"ground.automatic", member(&Scene::ground, &Ground::automatic)},
         {"ground.height", member(&Scene::ground, &Ground::height)},
@@ -103,7 +113,8 @@ const MemberTable<Object>& objectMembers() {
 }
 
 const MemberTable<Light>& lightMembers() {
-    static const MemberTable<Light> members{{"enabled", member(&Light::enabled)}};
+    static const MemberTable<Light> members{{"enabled", member(&Light::enabled)},
+                                            {"key", member(&Light::isKey)}};
     return members;
 }
 

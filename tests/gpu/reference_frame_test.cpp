@@ -186,6 +186,27 @@ TEST_F(ReferenceFrameTest, EnvironmentsLight_ComesFromTheSameDirections) {
     }
 }
 
+/// A drawing has one light: with its shadow, or the environment as one.
+TEST_F(ReferenceFrameTest, DrawingsLight_IsTheSame) {
+    for (const char* model : {"gooch", "toon"}) {
+        SCOPED_TRACE(model);
+        Scene scene = simpleScene(model);
+        scene.objects.push_back(object("lambert", "cube"));
+        scene.objects[1].translation = {0.4, 0.3, 1.2};
+        scene.objects[1].scale = glm::dvec3(0.3);
+        scene.lights = {sun({0.5, -0.3, -1.0}), light("point"), sun({-0.2, -0.3, -1.0})};
+        scene.lights[2].isKey = true;
+        scene.lights[2].setPart(kinds::shadows, block("shadows", "hard"));
+        scene.ambient = {0.1, 0.2, 0.3};
+        scene.setPart(kinds::environment, block("environment", "studio"));
+        directions_ = SurfaceBufferDrawer::plainSamples;
+        EXPECT_LE(error(scene).p99, rounding);
+        scene.lights.clear();
+        scene.objects.pop_back();
+        EXPECT_LE(error(scene).p99, rounding);
+    }
+}
+
 TEST_F(ReferenceFrameTest, EnvironmentsPictureAndShadows_AreInIt) {
     directions_ = SurfaceBufferDrawer::plainSamples;
     Scene scene = simpleScene("cook-torrance");

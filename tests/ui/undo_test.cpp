@@ -53,6 +53,19 @@ const std::vector<Edit> edits{
          light.enabled = false;
          setLight(d, 0, light);
      }},
+    {"KeyLight",
+     [](Document& d) {
+         d.setModel(Side::A, "gooch");
+         addLight(d, "head");
+         Light light = d.scene().lights.back();
+         light.isKey = true;
+         setLight(d, static_cast<int>(d.scene().lights.size()) - 1, light);
+     }},
+    {"DrawingsTakeAllLights",
+     [](Document& d) {
+         d.setModel(Side::A, "gooch");
+         set(d, settings::scene, "drawings", std::string("all"));
+     }},
     {"Lighting",
      [](Document& d) { setLighting(d, readScene(defaultSceneFile(), d.catalog())->scene); }},
     {"LampsTakenOut",

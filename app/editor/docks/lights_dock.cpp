@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/lights_dock.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -21,6 +22,7 @@ LightsDock::LightsDock(const DockContext& context)
       remove_(textButton(tr("Remove"), tr("Remove the chosen light (Del)"), this)),
       kinds_(new QMenu(this)),
       kind_(new BlockChooser(document_, kinds::lights, BlockChooser::Off::Absent, this)),
+      key_(new QCheckBox(tr("&Key light"), this)),
       shadow_(new BlockChooser(document_, kinds::shadows, BlockChooser::Off::Offered, this)) {
     add_->setMenu(kinds_);
     add_->setPopupMode(QToolButton::InstantPopup);
@@ -31,6 +33,9 @@ LightsDock::LightsDock(const DockContext& context)
     auto* forms = new QWidget;
     auto* layout = new QVBoxLayout(forms);
     layout->setContentsMargins(0, 0, 0, 0);
+    key_->setToolTip(tr("Drawings (Gooch, toon, halftone, hatching) take this light alone. Where "
+                        "none is marked they take the brightest one."));
+    layout->addWidget(key_);
     layout->addWidget(new DocumentForm(document_, context.textures, kinds::lights));
     layout->addWidget(labelled(tr("&Shadows"), shadow_));
     layout->addWidget(new DocumentForm(document_, context.textures, kinds::shadows));
@@ -43,6 +48,7 @@ LightsDock::LightsDock(const DockContext& context)
     connect(shadow_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.currentPath(kinds::shadows), id.toStdString());
     });
+    connect(key_, &QCheckBox::clicked, this, &LightsDock::markKey);
     connect(remove_, &QToolButton::clicked, this,
             [this] { removeLight(document_, document_.currentLight()); });
     onChange(document_, DocumentChange::Lights | DocumentChange::Current | DocumentChange::Scene,
@@ -86,9 +92,11 @@ void LightsDock::update() {
     const bool any = current >= 0;
     kind_->setEnabled(any);
     remove_->setEnabled(any);
+    key_->setEnabled(any);
     const auto& lights = document_.scene().lights;
     kind_->show(any ? QString::fromStdString(lights[static_cast<std::size_t>(current)].block.id)
                     : QString());
+    key_->setChecked(any && lights[static_cast<std::size_t>(current)].isKey);
     updateShadow();
 }
 
@@ -106,6 +114,13 @@ void LightsDock::updateShadow() {
 void LightsDock::switchLight(int index, bool on) {
     Light light = document_.scene().lights.at(static_cast<std::size_t>(index));
     light.enabled = on;
+    setLight(document_, index, light);
+}
+
+void LightsDock::markKey(bool isKey) {
+    const int index = document_.currentLight();
+    Light light = document_.scene().lights.at(static_cast<std::size_t>(index));
+    light.isKey = isKey;
     setLight(document_, index, light);
 }
 

@@ -5,6 +5,7 @@
 
 #include "docks/dock_context.h"
 
+class QCheckBox;
 class QMenu;
 class QToolButton;
 
@@ -13,7 +14,8 @@ namespace patina {
 class BlockChooser;
 class CheckList;
 
-/// The scene's lights: add any kind, switch, rename, remove, and edit the chosen one.
+/// The scene's lights: add any kind, switch, rename, remove, mark as key, and edit the chosen
+/// one.
 class LightsDock : public QWidget {
     Q_OBJECT
 
@@ -27,6 +29,7 @@ class LightsDock : public QWidget {
     void updateShadow();
     void switchLight(int index, bool on);
     void renameLight(int index, const QString& name);
+    void markKey(bool isKey);
 
     Document& document_;
     CheckList* list_;
@@ -34,6 +37,7 @@ class LightsDock : public QWidget {
     QToolButton* remove_;
     QMenu* kinds_;
     BlockChooser* kind_;
+    QCheckBox* key_;
     BlockChooser* shadow_;
 };
 

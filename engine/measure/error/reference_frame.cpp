@@ -58,9 +58,8 @@ void ReferenceFrame::goOn(SurfaceBuffer next) {
 }
 
 bool ReferenceFrame::isSampled() const {
-    return std::ranges::any_of(codes_, [](const std::unique_ptr<SurfaceCode>& code) {
-        return code && code->firstSample;
-    });
+    return std::ranges::any_of(
+        codes_, [](const std::unique_ptr<SurfaceCode>& code) { return code && code->isSampled; });
 }
 
 double ReferenceFrame::progress() const {

@@ -67,8 +67,9 @@ class Collector {
         }
         code_.eye = glm::dvec3(buffer_.eye);
         code_.firstShare = object_.firstShare;
-        if (effects_.environment) {
+        if (isLitByEnvironment(effects_)) {
             code_.firstSample = object_.firstSample;
+            code_.isSampled = !takesKeyAlone(effects_);
         }
         code_.slots = layout_.slots.size();
         code_.blends = effects_.blend.has_value();
@@ -136,16 +137,23 @@ class Collector {
         }
     }
 
-    /// As packScene() laid them out: a header, then light after light.
+    /// As packScene() laid them out: a header, then light after light; of a drawing's the key one.
     void addLights() {
+        const bool takesOne = takesKeyAlone(effects_);
         std::size_t share = 0;
-        for (const LightPlace& group : object_.pipeline->scene.groups) {
+        for (std::size_t g = 0; g < effects_.lights.size(); ++g) {
+            if (!isTaken(effects_, effects_.lights[g])) {
+                continue;
+            }
+            const LightPlace& group = object_.pipeline->scene.groups[g];
             const glm::vec4 header = buffer_.sceneData[static_cast<std::size_t>(group.light.first)];
-            const auto first = static_cast<std::size_t>(header.y);
-            for (std::size_t i = 0; i < static_cast<std::size_t>(header.x); ++i) {
+            const auto first = static_cast<std::size_t>(takesOne ? header.z : header.y);
+            const std::size_t one = first > 0 ? 1 : 0;
+            const std::size_t count = takesOne ? one : static_cast<std::size_t>(header.x);
+            for (std::size_t i = 0; i < count; ++i) {
                 const std::size_t at = first + i * static_cast<std::size_t>(group.vec4s());
                 SurfaceCode::LightCode light{codeOf(group.light, buffer_.sceneData, at), {}};
-                if (group.shadow) {
+                if (group.shadow && hasShadows(effects_)) {
                     light.share = share++;
                 }
                 code_.lights.push_back(std::move(light));
@@ -158,10 +166,11 @@ class Collector {
         const auto data = [this](int index) {
             return glm::dvec3(buffer_.sceneData[static_cast<std::size_t>(index)]);
         };
-        if (effects_.ambient) {
+        const bool isAmbient = takesAmbient(effects_);
+        if (isAmbient && effects_.ambient) {
             code_.ambient = data(SceneLayout::ambient);
         }
-        if (const std::optional<int> sky = hemisphereData(scene)) {
+        if (const std::optional<int> sky = hemisphereData(scene); isAmbient && sky) {
             code_.hemisphere = SurfaceCode::Hemisphere{data(*sky), data(*sky + 1), data(*sky + 2)};
         }
         if (const BlockPlace* fog = scene.part(kinds::fog)) {

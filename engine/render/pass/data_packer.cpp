@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "shading/effects/effect_key.h"
+#include "shading/effects/key_light.h"
 #include "shading/effects/lights.h"
 #include "shading/effects/opacity.h"
 #include "shading/effects/shadows.h"
@@ -42,11 +43,24 @@ void packLight(std::span<glm::vec4> out, const LightPlace& place, const SceneToP
     }
 }
 
-/// The lights of a group, and its header: how many there are, and where. A group that stands in the
-/// text line by line has all its lights; one that does not arrive is dark.
+/// The key light: while a value is dragged it stays one that the programs have the code for.
+std::optional<std::size_t> keyLightOf(const SceneToPack& packing, const Pipeline& pipeline) {
+    const Catalog& catalog = *pipeline.catalog;
+    const std::optional<std::size_t> key = keyLight(packing.scene, catalog);
+    const bool shadows = hasShadows(packing.effects, catalog);
+    const bool isKnown =
+        key && lightKey(packing.effects.lights[*key], catalog, shadows) == pipeline.effects.keyKind;
+    return isKnown ? key : keyLight(packing.effects, catalog);
+}
+
+/// The lights of a group, and its header: how many there are, where, and where the key light is, if
+/// it is there. A group that stands in the text line by line has all its lights; one that does not
+/// arrive is dark.
 void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
-               std::size_t index, const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
+               std::size_t index, const SceneToPack& packing,
+               const std::optional<std::size_t>& keyLight, const glm::dmat4& cameraToWorld) {
     const bool shadows = hasShadows(packing.effects, *pipeline.catalog);
+    std::size_t keyPlace = 0;
     const LightPlace& group = pipeline.scene.groups[index];
     const LightGroup& effect = pipeline.effects.lights[index];
     const std::uint64_t key = effect.key();
@@ -64,6 +78,7 @@ void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pi
         }
         const std::span<glm::vec4> place = out.subspan(packed.vec4s, size);
         if (packing.has(i)) {
+            keyPlace = i == keyLight ? packed.vec4s : keyPlace;
             packLight(place, group, packing, i, cameraToWorld);
         } else {
             std::ranges::fill(place, glm::vec4(0.0f));
@@ -71,17 +86,18 @@ void packGroup(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pi
         packed.vec4s += size;
         ++count;
     }
-    out[static_cast<std::size_t>(group.light.first)] = glm::vec4(count, start, 0.0f, 0.0f);
+    out[static_cast<std::size_t>(group.light.first)] = glm::vec4(count, start, keyPlace, 0.0f);
 }
 
 /// Lines come first: the program reads them without asking how many there are.
 void packLights(PackedScene& packed, std::span<glm::vec4> out, const Pipeline& pipeline,
                 const SceneToPack& packing, const glm::dmat4& cameraToWorld) {
     const std::vector<LightGroup>& groups = pipeline.effects.lights;
+    const std::optional<std::size_t> key = keyLightOf(packing, pipeline);
     for (const bool inLines : {true, false}) {
         for (std::size_t g = 0; g < pipeline.scene.groups.size(); ++g) {
             if ((groups[g].lines > 0) == inLines) {
-                packGroup(packed, out, pipeline, g, packing, cameraToWorld);
+                packGroup(packed, out, pipeline, g, packing, key, cameraToWorld);
             }
         }
     }

@@ -193,7 +193,7 @@ PixelProbe InspectionDrawer::read(const Scene& scene, const Item& item,
     probe.normal = glm::vec3(term(0));
     probe.nv = term(0).w;
     probe.albedo = term(1).w > 0.0f ? std::optional(glm::vec3(term(1))) : std::nullopt;
-    if (effects.model && (effects.ambient || effects.hemisphere)) {
+    if (effects.model && (effects.ambient || effects.hemisphere) && takesAmbient(effects)) {
         probe.ambient = glm::vec3(term(2));
     }
     if (!effects.emission.empty()) {

@@ -10,15 +10,19 @@
 #include "render/gpu/binding.h"
 #include "render/pass/data_packer.h"
 #include "shading/effects/effect_set.h"
+#include "shading/effects/key_light.h"
 
 namespace patina {
 std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipeline) {
     const bool shadows = hasShadows(scene, *pipeline.catalog);
     std::vector<std::size_t> order;
+    const bool takesOne = takesKeyAlone(pipeline.effects);
+    const std::optional<std::size_t> taken = keyLight(scene, *pipeline.catalog);
     for (const LightGroup& group : pipeline.effects.lights) {
         const std::uint64_t key = group.key();
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            if (EffectKey::ofLight(scene.lights[i], *pipeline.catalog, shadows) == key) {
+            if ((!takesOne || i == taken) &&
+                EffectKey::ofLight(scene.lights[i], *pipeline.catalog, shadows) == key) {
                 order.push_back(i);
             }
         }
@@ -117,11 +121,11 @@ void SurfaceItems::drawShadows(const Scene& scene) {
     for (const Item& item : items_) {
         if (isCaster(scene.objects[item.index], *catalog_)) {
             shared_.shadows.addCaster(*item.mesh, {item.bounds, item.world},
-                               scene.objects[item.index].material);
+                                      scene.objects[item.index].material);
         }
     }
-    const auto planned = shared_.shadows.plan(scene, scene, cameraToWorld_, pipelines_.programs(),
-                                              shared_.textures);
+    const auto planned =
+        shared_.shadows.plan(scene, scene, cameraToWorld_, pipelines_.programs(), shared_.textures);
     if (!planned) {
         report_.messages.push_back(planned.error());
     }
@@ -143,8 +147,8 @@ void SurfaceItems::feed(const Scene& scene, const View& view) {
         std::ranges::find_if(items_, [](const Item& item) { return item.pipeline != nullptr; });
     if (fed != items_.end()) {
         const PackedScene packed =
-            packScene(sceneData_.staging(), *fed->pipeline,
-                      {scene, scene, shared_.shadows.views()}, cameraToWorld_);
+            packScene(sceneData_.staging(), *fed->pipeline, {scene, scene, shared_.shadows.views()},
+                      cameraToWorld_);
         report_.uploadedBuffers += sceneData_.upload(packed.vec4s) ? 1 : 0;
     }
     for (Item& item : items_) {

@@ -80,7 +80,7 @@ class SurfaceItems {
     FrameReport report_;
 };
 
-/// The scene's lights in the order in which the program adds them.
+/// The scene's lights in the order in which the program adds them; of a drawing's the key light.
 std::vector<std::size_t> lightsInOrder(const Scene& scene, const Pipeline& pipeline);
 
 } // namespace patina

@@ -33,7 +33,7 @@ void AmbientEffect::choose(const SceneSubject& subject, const EffectSet&) {
 }
 
 void AmbientEffect::list(EffectListing& listing, const EffectSet& set) const {
-    if (ambient && isLit(set)) {
+    if (ambient && isLit(set) && takesAmbient(set)) {
         listing.add("ambient", {}, [](const EffectSubject& subject) {
             return fmt::format("The scene's ambient colour is {}.",
                                colorText(subject.scene.ambient));
@@ -41,8 +41,14 @@ void AmbientEffect::list(EffectListing& listing, const EffectSet& set) const {
     }
 }
 
+void AmbientEffect::listMissing(LeftOutListing& listing, const EffectSet& set) const {
+    if (ambient && !takesAmbient(set)) {
+        listing.add("ambient", drawingText(listing.subject()));
+    }
+}
+
 void AmbientEffect::writeLight(SurfaceText& text) const {
-    if (ambient && text.set.model) {
+    if (ambient && text.set.model && takesAmbient(text.set)) {
         text.main += fmt::format("    shaded += sceneData[{}].rgb * {};\n", SceneLayout::ambient,
                                  ambientShare(text));
         text.noteTerm("AMBIENT", fmt::format("sceneData[{}].rgb * modelled", SceneLayout::ambient),

@@ -12,6 +12,7 @@ struct AmbientEffect {
     void choose(const SceneSubject& subject, const EffectSet& set);
     void addTo(ChoiceHash& hash) const { hash.add(ambient); }
     void list(EffectListing& listing, const EffectSet& set) const;
+    void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     EffectLine absent(const EffectSet&) const {
         return {"ambient", {}, "The scene's ambient colour is black."};
     }

@@ -113,7 +113,8 @@ struct SceneLayout : PartPlaces, OwnData<Scene> {
     static constexpr int maxCapacity = 4096;
 
     std::vector<LightPlace> groups; ///< as EffectSet::lights; a group's header:
-                                    ///< x: number of lights, y: index of the first one's values
+                                    ///< x: number of lights, y: index of the first one's values,
+                                    ///< z: of the key light's, 0 where it is not among them
     int firstLight = fixed;
     const Block* environment = nullptr; ///< its values are in an array of their own
 };

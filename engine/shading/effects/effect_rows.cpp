@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shading/effects/display.h"
+#include "shading/effects/key_light.h"
 
 namespace patina {
 namespace {
@@ -52,8 +53,14 @@ Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     alone.ground = scene.ground;
     alone.exposure = scene.exposure;
     alone.toneMapping = scene.toneMapping;
+    alone.drawings = scene.drawings;
     alone.accuracy = scene.accuracy;
     alone.objects = {scene.objects[object]};
+    if (const std::optional<std::size_t> key = keyLight(scene, catalog)) {
+        for (Light& light : alone.lights) {
+            light.isKey = &light == &alone.lights[*key];
+        }
+    }
     const auto caster = std::ranges::find_if(
         scene.objects, [&catalog](const Object& each) { return isCaster(each, catalog); });
     if (caster != scene.objects.end() && !isCaster(scene.objects[object], catalog)) {

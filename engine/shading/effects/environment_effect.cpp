@@ -40,13 +40,6 @@ std::string octahedralSource() {
                        Layout::matteOrigin.x, Layout::matteOrigin.y);
 }
 
-/// Declares what a white matte surface shows; the environment has its harmonics.
-void addIrradiance(SourceBuilder& out, const BlockUse& use) {
-    out.add(fmt::format("#define ENVIRONMENT_HARMONICS {}\n",
-                        EnvironmentLayout::fixed + vec4Count(use.block())));
-    out.addFile("passes/environment_irradiance.glsl");
-}
-
 void addOutput(SourceBuilder& out, const BlockUse& use, EnvironmentOutput output) {
     if (output == EnvironmentOutput::Small) {
         out.add("#define PART_SIDE 4\n"
@@ -80,8 +73,14 @@ void addOutput(SourceBuilder& out, const BlockUse& use, EnvironmentOutput output
     out.addFile("passes/environment_background.glsl");
 }
 
-/// How fitted light comes to a material.
-EnvironmentWay fittedWay(const EffectSet& set) {
+/// How its light comes to a material.
+EnvironmentWay wayTo(const EffectSet& set) {
+    if (takesKeyAlone(set)) {
+        return set.keyKind != 0 ? EnvironmentWay::None : EnvironmentWay::OneLight;
+    }
+    if (!set.wantsFitted) {
+        return EnvironmentWay::Sampled;
+    }
     if (set.model->block().lighting == LightsWanted::Key) {
         return EnvironmentWay::OneLight;
     }
@@ -193,11 +192,11 @@ void EnvironmentEffect::admit(const BlockUse& use) {
 }
 
 void EnvironmentEffect::adjust(const EffectSet& set) {
-    way = wantsFitted && set.model ? fittedWay(set) : EnvironmentWay::Sampled;
+    way = set.model ? wayTo(set) : EnvironmentWay::Sampled;
 }
 
 void EnvironmentEffect::list(EffectListing& listing, const EffectSet& set) const {
-    if (environment && isLit(set)) {
+    if (environment && isLit(set) && way != EnvironmentWay::None) {
         listing.add(
             effectName(*environment),
             detailed(compiledText(*environment), way != EnvironmentWay::Sampled, wayText(way)),
@@ -206,6 +205,9 @@ void EnvironmentEffect::list(EffectListing& listing, const EffectSet& set) const
 }
 
 void EnvironmentEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
+    if (environment && way == EnvironmentWay::None) {
+        listing.add(effectName(*environment), drawingText(listing.subject()));
+    }
     const auto& [material, scene, catalog, view] = listing.subject();
     const EnvironmentChoice choice = environmentChoice(scene, catalog);
     if (scene.part(kinds::environment) && choice.block == nullptr) {
@@ -221,6 +223,12 @@ void EnvironmentEffect::place(SceneLayout& layout, const EffectSet&) const {
 /// The inspection looks at single values, of which the environment's light is a sum of many.
 void EnvironmentEffect::writeLight(SurfaceText& text) const {
     if (!environment || !text.set.model || text.isInspected()) {
+        return;
+    }
+    if (way == EnvironmentWay::None) {
+        if (text.set.refraction) { // what is seen through it asks for it
+            addEnvironment(text.out, *environment);
+        }
         return;
     }
     if (way != EnvironmentWay::Sampled) {
@@ -239,6 +247,16 @@ void EnvironmentEffect::remove(Scene& scene, const EffectName& effect, const Cat
         scene.part(kinds::environment)->id == effect.id) {
         scene.setPart(kinds::environment, std::nullopt);
     }
+}
+
+bool isLitByEnvironment(const EffectSet& set) {
+    return set.environment && set.way != EnvironmentWay::None;
+}
+
+void addIrradiance(SourceBuilder& out, const BlockUse& use) {
+    out.add(fmt::format("#define ENVIRONMENT_HARMONICS {}\n",
+                        EnvironmentLayout::fixed + vec4Count(use.block())));
+    out.addFile("passes/environment_irradiance.glsl");
 }
 
 void addEnvironment(SourceBuilder& out, const BlockUse& use, int more) {

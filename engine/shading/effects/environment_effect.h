@@ -32,7 +32,8 @@ enum class EnvironmentWay : std::uint8_t {
     Sampled,  ///< a mean over directions
     Fitted,   ///< by a table of lobes that the material's reflectance was taken apart into
     PerPixel, ///< the same, taken apart at each pixel, since images change what is reflected
-    OneLight  ///< one light from where most of it comes, for models that want one
+    OneLight, ///< one light from where most of it comes, for models that want one
+    None      ///< not at all: a drawing takes another light
 };
 
 /// The scene's environment. It is left out where it is dark, unless an object refracts what is
@@ -61,10 +62,17 @@ struct EnvironmentEffect {
     friend bool operator==(const EnvironmentEffect&, const EnvironmentEffect&) = default;
 };
 
+/// Tells whether the program takes directions of the environment, or its light as a whole.
+bool isLitByEnvironment(const EffectSet& set);
+
 /// Declares the environment: its data, its block, `unpackEnvironment(int base)` and
 /// `environmentRadiance(vec3 d, Environment p)`. Its array has so many vec4 `more` behind the
 /// block's.
 void addEnvironment(SourceBuilder& out, const BlockUse& use, int more = 0);
+
+/// Declares what a white matte surface shows by the direction of its normal, behind the
+/// environment with its harmonics.
+void addIrradiance(SourceBuilder& out, const BlockUse& use);
 
 /// Tells what an environment's own programs draw.
 enum class EnvironmentOutput {

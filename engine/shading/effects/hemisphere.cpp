@@ -33,12 +33,18 @@ void HemisphereEffect::choose(const SceneSubject& subject, const EffectSet&) {
 }
 
 void HemisphereEffect::list(EffectListing& listing, const EffectSet& set) const {
-    if (hemisphere && isLit(set)) {
+    if (hemisphere && isLit(set) && takesAmbient(set)) {
         listing.add("hemisphere", {}, [](const EffectSubject& subject) {
             return fmt::format("The sky sends {}, the ground {}.",
                                colorText(subject.scene.hemisphere.sky),
                                colorText(subject.scene.hemisphere.ground));
         });
+    }
+}
+
+void HemisphereEffect::listMissing(LeftOutListing& listing, const EffectSet& set) const {
+    if (hemisphere && !takesAmbient(set)) {
+        listing.add("hemisphere", drawingText(listing.subject()));
     }
 }
 
@@ -61,7 +67,7 @@ std::string hemisphereLight(SurfaceText& text) {
 }
 
 void HemisphereEffect::writeLight(SurfaceText& text) const {
-    if (hemisphere && text.set.model) {
+    if (hemisphere && text.set.model && takesAmbient(text.set)) {
         const std::string light = hemisphereLight(text);
         text.main += fmt::format("    shaded += {} * {};\n", light, ambientShare(text));
         text.noteTerm("AMBIENT", light + " * modelled", "0.0");

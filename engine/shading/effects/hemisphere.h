@@ -15,6 +15,7 @@ struct HemisphereEffect {
     void choose(const SceneSubject& subject, const EffectSet& set);
     void addTo(ChoiceHash& hash) const { hash.add(hemisphere); }
     void list(EffectListing& listing, const EffectSet& set) const;
+    void listMissing(LeftOutListing& listing, const EffectSet& set) const;
     EffectLine absent(const EffectSet&) const {
         return {"hemisphere", {}, "The light of its sky and its ground is black."};
     }

@@ -8,6 +8,7 @@
 
 #include "shading/effects/data_layout.h"
 #include "shading/effects/effect_set.h"
+#include "shading/effects/key_light.h"
 #include "shading/effects/light_reach.h"
 #include "shading/effects/neutral_values.h"
 #include "shading/effects/surface_text.h"
@@ -56,6 +57,26 @@ std::string shiningText(const std::vector<const LightGroup*>& groups,
     return fmt::format("{} {}.", namesText(names), names.size() == 1 ? "shines" : "shine");
 }
 
+/// "Key shines: it is marked as key."
+std::string keyText(const EffectSubject& subject) {
+    const Scene& scene = subject.scene;
+    const std::optional<std::size_t> key = keyLight(scene, subject.catalog);
+    if (!key) {
+        return {};
+    }
+    return fmt::format("{} shines: it is {}.", lightName(scene, *key),
+                       scene.lights[*key].isKey ? "marked as the key light"
+                                                : "the brightest in the middle of the objects");
+}
+
+/// The key light stands where its group's header says, if it reaches the object.
+void callKeyLight(SurfaceText& text, std::size_t index, const std::string& function) {
+    text.main += fmt::format("    if (sceneData[{0}].z > 0.0) {{\n"
+                             "        shaded += {1}(s, model, int(sceneData[{0}].z));\n"
+                             "    }}\n",
+                             text.scene.groups[index].light.first, function);
+}
+
 /// A line for each light of a group, or the loop over them. Lines come first in `sceneData`.
 void callLights(SurfaceText& text, std::size_t index, const std::string& function, int& nextLine) {
     const LightPlace& group = text.scene.groups[index];
@@ -79,10 +100,11 @@ std::string litBody(SurfaceText& text, std::size_t index) {
     const Block& block = group.block.block();
     const bool showsShadows = text.set.ground == GroundMode::Shadows;
     const bool hasEnd = block.reach && group.lines == 0;
-    const char* lit = group.shadow || hasEnd ? "litWhereItArrives" : "lit";
+    const bool hasShadow = group.shadow && hasShadows(text.set);
+    const char* lit = hasShadow || hasEnd ? "litWhereItArrives" : "lit";
     const char* body = text.isInspected() ? inspectedLitSource : litSource;
     std::string shadowed;
-    if (group.shadow) {
+    if (hasShadow) {
         writeShadow(text, index);
         body = text.isInspected() ? body : sharedLitSource;
         shadowed = text.isInspected() || showsShadows
@@ -110,7 +132,12 @@ void writeGroup(SurfaceText& text, std::size_t index, int& nextLine) {
                              "    return sum;\n"
                              "}}\n",
                              type, index, body));
-    callLights(text, index, fmt::format("from{}{}", type, index), nextLine);
+    const std::string function = fmt::format("from{}{}", type, index);
+    if (takesKeyAlone(text.set)) {
+        callKeyLight(text, index, function);
+    } else {
+        callLights(text, index, function, nextLine);
+    }
 }
 
 } // namespace
@@ -149,14 +176,30 @@ std::string lightName(const Scene& scene, std::size_t index) {
     return light.name.empty() ? fmt::format("light {}", index + 1) : light.name;
 }
 
+namespace {
+
+/// Tells whether it is a drawing, as takesKeyAlone().
+bool isDrawing(const EffectSubject& subject) {
+    const Block* model = subject.material == nullptr
+                             ? nullptr
+                             : subject.catalog.find(kinds::models, subject.material->model.id);
+    return model != nullptr && model->lighting == LightsWanted::Key &&
+           subject.scene.drawings == DrawingLights::Key;
+}
+
+} // namespace
+
 std::vector<std::string> lightNames(const std::vector<const LightGroup*>& groups,
                                     const EffectSubject& subject) {
     const auto& [material, scene, catalog, view] = subject;
     const bool shadows = hasShadows(scene, catalog);
+    const bool takesOne = isDrawing(subject);
+    const std::optional<std::size_t> key = keyLight(scene, catalog);
     std::vector<std::string> names;
     for (const LightGroup* group : groups) {
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            if (view.reaches(i) && lightKey(scene.lights[i], catalog, shadows) == group->key()) {
+            if (view.reaches(i) && (!takesOne || i == key) &&
+                lightKey(scene.lights[i], catalog, shadows) == group->key()) {
                 names.push_back(lightName(scene, i));
             }
         }
@@ -192,6 +235,9 @@ void LightsEffect::choose(const SceneSubject& subject, const EffectSet&) {
     const bool shadows = hasShadows(scene, catalog);
     lights.clear();
     lines_.clear();
+    const std::optional<std::size_t> key = keyLight(scene, catalog);
+    keyKind = key ? lightKey(scene.lights[*key], catalog, shadows) : 0;
+    drawingsTakeKey = scene.drawings == DrawingLights::Key;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const std::optional<LightGroup> group = lightGroup(scene.lights[i], catalog, shadows);
         if (!group) {
@@ -213,9 +259,11 @@ void LightsEffect::choose(const SceneSubject& subject, const EffectSet&) {
 void LightsEffect::admit(const BlockUse& use) {
     if (use.block().kind == kinds::lights) {
         lights = {LightGroup{use, std::nullopt}};
+        keyKind = lights.front().key();
     } else if (use.block().kind == kinds::shadows) {
         for (LightGroup& group : lights) {
             group.shadow = use;
+            keyKind = group.key();
         }
     }
 }
@@ -226,9 +274,21 @@ void LightsEffect::addTo(ChoiceHash& hash) const {
         hash.add(group.key());
         hash.add(static_cast<std::uint64_t>(group.lines));
     }
+    hash.add(keyKind);
+    hash.add(drawingsTakeKey);
 }
 
 void LightsEffect::list(EffectListing& listing, const EffectSet& set) const {
+    if (takesKeyAlone(set)) {
+        const auto taken = std::ranges::find(lights, keyKind, &LightGroup::key);
+        if (taken != lights.end()) {
+            listing.add(
+                effectName(taken->block),
+                detailed(compiledText(taken->block), true, "key light only: it is a drawing"),
+                keyText);
+        }
+        return;
+    }
     for (std::size_t i = 0; i < lights.size() && isLit(set);) {
         std::vector<const LightGroup*> groups;
         std::vector<const BlockUse*> uses;
@@ -243,13 +303,17 @@ void LightsEffect::list(EffectListing& listing, const EffectSet& set) const {
     }
 }
 
-void LightsEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
+void LightsEffect::listMissing(LeftOutListing& listing, const EffectSet& set) const {
     const Scene& scene = listing.subject().scene;
+    const bool takesOne = takesKeyAlone(set);
+    const std::optional<std::size_t> key = keyLight(scene, listing.subject().catalog);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
         const Block* block = listing.subject().catalog.find(kinds::lights, light.block.id);
         if (std::string why = whyNoLight(light, block); !why.empty()) {
             listing.add(lightName(scene, i), std::move(why));
+        } else if (takesOne && i != key) {
+            listing.add(lightName(scene, i), drawingText(listing.subject()));
         }
     }
 }
@@ -266,8 +330,28 @@ void LightsEffect::place(SceneLayout& layout, const EffectSet&) const {
     }
 }
 
+bool takesKeyAlone(const EffectSet& set) {
+    return set.drawingsTakeKey && set.model && set.model->block().lighting == LightsWanted::Key;
+}
+
+bool isTaken(const EffectSet& set, const LightGroup& group) {
+    return !takesKeyAlone(set) || group.key() == set.keyKind;
+}
+
+bool takesAmbient(const EffectSet& set) {
+    return !takesKeyAlone(set) || (set.keyKind == 0 && !set.environment);
+}
+
+std::string drawingText(const EffectSubject& subject) {
+    const std::optional<std::size_t> key = keyLight(subject.scene, subject.catalog);
+    return key ? fmt::format("The material is a drawing and takes the key light, {}, alone.",
+                             lightName(subject.scene, *key))
+               : std::string("The material is a drawing and takes the environment as one light.");
+}
+
 void writeLights(SurfaceText& text) {
-    if (text.set.lights.empty()) {
+    const auto taken = [&text](const LightGroup& group) { return isTaken(text.set, group); };
+    if (std::ranges::none_of(text.set.lights, taken)) {
         return;
     }
     text.out.addFile("passes/lit.glsl");
@@ -277,7 +361,9 @@ void writeLights(SurfaceText& text) {
     }
     int nextLine = text.scene.firstLight;
     for (std::size_t i = 0; i < text.set.lights.size(); ++i) {
-        writeGroup(text, i, nextLine);
+        if (isTaken(text.set, text.set.lights[i])) {
+            writeGroup(text, i, nextLine);
+        }
     }
 }
 

@@ -51,9 +51,12 @@ std::string namesText(const std::vector<std::string>& names);
 std::string compiledText(const std::vector<const BlockUse*>& uses);
 
 /// The scene's lights. One is left out when it is switched off, cannot send anything, or, with all
-/// of its group, ends before what is drawn.
+/// of its group, ends before what is drawn. A drawing takes the key light of them alone, unless the
+/// scene says otherwise.
 struct LightsEffect {
     std::vector<LightGroup> lights; ///< sorted by kind of light, then by compiled values
+    std::uint64_t keyKind = 0;      ///< lightKey() of the key light; 0: no light shines
+    bool drawingsTakeKey = true;    ///< as the scene says
 
     void choose(const SceneSubject& subject, const EffectSet& set);
     void admit(const BlockUse& use);
@@ -65,12 +68,26 @@ struct LightsEffect {
     static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
 
     friend bool operator==(const LightsEffect& a, const LightsEffect& b) {
-        return a.lights == b.lights;
+        return a.lights == b.lights && a.keyKind == b.keyKind &&
+               a.drawingsTakeKey == b.drawingsTakeKey;
     }
 
   private:
     LightLines lines_; ///< kept for its memory
 };
+
+/// Tells whether what is drawn is a drawing that takes the key light alone: of a scene without
+/// lights the environment as one, and without that the ambient light.
+bool takesKeyAlone(const EffectSet& set);
+
+/// Tells whether the program has the lights of the group, or of a drawing's the key light.
+bool isTaken(const EffectSet& set, const LightGroup& group);
+
+/// Tells whether the program has the scene's ambient light and its hemisphere.
+bool takesAmbient(const EffectSet& set);
+
+/// "The material is a drawing and takes the key light, Key, alone.": why it takes no other.
+std::string drawingText(const EffectSubject& subject);
 
 /// Declares the functions of all groups of lights, and calls them with `model`.
 void writeLights(SurfaceText& text);

@@ -20,7 +20,7 @@ const char* whyPerPixel(const EffectSet& set) {
     if (hasShadows(set)) {
         return "Lighting stays per pixel: shadows have edges between the corners.";
     }
-    if (set.environment) {
+    if (isLitByEnvironment(set)) {
         return "Lighting stays per pixel: an environment's light is summed up there.";
     }
     return nullptr;
@@ -31,7 +31,7 @@ const char* whyUnitNormals(const EffectSet& set) {
     if (set.refraction) {
         return "They have length 1 in a material that refracts light.";
     }
-    return set.environment ? "They have length 1 under an environment." : nullptr;
+    return isLitByEnvironment(set) ? "They have length 1 under an environment." : nullptr;
 }
 
 bool hasWidth(const EffectSet& set) {

@@ -140,8 +140,9 @@ bool hasShadows(const Scene& scene, const Catalog& catalog) {
 }
 
 bool hasShadows(const EffectSet& set) {
-    return std::ranges::any_of(set.lights,
-                               [](const LightGroup& group) { return group.shadow.has_value(); });
+    return !takesKeyAlone(set) && std::ranges::any_of(set.lights, [](const LightGroup& group) {
+        return group.shadow.has_value();
+    });
 }
 
 const Block* shadowBlock(const Light& light, const Block& block, const Catalog& catalog) {
@@ -154,7 +155,7 @@ const Block* shadowBlock(const Light& light, const Block& block, const Catalog& 
 void ShadowsEffect::list(EffectListing& listing, const EffectSet& set) const {
     std::map<std::string_view, std::vector<const LightGroup*>> kinds;
     for (const LightGroup& group : set.lights) {
-        if (group.shadow && isLit(set)) {
+        if (group.shadow && isLit(set) && hasShadows(set)) {
             kinds[group.shadow->block().id].push_back(&group);
         }
     }
@@ -172,9 +173,11 @@ void ShadowsEffect::list(EffectListing& listing, const EffectSet& set) const {
     }
 }
 
-void ShadowsEffect::listMissing(LeftOutListing& listing, const EffectSet&) const {
+void ShadowsEffect::listMissing(LeftOutListing& listing, const EffectSet& set) const {
     const auto& [material, scene, catalog, view] = listing.subject();
-    const std::string whyNone = whyNoShadows(scene, catalog);
+    const std::string whyNone = takesKeyAlone(set)
+                                    ? "The material is a drawing, whose own tones are its shadows."
+                                    : whyNoShadows(scene, catalog);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
         const Block* block = catalog.find(kinds::lights, light.block.id);

@@ -45,9 +45,16 @@ void writeBlendValues(SurfaceText& text) {
     noteValues(text, block.kind, "blend");
 }
 
-/// Where the environment's light comes from in one round.
+/// Where the environment's light comes from in one round, or, of a drawing, as one light.
 void writeSamples(SurfaceText& text) {
-    if (!text.set.model || !text.set.environment) {
+    if (!text.set.model || !isLitByEnvironment(text.set)) {
+        return;
+    }
+    if (takesKeyAlone(text.set)) {
+        addEnvironment(text.out, *text.set.environment, EnvironmentLayout::harmonics);
+        addIrradiance(text.out, *text.set.environment);
+        text.out.addFile("passes/environment_one_sample.glsl");
+        text.main += "    noteOneLight();\n";
         return;
     }
     addEnvironment(text.out, *text.set.environment);
@@ -107,7 +114,7 @@ std::vector<std::size_t> texturedInputs(const EffectSet& set) {
 
 std::size_t firstShare(const EffectSet& set) {
     constexpr int values = SurfaceBufferLayout::samples * SurfaceBufferLayout::sampleValues;
-    return texturedInputs(set).size() + (set.environment ? values : 0);
+    return texturedInputs(set).size() + (isLitByEnvironment(set) ? values : 0);
 }
 
 void writeBuffer(SurfaceText& text) {
