@@ -46,6 +46,8 @@ constexpr auto ofShadows = functions(BlockFunction{"", "float", "ShadowPoint", "
 constexpr auto ofFog =
     functions(BlockFunction{"", "float", "FogRay", "ray"}, BlockFunction{"Color", "vec3"});
 constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l", false, layer});
+constexpr auto light = std::to_array<ArgumentField>({{.key = "light", .type = Field::Color}});
+constexpr auto ofTone = functions(BlockFunction{"", "vec3", "vec3", "light", false, light});
 constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o", false, outlook});
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};
@@ -173,6 +175,15 @@ constexpr auto rows = std::to_array<BlockKind>({
      .owner = BlockOwner::Scene,
      .functions = ofEnvironment,
      .roles = inEnvironment},
+    {.folder = kinds::tone,
+     .singular = "tone",
+     .plural = "tone curves",
+     .label = "Tone curve",
+     .word = "Tone",
+     .owner = BlockOwner::Scene,
+     .functions = ofTone,
+     .isInBlockLabels = true,
+     .absent = "None"},
 });
 
 using Folders = std::map<BlockOwner, std::vector<std::string_view>>;

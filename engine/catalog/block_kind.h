@@ -65,6 +65,7 @@ inline constexpr std::string_view shadows = "shadows";
 inline constexpr std::string_view fog = "fog";
 inline constexpr std::string_view transparency = "transparency";
 inline constexpr std::string_view environment = "environment";
+inline constexpr std::string_view tone = "tone";
 } // namespace kinds
 
 /// The roles of parameters that some code is about.

@@ -84,6 +84,10 @@ glm::dvec3 Block::environment(const glm::dvec3& d, const glm::dvec3& picture,
     return triple(call<3>("", numbers, parameters));
 }
 
+glm::dvec3 Block::toned(const glm::dvec3& light, Parameters parameters) const {
+    return triple(call<3>("", std::array{light.r, light.g, light.b}, parameters));
+}
+
 double Block::transparency(double depth, double opacity, Parameters parameters) const {
     return call<1>("", std::array{depth, opacity}, parameters)[0];
 }

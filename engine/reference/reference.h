@@ -111,6 +111,8 @@ struct Block {
     glm::dvec3 fogColor(Parameters) const;
     /// Returns what comes from the unit direction d, E / pi, and the picture's colour there.
     glm::dvec3 environment(const glm::dvec3& d, const glm::dvec3& picture, Parameters) const;
+    /// Returns what a tone curve makes of linear light from 0.
+    glm::dvec3 toned(const glm::dvec3& light, Parameters) const;
     /// Returns how much a surface at the depth 0 .. 1 counts.
     double transparency(double depth, double opacity, Parameters) const;
     /// Refraction: the way on, the share mirrored, and what is left after so many metres.

@@ -32,6 +32,10 @@ void Renderer::setCatalog(std::shared_ptr<const Catalog> catalog) {
     shared_->setCatalog(std::move(catalog));
 }
 
+const Catalog* Renderer::catalog() const {
+    return shared_->catalog.get();
+}
+
 void Renderer::setTextures(TextureSource source) {
     shared_->textures.setSource(std::move(source));
 }

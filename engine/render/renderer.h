@@ -39,6 +39,9 @@ class Renderer {
     /// Holds for all views that share.
     void setCatalog(std::shared_ptr<const Catalog> catalog);
 
+    /// Returns what was set; null before.
+    const Catalog* catalog() const;
+
     /// Sets where the images of materials come from; without one none are shown. Holds for all
     /// views that share.
     void setTextures(TextureSource source);

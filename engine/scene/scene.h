@@ -70,8 +70,6 @@ struct Hemisphere {
     friend bool operator==(const Hemisphere&, const Hemisphere&) = default;
 };
 
-enum class ToneMapping { None, KhronosNeutral };
-
 /// Tells which of a scene's lights a drawing takes: a material whose model wants the key light.
 enum class DrawingLights { Key, All };
 
@@ -87,7 +85,6 @@ struct Scene {
     Ground ground;
     Camera camera;
     double exposure = 0.0; ///< EV, powers of two
-    ToneMapping toneMapping = ToneMapping::KhronosNeutral;
     DrawingLights drawings = DrawingLights::Key;
     PictureAccuracy accuracy; ///< of the picture, whatever the materials
     nlohmann::json extras = nlohmann::json::object();

@@ -23,6 +23,17 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// "khronos-neutral" of "khronosNeutral".
+std::string kebabCase(std::string_view word) {
+    std::string text;
+    for (const char c : word) {
+        const bool isCapital = c >= 'A' && c <= 'Z';
+        text += isCapital ? "-" : "";
+        text += isCapital ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return text;
+}
+
 constexpr const char* relativePath = "a relative path with forward slashes into that folder";
 
 /// Reads one scene file.
@@ -38,6 +49,7 @@ class SceneReader {
         readObjects();
         readLights();
         scene().parts = partsOf(reader_, BlockOwner::Scene);
+        readFormerTone();
         readOwnSettings();
         reader_.readObject("extras", scene().extras);
         keepUnknown();
@@ -200,6 +212,32 @@ class SceneReader {
         const bool is = kind == kinds::environment && json.is_object() && !json.contains("id");
         formerEnvironment_ = is ? json : formerEnvironment_;
         return is;
+    }
+
+    /// Scenes of before there were blocks of tone curves have a word, and Khronos' where they have
+    /// none: "khronosNeutral".
+    void readFormerTone() {
+        std::string word = "khronosNeutral";
+        reader_.read("toneMapping", word);
+        const std::string_view none = findKind(kinds::tone)->noneWord;
+        if (reader_.find(findKind(kinds::tone)->singular) != nullptr || word == none) {
+            return;
+        }
+        const std::string id = kebabCase(word);
+        const Block* block = blocks_.catalog.find(kinds::tone, id);
+        if (block != nullptr) {
+            scene().setPart(kinds::tone, defaultBlockValues(*block));
+            return;
+        }
+        if (reader_.find("toneMapping") == nullptr) {
+            return;
+        }
+        std::vector<std::string> words{std::string(none)};
+        for (const Block* each : blocks_.catalog.ofKind(kinds::tone)) {
+            words.push_back(each->id);
+        }
+        note(reader_.pointer("toneMapping"), fmt::format("there is no tone curve \"{}\"", word),
+             oneOf(id, words));
     }
 
     BlockValues partFrom(JsonReader reader, std::string_view kind) {

@@ -15,9 +15,6 @@ namespace {
 template <class T, std::size_t N>
 using SettingWords = std::array<std::pair<std::string_view, T>, N>;
 
-constexpr SettingWords<ToneMapping, 2> toneMappingWords{
-    {{"none", ToneMapping::None}, {"khronosNeutral", ToneMapping::KhronosNeutral}}};
-
 constexpr SettingWords<DrawingLights, 2> drawingWords{
     {{"key", DrawingLights::Key}, {"all", DrawingLights::All}}};
 
@@ -43,14 +40,6 @@ void storeWord(const SettingWords<T, N>& words, const Value& value, T& into) {
     }
 }
 
-MemberAccess<Scene> toneMapping() {
-    return {
-        [](const Scene& scene) { return Value(settingWord(toneMappingWords, scene.toneMapping)); },
-        [](Scene& scene, const Value& value) {
-            storeWord(toneMappingWords, value, scene.toneMapping);
-        }};
-}
-
 MemberAccess<Scene> groundMode() {
     return {
         [](const Scene& scene) { return Value(settingWord(groundModeWords, scene.ground.mode)); },
@@ -73,7 +62,6 @@ const MemberTable<Scene>& sceneMembers() {
         {"hemisphere.up", member(&Scene::hemisphere, &Hemisphere::up)},
         {"background", member(&Scene::background)},
         {"exposure", member(&Scene::exposure)},
-        {"toneMapping", toneMapping()},
         {"drawings", drawings()},
         {"ground.mode", groundMode()},
         {"ground.automatic", member(&Scene::ground, &Ground::automatic)},

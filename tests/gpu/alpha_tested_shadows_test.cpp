@@ -40,7 +40,6 @@ class ShadowHolesTest : public GpuTest {
         scene.camera.pitch = 90.0;
         scene.camera.distance = 8.0;
         scene.camera.fieldOfView = fieldAngle;
-        scene.toneMapping = ToneMapping::None;
     }
 
     /// Two fields beside each other with these opacities.

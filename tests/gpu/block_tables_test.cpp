@@ -65,7 +65,7 @@ class BlockTablesTest : public GpuTest {
             frame.colors.emplace_back(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]);
         }
         const FrameError found =
-            ErrorMeter((*right)->frame(), DisplayCurve::of(scene)).errorOf(frame);
+            ErrorMeter((*right)->frame(), DisplayCurve::of(scene, *catalog)).errorOf(frame);
         EXPECT_GT(found.pixels, 300u);
         return found;
     }

@@ -63,7 +63,7 @@ class EditingSession : public GpuTest {
                                   [](Scene& s) { s.ground.mode = GroundMode::Plane; },
                                   [](Scene& s) { s.ground.mode = GroundMode::Shadows; },
                                   [](Scene& s) { s.exposure = 1.0; },
-                                  [](Scene& s) { s.toneMapping = ToneMapping::KhronosNeutral; },
+                                  [](Scene& s) { s.setPart(kinds::tone, std::nullopt); },
                                   [](Scene& s) { s.setPart(kinds::fog, std::nullopt); },
                               });
         return all;
@@ -75,9 +75,14 @@ class EditingSession : public GpuTest {
         std::size_t sets = 0; ///< different ones that were seen
     };
 
+    static std::string toneOf(const Scene& scene) {
+        const BlockValues* tone = scene.part(kinds::tone);
+        return tone == nullptr ? "plain" : tone->id;
+    }
+
     /// How much of the device's work that is no surface's is seen: each kind of pass has a program.
     static std::vector<std::string> passesOf(const EffectSet& set, const Scene& scene) {
-        std::vector<std::string> passes{"display " + std::to_string(int(scene.toneMapping)) +
+        std::vector<std::string> passes{"display " + toneOf(scene) +
                                         (scene.exposure == 0.0 ? " plain" : " exposed")};
         for (const LightGroup& group : set.lights) {
             if (group.shadow) {

@@ -16,7 +16,6 @@ class EffectRowsTest : public ShadingTest {
     EffectRowsTest() {
         scene_.objects.emplace_back();
         scene_.objects[0].material = material("lambert");
-        scene_.toneMapping = ToneMapping::None;
     }
 
     std::vector<EffectRow> rows(double farthest = 10.0) const {
@@ -55,7 +54,7 @@ class EffectRowsTest : public ShadingTest {
         scene_.ambient = glm::dvec3(0.1);
         scene_.setPart(kinds::fog, block("fog", "linear"));
         scene_.exposure = 1.0;
-        scene_.toneMapping = ToneMapping::KhronosNeutral;
+        scene_.setPart(kinds::tone, block("tone", "khronos-neutral"));
     }
 
     void useFog(const std::string& id, const std::string& parameter, double value) {
@@ -96,7 +95,7 @@ TEST_F(EffectRowsTest, EveryEffectThatIsIn_CanBeLeftOut) {
 
 TEST_F(EffectRowsTest, EmptyScene_SaysWhatItLacks) {
     for (const char* effect :
-         {"ambient", "fog", "fresnel", "opacity", "emission", "exposure", "tone mapping", "shadows",
+         {"ambient", "fog", "fresnel", "opacity", "emission", "exposure", "tone", "shadows",
           "ground", "hemisphere", "environment", "texture", "transparency", "refraction"}) {
         EXPECT_FALSE(row(effect).line.reason.empty()) << effect;
         EXPECT_FALSE(isIn(effect)) << effect;

@@ -101,7 +101,6 @@ class GpuTest : public testing::Test {
         scene.camera.yaw = 0.0;
         scene.camera.pitch = 0.0;
         scene.background = glm::dvec3(0.25);
-        scene.toneMapping = ToneMapping::None;
         return scene;
     }
 
@@ -157,8 +156,7 @@ class GpuTest : public testing::Test {
     }
 
     bool proceed(std::chrono::milliseconds patience) {
-        return renderer->job().step(patience) ==
-               FrameJob::Progress::Done;
+        return renderer->job().step(patience) == FrameJob::Progress::Done;
     }
 
     /// Whether a program had to be made.

@@ -119,7 +119,7 @@ TEST_F(IncrementalCaptureTest, ErrorsInPieces_AreThoseOfTheWholeFrame) {
         other.colors[i] *= 1.01;
     }
     ParallelJob preparing;
-    const DisplayCurve curve = DisplayCurve::of(scene);
+    const DisplayCurve curve = DisplayCurve::of(scene, *catalog);
     const ErrorMeter meter(right, curve, preparing);
     int steps = 0;
     while (!preparing.step(noPatience)) {
@@ -151,7 +151,7 @@ TEST_F(IncrementalCaptureTest, StepOf512Pixels_IsShorterThanAWindowMayWait) {
     right.counts.assign(right.colors.size(), 1);
     const LinearFrame other = right;
     ParallelJob work;
-    const ErrorMeter meter(right, DisplayCurve::of(scene), work);
+    const ErrorMeter meter(right, DisplayCurve::of(scene, *catalog), work);
     EXPECT_LT(longestOf([&] { return work.step(patience); }), longestMs);
     FrameError error;
     meter.addErrorOf(work, other, error);

@@ -32,7 +32,9 @@ class RandomScenes {
         scene.camera.pitch = between(-60.0, 85.0);
         scene.camera.distance = chance(0.1) ? between(0.1, 1.0) : between(2.0, 6.0);
         scene.exposure = chance(0.5) ? 0.0 : between(-6.0, 6.0);
-        scene.toneMapping = chance(0.5) ? ToneMapping::None : ToneMapping::KhronosNeutral;
+        if (chance(0.5)) {
+            scene.setPart(kinds::tone, block("tone"));
+        }
         if (chance(0.5)) {
             scene.setPart(kinds::transparency, block("transparency"));
         }

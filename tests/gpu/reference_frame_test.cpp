@@ -59,13 +59,13 @@ class ReferenceFrameTest : public GpuTest {
         const auto image = renderer->capture(scene, wholeView(scene), meshSource(), false);
         EXPECT_TRUE(image);
         LinearFrame frame;
-        const double factor = DisplayCurve::of(scene).factor();
+        const double factor = DisplayCurve::factor(scene.exposure);
         for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
             frame.colors.push_back(
                 glm::dvec3(image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]) / factor);
         }
         const FrameError found =
-            ErrorMeter((*right)->frame(), DisplayCurve::of(scene)).errorOf(frame);
+            ErrorMeter((*right)->frame(), DisplayCurve::of(scene, *catalog)).errorOf(frame);
         EXPECT_GT(found.pixels, 300u);
         return found;
     }
@@ -186,7 +186,7 @@ TEST_F(ReferenceFrameTest, EnvironmentsLight_ComesFromTheSameDirections) {
     }
 }
 
-/// A drawing has one light: with its shadow, or the environment as one.
+/// A drawing has one light without its shadow, or the environment as one.
 TEST_F(ReferenceFrameTest, DrawingsLight_IsTheSame) {
     for (const char* model : {"gooch", "toon"}) {
         SCOPED_TRACE(model);
@@ -236,13 +236,18 @@ TEST_F(ReferenceFrameTest, UnwantedObjects_DoNotCount) {
 TEST_F(ReferenceFrameTest, DisplayCurve_IsTheDevices) {
     Scene scene = simpleScene();
     scene.exposure = 0.7;
-    scene.toneMapping = ToneMapping::KhronosNeutral;
-    const auto linear = renderer->capture(scene, wholeView(scene), meshSource(), false);
-    const auto shown = renderer->capture(scene, wholeView(scene), meshSource(), true);
-    const DisplayCurve curve = DisplayCurve::of(scene);
-    for (const int x : {0, 12, 24, 30}) {
-        const glm::dvec3 light = glm::dvec3(pixel(*linear, x, 24)) / curve.factor();
-        EXPECT_NEAR(curve.shown(light).r, pixel(*shown, x, 24).r, 0.51 / 255.0);
+    for (const Block* tone : catalog->ofKind(kinds::tone)) {
+        SCOPED_TRACE(tone->id);
+        scene.setPart(kinds::tone, block("tone", tone->id));
+        const auto linear = renderer->capture(scene, wholeView(scene), meshSource(), false);
+        const auto shown = renderer->capture(scene, wholeView(scene), meshSource(), true);
+        const DisplayCurve curve = DisplayCurve::of(scene, *catalog);
+        ASSERT_NE(curve.tone, nullptr);
+        for (const int x : {0, 12, 24, 30}) {
+            const glm::dvec3 light =
+                glm::dvec3(pixel(*linear, x, 24)) / DisplayCurve::factor(scene.exposure);
+            EXPECT_NEAR(curve.shown(light).r, pixel(*shown, x, 24).r, 0.51 / 255.0);
+        }
     }
 }
 
@@ -254,7 +259,7 @@ TEST(FrameError, KnownDifferences_AreCounted) {
     LinearFrame frame = right;
     frame.colors[1] = {0.5, 0.55, 0.5};
     frame.colors[3] = glm::dvec3(9.0);
-    const FrameError error = ErrorMeter(right, {0.0, ToneMapping::None}).errorOf(frame);
+    const FrameError error = ErrorMeter(right, DisplayCurve{}).errorOf(frame);
     EXPECT_EQ(error.pixels, 3u);
     EXPECT_NEAR(error.max, 0.1, 1e-12);
     EXPECT_NEAR(error.mean, 0.1 / 3.0, 1e-12);
@@ -269,7 +274,7 @@ TEST(FrameError, WhatIsNoNumber_IsInfinitelyWrong) {
     right.counts = {1};
     LinearFrame frame = right;
     frame.colors[0].g = std::nan("");
-    EXPECT_TRUE(std::isinf(ErrorMeter(right, {}).errorOf(frame).max));
+    EXPECT_TRUE(std::isinf(ErrorMeter(right, DisplayCurve{}).errorOf(frame).max));
 }
 
 } // namespace

@@ -23,7 +23,6 @@ class RefractionTest : public GpuTest {
         scene_.camera.pitch = 0.0;
         scene_.camera.distance = 4.0;
         scene_.background = glm::dvec3(0.25, 0.5, 0.125);
-        scene_.toneMapping = ToneMapping::None;
     }
 
     /// Of which nothing is seen but what passes and what it mirrors.

@@ -128,7 +128,7 @@ TEST_F(RendererTest, NeutralToneMapping_KeepsABaseColour) {
     // 0.04 is what a dielectric reflects; the mapping takes it away again.
     Scene scene = simpleScene();
     scene.background = glm::dvec3(0.44);
-    scene.toneMapping = ToneMapping::KhronosNeutral;
+    scene.setPart(kinds::tone, block("tone", "khronos-neutral"));
     EXPECT_NEAR(pixel(capture(scene, true), 0, 0).g, 0.6652f, 0.6f / 255.0f);
 }
 
@@ -140,7 +140,7 @@ TEST_F(RendererTest, NeutralToneMapping_FollowsThePublishedFormula) {
         {{0.0, 10.0, 0.0}, {0.7804f, 0.9973f, 0.7804f}},
         {{0.05, 0.02, 0.3}, {0.1981f, 0.0323f, 0.5680f}}}; // a channel below 0.08
     Scene scene = simpleScene();
-    scene.toneMapping = ToneMapping::KhronosNeutral;
+    scene.setPart(kinds::tone, block("tone", "khronos-neutral"));
     for (const auto& [light, shown] : known) {
         scene.background = light;
         const glm::vec3 found = pixel(capture(scene, true), 0, 0);

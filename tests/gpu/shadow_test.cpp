@@ -48,7 +48,6 @@ class ShadowTest : public GpuTest {
         scene.camera.pitch = 90.0;
         scene.camera.distance = 8.0;
         scene.camera.fieldOfView = viewAngle;
-        scene.toneMapping = ToneMapping::None;
         return scene;
     }
 

@@ -312,11 +312,15 @@ class DisplayedFrame : public ExaminedFrame, public testing::WithParamInterface<
 /// From black to the brightest light that is stored.
 TEST_P(DisplayedFrame, OfAnyLight_IsFiniteBeforeItIsClamped) {
     examine(ExaminedShaders::Stage::Display);
-    for (const ToneMapping mapping : {ToneMapping::None, ToneMapping::KhronosNeutral}) {
+    std::vector<std::optional<BlockValues>> curves{std::nullopt};
+    for (const Block* each : catalog->ofKind(kinds::tone)) {
+        curves.emplace_back(block("tone", each->id));
+    }
+    for (const std::optional<BlockValues>& curve : curves) {
         for (const double intensity : {0.0, 1e-7, 1.0, 1e5}) {
             Scene scene = simpleScene();
             scene.lights[0].block.parameters["intensity"] = intensity;
-            scene.toneMapping = mapping;
+            scene.setPart(kinds::tone, curve);
             scene.exposure = GetParam();
             EXPECT_EQ(worst(capture(scene, true)), glm::vec3(0.0f)) << intensity;
         }

@@ -32,7 +32,6 @@ class TransparencyTest : public GpuTest {
         scene_.camera.yaw = 0.0;
         scene_.camera.pitch = 0.0;
         scene_.background = glm::dvec3(0.25, 0.5, 0.125);
-        scene_.toneMapping = ToneMapping::None;
     }
 
     Object sheet(const glm::dvec3& color, double opacity, double z) const {

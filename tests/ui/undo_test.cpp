@@ -83,8 +83,13 @@ const std::vector<Edit> edits{
     {"Ambient", [](Document& d) { set(d, settings::scene, "ambient", glm::dvec3(0.3)); }},
     {"Background", [](Document& d) { set(d, settings::scene, "background", glm::dvec3(0.9)); }},
     {"Exposure", [](Document& d) { set(d, settings::scene, "exposure", 1.0); }},
-    {"ToneMapping",
-     [](Document& d) { set(d, settings::scene, "toneMapping", std::string("none")); }},
+    {"ToneCurve", [](Document& d) { d.setBlock(pathOf(kinds::tone), "agx"); }},
+    {"NoToneCurve", [](Document& d) { d.setBlock(pathOf(kinds::tone), ""); }},
+    {"ToneCurvesValue",
+     [](Document& d) {
+         d.setBlock(pathOf(kinds::tone), "reinhard");
+         set(d, kinds::tone, "white", 1.0);
+     }},
     {"ObjectAdded",
      [](Document& d) {
          Object object = d.scene().objects[0];

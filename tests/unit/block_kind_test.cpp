@@ -32,7 +32,7 @@ TEST(BlockKinds, Words_AreUnique) {
 TEST(BlockKinds, PartsOfAnOwner_AreThoseItMayDoWithout) {
     const auto parts = partKinds(BlockOwner::Scene);
     EXPECT_EQ(std::set<std::string_view>(parts.begin(), parts.end()),
-              (std::set{kinds::fog, kinds::transparency, kinds::environment}));
+              (std::set{kinds::fog, kinds::transparency, kinds::environment, kinds::tone}));
     EXPECT_EQ(partKinds(BlockOwner::Light).size(), 1u);
 }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "docks/block_chooser.h"
 #include "docks/check_list.h"
 #include "docks/panel.h"
 #include "document/scene_edits.h"
@@ -42,7 +43,7 @@ SceneDock::SceneDock(const DockContext& context)
     : document_(context.document), files_(context.files), list_(new CheckList(this)),
       add_(textButton(tr("Add"), tr("Add an object"), this)),
       remove_(textButton(tr("Remove"), tr("Remove the chosen object (Del)"), this)),
-      meshes_(new QMenu(this)) {
+      meshes_(new QMenu(this)), tone_(new BlockChooser(document_, kinds::tone, tr("None"), this)) {
     add_->setMenu(meshes_);
     add_->setPopupMode(QToolButton::InstantPopup);
     list_->setAccessibleName(tr("Objects"));
@@ -53,6 +54,7 @@ SceneDock::SceneDock(const DockContext& context)
         titled(tr("Object"), new DocumentForm(document_, context.textures, settings::object)));
     layout->addWidget(
         titled(tr("Scene"), new DocumentForm(document_, context.textures, settings::scene)));
+    layout->addWidget(titled(tr("Display"), display(context)));
     auto* heading = new QLabel(tr("Objects"), this);
     fillPanel(this, {rowOf({heading, add_, remove_}), list_}, forms);
     connectList();
@@ -67,6 +69,26 @@ SceneDock::SceneDock(const DockContext& context)
         }
     });
     update();
+}
+
+/// How brightness that a screen cannot show is brought into its range.
+QWidget* SceneDock::display(const DockContext& context) {
+    auto* box = new QWidget;
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    tone_->setAccessibleName(tr("Tone curve"));
+    layout->addWidget(labelled(tr("&Tone curve"), tone_));
+    layout->addWidget(new DocumentForm(document_, context.textures, kinds::tone));
+    connect(tone_, &BlockChooser::chosen, this, [this](const QString& id) {
+        document_.setBlock(pathOf(kinds::tone), id.toStdString());
+    });
+    const auto show = [this] {
+        const BlockValues* tone = document_.scene().part(kinds::tone);
+        tone_->show(tone ? QString::fromStdString(tone->id) : QString());
+    };
+    onChange(document_, DocumentChange::Block | DocumentChange::Scene, this, show);
+    show();
+    return box;
 }
 
 void SceneDock::connectList() {

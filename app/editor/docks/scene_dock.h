@@ -10,6 +10,7 @@ class QToolButton;
 
 namespace patina {
 
+class BlockChooser;
 class CheckList;
 
 /// The scene's objects with their transforms, and what belongs to the scene as a whole.
@@ -20,6 +21,7 @@ class SceneDock : public QWidget {
     explicit SceneDock(const DockContext& context);
 
   private:
+    QWidget* display(const DockContext& context);
     void connectList();
     void fillMenu();
     void update();
@@ -33,6 +35,7 @@ class SceneDock : public QWidget {
     QToolButton* add_;
     QToolButton* remove_;
     QMenu* meshes_;
+    BlockChooser* tone_;
 };
 
 } // namespace patina

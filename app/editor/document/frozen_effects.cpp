@@ -95,7 +95,7 @@ Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& ca
     const Material* material = materialAt(state, path.index, path.side);
     return {EffectKey().ofScene(state.scene, catalog),
             material != nullptr ? EffectKey::ofMaterial(*material, catalog) : 0,
-            isSeen(state.scene.ground) ? 1u : 0u, EffectKey::ofDisplay(state.scene)};
+            isSeen(state.scene.ground) ? 1u : 0u, EffectKey::ofDisplay(state.scene, catalog)};
 }
 
 /// How much of the fog is seen decides whether it is in the programs, which depends on every value

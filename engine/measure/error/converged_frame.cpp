@@ -32,7 +32,8 @@ Steps ConvergedFrame::run() {
     }
     mean.counts = wish_.drawn.counts;
     ParallelJob work;
-    meter_.emplace(std::move(mean), DisplayCurve::of(wish_.finest.scene), work);
+    meter_.emplace(std::move(mean), DisplayCurve::of(wish_.finest.scene, *wish_.renderer.catalog()),
+                   work);
     while (!work.step(patience_)) {
         co_yield Steps::Pause();
     }

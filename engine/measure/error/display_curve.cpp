@@ -6,7 +6,9 @@
 
 #include <glm/common.hpp>
 
+#include "catalog/parameter_layout.h"
 #include "core/color.h"
+#include "measure/eval/compiled_block.h"
 
 namespace patina {
 namespace {
@@ -14,32 +16,29 @@ namespace {
 /// Beyond this a half float's whole range is black or white.
 constexpr double maxStops = 40.0;
 
-/// Khronos PBR Neutral (2024), as passes/tone_neutral.glsl.
-glm::dvec3 neutral(const glm::dvec3& light) {
-    constexpr double start = 0.8 - 0.04;
-    constexpr double desaturation = 0.15;
-    const double minChannel = std::min({light.r, light.g, light.b});
-    const double offset = minChannel < 0.08 ? minChannel - 6.25 * minChannel * minChannel : 0.04;
-    const glm::dvec3 color = light - offset;
-    const double peak = std::max({color.r, color.g, color.b});
-    if (peak < start) {
-        return color;
-    }
-    constexpr double rest = 1.0 - start;
-    const double newPeak = 1.0 - rest * rest / (peak + rest - start);
-    const double bleach = 1.0 - 1.0 / (desaturation * (peak - newPeak) + 1.0);
-    return glm::mix(color * (newPeak / peak), glm::dvec3(newPeak), bleach);
-}
-
 } // namespace
 
-double DisplayCurve::factor() const {
+DisplayCurve DisplayCurve::of(const Scene& scene, const Catalog& catalog) {
+    DisplayCurve curve{scene.exposure};
+    const BlockValues* part = scene.part(kinds::tone);
+    const Block* block = part == nullptr ? nullptr : catalog.find(kinds::tone, part->id);
+    if (block == nullptr) {
+        return curve;
+    }
+    if (const auto code = compiledBlock(*block)) {
+        curve.tone = *code;
+        curve.values = packed(*block, part->parameters, {});
+    }
+    return curve;
+}
+
+double DisplayCurve::factor(double exposure) {
     return std::exp2(std::clamp(exposure, -maxStops, maxStops));
 }
 
 glm::dvec3 DisplayCurve::shown(const glm::dvec3& light) const {
-    const glm::dvec3 exposed = glm::min(light * factor(), glm::dvec3(1e30));
-    return srgbEncoded(toneMapping == ToneMapping::None ? exposed : neutral(exposed));
+    const glm::dvec3 exposed = glm::min(light * factor(exposure), glm::dvec3(1e30));
+    return srgbEncoded(tone == nullptr ? exposed : tone->toned(exposed, values));
 }
 
 } // namespace patina

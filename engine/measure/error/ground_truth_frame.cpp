@@ -134,7 +134,8 @@ Steps GroundTruthFrame::draw(const std::optional<LinearFrame>& computed) {
     }
     drawn->counts = std::move(counts_);
     ParallelJob preparing;
-    meter_.emplace(std::move(*drawn), DisplayCurve::of(wish_.exact.scene), preparing);
+    meter_.emplace(std::move(*drawn),
+                   DisplayCurve::of(wish_.exact.scene, *wish_.renderer.catalog()), preparing);
     while (!preparing.step(patience_)) {
         co_yield Steps::Pause();
     }

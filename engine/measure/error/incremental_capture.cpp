@@ -66,7 +66,7 @@ Result<LinearFrame> IncrementalCapture::frame() const {
     if (!image) {
         return tl::unexpected(image.error());
     }
-    const double factor = DisplayCurve::of(frame_.scene).factor();
+    const double factor = DisplayCurve::factor(frame_.scene.exposure);
     LinearFrame frame;
     frame.size = {image->width, image->height};
     frame.colors.reserve(image->pixels.size() / 4);

@@ -119,6 +119,10 @@ std::span<const ArgumentField> fieldsOf(const EvalCase& request) {
 }
 
 std::optional<Subject> subjectOf(const BlockFunction& function) {
+    if (!function.fields.empty()) {
+        const bool isHeld = numbersOf(function.fields) <= FieldNumbers().size();
+        return isHeld ? std::optional(Subject::Fields) : std::nullopt;
+    }
     constexpr std::pair<std::string_view, Subject> arguments[] = {{"", Subject::Fields},
                                                                   {"Directions", Subject::Model},
                                                                   {"Incidence", Subject::Fresnel},
@@ -129,8 +133,7 @@ std::optional<Subject> subjectOf(const BlockFunction& function) {
             return subject;
         }
     }
-    const bool isHeld = numbersOf(function.fields) <= FieldNumbers().size();
-    return function.fields.empty() || !isHeld ? std::nullopt : std::optional(Subject::Fields);
+    return std::nullopt;
 }
 
 std::vector<const BlockFunction*> evaluatedFunctions(const BlockKind& kind) {

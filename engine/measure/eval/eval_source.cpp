@@ -111,6 +111,10 @@ std::string fieldText(const ArgumentField& field, std::size_t first) {
                                                       : number;
 }
 
+bool isStruct(std::string_view type) {
+    return !type.empty() && std::isupper(static_cast<unsigned char>(type.front())) != 0;
+}
+
 /// What calls a function of fields, or of the block's values alone.
 std::string fieldsCall(const EvalCase& request) {
     const BlockFunction& function = calledFunction(request);
@@ -118,7 +122,7 @@ std::string fieldsCall(const EvalCase& request) {
     std::size_t next = 0;
     for (const ArgumentField& field : fieldsOf(request)) {
         const std::string member =
-            function.argument == "float" ? std::string() : fmt::format(".{}", field.memberName());
+            isStruct(function.argument) ? fmt::format(".{}", field.memberName()) : std::string();
         argument += fmt::format("    argument{} = {};\n", member, fieldText(field, next));
         next += field.numbers();
     }
@@ -127,10 +131,6 @@ std::string fieldsCall(const EvalCase& request) {
                        "    return numbersOf(EVALUATED_BLOCK({}unpackEvaluated({})), part);\n}}\n",
                        takesNone ? "" : fmt::format("    {} argument;\n", function.argument),
                        argument, takesNone ? "" : "argument, ", argumentTexels(request));
-}
-
-bool isStruct(std::string_view type) {
-    return !type.empty() && std::isupper(static_cast<unsigned char>(type.front())) != 0;
 }
 
 /// What reads what the block's function takes, calls it, and gives what it returns.

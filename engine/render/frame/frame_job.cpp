@@ -240,7 +240,7 @@ std::uint64_t FrameJob::missingPrograms() {
         return 0;
     }
     std::size_t missing = passes_.programs.missing(plan_, *shared_);
-    if (!passes_.display.has(*plan_.effects)) {
+    if (!passes_.display.has(*plan_.effects, *shared_->catalog)) {
         boost::hash_combine(missing, 1);
     }
     if (purpose_ == FramePurpose::Prewarm && !hasHeldPrograms()) {
@@ -251,13 +251,14 @@ std::uint64_t FrameJob::missingPrograms() {
 
 /// Those of a drag, in which places and distances decide nothing.
 bool FrameJob::hasHeldPrograms() {
-    return passes_.display.has(*plan_.effects) && passes_.programs.hasHeld(plan_, *shared_);
+    return passes_.display.has(*plan_.effects, *shared_->catalog) &&
+           passes_.programs.hasHeld(plan_, *shared_);
 }
 
 /// The programs of the picture, and those of a drag.
 void FrameJob::prewarm() {
     const bool isMissing = passes_.programs.missing(plan_, *shared_) != 0;
-    if (isMissing || !passes_.display.has(*plan_.effects)) {
+    if (isMissing || !passes_.display.has(*plan_.effects, *shared_->catalog)) {
         drawUnseen();
     }
     if (!hasHeldPrograms()) {

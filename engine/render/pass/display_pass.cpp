@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <utility>
 
 #include <epoxy/gl.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "render/pass/frame_gpu.h"
+#include "shading/effects/display.h"
+#include "shading/effects/effect_key.h"
+#include "shading/program/parameter_packer.h"
 
 namespace patina {
 namespace {
@@ -15,43 +19,62 @@ namespace {
 /// Beyond this a half float's whole range is black or white.
 constexpr double maxStops = 40.0;
 
-std::array<std::string, 3> fragmentFiles(const Scene& scene) {
-    const bool none = scene.toneMapping == ToneMapping::None;
-    return {none ? "passes/tone_none.glsl" : "passes/tone_neutral.glsl",
-            scene.exposure == 0.0 ? "passes/exposed_none.glsl" : "passes/exposed.glsl",
-            "passes/display.frag"};
-}
-
 } // namespace
 
-std::size_t DisplayPass::indexOf(const Scene& scene) {
-    return 2 * static_cast<std::size_t>(scene.toneMapping) + (scene.exposure == 0.0 ? 0 : 1);
+bool DisplayPass::has(const Scene& scene, const Catalog& catalog) const {
+    return stages_.contains(EffectKey::ofDisplay(scene, catalog));
 }
 
 Result<bool> DisplayPass::prepare(FramePlan& plan, FrameGpu& gpu) {
-    if (auto made = make(*plan.effects, *gpu.shared.catalog, gpu.shared.programs()); !made) {
+    const Result<Stage*> made = make(*plan.effects, *gpu.shared.catalog, gpu.shared.programs());
+    if (!made) {
         return tl::unexpected(made.error());
     }
     if (!plan.isUnseen) {
-        current_ = &*stages_[indexOf(*plan.effects)];
+        current_ = *made;
+        packTone(plan);
     }
     return false;
 }
 
-Result<void> DisplayPass::make(const Scene& scene, const Catalog& catalog, ProgramCache& cache) {
-    std::optional<Stage>& stage = stages_[indexOf(scene)];
-    if (!stage) {
-        const auto source = passProgram(catalog, "passes/screen.vert", fragmentFiles(scene));
-        if (!source) {
-            return tl::unexpected(source.error().front());
-        }
-        const ProgramCache::Found found = cache.get(*source);
-        if (!found.program) {
-            return tl::unexpected(found.errors.front());
-        }
-        stage = Stage{found.program, found.program->uniform("exposureFactor")};
+Result<DisplayPass::Stage*> DisplayPass::make(const Scene& scene, const Catalog& catalog,
+                                              ProgramCache& cache) {
+    const DisplayEffect display(scene, catalog);
+    const std::uint64_t key = display.key();
+    if (const auto known = stages_.find(key); known != stages_.end()) {
+        return &known->second;
     }
-    return {};
+    const auto source = displayProgram(display, catalog);
+    if (!source) {
+        return tl::unexpected(source.error().front());
+    }
+    const ProgramCache::Found found = cache.get(*source);
+    if (!found.program) {
+        return tl::unexpected(found.errors.front());
+    }
+    Stage stage{found.program,
+                found.program->uniform("exposureFactor"),
+                found.program->uniform("toneData"),
+                nullptr,
+                {}};
+    if (display.tone) {
+        stage.tone = &display.tone->block();
+        stage.layout = layoutOf(*stage.tone);
+    }
+    return &stages_.emplace(key, std::move(stage)).first->second;
+}
+
+/// The values of the scene's curve, where it is the one of the program.
+void DisplayPass::packTone(const FramePlan& plan) {
+    static const Values none;
+    static const AccuracyLevels exact;
+    tone_.resize(current_->layout.floats / 4);
+    if (!tone_.empty()) {
+        const BlockValues* part = plan.scene->part(kinds::tone);
+        const bool isOfProgram = part != nullptr && part->id == current_->tone->id;
+        packInto(tone_, current_->layout, isOfProgram ? part->parameters : none, exact,
+                 glm::dmat4(1.0));
+    }
 }
 
 void DisplayPass::show(const gl::Texture& linear, double exposure, double share) {
@@ -64,6 +87,10 @@ void DisplayPass::show(const gl::Texture& linear, double exposure, double share)
     current_->program->use();
     const double stops = std::clamp(exposure, -maxStops, maxStops);
     glUniform1f(current_->exposureUniform, static_cast<float>(std::exp2(stops)));
+    if (!tone_.empty()) {
+        glUniform4fv(current_->toneUniform, static_cast<int>(tone_.size()),
+                     glm::value_ptr(tone_.front()));
+    }
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, linear.name());
     noVertices_.bind();
@@ -72,8 +99,9 @@ void DisplayPass::show(const gl::Texture& linear, double exposure, double share)
 }
 
 void DisplayPass::forget() {
-    stages_ = {};
+    stages_.clear();
     current_ = nullptr;
+    tone_.clear();
 }
 
 } // namespace patina

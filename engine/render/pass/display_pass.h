@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <map>
 #include <memory>
-#include <optional>
+#include <vector>
 
-#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include "catalog/catalog.h"
+#include "catalog/parameter_layout.h"
 #include "core/error.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
@@ -20,13 +22,13 @@ namespace patina {
 /// Applies exposure, tone mapping and the sRGB curve: from the linear image to a framebuffer.
 class DisplayPass : public Pass {
   public:
-    /// Compiles (or finds) the program for the scene's exposure and tone mapping the first time it
+    /// Compiles (or finds) the program for the scene's exposure and tone curve the first time it
     /// is asked for: one that multiplies by nothing where the exposure is 0. A frame that is not
     /// to be seen leaves what is shown with as it is.
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
 
     /// Tells whether prepare() would find it, made before.
-    bool has(const Scene& scene) const { return stages_[indexOf(scene)].has_value(); }
+    bool has(const Scene& scene, const Catalog& catalog) const;
 
     bool isPrepared() const { return current_ != nullptr; }
 
@@ -40,14 +42,18 @@ class DisplayPass : public Pass {
     struct Stage {
         std::shared_ptr<const gl::Program> program;
         int exposureUniform = -1;
+        int toneUniform = -1;
+        const Block* tone = nullptr; ///< null: none
+        ParameterLayout layout;      ///< of its values
     };
 
-    static std::size_t indexOf(const Scene& scene);
-    Result<void> make(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
+    Result<Stage*> make(const Scene& scene, const Catalog& catalog, ProgramCache& cache);
+    void packTone(const FramePlan& plan);
 
     gl::VertexArray noVertices_ = gl::VertexArray::create();
-    std::array<std::optional<Stage>, 4> stages_; ///< by tone mapping and whether it is exposed
+    std::map<std::uint64_t, Stage> stages_; ///< by EffectKey::ofDisplay()
     const Stage* current_ = nullptr;
+    std::vector<glm::vec4> tone_; ///< the values of the curve
 };
 
 } // namespace patina

@@ -124,7 +124,7 @@ void describeEnvironment(std::vector<EffectRow>& rows, const KnownImages& images
 
 bool isOfThePicture(const EffectRow& row) {
     return row.line.effect == "ground" || row.line.effect == "exposure" ||
-           row.line.effect == "tone mapping";
+           row.line.effect.starts_with(kinds::tone);
 }
 
 /// Takes all effects out for the reason that the object is not drawn.

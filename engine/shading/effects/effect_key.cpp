@@ -44,8 +44,8 @@ std::uint64_t EffectKey::ofEnvironment(const Scene& scene, const Catalog& catalo
     return set.environment ? hash.value() : 0;
 }
 
-std::uint64_t EffectKey::ofDisplay(const Scene& scene) {
-    return DisplayEffect(scene).key();
+std::uint64_t EffectKey::ofDisplay(const Scene& scene, const Catalog& catalog) {
+    return DisplayEffect(scene, catalog).key();
 }
 
 std::uint64_t EffectKey::ofLight(const Light& light, const Catalog& catalog, bool hasShadows) {

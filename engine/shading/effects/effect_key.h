@@ -21,7 +21,7 @@ class EffectKey {
     static std::uint64_t ofEnvironment(const Scene& scene, const Catalog& catalog);
 
     /// Hashes what happens to the picture behind the objects: equal where one program does it.
-    static std::uint64_t ofDisplay(const Scene& scene);
+    static std::uint64_t ofDisplay(const Scene& scene, const Catalog& catalog);
 
     /// Hashes one light's block and compiled values, and its shadows' where shadows can be seen (as
     /// hasShadows() says); 0 when it is left out.

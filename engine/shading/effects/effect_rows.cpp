@@ -11,7 +11,7 @@ namespace {
 
 std::vector<EffectLine> displayLines(const EffectSubject& subject) {
     EffectListing listing(&subject);
-    DisplayEffect(subject.scene).list(listing);
+    DisplayEffect(subject.scene, subject.catalog).list(listing);
     return listing.take();
 }
 
@@ -52,7 +52,6 @@ Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     alone.hemisphere = scene.hemisphere;
     alone.ground = scene.ground;
     alone.exposure = scene.exposure;
-    alone.toneMapping = scene.toneMapping;
     alone.drawings = scene.drawings;
     alone.accuracy = scene.accuracy;
     alone.objects = {scene.objects[object]};
@@ -100,7 +99,7 @@ std::vector<EffectLine> missingLines(const EffectSubject& subject, const EffectS
     const EffectSubject withoutMaterial{nullptr, subject.scene, subject.catalog, subject.view};
     LeftOutListing rest(withoutMaterial);
     groundOf(subject).GroundEffect::listMissing(rest, set);
-    DisplayEffect(subject.scene).listMissing(rest);
+    DisplayEffect(subject.scene, subject.catalog).listMissing(rest);
     append(out, rest.take());
     return out;
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 
-// Khronos PBR Neutral (2024): colours up to 0.8 keep their hue and saturation, what is brighter is
-// compressed towards 1 and bleached a little. It removes the 0.04 that a dielectric reflects at
-// normal incidence, so a base colour of x shows as x.
-vec3 toneMapped(vec3 light) {
+// Khronos PBR Neutral (2024): start F90 = 0.8 - 0.04 and desaturation 0.15. Below 0.08 the offset is
+// m - 6.25 m^2, so nothing gets below 0.
+vec3 khronosNeutralTone(vec3 light, KhronosNeutralTone p) {
     const float start = 0.8 - 0.04;
     const float desaturation = 0.15;
-    float minChannel = min(light.r, min(light.g, light.b));
-    float offset = minChannel < 0.08 ? minChannel - 6.25 * minChannel * minChannel : 0.04;
+    float least = min(light.r, min(light.g, light.b));
+    float offset = least < 0.08 ? least - 6.25 * least * least : 0.04;
     vec3 color = light - vec3(offset);
     float peak = max(color.r, max(color.g, color.b));
     if (peak < start) {
