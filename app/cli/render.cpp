@@ -14,6 +14,7 @@
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "cli/texture_text.h"
+#include "core/auto_exposure.h"
 #include "core/display_image.h"
 
 namespace patina {
@@ -23,6 +24,7 @@ struct RenderOptions {
     std::string preset;
     PictureOptions picture;
     PictureFile output;
+    bool autoExposure = false;
 };
 
 Checked<void> checkRequest(const RenderOptions& options) {
@@ -58,9 +60,17 @@ Checked<Image> picture(const RenderOptions& options, const std::shared_ptr<const
     }
     maker->setEnvironment(*environment, directionsFor(scene, options.picture, *catalog));
     const bool display = !options.output.isLinear();
-    auto image = maker->draw(
-        scene, [&loaded](const Object& object) { return loaded->view(object); },
-        options.picture.size, display);
+    const MeshSource source = [&loaded](const Object& object) { return loaded->view(object); };
+    Scene exposed = scene;
+    if (options.autoExposure) {
+        exposed.exposure = 0.0;
+        const auto linear = maker->draw(exposed, source, options.picture.size, false);
+        if (!linear) {
+            return linear;
+        }
+        exposed.exposure = autoExposure(*linear).value_or(scene.exposure);
+    }
+    auto image = maker->draw(exposed, source, options.picture.size, display);
     return image && display ? linearFromDisplay(std::move(*image)) : std::move(image);
 }
 
@@ -104,6 +114,9 @@ void addRender(CLI::App& program, int& status) {
     command->add_option("preset", options->preset, "A preset (*.patina.json)");
     addSceneOptions(*command, options->picture);
     addSizeOption(*command, options->picture);
+    command->add_flag("--auto-exposure", options->autoExposure,
+                      "Set the exposure so that the mean brightness of the picture (of the "
+                      "logarithms) is middle grey");
     command
         ->add_option("-o,--output", options->output.name,
                      "The image: .png, .jpg, .exr or .hdr (linear); - writes a PNG to standard "

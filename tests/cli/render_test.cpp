@@ -27,6 +27,20 @@ TEST(RenderCommand, Preset_WritesAPng) {
     EXPECT_TRUE(readFile(folder / "a.png").starts_with(pngSignature));
 }
 
+/// Whatever the scene's exposure is.
+TEST(RenderCommand, AutoExposure_ChoosesTheSameForDarkAndBrightPictures) {
+    const auto drawn = [](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"render", gold, "--size", "32x32", "-o", "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = patina(arguments);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.out;
+    };
+    const std::string chosen = drawn({"--auto-exposure"});
+    EXPECT_EQ(drawn({"--auto-exposure", "--set", "scene.exposure=5"}), chosen);
+    EXPECT_NE(drawn({"--set", "scene.exposure=5"}), chosen);
+}
+
 TEST(RenderCommand, Preset_WritesNothingElse) {
     const TemporaryFolder folder;
     const Outcome outcome =

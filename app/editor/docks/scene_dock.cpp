@@ -8,16 +8,21 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/auto_exposure.h"
 #include "docks/block_chooser.h"
 #include "docks/check_list.h"
 #include "docks/panel.h"
 #include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "parameters/document_form.h"
+#include "parameters/parameter_row.h"
 #include "scene/primitives.h"
+#include "viewport/compare_area.h"
 
 namespace patina {
 namespace {
+
+constexpr const char* exposureId = "exposure";
 
 QString capitalised(const std::string& name) {
     QString text = QString::fromStdString(name);
@@ -52,8 +57,9 @@ SceneDock::SceneDock(const DockContext& context)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(
         titled(tr("Object"), new DocumentForm(document_, context.textures, settings::object)));
-    layout->addWidget(
-        titled(tr("Scene"), new DocumentForm(document_, context.textures, settings::scene)));
+    auto* scene = new DocumentForm(document_, context.textures, settings::scene);
+    layout->addWidget(titled(tr("Scene"), scene));
+    addAutoExposure(*scene, context.views);
     layout->addWidget(titled(tr("Display"), display(context)));
     auto* heading = new QLabel(tr("Objects"), this);
     fillPanel(this, {rowOf({heading, add_, remove_}), list_}, forms);
@@ -69,6 +75,25 @@ SceneDock::SceneDock(const DockContext& context)
         }
     });
     update();
+}
+
+void SceneDock::addAutoExposure(ParameterForm& form, CompareArea& views) {
+    ParameterRow* row = form.row(exposureId);
+    if (row == nullptr) {
+        return;
+    }
+    auto* button = textButton(tr("Auto"),
+                              tr("Set the exposure so that the mean brightness of the picture "
+                                 "(the mean of its pixels' logarithms, without black ones) becomes "
+                                 "middle grey, 18 %"),
+                              row);
+    button->setAccessibleName(tr("Automatic exposure"));
+    row->addButton(button);
+    connect(button, &QToolButton::clicked, this, [this, &views] {
+        if (const auto stops = autoExposure(views.active().viewport().linearPicture())) {
+            document_.setValue(pathOf(settings::scene), exposureId, *stops);
+        }
+    });
 }
 
 /// How brightness that a screen cannot show is brought into its range.

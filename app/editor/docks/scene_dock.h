@@ -12,6 +12,7 @@ namespace patina {
 
 class BlockChooser;
 class CheckList;
+class ParameterForm;
 
 /// The scene's objects with their transforms, and what belongs to the scene as a whole.
 class SceneDock : public QWidget {
@@ -21,6 +22,7 @@ class SceneDock : public QWidget {
     explicit SceneDock(const DockContext& context);
 
   private:
+    void addAutoExposure(ParameterForm& form, CompareArea& views);
     QWidget* display(const DockContext& context);
     void connectList();
     void fillMenu();

@@ -182,11 +182,18 @@ std::vector<QWidget*> ParameterRow::focusChain() const {
     std::vector<QWidget*> chain{foldButton_};
     const std::vector<QWidget*> editing = tabStopsIn(editor_);
     chain.insert(chain.end(), editing.begin(), editing.end());
+    chain.insert(chain.end(), buttons_.begin(), buttons_.end());
     if (textureLine_) {
         const std::vector<QWidget*> image = tabStopsIn(textureLine_);
         chain.insert(chain.end(), image.begin(), image.end());
     }
     return chain;
+}
+
+void ParameterRow::addButton(QToolButton* button) {
+    buttons_.push_back(button);
+    pair_->addWidget(button, 0, Qt::AlignTop);
+    button->installEventFilter(this);
 }
 
 TextureLine* ParameterRow::makeTextureLine() {

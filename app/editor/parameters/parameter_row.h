@@ -36,6 +36,8 @@ class ParameterRow : public QWidget {
     /// The line of the value's image; null while the row was not told that it takes one.
     TextureLine* textureLine() const { return textureLine_; }
     TextureLine* makeTextureLine();
+    /// Puts a button behind the editor, which the row takes.
+    void addButton(QToolButton* button);
     bool isFolded() const;
     bool isChanged() const { return isChanged_; }
 
@@ -85,6 +87,7 @@ class ParameterRow : public QWidget {
     QToolButton* foldButton_;
     QWidget* both_;    ///< the editor and the image of its value
     QBoxLayout* pair_; ///< how they stand in it
+    std::vector<QToolButton*> buttons_;
     TextureLine* textureLine_ = nullptr;
     bool takesTextures_ = false;
     WarningMark* warning_;
