@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every kind of edit in the real window, taken back and made again.
+#include <algorithm>
 #include <functional>
 #include <ostream>
 #include <stdexcept>
@@ -7,6 +8,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QTest>
+#include <QToolButton>
 
 #include "document/scene_edits.h"
 #include "parameters/number_box.h"
@@ -169,6 +171,18 @@ TEST_F(LightingMenu, EveryShippedScene_LightsWhatIsThereInOneStep) {
     }
 }
 
+TEST_F(LightingMenu, EveryShippedScene_HasAPictureSoon) {
+    window().startRest();
+    auto* menu = window().findChild<QMenu*>("lighting");
+    Q_EMIT menu->aboutToShow();
+    const auto isPainted = [](const QAction* action) {
+        const QImage picture = action->icon().pixmap(84).toImage();
+        return picture.pixelColor(picture.rect().center()).alpha() == 255;
+    };
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return std::ranges::all_of(menu->actions(), isPainted); }, 120000));
+}
+
 class NumberField : public WindowFixture {
   protected:
     NumberBox& box(const std::string& id) {
@@ -183,6 +197,29 @@ class NumberField : public WindowFixture {
         throw std::runtime_error("no row " + id);
     }
 };
+
+/// Its light is middle grey afterwards: so a second click changes nothing.
+TEST_F(NumberField, AutoBesideTheExposure_IsOneStep) {
+    box("exposure");
+    document().setValue(pathOf(settings::scene), "exposure", 4.0);
+    newFrames();
+    QToolButton* button = nullptr;
+    for (auto* each : window().findChildren<QToolButton*>()) {
+        button = each->accessibleName() == "Automatic exposure" ? each : button;
+    }
+    ASSERT_NE(button, nullptr);
+    const int steps = document().undoStack().count();
+    QTest::mouseClick(button, Qt::LeftButton);
+    const double chosen = document().scene().exposure;
+    EXPECT_NE(chosen, 4.0);
+    EXPECT_EQ(document().undoStack().count(), steps + 1);
+    newFrames();
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_NEAR(document().scene().exposure, chosen, 0.011);
+    document().undoStack().undo();
+    document().undoStack().setIndex(steps);
+    EXPECT_EQ(document().scene().exposure, 4.0);
+}
 
 TEST_F(NumberField, EscapeInIt_TakesTypingBackAndNothingElse) {
     const DocumentState before = document().state();

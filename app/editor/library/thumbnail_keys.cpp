@@ -75,6 +75,16 @@ QByteArray ThumbnailKeys::of(const BlockValues& environment, const Catalog& cata
     return hash.result().toHex();
 }
 
+QByteArray ThumbnailKeys::of(const Scene& scene, const fs::path& file, const Catalog& catalog) {
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(hashOf(file));
+    for (const Object& object : scene.objects) {
+        hash.addData(of(object.material, catalog));
+    }
+    hash.addData(renderer(catalog));
+    return hash.result().toHex();
+}
+
 /// The same for all materials: the scene with whatever blocks it is made of, and the program.
 QByteArray ThumbnailKeys::renderer(const Catalog& catalog) {
     QCryptographicHash hash(QCryptographicHash::Sha1);

@@ -8,6 +8,7 @@
 
 #include "catalog/catalog.h"
 #include "material/material.h"
+#include "scene/scene.h"
 
 namespace patina {
 
@@ -22,6 +23,9 @@ class ThumbnailKeys {
 
     /// The same for the picture of an environment.
     QByteArray of(const BlockValues& environment, const Catalog& catalog);
+
+    /// The same for a scene that was read from a file, with its own materials.
+    QByteArray of(const Scene& scene, const std::filesystem::path& file, const Catalog& catalog);
 
   private:
     struct Hashed {

@@ -105,13 +105,17 @@ class ThumbnailMaker::Studio {
 
     /// Null where its program does not compile: what is drawn instead is not what it looks like.
     QImage draw(const Material& material, std::shared_ptr<const Catalog> catalog) {
-        use(std::move(catalog));
         scene_.objects.front().material = material;
+        return draw(scene_, std::move(catalog));
+    }
+
+    QImage draw(const Scene& scene, std::shared_ptr<const Catalog> catalog) {
+        use(std::move(catalog));
         View view;
         view.size = {ThumbnailMaker::pixels, ThumbnailMaker::pixels};
-        view.camera = scene_.camera;
+        view.camera = scene.camera;
         const auto meshes = [this](const Object& object) { return mesh(object.mesh); };
-        const Result<Image> image = renderer_->capture(scene_, view, meshes, true);
+        const Result<Image> image = renderer_->capture(scene, view, meshes, true);
         return image && !isBroken() ? toQImage(*image) : QImage();
     }
 
@@ -194,6 +198,19 @@ void ThumbnailMaker::askEnvironment(const QString& name, const BlockValues& envi
             return picture(keys_.of(environment, *catalog), catalog, control, [&](Studio& studio) {
                 return studio.drawEnvironment(environment, catalog);
             });
+        },
+        [this, name](const Result<QImage>& drawn) { handOver(name, drawn); }, name);
+}
+
+void ThumbnailMaker::askScene(const QString& name, const std::filesystem::path& file) {
+    worker_.ask(
+        [this, file, catalog = catalog_](const Worker::Control& control) -> Result<QImage> {
+            const Checked<SceneReading> read = readScene(file, *catalog);
+            if (!read) {
+                return tl::unexpected(read.error().front());
+            }
+            return picture(keys_.of(read->scene, file, *catalog), catalog, control,
+                           [&](Studio& studio) { return studio.draw(read->scene, catalog); });
         },
         [this, name](const Result<QImage>& drawn) { handOver(name, drawn); }, name);
 }

@@ -14,9 +14,10 @@
 
 namespace patina {
 
-/// Small pictures of materials in one fixed neutral scene, whatever the document shows, and of
-/// environments. Drawn in a worker thread with a context of its own that lives while there is
-/// something to draw, and kept on disk until something they are made of changes.
+/// Small pictures of materials in one fixed neutral scene, whatever the document shows, of
+/// environments, and of the scenes that ship. Drawn in a worker thread with a context of its own
+/// that lives while there is something to draw, and kept on disk until something they are made of
+/// changes.
 class ThumbnailMaker : public QObject {
     Q_OBJECT
 
@@ -42,6 +43,9 @@ class ThumbnailMaker : public QObject {
     /// The same for all that is seen from within an environment of these blocks' default values,
     /// or of the picture that the values name: twice as wide as high.
     void askEnvironment(const QString& name, const BlockValues& environment);
+
+    /// The same for a scene file as it is, which lays no picture around its objects.
+    void askScene(const QString& name, const std::filesystem::path& file);
 
     static constexpr int pixels = 256;
     static constexpr QSize environmentPixels{128, 64};

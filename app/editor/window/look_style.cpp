@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QIconEngine>
+#include <QMenu>
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -67,6 +68,16 @@ void LookStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
         painter->setBrush(Qt::NoBrush);
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
     }
+}
+
+int LookStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                           const QWidget* widget) const {
+    if (metric == PM_SmallIconSize && qobject_cast<const QMenu*>(widget) != nullptr) {
+        if (const QVariant size = widget->property(iconSize); size.isValid()) {
+            return size.toInt();
+        }
+    }
+    return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
 QIcon LookStyle::standardIcon(StandardPixmap icon, const QStyleOption* option,

@@ -6,15 +6,21 @@
 namespace patina {
 
 /// Fusion, but what it draws too dark to see in a dark look: outlines of check boxes and the
-/// buttons of docks, which follow the palette also when it changes.
+/// buttons of docks, which follow the palette also when it changes; and menus may have icons of a
+/// size of their own.
 class LookStyle : public QProxyStyle {
     Q_OBJECT
 
   public:
     LookStyle();
 
+    /// The property of a menu that says how large its icons are, in pixels.
+    static constexpr const char* iconSize = "iconSize";
+
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override;
+    int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                    const QWidget* widget) const override;
     QIcon standardIcon(StandardPixmap icon, const QStyleOption* option,
                        const QWidget* widget) const override;
 };

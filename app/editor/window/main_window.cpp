@@ -34,7 +34,7 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
     setStatusBar(status_);
     layout_ = std::make_unique<WindowLayout>(*this, dockContext());
     menus_ = new Menus({*this, *layout_, document_, documentFiles_, comparison_, *files_,
-                        *pictures_, presets_, *views_, session_, messages_, theme_});
+                        *pictures_, presets_, thumbnails_, *views_, session_, messages_, theme_});
     connectParts();
     messages_.setGroup("catalog", catalog->errors);
     if (const auto& note = gl::driverCacheNote()) {

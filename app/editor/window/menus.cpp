@@ -10,22 +10,22 @@
 #include <QMenuBar>
 #include <QPointer>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "docks/lamp_taking.h"
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
 #include "document/comparison.h"
 #include "document/document_files.h"
-#include "document/scene_edits.h"
 #include "files/file_actions.h"
 #include "files/picture_export.h"
-#include "scene/scene_file.h"
 #include "session/session.h"
 #include "text/short_text.h"
 #include "viewport/compare_area.h"
 #include "viewport/views_capture.h"
 #include "window/compare_bar.h"
 #include "window/help.h"
+#include "window/lighting_menu.h"
 #include "window/theme.h"
 #include "window/window_layout.h"
 
@@ -101,18 +101,6 @@ void Menus::fillRecentFiles() {
     recent_->addAction(tr("Clear this list"), this, [this] { parts_.session.clearRecentFiles(); });
 }
 
-/// Lists the scenes that ship, by their names.
-void Menus::fillLighting() {
-    lighting_->clear();
-    for (const std::filesystem::path& file : shippedScenes()) {
-        if (const auto read = readScene(file, parts_.document.catalog())) {
-            lighting_->addAction(
-                QString::fromStdString(read->scene.name), this,
-                [this, scene = read->scene] { setLighting(parts_.document, scene); });
-        }
-    }
-}
-
 void Menus::makeEditMenu() {
     QMenu* menu = parts_.window.menuBar()->addMenu(tr("&Edit"));
     QAction* undo = parts_.document.undoStack().createUndoAction(this, tr("&Undo"));
@@ -140,9 +128,8 @@ void Menus::makeViewMenu() {
     inspect->setToolTip(tr("Mark pixels whose numbers are wrong, and read those under the "
                            "pointer (N)"));
     connect(inspect, &QAction::toggled, &parts_.views, &CompareArea::setInspecting);
-    lighting_ = menu->addMenu(tr("Li&ghting"));
-    lighting_->setObjectName("lighting");
-    connect(lighting_, &QMenu::aboutToShow, this, &Menus::fillLighting);
+    lighting_ = new LightingMenu(parts_.document, parts_.thumbnails, &parts_.window);
+    menu->addMenu(lighting_);
     add(menu, tr("Check &Stability"), QKeySequence("Ctrl+K"), [this] { checkStability(); });
     add(menu, tr("&Effects and Their Costs"), QKeySequence("E"),
         [this] { parts_.layout.bringToFront("effects"); });
@@ -314,6 +301,14 @@ void Menus::makeToolBar() {
     bar->addAction(compare_);
     bar->addWidget(new CompareBar(parts_.document, parts_.comparison, parts_.views));
     bar->addActions({link_, realign_, swap_, difference_});
+    bar->addSeparator();
+    auto* lighting = new QToolButton(bar);
+    lighting->setObjectName("lightingButton");
+    lighting->setText(tr("Lighting"));
+    lighting->setToolTip(tr("Light the objects as in one of the scenes that ship"));
+    lighting->setMenu(lighting_);
+    lighting->setPopupMode(QToolButton::InstantPopup);
+    bar->addWidget(lighting);
 }
 
 void Menus::exportPicture() {

@@ -24,6 +24,7 @@ class PictureExport;
 class PresetLibrary;
 class Session;
 class Theme;
+class ThumbnailMaker;
 class ViewsCapture;
 class WindowLayout;
 
@@ -42,6 +43,7 @@ class Menus : public QObject {
         FileActions& files;
         PictureExport& pictures;
         const PresetLibrary& presets;
+        ThumbnailMaker& thumbnails;
         CompareArea& views;
         Session& session;
         MessageLog& messages;
@@ -60,7 +62,6 @@ class Menus : public QObject {
     void makeHelpMenu();
     void makeToolBar();
     void fillRecentFiles();
-    void fillLighting();
     void exportPicture();
     void takeSnapshot();
     void checkStability();
