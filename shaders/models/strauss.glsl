@@ -96,6 +96,15 @@ float straussLobe(Directions d, Strauss p) {
     return powerLobe(p.power, d.versineRv, d.rv, 3.0 / max(rough, 1e-30));
 }
 
+// The integral of (r.v)^e over all directions is 2 pi / (e + 1): what the highlight is multiplied by
+// to reflect its share of an even sky, whose light is pi.
+float straussStrength(Strauss p) {
+    if (p.normalisation == STRAUSS_NORMALISATION_RAW) {
+        return 1.0;
+    }
+    return 0.5 * (3.0 / max(1.0 - p.smoothness, 1e-30) + 1.0);
+}
+
 // Strauss 1990. The exponent 3 / (1 - s) of a perfect mirror is kept finite at 3e30: the lobe is
 // then 1 in the mirror direction and 0 elsewhere, which is its limit.
 vec3 strauss(Directions d, Strauss p) {
@@ -117,5 +126,5 @@ vec3 strauss(Directions d, Strauss p) {
     float diffuse = d.nl * (1.0 - p.metalness * s) * rough3 * passed;
     bool limits = p.glossMode == STRAUSS_GLOSS_MODE_LIMIT;
     return p.diffuseColor * diffuse
-        + glossed(highlight * (straussLobe(d, p) * reflected), p.gloss, limits, 1.0);
+        + glossed(highlight * (straussLobe(d, p) * straussStrength(p) * reflected), p.gloss, limits, 1.0);
 }

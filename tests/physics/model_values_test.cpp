@@ -7,6 +7,7 @@
 #include "catalog/curve.h"
 #include "catalog/ramp.h"
 #include "catalog/value_json.h"
+#include "measure/stability/hemisphere_rule.h"
 #include "physics_cases.h"
 
 namespace patina::physics::model_values_test {
@@ -306,6 +307,43 @@ TEST(Strauss, MicrofacetLobes_AreAsBrightInTheMiddle) {
         const Subject model("models", "strauss",
                             {{"smoothness", 0.8}, {"lobe", std::string(lobe)}});
         EXPECT_NEAR(model.shade(g).x, own, 1e-12) << lobe;
+    }
+}
+
+/// A white metal of the smoothness, with or without its highlight.
+Subject straussMetal(double smoothness, const std::string& strength, double gloss) {
+    return Subject("models", "strauss",
+                   {{"diffuse.color", white},
+                    {"metalness", 1.0},
+                    {"smoothness", smoothness},
+                    {"normalisation", strength},
+                    {"gloss", gloss}});
+}
+
+/// (e + 1) / 2 times as bright with e = 3 / (1 - s).
+TEST(Strauss, SameEnergy_ScalesTheHighlightAlone) {
+    const auto g = geometry(direction(35, 0), direction(38, 180));
+    for (const double smoothness : {0.0, 0.5, 0.95}) {
+        const double matte = straussMetal(smoothness, "raw", 0.0).shade(g).x;
+        const double raw = straussMetal(smoothness, "raw", 1.0).shade(g).x - matte;
+        const double strong = straussMetal(smoothness, "normalised", 1.0).shade(g).x - matte;
+        EXPECT_NEAR(strong, 0.5 * (3.0 / (1.0 - smoothness) + 1.0) * raw, 1e-12);
+    }
+}
+
+/// Of light from all around a metal that faces the viewer mirrors s^3, where its highlight is too
+/// narrow to reach the horizon.
+TEST(Strauss, SameEnergy_MirrorsItsShareOfAnEvenSky) {
+    for (const double smoothness : {0.9, 0.95, 0.98}) {
+        const Subject matte = straussMetal(smoothness, "normalised", 0.0);
+        const Subject metal = straussMetal(smoothness, "normalised", 1.0);
+        const glm::dvec3 v{0.0, 0.0, 1.0};
+        double sum = 0.0;
+        for (const WeightedDirection& from : hemisphereRule(v)) {
+            const auto g = geometry(from.v, v);
+            sum += from.weight * (metal.shade(g).x - matte.shade(g).x);
+        }
+        EXPECT_NEAR(sum, smoothness * smoothness * smoothness, 0.02) << smoothness;
     }
 }
 
