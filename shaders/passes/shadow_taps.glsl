@@ -8,6 +8,17 @@ vec2 shadowDisk(ShadowPoint s, int i, int count) {
     return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
 }
 
+// The direction of the first place, and those of the others one after the other: a sine and a cosine
+// for each place take longer than what is looked up there.
+vec2 firstShadowWay(ShadowPoint s) {
+    return vec2(cos(s.turn), sin(s.turn));
+}
+
+vec2 nextShadowWay(vec2 way) {
+    const vec2 TURN = vec2(-0.737368878, 0.675490294); // cosine and sine of the golden angle
+    return vec2(way.x * TURN.x - way.y * TURN.y, way.y * TURN.x + way.x * TURN.y);
+}
+
 bool isInShadowMap(ShadowRay ray) {
     return all(greaterThan(ray.place.xy, vec2(0.0))) && all(lessThan(ray.place.xy, vec2(1.0)));
 }
@@ -68,8 +79,11 @@ float shadowReach(ShadowPoint s) {
 vec2 shadowFound(ShadowPoint s, float radius, int taps) {
     vec2 centre = shadowBlockers(s, vec2(0.0));
     vec2 found = centre;
+    vec2 way = firstShadowWay(s);
+    float each = radius * inversesqrt(float(taps));
     for (int i = 0; i < taps; ++i) {
-        found += shadowBlockers(s, radius * shadowDisk(s, i, taps));
+        found += shadowBlockers(s, each * sqrt(float(i) + 0.5) * way);
+        way = nextShadowWay(way);
     }
     float gap = found.x / max(found.y, 1.0);
     gap = centre.y > 0.0 ? min(gap, centre.x / centre.y) : gap;
@@ -86,8 +100,11 @@ float shadowWidest(ShadowPoint s, float gap) {
 // The mean share of light over a disk.
 float shadowMean(ShadowPoint s, float radius, int taps) {
     float lit = 0.0;
+    vec2 way = firstShadowWay(s);
+    float each = radius * inversesqrt(float(taps));
     for (int i = 0; i < taps; ++i) {
-        lit += shadowLit(s, radius * shadowDisk(s, i, taps));
+        lit += shadowLit(s, each * sqrt(float(i) + 0.5) * way);
+        way = nextShadowWay(way);
     }
     return lit / float(taps);
 }
