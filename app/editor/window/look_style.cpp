@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/look_style.h"
 
+#include <optional>
+
 #include <QApplication>
 #include <QIconEngine>
 #include <QMenu>
@@ -14,6 +16,16 @@ namespace {
 constexpr int outlineAlpha = 130; ///< of 255
 constexpr qreal inset = 0.28;     ///< air around a sign, as a share of the icon
 constexpr qreal penShare = 0.09;
+constexpr int rowMargin = 4; ///< pixels, above and below a large icon together
+
+/// The size that a menu has given its icons; nothing where it has none, and of other widgets.
+std::optional<int> ownIconSize(const QWidget* widget) {
+    if (qobject_cast<const QMenu*>(widget) == nullptr) {
+        return std::nullopt;
+    }
+    const QVariant size = widget->property(LookStyle::iconSize);
+    return size.isValid() ? std::optional(size.toInt()) : std::nullopt;
+}
 
 /// A sign of lines in the palette's colour of the moment.
 class LineIcon : public QIconEngine {
@@ -72,12 +84,16 @@ void LookStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
 
 int LookStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                            const QWidget* widget) const {
-    if (metric == PM_SmallIconSize && qobject_cast<const QMenu*>(widget) != nullptr) {
-        if (const QVariant size = widget->property(iconSize); size.isValid()) {
-            return size.toInt();
-        }
-    }
-    return QProxyStyle::pixelMetric(metric, option, widget);
+    const std::optional<int> own = metric == PM_SmallIconSize ? ownIconSize(widget) : std::nullopt;
+    return own ? *own : QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+/// Fusion's rows of a menu are as high as its texts.
+QSize LookStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
+                                  const QSize& contents, const QWidget* widget) const {
+    const QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+    const std::optional<int> own = type == CT_MenuItem ? ownIconSize(widget) : std::nullopt;
+    return own ? size.expandedTo({0, *own + rowMargin}) : size;
 }
 
 QIcon LookStyle::standardIcon(StandardPixmap icon, const QStyleOption* option,
