@@ -137,6 +137,22 @@ TEST_F(FittedEnvironmentTest, ViewThatMoves_ShowsTheFittedPictureOfASampledScene
     EXPECT_EQ(settled(fitted(scene), 4).pixels, shown->pixels);
 }
 
+TEST_F(FittedEnvironmentTest, ViewThatMoved_ComesToRestWithTheSamePictureAsBefore) {
+    for (const char* backdrop : {"sharp", "blurred", "hidden"}) {
+        makeRenderer(); // which has fitted nothing yet
+        Scene scene = ball("cook-torrance");
+        scene.part(kinds::environment)->parameters["background"] = std::string(backdrop);
+        const Image before = settled(scene, 8);
+        View moving = viewWith(scene, 4);
+        moving.isMoving = true;
+        ASSERT_TRUE(renderer->capture(scene, moving, squares(), false));
+        EXPECT_EQ(settled(scene, 8).pixels, before.pixels) << backdrop;
+        const auto again = renderer->capture(scene, moving, squares(), false);
+        ASSERT_TRUE(again);
+        EXPECT_EQ(settled(fitted(scene), 4).pixels, again->pixels) << backdrop;
+    }
+}
+
 /// What a drag ends in is as bright as what it showed.
 TEST_F(FittedEnvironmentTest, ViewThatMoves_IsAsBrightAsAtRestForManyPresets) {
     for (const char* preset :

@@ -77,6 +77,7 @@ void EnvironmentLight::follow(const Subject& subject, const Catalog& catalog, Pr
 bool EnvironmentLight::followSome(const Subject& subject, const Catalog& catalog,
                                   ProgramCache& cache) {
     const auto& [effects, scene, image, isFitted] = subject;
+    isFitted_ = isFitted;
     const std::uint64_t key = EffectKey::ofEnvironment(effects, catalog);
     const bool fits = key != 0 && scene.part(kinds::environment) &&
                       effects.part(kinds::environment)->id == scene.part(kinds::environment)->id;
@@ -226,9 +227,10 @@ void EnvironmentLight::bind() const {
     values_.bind(binding::environment);
     tableTexture_.bind(binding::environmentTable);
     whole_.bind(binding::environmentImage);
-    baked_.bind(binding::environmentSmall);
-    if (blurred_.isThere()) {
-        blurred_.bind(binding::environmentBlurred);
+    if (isFitted_ && blurred_.isThere()) {
+        blurred_.bind(binding::environmentBlurred); // the same unit
+    } else {
+        baked_.bind(binding::environmentSmall);
     }
 }
 

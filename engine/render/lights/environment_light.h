@@ -115,6 +115,7 @@ class EnvironmentLight {
     std::array<glm::vec3, 9> harmonics_{};
     std::shared_ptr<const gl::Program> blurProgram_;
     BlurredEnvironment blurred_;
+    bool isFitted_ = false;             ///< Subject::isFitted
     const Known* blurredFor_ = nullptr; ///< null: it is to be drawn anew, if anyone asks for it
 };
 
