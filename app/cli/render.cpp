@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
+#include <filesystem>
 #include <future>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "assets/asset_client.h"
 #include "cli/environment_setup.h"
@@ -16,6 +21,7 @@
 #include "cli/texture_text.h"
 #include "core/auto_exposure.h"
 #include "core/display_image.h"
+#include "scene/turntable.h"
 
 namespace patina {
 namespace {
@@ -25,7 +31,12 @@ struct RenderOptions {
     PictureOptions picture;
     PictureFile output;
     bool autoExposure = false;
+    int turntable = 0; ///< so many pictures of a whole turn; 0: one, unturned
+    TurntableOf turns = TurntableOf::Object;
 };
+
+constexpr int maxPictures = 3600;
+constexpr int digits = 4; ///< of a picture's number in a series
 
 Checked<void> checkRequest(const RenderOptions& options) {
     if (options.preset.empty() && options.picture.model.empty() && options.picture.scene.empty()) {
@@ -35,44 +46,68 @@ Checked<void> checkRequest(const RenderOptions& options) {
     if (auto checked = options.output.check(); !checked) {
         return tl::unexpected(oneError(checked.error()));
     }
+    if (options.turntable > 0 && options.output.isStandardOutput()) {
+        return tl::unexpected(oneError(failure("a turntable is a series of files",
+                                               "-o with the name of a file, such as turn.png")
+                                           .value()));
+    }
     return {};
 }
 
-/// The image of the request: meshes are read while the graphics driver starts.
-Checked<Image> picture(const RenderOptions& options, const std::shared_ptr<const Catalog>& catalog,
-                       const Scene& scene, AssetClient& client) {
-    auto meshes = std::async(std::launch::async,
-                             [&scene, &client] { return SceneMeshes::load(scene, client); });
-    auto maker = PictureMaker::create(catalog);
-    const auto loaded = meshes.get();
-    if (!maker) {
-        return tl::unexpected(oneError(maker.error()));
-    }
-    if (!loaded) {
-        return tl::unexpected(loaded.error());
-    }
-    report(loaded->remarks());
-    TextureLoader textures(client);
-    maker->setTextures(textures, filesIn(options.picture.textures));
-    const auto environment = environmentPicture(scene, options.picture, *catalog, client);
-    if (!environment) {
-        return tl::unexpected(oneError(environment.error()));
-    }
-    maker->setEnvironment(*environment, directionsFor(scene, options.picture, *catalog));
-    const bool display = !options.output.isLinear();
-    const MeshSource source = [&loaded](const Object& object) { return loaded->view(object); };
-    Scene exposed = scene;
-    if (options.autoExposure) {
-        exposed.exposure = 0.0;
-        const auto linear = maker->draw(exposed, source, options.picture.size, false);
-        if (!linear) {
-            return linear;
+/// Draws the pictures of a request: meshes are read while the graphics driver starts.
+class RequestDrawer {
+  public:
+    RequestDrawer(const RenderOptions& options, std::shared_ptr<const Catalog> catalog,
+                  AssetClient& client)
+        : options_(options), catalog_(std::move(catalog)), client_(client), textures_(client) {}
+
+    Checked<void> prepare(const Scene& scene) {
+        auto meshes = std::async(std::launch::async,
+                                 [this, &scene] { return SceneMeshes::load(scene, client_); });
+        auto maker = PictureMaker::create(catalog_);
+        auto loaded = meshes.get();
+        if (!maker) {
+            return tl::unexpected(oneError(maker.error()));
         }
-        exposed.exposure = autoExposure(*linear).value_or(scene.exposure);
+        if (!loaded) {
+            return tl::unexpected(loaded.error());
+        }
+        report(loaded->remarks());
+        maker->setTextures(textures_, filesIn(options_.picture.textures));
+        const auto environment = environmentPicture(scene, options_.picture, *catalog_, client_);
+        if (!environment) {
+            return tl::unexpected(oneError(environment.error()));
+        }
+        maker->setEnvironment(*environment, directionsFor(scene, options_.picture, *catalog_));
+        maker_.emplace(std::move(*maker));
+        meshes_.emplace(std::move(*loaded));
+        return {};
     }
-    auto image = maker->draw(exposed, source, options.picture.size, display);
-    return image && display ? linearFromDisplay(std::move(*image)) : std::move(image);
-}
+
+    Checked<Image> draw(const Scene& scene) {
+        const bool display = !options_.output.isLinear();
+        const MeshSource source = [this](const Object& object) { return meshes_->view(object); };
+        Scene exposed = scene;
+        if (options_.autoExposure) {
+            exposed.exposure = 0.0;
+            const auto linear = maker_->draw(exposed, source, options_.picture.size, false);
+            if (!linear) {
+                return linear;
+            }
+            exposed.exposure = autoExposure(*linear).value_or(scene.exposure);
+        }
+        auto image = maker_->draw(exposed, source, options_.picture.size, display);
+        return image && display ? linearFromDisplay(std::move(*image)) : std::move(image);
+    }
+
+  private:
+    const RenderOptions& options_;
+    std::shared_ptr<const Catalog> catalog_;
+    AssetClient& client_;
+    TextureLoader textures_;
+    std::optional<SceneMeshes> meshes_;
+    std::optional<PictureMaker> maker_;
+};
 
 Checked<void> write(const PictureFile& file, const Image& image, AssetClient& client) {
     if (!file.isStandardOutput()) {
@@ -84,6 +119,34 @@ Checked<void> write(const PictureFile& file, const Image& image, AssetClient& cl
         return tl::unexpected(oneError(bytes.error()));
     }
     std::cout << *bytes;
+    return {};
+}
+
+/// "turn.png" -> "turn.0001.png".
+PictureFile numbered(const PictureFile& file, int number) {
+    const std::filesystem::path path(file.name);
+    const std::string name =
+        fmt::format("{}.{:0{}}{}", path.stem().string(), number, digits, path.extension().string());
+    return {(path.parent_path() / name).string()};
+}
+
+/// A whole turn in even steps; the picture after the last one would be the first again.
+Checked<void> renderSeries(const RenderOptions& options, const Catalog& catalog, const Scene& scene,
+                           RequestDrawer& drawer, AssetClient& files) {
+    for (int i = 0; i < options.turntable; ++i) {
+        const auto turned =
+            onTurntable(scene, catalog, options.turns, 360.0 * i / options.turntable);
+        if (!turned) {
+            return tl::unexpected(oneError(turned.error()));
+        }
+        const auto image = drawer.draw(*turned);
+        if (!image) {
+            return tl::unexpected(image.error());
+        }
+        if (auto written = write(numbered(options.output, i + 1), *image, files); !written) {
+            return written;
+        }
+    }
     return {};
 }
 
@@ -102,8 +165,23 @@ Checked<void> render(const RenderOptions& options) {
     }
     report(setup->notes);
     files.setRights(setup->rights);
-    const auto image = picture(options, catalog, setup->scene, files);
+    RequestDrawer drawer(options, catalog, files);
+    if (auto prepared = drawer.prepare(setup->scene); !prepared) {
+        return prepared;
+    }
+    if (options.turntable > 0) {
+        return renderSeries(options, *catalog, setup->scene, drawer, files);
+    }
+    const auto image = drawer.draw(setup->scene);
     return image ? write(options.output, *image, files) : tl::unexpected(image.error());
+}
+
+std::map<std::string, TurntableOf> turntableChoices() {
+    std::map<std::string, TurntableOf> choices;
+    for (std::size_t i = 0; i < turntableWords.size(); ++i) {
+        choices.emplace(turntableWords[i], static_cast<TurntableOf>(i));
+    }
+    return choices;
 }
 
 } // namespace
@@ -122,6 +200,15 @@ void addRender(CLI::App& program, int& status) {
                      "The image: .png, .jpg, .exr or .hdr (linear); - writes a PNG to standard "
                      "output")
         ->required();
+    command
+        ->add_option("--turntable", options->turntable,
+                     "So many pictures of a whole turn, numbered: turn.png is turn.0001.png ...")
+        ->check(CLI::Range(1, maxPictures));
+    command
+        ->add_option("--turn", options->turns,
+                     "What a turntable turns: object, light or "
+                     "environment")
+        ->transform(CLI::CheckedTransformer(turntableChoices()));
     command->callback([options, &status] {
         const auto done = render(*options);
         status = done ? 0 : 1;

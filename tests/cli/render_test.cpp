@@ -78,6 +78,46 @@ TEST(RenderCommand, SceneWithShadows_IsDrawnWithThem) {
     EXPECT_NE(picture(), onItself);
 }
 
+TEST(RenderCommand, Turntable_WritesANumberedSeriesOfDifferentPictures) {
+    const TemporaryFolder folder;
+    const Outcome outcome = patina({"render", gold, "--mesh", "builtin:cube", "--size", "32x32",
+                                    "--turntable", "3", "-o", (folder / "turn.png").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const std::string first = readFile(folder / "turn.0001.png");
+    EXPECT_TRUE(first.starts_with(pngSignature));
+    EXPECT_NE(readFile(folder / "turn.0002.png"), first);
+    EXPECT_NE(readFile(folder / "turn.0003.png"), first);
+    EXPECT_FALSE(std::filesystem::exists(folder / "turn.0004.png"));
+    EXPECT_EQ(patina({"render", gold, "--mesh", "builtin:cube", "--size", "32x32", "-o", "-"}).out,
+              first);
+}
+
+TEST(RenderCommand, TurntableOfLights_TurnsThemOnly) {
+    const TemporaryFolder folder;
+    const std::string scene = shipped("presets/three-lights.patina-scene.json").string();
+    const Outcome outcome =
+        patina({"render", "--scene", scene, "--mesh", "builtin:sphere", "--size", "32x32",
+                "--turntable", "2", "--turn", "light", "-o", (folder / "turn.png").string()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(readFile(folder / "turn.0001.png"), readFile(folder / "turn.0002.png"));
+}
+
+TEST(RenderCommand, TurntableOfAnEnvironmentThatIsNotThere_IsAnError) {
+    const TemporaryFolder folder;
+    const std::string scene = shipped("presets/three-lights.patina-scene.json").string();
+    const Outcome outcome =
+        patina({"render", "--scene", scene, "--size", "32x32", "--turntable", "2", "--turn",
+                "environment", "-o", (folder / "turn.png").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("environment"), std::string::npos) << outcome.err;
+}
+
+TEST(RenderCommand, TurntableToStandardOutput_IsAnError) {
+    const Outcome outcome = patina({"render", gold, "--turntable", "2", "-o", "-"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("series of files"), std::string::npos) << outcome.err;
+}
+
 TEST(RenderCommand, Highlight_IsChosenAndSet) {
     const auto picture = [](std::vector<std::string> more) {
         std::vector<std::string> arguments{"render", "--model", "lambert", "--size",

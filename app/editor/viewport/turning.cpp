@@ -2,11 +2,11 @@
 #include "viewport/turning.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "scene/turntable.h"
 #include "viewport/camera_moves.h"
 
 namespace patina {
@@ -18,17 +18,6 @@ const glm::dvec3 worldUp{0.0, 1.0, 0.0};
 glm::dmat3 pull(const glm::dvec3& right, double yaw, double pitch) {
     const glm::dmat4 aboutUp = glm::rotate(glm::dmat4(1.0), glm::radians(yaw), worldUp);
     return glm::dmat3(glm::rotate(aboutUp, glm::radians(pitch), right));
-}
-
-/// Degrees about x, then y, then z of a rotation matrix Rz Ry Rx.
-glm::dvec3 anglesOf(const glm::dmat3& m) {
-    const double sinY = std::clamp(-m[0][2], -1.0, 1.0);
-    const double cosY = std::hypot(m[1][2], m[2][2]);
-    // Looking along the axis only x - z or x + z is defined: z is then taken as 0.
-    const bool locked = cosY < 1e-9;
-    const double x = locked ? std::atan2(-m[2][1], m[1][1]) : std::atan2(m[1][2], m[2][2]);
-    const double z = locked ? 0.0 : std::atan2(m[0][1], m[0][0]);
-    return glm::degrees(glm::dvec3(x, std::atan2(sinY, cosY), z));
 }
 
 bool isPoint(Space space) {

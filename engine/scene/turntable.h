@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "catalog/catalog.h"
+#include "core/error.h"
+#include "scene/scene.h"
+
+namespace patina {
+
+/// Tells what a turntable turns about the upright axis.
+enum class TurntableOf { Object, Light, Environment };
+
+inline constexpr std::array<std::string_view, 3> turntableWords{"object", "light", "environment"};
+
+/// A vector turned about a unit vector by degrees, as a right-handed screw.
+glm::dvec3 turnedAbout(const glm::dvec3& vector, const glm::dvec3& axis, double degrees);
+
+/// Degrees about x, then y, then z of a rotation matrix Rz Ry Rx.
+glm::dvec3 anglesOf(const glm::dmat3& rotation);
+
+/// An object's rotation (degrees about x, then y, then z) after it was turned about a unit vector
+/// of the world.
+glm::dvec3 rotationTurnedAbout(const glm::dvec3& rotation, const glm::dvec3& axis, double degrees);
+
+/// The scene with all objects turned by degrees about the middle of their places, all lights of the
+/// world about the camera's pivot, or its environment. An error where there is nothing to turn.
+Result<Scene> onTurntable(const Scene& scene, const Catalog& catalog, TurntableOf what,
+                          double degrees);
+
+} // namespace patina
