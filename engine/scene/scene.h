@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,7 @@ struct Object {
     glm::dvec3 rotation{0.0};    ///< degrees about x, then y, then z
     glm::dvec3 scale{1.0};
     Material material;
+    std::string group; ///< objects of one group are selected together; empty: it is in none
     nlohmann::json unknown = nlohmann::json::object();
 
     friend bool operator==(const Object&, const Object&) = default;
@@ -38,8 +40,9 @@ struct Light {
     std::string name;
     bool enabled = true;
     BlockValues block;
-    BlockParts parts{}; ///< without a shadow objects cast none in it
-    bool isKey = false; ///< marked as the light that drawings take
+    BlockParts parts{};         ///< without a shadow objects cast none in it
+    bool isKey = false;         ///< marked as the light that drawings take
+    bool isMutedBySolo = false; ///< off only as long as another light is to be seen alone
 
     const BlockValues* part(std::string_view kind) const { return partOf(parts, kind); }
     BlockValues* part(std::string_view kind) { return partOf(parts, kind); }
@@ -57,6 +60,8 @@ struct Camera {
     double pitch = 20.0;       ///< degrees above the horizon, -90 .. 90
     double distance = 4.0;     ///< metres from the pivot, > 0
     double fieldOfView = 35.0; ///< vertical, degrees, 1 .. 170
+    double nearPlane = 0.0;    ///< metres before which nothing is drawn; 0: it cuts nothing
+    double farPlane = 0.0;     ///< metres behind which nothing is drawn; 0: it cuts nothing
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };
@@ -84,7 +89,8 @@ struct Scene {
     glm::dvec3 background{0.18f}; ///< linear; a float, as files hold it
     Ground ground;
     Camera camera;
-    double exposure = 0.0; ///< EV, powers of two
+    std::map<int, Camera> bookmarks; ///< views to come back to, by the digit 1 .. 9 of their key
+    double exposure = 0.0;           ///< EV, powers of two
     DrawingLights drawings = DrawingLights::Key;
     PictureAccuracy accuracy; ///< of the picture, whatever the materials
     nlohmann::json extras = nlohmann::json::object();

@@ -23,6 +23,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr int maxBookmarks = 9; ///< one for each digit but 0
+
 /// "khronos-neutral" of "khronosNeutral".
 std::string kebabCase(std::string_view word) {
     std::string text;
@@ -86,6 +88,7 @@ class SceneReader {
     Object objectFrom(JsonReader& reader) {
         Object object;
         reader.read("name", object.name);
+        reader.read("group", object.group);
         readSettingsOf(object, settings::object, reader);
         readMesh(reader, object);
         object.material = materialOf(reader);
@@ -187,6 +190,7 @@ class SceneReader {
             JsonReader reader(document_, fmt::format("/lights/{}", i), errors_);
             Light light;
             reader.read("name", light.name);
+            reader.read("mutedBySolo", light.isMutedBySolo);
             readSettingsOf(light, settings::light, reader);
             light.parts = partsOf(reader, BlockOwner::Light);
             light.block = blocks_.read(reader, kinds::lights);
@@ -270,6 +274,20 @@ class SceneReader {
         readSettingsOf(scene().camera, settings::camera, camera);
         if (Json unknown = camera.unknown(); !unknown.empty()) {
             unknownInside_[std::string(settings::camera)] = std::move(unknown);
+        }
+        readBookmarks();
+    }
+
+    void readBookmarks() {
+        JsonReader all = reader_.child("bookmarks");
+        for (int digit = 1; digit <= maxBookmarks; ++digit) {
+            if (all.has(std::to_string(digit))) {
+                JsonReader camera = all.child(std::to_string(digit));
+                readSettingsOf(scene().bookmarks[digit], settings::camera, camera);
+            }
+        }
+        if (Json unknown = all.unknown(); !unknown.empty()) {
+            unknownInside_["bookmarks"] = std::move(unknown);
         }
     }
 

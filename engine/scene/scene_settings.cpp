@@ -76,7 +76,9 @@ const MemberTable<Camera>& cameraMembers() {
                                              {"yaw", member(&Camera::yaw)},
                                              {"pitch", member(&Camera::pitch)},
                                              {"distance", member(&Camera::distance)},
-                                             {"fieldOfView", member(&Camera::fieldOfView)}};
+                                             {"fieldOfView", member(&Camera::fieldOfView)},
+                                             {"near", member(&Camera::nearPlane)},
+                                             {"far", member(&Camera::farPlane)}};
     return members;
 }
 

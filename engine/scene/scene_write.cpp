@@ -24,6 +24,9 @@ Json toJson(const Object& object, const std::filesystem::path& folder) {
     Json json = object.unknown;
     json["name"] = object.name;
     json["mesh"] = meshForFile(object.mesh, folder);
+    if (!object.group.empty()) {
+        json["group"] = object.group;
+    }
     writeSettingsOf(object, settings::object, json);
     json["preset"] = toJson(object.material, folder);
     return json;
@@ -54,6 +57,9 @@ void writeParts(Json& json, const BlockParts& parts, BlockOwner owner,
 Json toJson(const Light& light, const std::filesystem::path& folder) {
     Json json = toJson(light.block);
     json["name"] = light.name;
+    if (light.isMutedBySolo) {
+        json["mutedBySolo"] = true;
+    }
     writeSettingsOf(light, settings::light, json);
     writeParts(json, light.parts, BlockOwner::Light, folder);
     return json;
@@ -76,6 +82,9 @@ nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     }
     writeSettingsOf(scene, settings::scene, json);
     writeSettingsOf(scene.camera, settings::camera, json[std::string(settings::camera)]);
+    for (const auto& [digit, camera] : scene.bookmarks) {
+        writeSettingsOf(camera, settings::camera, json["bookmarks"][std::to_string(digit)]);
+    }
     writePictureAccuracy(json, scene.accuracy);
     writeParts(json, scene.parts, BlockOwner::Scene, folder);
     json["extras"] = scene.extras;

@@ -9,6 +9,12 @@
 #include <glm/trigonometric.hpp>
 
 namespace patina {
+namespace {
+
+constexpr double minDepthShare = 0.99; ///< that the nearest depth is of the farthest, at most
+constexpr double minThickness = 1e-4;  ///< of what lies between two planes, as a share
+
+} // namespace
 
 void DepthRange::add(const Bounds& bounds, const glm::dmat4& objectToCamera) {
     if (bounds.empty()) {
@@ -55,7 +61,10 @@ double DepthRange::near() const {
 
 glm::dmat4 projection(const Camera& camera, double aspect, const DepthRange& depths) {
     const double angle = glm::radians(std::clamp(camera.fieldOfView, 1.0, 170.0));
-    return glm::perspective(angle, aspect, depths.near(), depths.far());
+    const double far = camera.farPlane > 0.0 ? camera.farPlane : depths.far();
+    const double near =
+        camera.nearPlane > 0.0 ? camera.nearPlane : std::min(depths.near(), minDepthShare * far);
+    return glm::perspective(angle, aspect, near, std::max(far, near * (1.0 + minThickness)));
 }
 
 } // namespace patina

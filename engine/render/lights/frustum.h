@@ -41,7 +41,8 @@ class DepthRange {
 };
 
 /// The perspective of a camera whose image is `aspect` times as wide as high. The (vertical) field
-/// of view is brought into 1 .. 170 degrees.
+/// of view is brought into 1 .. 170 degrees. What the camera's own planes cut away is not in it;
+/// without them all depths are.
 glm::dmat4 projection(const Camera& camera, double aspect, const DepthRange& depths);
 
 } // namespace patina
