@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/editor.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <system_error>
+#include <vector>
 
 #include <QApplication>
 #include <QFileInfo>
@@ -18,6 +22,7 @@
 #include "gl/driver_cache.h"
 #include "shading/program/block_gate.h"
 #include "window/main_window.h"
+#include "window/safe_start.h"
 
 namespace patina {
 namespace {
@@ -97,6 +102,21 @@ void afterFirstFrame(MainWindow& window, Viewport& viewport) {
     });
 }
 
+/// After a crash only where something could be left out that may be at fault.
+SafeStartReason safeStartReason(const StartMark& mark, const std::vector<BlockRoot>& roots,
+                                const QStringList& files) {
+    if (QGuiApplication::queryKeyboardModifiers().testFlag(Qt::ShiftModifier)) {
+        return SafeStartReason::ShiftHeld;
+    }
+    const bool hasOwnBlocks = std::ranges::any_of(roots, [](const BlockRoot& root) {
+        std::error_code ignored;
+        return !root.shipped && std::filesystem::exists(root.folder, ignored) &&
+               !std::filesystem::is_empty(root.folder, ignored);
+    });
+    return mark.foundCrash() && (hasOwnBlocks || !files.isEmpty()) ? SafeStartReason::Crash
+                                                                   : SafeStartReason::None;
+}
+
 } // namespace
 
 int runEditor(int argc, char** argv) {
@@ -118,13 +138,23 @@ int runEditor(int argc, char** argv) {
     }
 
     Theme theme;
-    MainWindow window(std::make_shared<const Catalog>(loadCatalog(standardBlockRoots())), theme);
+    const StartMark mark(stateFolder());
+    std::vector<BlockRoot> roots = standardBlockRoots();
+    const bool isSafe = offerSafeStart(safeStartReason(mark, roots, files));
+    if (isSafe) {
+        std::erase_if(roots, [](const BlockRoot& root) { return !root.shipped; });
+    }
+    MainWindow window(std::make_shared<const Catalog>(loadCatalog(roots)), theme);
     window.documentFiles().openTemplate(defaultSceneFile());
-    window.files().open(files, Side::A);
+    if (!isSafe) {
+        window.files().open(files, Side::A);
+    }
     Viewport& viewport = window.views().first().viewport();
     afterFirstFrame(window, viewport);
     window.show();
-    window.offerRecovery(); // before the first frame, which may take a slow model seconds
+    if (!isSafe) {
+        window.offerRecovery(); // before the first frame, which may take a slow model seconds
+    }
     if (const QString why = whyNothingIsDrawn(viewport); !why.isEmpty()) {
         say(why);
         return 1;
