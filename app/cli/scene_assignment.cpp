@@ -38,6 +38,21 @@ bool isOfScene(const BlockKind& kind) {
     return kind.owner == BlockOwner::Scene || kind.folder == kinds::lights;
 }
 
+bool hasParameter(const Catalog& catalog, std::string_view kind, std::string_view id) {
+    return std::ranges::any_of(
+        catalog.ofKind(kind), [id](const Block* block) { return block->parameter(id) != nullptr; });
+}
+
+/// Tells whether it is a value of materials alone, whose first word is also that of this kind:
+/// "tone.curve".
+bool isForMaterial(const Assignment& assignment, const BlockKind& kind, const Catalog& catalog) {
+    return !hasParameter(catalog, kind.folder, assignment.inside(kind.singular)) &&
+           std::ranges::any_of(blockKinds(), [&](const BlockKind& each) {
+               return each.owner == BlockOwner::Material &&
+                      hasParameter(catalog, each.folder, assignment.id);
+           });
+}
+
 tl::unexpected<Error> unknownId(const Assignment& assignment, const std::string& what,
                                 const std::vector<std::string>& known) {
     return failure(what + " has no such parameter", oneOf(assignment.id, known));
@@ -147,13 +162,17 @@ std::string expectedLights(const Scene& scene, std::string_view name) {
     return names.empty() ? "a light, as --light adds it" : oneOf(lowered(name), names);
 }
 
-bool isForScene(const std::string& assignment) {
+bool isForScene(const std::string& assignment, const Catalog& catalog) {
     const std::string word = firstWord(assignment);
+    if (word.size() == assignment.size() || assignment[word.size()] != '.') {
+        return false;
+    }
     const BlockKind* kind = kindCalled(word);
-    const bool hasMore =
-        assignment.find_first_of(".=") < assignment.size() && assignment[word.size()] == '.';
-    return hasMore && ((kind != nullptr && isOfScene(*kind)) || isSettings(word) || isGroup(word) ||
-                       isOfPicture(assignment));
+    if (kind != nullptr && isOfScene(*kind)) {
+        const auto cut = assignmentFrom(assignment);
+        return !cut || !isForMaterial(*cut, *kind, catalog);
+    }
+    return isSettings(word) || isGroup(word) || isOfPicture(assignment);
 }
 
 Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog& catalog) {

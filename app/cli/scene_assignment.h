@@ -11,8 +11,9 @@ namespace patina {
 
 /// Tells whether an assignment of `--set` is about a scene and not about a material:
 /// "fog.density=0.1", "light.key.intensity=2", "light.key.enabled=false", "scene.exposure=1",
-/// "camera.yaw=0", "object.visible=false" ...
-bool isForScene(const std::string& assignment);
+/// "camera.yaw=0", "object.visible=false" ... What a word of the scene begins may be a value of
+/// materials alone ("tone.curve"): then it is about those.
+bool isForScene(const std::string& assignment, const Catalog& catalog);
 
 /// Sets the value in the scene, or in its first object.
 Result<void> assignInScene(Scene& scene, const std::string& assignment, const Catalog& catalog);

@@ -265,7 +265,7 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
         return tl::unexpected(oneError(chosen.error()));
     }
     for (const std::string& assignment : inOrder(options.sets, object.material, catalog)) {
-        if (isForScene(assignment)) {
+        if (isForScene(assignment, catalog)) {
             continue;
         }
         if (auto applied = applySet(object.material, assignment, catalog); !applied) {
@@ -286,7 +286,7 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
 Result<void> applyToScene(Scene& scene, const PictureOptions& options, const Catalog& catalog) {
     Result<void> done = chooseSceneBlocks(scene, options, catalog);
     for (const std::string& assignment : options.sets) {
-        if (done && isForScene(assignment)) {
+        if (done && isForScene(assignment, catalog)) {
             done = assignInScene(scene, assignment, catalog).map_error([&](const Error& error) {
                 return namingSet(error, assignment);
             });

@@ -82,14 +82,14 @@ vec3 fittedLight(Surface s, Model p) {
         perCosine[i] = IS_DARK(d) ? vec3(0.0) : reflectanceLimited(shadeModel(d, p)) / w.z;
         matte = min(matte, perCosine[i]);
     }
-    GatheredHere wide = GatheredHere(vec3(0.0), 0.0, vec3(0.0), 0.0);
+    GatheredHere wideLobe = GatheredHere(vec3(0.0), 0.0, vec3(0.0), 0.0);
     for (int i = 0; i < WIDE_LIGHTS; ++i) {
         vec3 w = wideLight(i);
         vec3 apart = w.x * x + w.y * y + w.z * s.n - r;
         float share = 1.0 - narrowShare(0.5 * dot(apart, apart));
-        gather(wide, (perCosine[i] - matte) * (share / float(WIDE_LIGHTS)), 1.0, apart);
+        gather(wideLobe, (perCosine[i] - matte) * (share / float(WIDE_LIGHTS)), 1.0, apart);
     }
-    GatheredHere narrow = GatheredHere(vec3(0.0), 0.0, vec3(0.0), 0.0);
+    GatheredHere narrowLobe = GatheredHere(vec3(0.0), 0.0, vec3(0.0), 0.0);
     float from = 0.0;
     float to = HALF_NARROWEST;
     for (int i = 0; i < HALF_RINGS; ++i) {
@@ -106,11 +106,12 @@ vec3 fittedLight(Surface s, Model p) {
                     vec3(0.0));
                 vec3 apart = l - r;
                 float share = narrowShare(0.5 * dot(apart, apart));
-                gather(narrow, rest * (share * area * 4.0 * vh / PI), HALF_MEAN, apart);
+                gather(narrowLobe, rest * (share * area * 4.0 * vh / PI), HALF_MEAN, apart);
             }
         }
         from = to;
         to *= HALF_FACTOR;
     }
-    return matte * environmentOnMatte(environmentInside(s.n)) + seenBy(wide, r) + seenBy(narrow, r);
+    return matte * environmentOnMatte(environmentInside(s.n)) + seenBy(wideLobe, r) +
+           seenBy(narrowLobe, r);
 }
