@@ -100,6 +100,31 @@ const std::vector<Edit> edits{
          addObject(d, object);
      }},
     {"ObjectRemoved", [](Document& d) { removeObject(d, 0); }},
+    {"ObjectsRemoved", [](Document& d) { removeObjects(d, {0}); }},
+    {"ObjectsAdded",
+     [](Document& d) {
+         std::vector<Object> copies(2, d.scene().objects[0]);
+         copies[0].translation = {-0.8, 0.3, 0.0};
+         copies[1].translation = {0.8, 0.3, 0.0};
+         addObjects(d, copies, "Duplicate");
+     }},
+    {"ObjectsMoved",
+     [](Document& d) {
+         changeObjects(d, {0}, "Move", [](Object& object) { object.translation.x = 0.4; });
+     }},
+    {"Solo", [](Document& d) { toggleSolo(d, 0); }},
+    {"Mute", [](Document& d) { toggleMute(d, 0); }},
+    {"LightPlaced",
+     [](Document& d) {
+         const BlockPath path = d.currentPath(kinds::lights);
+         Values places;
+         for (const Parameter& parameter : d.block(path)->parameters) {
+             if (parameter.space != Space::None) {
+                 places.emplace(parameter.id, glm::dvec3(3.0, -0.5, 0.2));
+             }
+         }
+         d.setValues(path, places, "Place light");
+     }},
     {"ObjectMesh",
      [](Document& d) {
          Object object = d.scene().objects[0];

@@ -2,6 +2,7 @@
 #include "ui/window_fixture.h"
 #include "catalog/catalog.h"
 
+#include <QApplication>
 #include <QCursor>
 #include <QEventLoop>
 #include <QScreen>
@@ -71,6 +72,12 @@ void WindowFixture::settle() {
     QEventLoop panels;
     QTimer::singleShot(panelsMs, &panels, &QEventLoop::quit);
     panels.exec();
+}
+
+void WindowFixture::focusView() {
+    QApplication::setActiveWindow(window_.get());
+    view().setFocus();
+    ASSERT_TRUE(view().hasFocus());
 }
 
 void WindowFixture::drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint by) {

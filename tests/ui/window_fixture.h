@@ -42,6 +42,9 @@ class WindowFixture : public testing::Test {
     /// fired however long a frame in between took.
     void settle();
 
+    /// Gives the first view the keys, those of the menus too, which need an active window.
+    void focusView();
+
     /// A left, middle or right drag over the middle of the first view.
     void drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint by);
 

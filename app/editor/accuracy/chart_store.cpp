@@ -33,7 +33,9 @@ json cameraJson(const Camera& camera) {
             {"yaw", camera.yaw},
             {"pitch", camera.pitch},
             {"distance", camera.distance},
-            {"fieldOfView", camera.fieldOfView}};
+            {"fieldOfView", camera.fieldOfView},
+            {"near", camera.nearPlane},
+            {"far", camera.farPlane}};
 }
 
 /// Numbers are written as floats, and a scene that was read has floats, too.
@@ -44,7 +46,9 @@ Camera cameraFrom(const json& from) {
             number(from.at("yaw")),
             number(from.at("pitch")),
             number(from.at("distance")),
-            number(from.at("fieldOfView"))};
+            number(from.at("fieldOfView")),
+            number(from.value("near", json(0.0))),
+            number(from.value("far", json(0.0)))};
 }
 
 json jsonOf(const ChartKey& key, const StoredChart& stored) {

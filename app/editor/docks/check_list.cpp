@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/check_list.h"
 
+#include <algorithm>
+
 #include <QKeyEvent>
 #include <QSignalBlocker>
 
@@ -17,6 +19,8 @@ CheckList::CheckList(QWidget* parent) : QListWidget(parent) {
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     connect(this, &QListWidget::currentRowChanged, this, &CheckList::chosen);
+    connect(this, &QListWidget::currentRowChanged, this, &CheckList::tellSelected);
+    connect(this, &QListWidget::itemSelectionChanged, this, &CheckList::tellSelected);
     connect(this, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         const int index = row(item);
         const Row before = rows_[static_cast<std::size_t>(index)];
@@ -29,7 +33,18 @@ CheckList::CheckList(QWidget* parent) : QListWidget(parent) {
     });
 }
 
-void CheckList::setRows(const std::vector<Row>& rows, int current) {
+void CheckList::tellSelected() {
+    std::vector<int> rows;
+    for (const QModelIndex& index : selectedIndexes()) {
+        rows.push_back(index.row());
+    }
+    if (const auto current = std::ranges::find(rows, currentRow()); current != rows.end()) {
+        std::iter_swap(current, rows.end() - 1);
+    }
+    Q_EMIT selected(rows);
+}
+
+void CheckList::setRows(const std::vector<Row>& rows, int current, std::vector<int> selected) {
     const QSignalBlocker quiet(this);
     if (rows != rows_ || count() != static_cast<int>(rows.size())) {
         rows_ = rows;
@@ -41,7 +56,23 @@ void CheckList::setRows(const std::vector<Row>& rows, int current) {
             item->setToolTip(row.detail);
         }
     }
-    setCurrentRow(current);
+    if (selectionMode() == SingleSelection) {
+        setCurrentRow(current);
+        return;
+    }
+    // A click may be under way: what is so already stays as it is.
+    if (selected.empty() && current >= 0) {
+        selected.push_back(current);
+    }
+    for (int row = 0; row < count(); ++row) {
+        const bool isSelected = std::ranges::find(selected, row) != selected.end();
+        if (item(row)->isSelected() != isSelected) {
+            item(row)->setSelected(isSelected);
+        }
+    }
+    if (currentRow() != current) {
+        setCurrentRow(current, QItemSelectionModel::NoUpdate);
+    }
 }
 
 void CheckList::keyPressEvent(QKeyEvent* event) {

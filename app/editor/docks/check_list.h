@@ -23,10 +23,13 @@ class CheckList : public QListWidget {
         friend bool operator==(const Row&, const Row&) = default;
     };
 
-    void setRows(const std::vector<Row>& rows, int current);
+    /// Shows rows, of which these are selected; where none is it is the current one.
+    void setRows(const std::vector<Row>& rows, int current, std::vector<int> selected = {});
 
   Q_SIGNALS:
     void chosen(int row);
+    /// Several may be selected: these, the last of which is the current one.
+    void selected(const std::vector<int>& rows);
     void switched(int row, bool on);
     void renamed(int row, QString name);
     void removeWished(int row);
@@ -36,6 +39,8 @@ class CheckList : public QListWidget {
     QSize sizeHint() const override;
 
   private:
+    void tellSelected();
+
     std::vector<Row> rows_;
 };
 

@@ -20,6 +20,7 @@ LightsDock::LightsDock(const DockContext& context)
     : document_(context.document), list_(new CheckList(this)),
       add_(textButton(tr("Add"), tr("Add a light"), this)),
       remove_(textButton(tr("Remove"), tr("Remove the chosen light (Del)"), this)),
+      solo_(textButton(tr("Solo"), tr("Only the chosen light; once more: those before"), this)),
       kinds_(new QMenu(this)),
       kind_(new BlockChooser(document_, kinds::lights, BlockChooser::Off::Absent, this)),
       key_(new QCheckBox(tr("&Key light"), this)),
@@ -39,7 +40,7 @@ LightsDock::LightsDock(const DockContext& context)
     layout->addWidget(new DocumentForm(document_, context.textures, kinds::lights));
     layout->addWidget(labelled(tr("&Shadows"), shadow_));
     layout->addWidget(new DocumentForm(document_, context.textures, kinds::shadows));
-    fillPanel(this, {list_, rowOf({kind_, add_, remove_})}, forms);
+    fillPanel(this, {list_, rowOf({kind_, solo_, add_, remove_})}, forms);
     connectList();
     connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);
     connect(kind_, &BlockChooser::chosen, this, [this](const QString& id) {
@@ -49,6 +50,8 @@ LightsDock::LightsDock(const DockContext& context)
         document_.setBlock(document_.currentPath(kinds::shadows), id.toStdString());
     });
     connect(key_, &QCheckBox::clicked, this, &LightsDock::markKey);
+    connect(solo_, &QToolButton::clicked, this,
+            [this] { toggleSolo(document_, document_.currentLight()); });
     connect(remove_, &QToolButton::clicked, this,
             [this] { removeLight(document_, document_.currentLight()); });
     onChange(document_, DocumentChange::Lights | DocumentChange::Current | DocumentChange::Scene,
@@ -93,6 +96,7 @@ void LightsDock::update() {
     kind_->setEnabled(any);
     remove_->setEnabled(any);
     key_->setEnabled(any);
+    solo_->setEnabled(any);
     const auto& lights = document_.scene().lights;
     kind_->show(any ? QString::fromStdString(lights[static_cast<std::size_t>(current)].block.id)
                     : QString());
@@ -112,9 +116,9 @@ void LightsDock::updateShadow() {
 }
 
 void LightsDock::switchLight(int index, bool on) {
-    Light light = document_.scene().lights.at(static_cast<std::size_t>(index));
-    light.enabled = on;
-    setLight(document_, index, light);
+    if (document_.scene().lights.at(static_cast<std::size_t>(index)).enabled != on) {
+        toggleMute(document_, index);
+    }
 }
 
 void LightsDock::markKey(bool isKey) {

@@ -35,6 +35,7 @@ class LightsDock : public QWidget {
     CheckList* list_;
     QToolButton* add_;
     QToolButton* remove_;
+    QToolButton* solo_;
     QMenu* kinds_;
     BlockChooser* kind_;
     QCheckBox* key_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "docks/scene_dock.h"
 
+#include <algorithm>
+
 #include <QFileInfo>
 #include <QGroupBox>
 #include <QLabel>
@@ -11,6 +13,7 @@
 #include "core/auto_exposure.h"
 #include "docks/block_chooser.h"
 #include "docks/check_list.h"
+#include "docks/object_actions.h"
 #include "docks/panel.h"
 #include "document/scene_edits.h"
 #include "files/file_actions.h"
@@ -47,7 +50,7 @@ QGroupBox* titled(const QString& title, QWidget* content) {
 SceneDock::SceneDock(const DockContext& context)
     : document_(context.document), files_(context.files), list_(new CheckList(this)),
       add_(textButton(tr("Add"), tr("Add an object"), this)),
-      remove_(textButton(tr("Remove"), tr("Remove the chosen object (Del)"), this)),
+      remove_(textButton(tr("Remove"), tr("Remove the selected objects (Del)"), this)),
       meshes_(new QMenu(this)), tone_(new BlockChooser(document_, kinds::tone, tr("None"), this)) {
     add_->setMenu(meshes_);
     add_->setPopupMode(QToolButton::InstantPopup);
@@ -61,12 +64,14 @@ SceneDock::SceneDock(const DockContext& context)
     layout->addWidget(titled(tr("Scene"), scene));
     addAutoExposure(*scene, context.views);
     layout->addWidget(titled(tr("Display"), display(context)));
+    layout->addWidget(
+        titled(tr("Camera"), new DocumentForm(document_, context.textures, settings::camera)));
     auto* heading = new QLabel(tr("Objects"), this);
     fillPanel(this, {rowOf({heading, add_, remove_}), list_}, forms);
     connectList();
     connect(meshes_, &QMenu::aboutToShow, this, &SceneDock::fillMenu);
     connect(remove_, &QToolButton::clicked, this,
-            [this] { removeObject(document_, document_.currentObject()); });
+            [this] { removeObjects(document_, document_.editedObjects()); });
     onChange(document_, DocumentChange::Objects | DocumentChange::Current | DocumentChange::Scene,
              this, &SceneDock::update);
     onChange(document_, DocumentChange::Value, this, [this](const DocumentChange& change) {
@@ -117,11 +122,17 @@ QWidget* SceneDock::display(const DockContext& context) {
 }
 
 void SceneDock::connectList() {
-    connect(list_, &CheckList::chosen, this, [this](int row) { document_.setCurrentObject(row); });
+    for (QAction* action : (new ObjectActions(document_, files_, this))->all()) {
+        list_->addAction(action);
+    }
+    list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    connect(list_, &CheckList::selected, this,
+            [this](const std::vector<int>& rows) { document_.selectObjects(rows); });
     connect(list_, &CheckList::switched, this, &SceneDock::switchObject, Qt::QueuedConnection);
     connect(list_, &CheckList::renamed, this, &SceneDock::renameObject, Qt::QueuedConnection);
     connect(list_, &CheckList::removeWished, this,
-            [this](int row) { removeObject(document_, row); });
+            [this] { removeObjects(document_, document_.editedObjects()); });
 }
 
 void SceneDock::fillMenu() {
@@ -136,9 +147,12 @@ void SceneDock::fillMenu() {
 void SceneDock::update() {
     std::vector<CheckList::Row> rows;
     for (const Object& object : document_.scene().objects) {
-        rows.push_back({nameOf(object), QString::fromStdString(object.mesh), object.visible});
+        const QString mesh = QString::fromStdString(object.mesh);
+        const QString group = QString::fromStdString(object.group);
+        rows.push_back({nameOf(object), group.isEmpty() ? mesh : tr("%1, in %2").arg(mesh, group),
+                        object.visible});
     }
-    list_->setRows(rows, document_.currentObject());
+    list_->setRows(rows, document_.currentObject(), document_.selectedObjects());
     remove_->setEnabled(document_.currentObject() >= 0);
 }
 
@@ -150,9 +164,10 @@ void SceneDock::addBuiltin(const std::string& name) {
 }
 
 void SceneDock::switchObject(int index, bool on) {
-    Object object = document_.scene().objects.at(static_cast<std::size_t>(index));
-    object.visible = on;
-    setObject(document_, index, object);
+    const std::vector<int> edited = document_.editedObjects();
+    const bool isOfSelection = std::ranges::find(edited, index) != edited.end();
+    changeObjects(document_, isOfSelection ? edited : std::vector<int>{index},
+                  on ? tr("Show") : tr("Hide"), [on](Object& object) { object.visible = on; });
 }
 
 void SceneDock::renameObject(int index, const QString& name) {

@@ -8,6 +8,7 @@
 #include "document/commands/camera_command.h"
 #include "document/commands/compare_command.h"
 #include "document/commands/further_command.h"
+#include "document/commands/group_command.h"
 #include "document/commands/light_command.h"
 #include "document/commands/model_command.h"
 #include "document/commands/parameter_command.h"
@@ -16,6 +17,7 @@
 #include "document/commands/scene_block_command.h"
 #include "document/commands/texture_command.h"
 #include "document/swapped_block.h"
+#include "scene/scene_settings.h"
 #include "text/short_text.h"
 
 namespace patina {
@@ -74,6 +76,7 @@ void Document::startFrom(DocumentState state, int object) {
     lastParts_.clear();
     state_ = std::move(state);
     currentObject_ = state_.scene.objects.empty() ? -1 : object;
+    selectedObjects_.clear();
     currentLight_ = state_.scene.lights.empty() ? -1 : 0;
     activeSide_ = Side::A;
     announce({DocumentChange::Scene | DocumentChange::Comparing});
@@ -90,11 +93,54 @@ void Document::setCurrentObject(int index) {
     const int inside = std::min(index, static_cast<int>(state_.scene.objects.size()) - 1);
     if (inside != currentObject_) {
         currentObject_ = inside;
+        if (!std::ranges::binary_search(selectedObjects_, inside)) {
+            selectedObjects_.clear();
+        }
         shownScenes_.forget();
         DocumentChange change{DocumentChange::Current};
         change.aspects.setFlag(DocumentChange::Material, isComparing()); // B moved to this object
         announce(change);
     }
+}
+
+void Document::selectObjects(std::vector<int> objects) {
+    const auto count = static_cast<int>(state_.scene.objects.size());
+    std::erase_if(objects, [count](int object) { return object < 0 || object >= count; });
+    const int current = objects.empty() ? currentObject_ : objects.back();
+    std::ranges::sort(objects);
+    const auto [repeated, end] = std::ranges::unique(objects);
+    objects.erase(repeated, end);
+    if (objects != selectedObjects_) {
+        selectedObjects_ = std::move(objects);
+        if (current == currentObject_) {
+            announce({DocumentChange::Current});
+        }
+    }
+    setCurrentObject(current);
+}
+
+std::vector<int> Document::editedObjects() const {
+    if (std::ranges::binary_search(selectedObjects_, currentObject_)) {
+        return selectedObjects_;
+    }
+    return currentObject_ < 0 ? std::vector<int>() : std::vector<int>{currentObject_};
+}
+
+/// The paths that an edit at a path is for: its own first, then those of the other objects that are
+/// selected with it. Sides but A have a material of their own, which is on one object.
+std::vector<BlockPath> Document::editedPaths(const BlockPath& path) const {
+    std::vector<BlockPath> paths{path};
+    const bool isOfObject = path.owner == BlockOwner::Object || path.owner == BlockOwner::Material;
+    if (!isOfObject || path.side != Side::A || path.index != currentObject_) {
+        return paths;
+    }
+    for (const int object : editedObjects()) {
+        if (object != path.index) {
+            paths.push_back(path);
+            paths.back().index = object;
+        }
+    }
+    return paths;
 }
 
 void Document::setCurrentLight(int index) {
@@ -116,6 +162,8 @@ void Document::setActiveSide(Side side) {
 void Document::keepCurrentInside() {
     const bool hasObjects = !state_.scene.objects.empty();
     const bool hasLights = !state_.scene.lights.empty();
+    std::erase_if(selectedObjects_,
+                  [count = std::ssize(state_.scene.objects)](int i) { return i >= count; });
     setCurrentObject(hasObjects ? std::max(currentObject_, 0) : -1);
     setCurrentLight(hasLights ? std::max(currentLight_, 0) : -1);
     setActiveSide(activeSide_);
@@ -154,22 +202,54 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
     if (const auto* file = std::get_if<std::string>(&wanted)) {
         Q_EMIT fileNamed(*file);
     }
-    const Value after = roundedToFloat(conformed(*parameter, wanted));
-    if (after == value(path, *parameter)) {
+    if (path.isAt(settings::camera)) {
+        Camera camera = state_.scene.camera;
+        storeSetting(camera, parameterId, roundedToFloat(conformed(*parameter, wanted)));
+        setCamera(camera);
         return;
     }
-    const auto edit = [&] {
-        undoStack_.push(new ParameterCommand(*this, path, *described, *parameter, after));
-    };
+    const QString label = tr("Change %1").arg(QString::fromStdString(parameter->label));
+    bool isChange = false;
+    GroupCommand::Edits edits;
+    for (const BlockPath& each : editedPaths(path)) {
+        const Block* block = this->block(each);
+        const Parameter* same = block ? block->parameter(parameterId) : nullptr;
+        if (same && same->type == parameter->type) {
+            const Value after = roundedToFloat(conformed(*same, wanted));
+            isChange |= after != value(each, *same);
+            edits.push_back(std::make_unique<ParameterCommand>(*this, each, *block, *same, after));
+        }
+    }
+    if (!isChange) {
+        return;
+    }
+    const auto edit = [&] { pushAsOne(*this, label, std::move(edits)); };
     if (!isOverlaid(state_, path, parameterId)) {
         edit();
         return;
     }
-    const QString label = tr("Change %1").arg(QString::fromStdString(parameter->label));
     editAsOneStep(label, [&] {
         showOwnPicture(); // so that the edit is seen
         edit();
     });
+}
+
+void Document::setValues(const BlockPath& path, const Values& values, const QString& label) {
+    const Block* described = block(path);
+    bool isChange = false;
+    GroupCommand::Edits edits; // also of values that stay: the steps of a drag merge
+    for (const auto& [id, wanted] : values) {
+        const Parameter* parameter = described ? described->parameter(id) : nullptr;
+        if (parameter && isFinite(wanted)) {
+            const Value after = roundedToFloat(conformed(*parameter, wanted));
+            isChange |= after != value(path, *parameter);
+            edits.push_back(
+                std::make_unique<ParameterCommand>(*this, path, *described, *parameter, after));
+        }
+    }
+    if (isChange) {
+        pushAsOne(*this, label, std::move(edits));
+    }
 }
 
 const TextureUse* Document::texture(const BlockPath& path, std::string_view parameterId) const {
@@ -187,16 +267,33 @@ void Document::setTexture(const BlockPath& path, std::string_view parameterId,
     const Block* described = block(path);
     const Parameter* parameter = described ? described->parameter(parameterId) : nullptr;
     const TextureUse* held = texture(path, parameterId);
-    const bool isSame = held ? use && *use == *held : !use;
-    if (!parameter || !takesTextures(path) || isSame ||
-        !materialAt(state_, path.index, path.side)) {
+    if (!parameter || !takesTextures(path) || !materialAt(state_, path.index, path.side)) {
+        return;
+    }
+    bool isChange = false;
+    std::vector<BlockPath> paths = editedPaths(path);
+    std::erase_if(paths, [&](const BlockPath& each) {
+        const Block* block = this->block(each);
+        const Parameter* same = block ? block->parameter(parameterId) : nullptr;
+        return !same || same->type != parameter->type;
+    });
+    for (const BlockPath& each : paths) {
+        const TextureUse* there = texture(each, parameterId);
+        isChange |= there ? !use || *use != *there : use.has_value();
+    }
+    if (!isChange) {
         return;
     }
     const QString name = QString::fromStdString(parameter->label);
     const QString label = !use    ? tr("Remove image of %1").arg(name)
                           : !held ? tr("Image on %1").arg(name)
                                   : tr("Change image of %1").arg(name);
-    undoStack_.push(new TextureCommand(*this, {path, std::string(parameterId)}, use, label));
+    GroupCommand::Edits edits;
+    for (const BlockPath& each : paths) {
+        edits.push_back(std::make_unique<TextureCommand>(
+            *this, ParameterTarget{each, std::string(parameterId)}, use, label));
+    }
+    pushAsOne(*this, label, std::move(edits));
 }
 
 void Document::setBlock(const BlockPath& path, std::string_view blockId) {
@@ -204,7 +301,8 @@ void Document::setBlock(const BlockPath& path, std::string_view blockId) {
     const Block* wanted = blockId.empty() ? nullptr : catalog_->find(path.kind, blockId);
     const bool isPossible = wanted || (blockId.empty() && kind && kind->isPart);
     const BlockValues* held = blockValuesAt(state_, path);
-    if (!isPossible || (held ? held->id : std::string()) == blockId) {
+    const bool isSame = (held ? held->id : std::string()) == blockId;
+    if (!isPossible || (isSame && path.owner != BlockOwner::Material)) {
         return;
     }
     if (scenePartsAt(state_, path)) {
@@ -214,12 +312,29 @@ void Document::setBlock(const BlockPath& path, std::string_view blockId) {
             setScenePart(path, wanted);
         }
     } else if (path.owner == BlockOwner::Material && materialAt(state_, path.index, path.side)) {
+        setBlocksOfMaterials(path, wanted);
+    }
+}
+
+/// Gives every material that is edited the block that it does not have yet.
+void Document::setBlocksOfMaterials(const BlockPath& path, const Block* wanted) {
+    GroupCommand::Edits edits;
+    for (const BlockPath& each : editedPaths(path)) {
+        const BlockValues* held = blockValuesAt(state_, each);
+        if ((held ? held->id : std::string()) == (wanted ? wanted->id : std::string())) {
+            continue;
+        }
         if (path.isAt(kinds::models)) {
-            undoStack_.push(new ModelCommand(*this, {path.index, path.side}, *wanted));
+            edits.push_back(std::make_unique<ModelCommand>(
+                *this, MaterialPlace{each.index, each.side}, *wanted));
         } else {
-            undoStack_.push(new PartCommand(*this, path, wanted));
+            edits.push_back(std::make_unique<PartCommand>(*this, each, wanted));
         }
     }
+    const QString label = path.isAt(kinds::models)
+                              ? tr("Model %1").arg(QString::fromStdString(wanted->label))
+                              : blockLabel(path.kind, wanted);
+    pushAsOne(*this, label, std::move(edits));
 }
 
 void Document::setKindOfLight(const BlockPath& path, const Block& wanted) {
@@ -254,6 +369,18 @@ void Document::replaceMaterial(Side side, const Material& wanted, const QString&
     if (held && !(*held == wanted)) {
         undoStack_.push(new MaterialCommand(*this, {currentObject_, side}, wanted, label));
     }
+}
+
+void Document::replaceMaterials(Side side, const Material& wanted, const QString& label) {
+    GroupCommand::Edits edits;
+    for (const BlockPath& each : editedPaths(pathOf(kinds::models, currentObject_, side))) {
+        const Material* held = materialAt(state_, each.index, each.side);
+        if (held && !(*held == wanted)) {
+            edits.push_back(std::make_unique<MaterialCommand>(
+                *this, MaterialPlace{each.index, each.side}, wanted, label));
+        }
+    }
+    pushAsOne(*this, label, std::move(edits));
 }
 
 void Document::setSecondMaterial(std::optional<Material> wanted) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include <QObject>
 #include <QUndoStack>
@@ -53,6 +54,14 @@ class Document : public QObject {
     int currentLight() const { return currentLight_; }
     Side activeSide() const { return activeSide_; }
     void setCurrentObject(int index);
+    /// The selected objects by rising index; none, or the current one is among them. An edit of the
+    /// current one is one of them all.
+    const std::vector<int>& selectedObjects() const { return selectedObjects_; }
+    /// Selects these objects; the last one becomes the current one. Without one the current one
+    /// stays what the panels show.
+    void selectObjects(std::vector<int> objects);
+    /// The objects that an edit of the current one changes: the selected ones, or it alone.
+    std::vector<int> editedObjects() const;
     void setCurrentLight(int index);
     void setActiveSide(Side side);
     /// The path of a kind of block, or of settings, in what is current: the active material, the
@@ -66,7 +75,11 @@ class Document : public QObject {
     const Parameter* parameter(const ParameterTarget& target) const;
     /// The value a parameter has, conformed to its descriptor; the default where none is stored.
     Value value(const BlockPath& path, const Parameter& parameter) const;
+    /// Of the camera it is no edit, as no move of it is.
     void setValue(const BlockPath& path, std::string_view parameterId, const Value& value);
+
+    /// Sets several values of one block as one step.
+    void setValues(const BlockPath& path, const Values& values, const QString& label);
 
     // Images on values of a material.
     /// The image of a value; null where there is none.
@@ -81,6 +94,8 @@ class Document : public QObject {
     void setBlock(const BlockPath& path, std::string_view blockId);
     void setModel(Side side, std::string_view modelId);
     void replaceMaterial(Side side, const Material& material, const QString& label);
+    /// The same of every object that is edited.
+    void replaceMaterials(Side side, const Material& material, const QString& label);
     /// Starts comparing with a material, changes it, or stops (nullopt).
     void setSecondMaterial(std::optional<Material> material);
     /// Gives sides C and D these materials; fewer take sides away.
@@ -126,6 +141,8 @@ class Document : public QObject {
   private:
     friend class DocumentCommand;
 
+    std::vector<BlockPath> editedPaths(const BlockPath& path) const;
+    void setBlocksOfMaterials(const BlockPath& path, const Block* wanted);
     void setKindOfLight(const BlockPath& path, const Block& wanted);
     void setScenePart(const BlockPath& path, const Block* wanted);
     void keepCurrentInside();
@@ -135,6 +152,7 @@ class Document : public QObject {
     DocumentState state_;
     mutable ShownScenes shownScenes_;
     int currentObject_ = -1;
+    std::vector<int> selectedObjects_;
     int currentLight_ = -1;
     Side activeSide_ = Side::A;
     int interaction_ = 0;

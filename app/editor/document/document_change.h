@@ -26,6 +26,7 @@ struct DocumentChange {
         Current = 1 << 11,     ///< another object, light or side is the current one
         Interaction = 1 << 12, ///< an interaction began or ended
         Snapshots = 1 << 13,   ///< one was taken, renamed or removed
+        Bookmarks = 1 << 14,   ///< a view was kept
         /// Any of what is drawn.
         Drawn = Value | Texture | Material | Block | Lights | Objects | Comparing | Camera | Scene |
                 Catalog | Rights

@@ -316,7 +316,7 @@ bool DocumentFiles::applyPreset(const std::filesystem::path& path, Side side,
     if (side == Side::B && !document_.state().second) {
         document_.setSecondMaterial(reading->material);
     } else {
-        document_.replaceMaterial(side, reading->material, tr("Preset %1").arg(titleOf(path)));
+        document_.replaceMaterials(side, reading->material, tr("Preset %1").arg(titleOf(path)));
     }
     tell(reading->notes);
     return true;

@@ -200,6 +200,9 @@ std::optional<Value> storedValue(const DocumentState& state, const BlockPath& pa
         const std::optional<Value> level = pictureLevel(state.scene, parameterId);
         return level ? level : settingOf(state.scene, parameterId);
     }
+    if (path.isAt(settings::camera)) {
+        return settingOf(state.scene.camera, parameterId);
+    }
     if (path.isAt(settings::object)) {
         const Object* object = elementAt(state.scene.objects, path.index);
         return object ? settingOf(*object, parameterId) : std::nullopt;
@@ -223,6 +226,8 @@ void storeValue(DocumentState& state, const BlockPath& path, std::string_view pa
     if (path.isAt(settings::scene)) {
         storeSetting(state.scene, parameterId, value);
         storePictureLevel(state.scene, parameterId, value);
+    } else if (path.isAt(settings::camera)) {
+        storeSetting(state.scene.camera, parameterId, value);
     } else if (path.isAt(settings::object)) {
         if (Object* object = elementAt(state.scene.objects, path.index)) {
             storeSetting(*object, parameterId, value);

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <glm/trigonometric.hpp>
 
+#include "document/commands/bookmark_command.h"
+#include "document/commands/group_command.h"
 #include "document/commands/light_command.h"
 #include "document/commands/lighting_command.h"
 #include "document/commands/object_command.h"
@@ -70,6 +74,47 @@ Light lightOf(const EnvironmentLamp& lamp, const glm::dvec3& direction, const Bl
     return light;
 }
 
+using Names = std::set<std::string, std::less<>>;
+
+Names namesOf(const Scene& scene, std::string Object::*which) {
+    Names names;
+    for (const Object& object : scene.objects) {
+        names.insert(object.*which);
+    }
+    return names;
+}
+
+/// The name, or the first of "name 2", "name 3" ... that is free; a number at its end counts on.
+std::string unusedName(const Names& taken, const std::string& name) {
+    const std::size_t letters = name.find_last_not_of("0123456789");
+    const bool isNumbered = letters != std::string::npos && letters + 1 < name.size() &&
+                            name[letters] == ' ' && letters > 0;
+    const std::string stem = isNumbered ? name.substr(0, letters) : name;
+    std::string free = name;
+    for (int number = 2; taken.contains(free); ++number) {
+        free = stem + ' ' + std::to_string(number);
+    }
+    return free;
+}
+
+/// Objects under names and in groups that no object of the scene has.
+std::vector<Object> namedApart(const Scene& scene, std::vector<Object> objects) {
+    Names names = namesOf(scene, &Object::name);
+    Names groups = namesOf(scene, &Object::group);
+    std::map<std::string, std::string> renamed{{"", ""}};
+    for (Object& object : objects) {
+        object.name = unusedName(names, object.name);
+        names.insert(object.name);
+        if (!renamed.contains(object.group)) {
+            const std::string group = unusedName(groups, object.group);
+            groups.insert(group);
+            renamed.emplace(object.group, group);
+        }
+        object.group = renamed.at(object.group);
+    }
+    return objects;
+}
+
 } // namespace
 
 bool takeLampsOut(Document& document, const EnvironmentLamps& lamps) {
@@ -125,6 +170,41 @@ void removeLight(Document& document, int index) {
     }
 }
 
+/// Which lights were on before is kept with those that are turned off, in the scene itself: it is
+/// undone and saved with it.
+void toggleSolo(Document& document, int index) {
+    const std::vector<Light>& lights = document.scene().lights;
+    if (!at(lights, index)) {
+        return;
+    }
+    const bool isSolo = std::ranges::any_of(lights, &Light::isMutedBySolo) &&
+                        lights[static_cast<std::size_t>(index)].enabled;
+    const QString label = isSolo ? Document::tr("End solo") : Document::tr("Solo light");
+    GroupCommand::Edits edits;
+    for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
+        const Light& held = lights[static_cast<std::size_t>(i)];
+        Light light = held;
+        const bool wasOn = held.enabled || held.isMutedBySolo;
+        light.enabled = isSolo ? wasOn : i == index;
+        light.isMutedBySolo = !isSolo && i != index && wasOn;
+        if (!(light == held)) {
+            edits.push_back(std::make_unique<LightCommand>(document, i, held, light, label));
+        }
+    }
+    pushAsOne(document, label, std::move(edits));
+}
+
+void toggleMute(Document& document, int index) {
+    if (const Light* held = at(document.scene().lights, index)) {
+        Light light = *held;
+        light.enabled = !held->enabled;
+        light.isMutedBySolo = false;
+        document.undoStack().push(new LightCommand(document, index, *held, light,
+                                                   light.enabled ? Document::tr("Light on")
+                                                                 : Document::tr("Mute light")));
+    }
+}
+
 void addObject(Document& document, const Object& object) {
     const int index = static_cast<int>(document.scene().objects.size());
     document.undoStack().push(
@@ -144,6 +224,97 @@ void removeObject(Document& document, int index) {
     if (const Object* held = at(document.scene().objects, index)) {
         document.undoStack().push(
             new ObjectCommand(document, index, *held, std::nullopt, Document::tr("Remove object")));
+    }
+}
+
+void setObjects(Document& document, const std::map<int, Object>& objects, const QString& label) {
+    bool isChange = false;
+    GroupCommand::Edits edits; // also of objects that stay: the steps of a drag merge
+    for (const auto& [index, object] : objects) {
+        if (const Object* held = at(document.scene().objects, index)) {
+            isChange |= !(*held == object);
+            edits.push_back(std::make_unique<ObjectCommand>(document, index, *held, object, label));
+        }
+    }
+    if (isChange) {
+        pushAsOne(document, label, std::move(edits));
+    }
+}
+
+void changeObjects(Document& document, const std::vector<int>& indices, const QString& label,
+                   const std::function<void(Object&)>& change) {
+    std::map<int, Object> changed;
+    for (const int index : indices) {
+        if (const Object* held = at(document.scene().objects, index)) {
+            Object object = *held;
+            change(object);
+            changed.emplace(index, std::move(object));
+        }
+    }
+    setObjects(document, changed, label);
+}
+
+/// The last one goes first, so that each is where it was.
+void removeObjects(Document& document, std::vector<int> indices) {
+    std::ranges::sort(indices, std::greater());
+    const QString label =
+        Document::tr("Remove %n object(s)", nullptr, static_cast<int>(indices.size()));
+    GroupCommand::Edits edits;
+    for (const int index : indices) {
+        if (const Object* held = at(document.scene().objects, index)) {
+            edits.push_back(
+                std::make_unique<ObjectCommand>(document, index, *held, std::nullopt, label));
+        }
+    }
+    pushAsOne(document, label, std::move(edits));
+}
+
+void addObjects(Document& document, const std::vector<Object>& objects, const QString& label) {
+    const int first = static_cast<int>(document.scene().objects.size());
+    GroupCommand::Edits edits;
+    std::vector<int> added;
+    for (const Object& object : namedApart(document.scene(), objects)) {
+        added.push_back(first + static_cast<int>(added.size()));
+        edits.push_back(
+            std::make_unique<ObjectCommand>(document, added.back(), std::nullopt, object, label));
+    }
+    pushAsOne(document, label, std::move(edits));
+    document.selectObjects(added);
+}
+
+std::vector<int> withGroups(const Scene& scene, const std::vector<int>& indices) {
+    std::set<std::string> groups;
+    std::set<int> all(indices.begin(), indices.end());
+    for (const int index : indices) {
+        const Object* object = at(scene.objects, index);
+        if (object && !object->group.empty()) {
+            groups.insert(object->group);
+        }
+    }
+    for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+        if (groups.contains(scene.objects[static_cast<std::size_t>(i)].group)) {
+            all.insert(i);
+        }
+    }
+    return {all.begin(), all.end()};
+}
+
+void groupObjects(Document& document, const std::vector<int>& indices) {
+    const std::string name = unusedName(namesOf(document.scene(), &Object::group),
+                                        Document::tr("Group 1").toStdString());
+    changeObjects(document, indices, Document::tr("Group objects"),
+                  [&](Object& object) { object.group = name; });
+}
+
+void ungroupObjects(Document& document, const std::vector<int>& indices) {
+    changeObjects(document, indices, Document::tr("Ungroup"),
+                  [](Object& object) { object.group.clear(); });
+}
+
+void setBookmark(Document& document, int digit, const Camera& camera) {
+    const auto found = document.scene().bookmarks.find(digit);
+    if (found == document.scene().bookmarks.end() || found->second != camera) {
+        document.undoStack().push(new BookmarkCommand(document, digit, camera));
     }
 }
 

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string_view>
+#include <vector>
 
 #include "document/document.h"
 #include "render/lights/environment_lamps.h"
@@ -14,9 +17,31 @@ void addLight(Document& document, std::string_view blockId);
 void setLight(Document& document, int index, const Light& light);
 void removeLight(Document& document, int index);
 
+/// Turns all lights but this one off; where they are already, those that were on before.
+void toggleSolo(Document& document, int index);
+/// Turns a light off or on.
+void toggleMute(Document& document, int index);
+
 void addObject(Document& document, const Object& object);
 void setObject(Document& document, int index, const Object& object);
 void removeObject(Document& document, int index);
+
+/// Changes objects, by their indices, as one step.
+void setObjects(Document& document, const std::map<int, Object>& objects, const QString& label);
+void changeObjects(Document& document, const std::vector<int>& indices, const QString& label,
+                   const std::function<void(Object&)>& change);
+void removeObjects(Document& document, std::vector<int> indices);
+/// Adds objects under names and in groups that none has yet, and selects them.
+void addObjects(Document& document, const std::vector<Object>& objects, const QString& label);
+
+/// These objects and all that are in a group with one of them, by rising index.
+std::vector<int> withGroups(const Scene& scene, const std::vector<int>& indices);
+/// Puts objects into a new group, which they are selected with from then on.
+void groupObjects(Document& document, const std::vector<int>& indices);
+void ungroupObjects(Document& document, const std::vector<int>& indices);
+
+/// Keeps the camera under a digit from 1 to 9.
+void setBookmark(Document& document, int digit, const Camera& camera);
 
 /// Lights the scene as another one is lit (see LightingCommand).
 void setLighting(Document& document, const Scene& from);

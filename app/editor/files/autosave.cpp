@@ -104,7 +104,8 @@ Autosave::Autosave(Document& document, DocumentFiles& files, std::filesystem::pa
     setIntervals(defaultQuietMs, defaultLongestMs);
     connect(&quiet_, &QTimer::timeout, this, &Autosave::save);
     connect(&longest_, &QTimer::timeout, this, &Autosave::save);
-    onChange(document, DocumentChange::Drawn, this, &Autosave::schedule);
+    onChange(document, DocumentChange::Drawn | DocumentChange::Bookmarks, this,
+             &Autosave::schedule);
     // The first edit is announced before it makes the document a modified one.
     connect(&document, &Document::modifiedChanged, this, &Autosave::schedule);
 }

@@ -206,6 +206,16 @@ void FileActions::addBeside(const Object& object) {
     });
 }
 
+void FileActions::duplicateObjects() {
+    const Scene& scene = document_.scene();
+    std::vector<Object> copies;
+    for (const int index : document_.editedObjects()) {
+        copies.push_back(scene.objects[static_cast<std::size_t>(index)]);
+    }
+    addObjects(document_, placedBeside(scene, copies, meshes_),
+               tr("Duplicate %n object(s)", nullptr, static_cast<int>(copies.size())));
+}
+
 /// What was on its way for the former document.
 void FileActions::forgetMeshes() {
     wanted_.clear();

@@ -58,6 +58,9 @@ class FileActions : public QObject {
     /// The same, beside what is there and in view, as one undo step. Its mesh must be there.
     void addBeside(const Object& object);
 
+    /// Adds copies of the objects that an edit changes, beside all others, and selects them.
+    void duplicateObjects();
+
     /// False when the user wants to go back. Saves when the user wants that.
     bool mayLoseDocument();
 

@@ -50,6 +50,11 @@ glm::dvec3 rounded(const glm::dvec3& place, double size) {
 } // namespace
 
 Object placedBeside(const Scene& scene, const Object& object, MeshLibrary& meshes) {
+    return placedBeside(scene, std::vector<Object>{object}, meshes).front();
+}
+
+std::vector<Object> placedBeside(const Scene& scene, std::vector<Object> objects,
+                                 MeshLibrary& meshes) {
     Box there;
     for (const Object& each : scene.objects) {
         if (each.visible) {
@@ -57,21 +62,23 @@ Object placedBeside(const Scene& scene, const Object& object, MeshLibrary& meshe
         }
     }
     Box own;
-    own.add(object, meshes.view(object).bounds);
+    for (const Object& each : objects) {
+        own.add(each, meshes.view(each).bounds);
+    }
     if (there.isEmpty() || own.isEmpty()) {
-        return object;
+        return objects;
     }
     const glm::dvec3 extent = own.upper - own.lower;
     const double size = std::max({extent.x, extent.y, extent.z});
     if (!(size > 0.0)) {
-        return object;
+        return objects;
     }
-    const glm::dvec3 way{there.upper.x - own.lower.x + gap * extent.x,
-                         there.lower.y - own.lower.y,
+    const glm::dvec3 way{there.upper.x - own.lower.x + gap * extent.x, there.lower.y - own.lower.y,
                          0.5 * (there.lower.z + there.upper.z - own.lower.z - own.upper.z)};
-    Object placed = object;
-    placed.translation = rounded(object.translation + way, size);
-    return placed;
+    for (Object& each : objects) {
+        each.translation = rounded(each.translation + way, size);
+    }
+    return objects;
 }
 
 } // namespace patina

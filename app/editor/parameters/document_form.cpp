@@ -16,6 +16,9 @@ DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, std::st
                      refresh(change.parameterId);
                  }
              });
+    if (kind_ == settings::camera) {
+        onChange(document_, DocumentChange::Camera, this, [this] { refresh(); });
+    }
     connect(&textures_, &TextureLibrary::arrived, this, [this] { refresh(); });
     onChange(document_,
              DocumentChange::Material | DocumentChange::Block | DocumentChange::Lights |

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
+#include <algorithm>
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -146,6 +148,37 @@ void Session::setLook(Look look) {
     settings_.setValue("view/look", look == Look::Dark    ? "dark"
                                     : look == Look::Light ? "light"
                                                           : "system");
+}
+
+MouseHabits Session::mouseHabits() const {
+    const std::string id = settings_.value("view/mouse").toString().toStdString();
+    const auto found = std::ranges::find(mouseSchemeIds, id);
+    const auto place = found == mouseSchemeIds.end() ? 0 : found - mouseSchemeIds.begin();
+    return {static_cast<MouseScheme>(place), settings_.value("view/wheelZooms", true).toBool()};
+}
+
+void Session::setMouseHabits(const MouseHabits& habits) {
+    const std::string_view id = mouseSchemeIds.at(static_cast<std::size_t>(habits.scheme));
+    settings_.setValue("view/mouse", QString::fromUtf8(id.data(), qsizetype(id.size())));
+    settings_.setValue("view/wheelZooms", habits.wheelZooms);
+}
+
+std::optional<QString> Session::keysOf(const QString& command) const {
+    const QVariant keys = settings_.value("keys/" + command);
+    return keys.isValid() ? std::optional(keys.toString()) : std::nullopt;
+}
+
+void Session::setKeysOf(const QString& command, const std::optional<QString>& keys) {
+    const QString key = "keys/" + command;
+    keys ? settings_.setValue(key, *keys) : settings_.remove(key);
+}
+
+bool Session::showsLights() const {
+    return settings_.value("view/lights", true).toBool();
+}
+
+void Session::setShowsLights(bool shows) {
+    settings_.setValue("view/lights", shows);
 }
 
 CompareLook Session::compareLook() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <QByteArray>
 #include <QSettings>
@@ -9,6 +10,7 @@
 #include <QStringList>
 
 #include "session/compare_look.h"
+#include "session/mouse_scheme.h"
 
 namespace patina {
 
@@ -41,6 +43,18 @@ class Session {
 
     Look look() const;
     void setLook(Look look);
+
+    MouseHabits mouseHabits() const;
+    void setMouseHabits(const MouseHabits& habits);
+
+    /// The keys that the user gave a command, by its name in the menus ("File/Save"); nothing where
+    /// it has its usual ones.
+    std::optional<QString> keysOf(const QString& command) const;
+    void setKeysOf(const QString& command, const std::optional<QString>& keys);
+
+    /// Whether lights are drawn into the views.
+    bool showsLights() const;
+    void setShowsLights(bool shows);
 
     CompareLook compareLook() const;
     void setCompareLook(const CompareLook& look);

@@ -77,6 +77,21 @@ Camera dollied(const Camera& camera, double factor) {
     return moved;
 }
 
+Camera zoomedTo(const Camera& camera, double factor, const glm::dvec2& place,
+                const glm::dvec2& size) {
+    const glm::dvec2 pixels =
+        place - 0.5 * size; // what is there comes to the middle, and goes back
+    const Camera there = dollied(panned(camera, -pixels, size.y), factor);
+    return panned(there, pixels, size.y);
+}
+
+Camera withLens(const Camera& camera, double fieldOfView) {
+    Camera moved = camera;
+    moved.fieldOfView = fieldOfView;
+    moved.distance = camera.distance * std::tan(halfAngle(camera)) / std::tan(halfAngle(moved));
+    return dollied(moved, 1.0);
+}
+
 Camera framed(const Camera& camera, std::span<const PlacedMesh> objects, double aspect) {
     glm::dvec3 sum(0.0);
     int counted = 0;
@@ -118,7 +133,8 @@ bool isSameView(const Camera& a, const Camera& b) {
     constexpr double rounding = 1e-6; // of a distance; far less than a pixel
     return glm::distance(a.pivot, b.pivot) <= rounding * b.distance &&
            std::abs(a.distance - b.distance) <= rounding * b.distance && a.yaw == b.yaw &&
-           a.pitch == b.pitch && a.fieldOfView == b.fieldOfView;
+           a.pitch == b.pitch && a.fieldOfView == b.fieldOfView && a.nearPlane == b.nearPlane &&
+           a.farPlane == b.farPlane;
 }
 
 Camera pivotedAt(const Camera& camera, const glm::dvec3& pivot) {

@@ -20,6 +20,18 @@ Camera panned(const Camera& camera, const glm::dvec2& pixels, double height);
 /// The camera with its distance multiplied; it stays within 1e-3 .. 1e5 metres.
 Camera dollied(const Camera& camera, double factor);
 
+/// The same, while what is at `place` (pixels from the top left) of a view of `size` stays there,
+/// as deep as the pivot is.
+Camera zoomedTo(const Camera& camera, double factor, const glm::dvec2& place,
+                const glm::dvec2& size);
+
+/// The camera with another field of view (degrees) and as much to see at the pivot.
+Camera withLens(const Camera& camera, double fieldOfView);
+
+/// So narrow a lens shows what is parallel as parallel: lines of sight are apart by half a degree
+/// at most.
+inline constexpr double orthographicLens = 1.0;
+
 /// An object and its mesh, as they stand in a scene.
 struct PlacedMesh {
     const Object& object;

@@ -2,6 +2,7 @@
 #include "viewport/camera_navigation.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -19,8 +20,18 @@ constexpr double dollyPerPixel = 0.005;
 /// One notch of an ordinary wheel changes the distance by about 13 percent.
 constexpr double dollyPerNotch = 0.12;
 
+/// One press of an arrow.
+constexpr double degreesPerKey = 5.0;
+constexpr double pixelsPerKey = 30.0;
+
 /// Qt counts a wheel's turn in eighths of a degree, 15 degrees to the notch.
 constexpr double eighthsPerNotch = 120.0;
+
+/// Where a trackpad tells no pixels.
+constexpr double eighthsPerPixel = 8.0;
+
+/// A hand that clicks moves the pointer by less than so many pixels.
+constexpr double clickSlack = 3.0;
 
 using Drag = CameraNavigation::Drag;
 
@@ -37,25 +48,37 @@ Drag dragWithAlt(Qt::MouseButton button) {
     }
 }
 
-Drag dragWithLeft(Qt::KeyboardModifiers modifiers, bool lightKey) {
-    if (lightKey) {
-        return Drag::TurnLight;
-    }
+Drag dragAsInBlender(Qt::KeyboardModifiers modifiers) {
     if (modifiers.testFlag(Qt::ControlModifier)) {
-        return Drag::TurnObject;
+        return Drag::Dolly;
     }
     return modifiers.testFlag(Qt::ShiftModifier) ? Drag::Pan : Drag::Orbit;
 }
 
-Drag dragFor(const QMouseEvent& event, bool lightKey) {
+/// The left button without Alt. Where it moves no camera a press only picks.
+Drag dragWithLeft(Qt::KeyboardModifiers modifiers, MouseScheme scheme) {
+    if (modifiers.testFlag(Qt::ControlModifier)) {
+        return Drag::TurnObject;
+    }
+    if (scheme == MouseScheme::Maya || scheme == MouseScheme::Blender) {
+        return Drag::Pick;
+    }
+    return modifiers.testFlag(Qt::ShiftModifier) ? Drag::Pan : Drag::Orbit;
+}
+
+Drag dragFor(const QMouseEvent& event, bool lightKey, MouseScheme scheme) {
     const bool alt = event.modifiers().testFlag(Qt::AltModifier);
     if (!alt && event.button() == Qt::LeftButton) {
-        return dragWithLeft(event.modifiers(), lightKey);
+        return lightKey ? Drag::TurnLight : dragWithLeft(event.modifiers(), scheme);
     }
     if (event.button() == Qt::RightButton && event.modifiers() == Qt::ShiftModifier) {
         return Drag::TurnEnvironment;
     }
-    return dragWithAlt(event.button());
+    if (scheme == MouseScheme::Blender && event.button() == Qt::MiddleButton) {
+        return dragAsInBlender(event.modifiers());
+    }
+    const bool isIdle = scheme == MouseScheme::Maya && !alt;
+    return isIdle ? Drag::None : dragWithAlt(event.button());
 }
 
 } // namespace
@@ -66,13 +89,21 @@ void CameraNavigation::press(const QMouseEvent& event) {
     if (drag_ != Drag::None) {
         return;
     }
-    drag_ = dragFor(event, lightKey_);
+    drag_ = dragFor(event, lightKey_, habits_.scheme);
     button_ = event.button();
     last_ = event.position();
+    isClick_ = true;
+    if (isDragging()) {
+        Q_EMIT dragBegan();
+    }
 }
 
 void CameraNavigation::move(const QMouseEvent& event) {
     const QPointF pixels = event.position() - last_;
+    if (drag_ == Drag::None || (isClick_ && pixels.manhattanLength() < clickSlack)) {
+        return;
+    }
+    isClick_ = false;
     last_ = event.position();
     if (!pixels.isNull()) {
         drag(pixels);
@@ -83,8 +114,14 @@ void CameraNavigation::release(const QMouseEvent& event) {
     if (drag_ == Drag::None || event.button() != button_) {
         return;
     }
-    drag_ = Drag::None;
+    const Drag drag = std::exchange(drag_, Drag::None);
     Q_EMIT dragFinished();
+    if (isClick_ && event.button() == Qt::LeftButton &&
+        (drag == Drag::Orbit || drag == Drag::Pick || drag == Drag::TurnObject)) {
+        Q_EMIT pickWished(event.position(), drag == Drag::TurnObject);
+    } else if (isClick_ && drag == Drag::TurnLight) {
+        Q_EMIT lightPickWished(event.position(), event.modifiers().testFlag(Qt::ShiftModifier));
+    }
 }
 
 void CameraNavigation::doubleClick(const QMouseEvent& event) {
@@ -97,29 +134,127 @@ void CameraNavigation::doubleClick(const QMouseEvent& event) {
 
 void CameraNavigation::wheel(const QWheelEvent& event) {
     const double notches = event.angleDelta().y() / eighthsPerNotch;
-    if (notches != 0.0) {
-        Q_EMIT dollyWished(std::exp(-dollyPerNotch * notches));
+    const double factor = std::exp(-dollyPerNotch * notches);
+    const bool isZoom = event.modifiers().testFlag(Qt::ControlModifier);
+    if (habits_.scheme == MouseScheme::Trackpad && !isZoom) {
+        const QPointF pixels(event.pixelDelta());
+        scroll(pixels.isNull() ? QPointF(event.angleDelta()) / eighthsPerPixel : pixels,
+               event.modifiers());
+    } else if (notches != 0.0 && isZoom) {
+        Q_EMIT zoomWished(factor, event.position());
+    } else if (notches != 0.0 && habits_.wheelZooms) {
+        Q_EMIT dollyWished(factor);
+    }
+}
+
+/// Two fingers on a trackpad.
+void CameraNavigation::scroll(const QPointF& pixels, Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ShiftModifier)) {
+        Q_EMIT panWished(pixels);
+    } else if (!pixels.isNull()) {
+        Q_EMIT orbitWished(-pixels.x() * degreesPerPixel, pixels.y() * degreesPerPixel);
     }
 }
 
 bool CameraNavigation::keyPress(const QKeyEvent& event) {
-    const bool keypad = event.modifiers().testFlag(Qt::KeypadModifier);
-    if (event.key() == Qt::Key_L) {
+    if (event.key() == Qt::Key_Escape && isDragging()) {
+        drag_ = Drag::None;
+        Q_EMIT dragCancelled();
+        return true;
+    }
+    if (event.key() == Qt::Key_L && (event.modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier) {
         lightKey_ = true;
-    } else if (event.key() == Qt::Key_F && event.modifiers() == Qt::NoModifier) {
-        Q_EMIT frameWished();
-    } else if (event.key() == Qt::Key_Home && !keypad) {
+        return true;
+    }
+    const bool isKeypad = event.modifiers().testFlag(Qt::KeypadModifier);
+    const bool isDigit = event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9;
+    return (isKeypad && keypadPress(event)) || (isDigit && !isKeypad && digitPress(event)) ||
+           moveKeyPress(event);
+}
+
+/// Without Ctrl the views from the front, the right and above; with it those from behind.
+bool CameraNavigation::keypadPress(const QKeyEvent& event) {
+    const bool isBehind = event.modifiers().testFlag(Qt::ControlModifier);
+    switch (event.key()) {
+    case Qt::Key_1:
+        Q_EMIT directionWished(isBehind ? 180.0 : 0.0, 0.0);
+        return true;
+    case Qt::Key_3:
+        Q_EMIT directionWished(isBehind ? -90.0 : 90.0, 0.0);
+        return true;
+    case Qt::Key_7:
+        Q_EMIT directionWished(0.0, isBehind ? -90.0 : 90.0);
+        return true;
+    case Qt::Key_5:
+        Q_EMIT lensWished();
+        return true;
+    case Qt::Key_4:
+        Q_EMIT orbitWished(-degreesPerKey, 0.0);
+        return true;
+    case Qt::Key_6:
+        Q_EMIT orbitWished(degreesPerKey, 0.0);
+        return true;
+    case Qt::Key_8:
+        Q_EMIT orbitWished(0.0, degreesPerKey);
+        return true;
+    case Qt::Key_2:
+        Q_EMIT orbitWished(0.0, -degreesPerKey);
+        return true;
+    case Qt::Key_0:
         Q_EMIT resetWished();
-    } else if (keypad && event.key() == Qt::Key_1) {
-        Q_EMIT directionWished(0.0, 0.0);
-    } else if (keypad && event.key() == Qt::Key_3) {
-        Q_EMIT directionWished(90.0, 0.0);
-    } else if (keypad && event.key() == Qt::Key_7) {
-        Q_EMIT directionWished(0.0, 90.0);
-    } else {
+        return true;
+    default:
         return false;
     }
+}
+
+bool CameraNavigation::digitPress(const QKeyEvent& event) {
+    const Qt::KeyboardModifiers modifiers = event.modifiers();
+    if (modifiers != Qt::NoModifier && modifiers != Qt::ControlModifier) {
+        return false;
+    }
+    Q_EMIT bookmarkWished(event.key() - Qt::Key_0, modifiers == Qt::ControlModifier);
     return true;
+}
+
+bool CameraNavigation::moveKeyPress(const QKeyEvent& event) {
+    const bool isPan = event.modifiers().testFlag(Qt::ShiftModifier);
+    const auto move = [&](double x, double y) {
+        if (isPan) {
+            Q_EMIT panWished(QPointF(-x, y) * pixelsPerKey);
+        } else {
+            Q_EMIT orbitWished(x * degreesPerKey, y * degreesPerKey);
+        }
+        return true;
+    };
+    switch (event.key()) {
+    case Qt::Key_Left:
+        return move(-1.0, 0.0);
+    case Qt::Key_Right:
+        return move(1.0, 0.0);
+    case Qt::Key_Up:
+        return move(0.0, 1.0);
+    case Qt::Key_Down:
+        return move(0.0, -1.0);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        Q_EMIT dollyWished(std::exp(-dollyPerNotch));
+        return true;
+    case Qt::Key_Minus:
+        Q_EMIT dollyWished(std::exp(dollyPerNotch));
+        return true;
+    case Qt::Key_F:
+        if (event.modifiers() == Qt::NoModifier) {
+            Q_EMIT frameWished();
+            return true;
+        }
+        return false;
+    case Qt::Key_Home:
+        Q_EMIT resetWished();
+        return true;
+    default:
+        return false;
+    }
 }
 
 bool CameraNavigation::keyRelease(const QKeyEvent& event) {
@@ -155,6 +290,7 @@ void CameraNavigation::drag(const QPointF& pixels) {
     case Drag::TurnEnvironment:
         Q_EMIT environmentTurnWished(turn.x());
         break;
+    case Drag::Pick:
     case Drag::None:
         break;
     }

@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QSplitter>
 
+#include "document/scene_edits.h"
 #include "viewport/camera_moves.h"
 #include "viewport/comparison_meter.h"
 #include "viewport/comparison_text.h"
@@ -27,9 +28,9 @@ constexpr int flipKey = Qt::Key_Space;
 CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path programCache,
                          QWidget* parent)
     : QWidget(parent), sources_(sources), document_(sources.document),
-      programCache_(std::move(programCache)), home_(document_.scene().camera),
-      rows_(new QSplitter(Qt::Vertical, this)), upper_(new QSplitter(Qt::Horizontal, rows_)),
-      lower_(new QSplitter(Qt::Horizontal, rows_)) {
+      programCache_(std::move(programCache)), home_(document_.scene().camera), history_(document_),
+      turntable_(document_), rows_(new QSplitter(Qt::Vertical, this)),
+      upper_(new QSplitter(Qt::Horizontal, rows_)), lower_(new QSplitter(Qt::Horizontal, rows_)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(rows_);
@@ -71,6 +72,13 @@ void CompareArea::setCamerasLinked(bool linked) {
     }
 }
 
+void CompareArea::setMouseHabits(const MouseHabits& habits) {
+    habits_ = habits;
+    for (SideView* view : views()) {
+        view->viewport().navigation().setHabits(habits);
+    }
+}
+
 void CompareArea::setInspecting(bool on) {
     inspecting_ = on;
     for (SideView* view : views()) {
@@ -89,7 +97,7 @@ void CompareArea::resetCamera(Side side) {
 }
 
 SideView* CompareArea::addView(Side side) {
-    auto* view = new SideView(sources_, side, programCache_, upper_);
+    auto* view = new SideView(sources_, {modes_, turntable_}, side, programCache_, upper_);
     upper_->insertWidget(static_cast<int>(indexOf(side)), view);
     connect(view, &SideView::cameraWished, this,
             [this, side](const Camera& shown) { moveCamera(side, shown); });
@@ -99,6 +107,16 @@ SideView* CompareArea::addView(Side side) {
         }
         fitNarrowViews();
     });
+    CameraNavigation& navigation = view->viewport().navigation();
+    navigation.setHabits(habits_);
+    connect(&navigation, &CameraNavigation::dragBegan, &history_, &CameraHistory::beginDrag);
+    connect(&navigation, &CameraNavigation::dragFinished, &history_, &CameraHistory::endDrag);
+    connect(&navigation, &CameraNavigation::dragCancelled, &history_, &CameraHistory::endDrag);
+    connect(view, &SideView::bookmarkWished, this, [this, view](int digit) {
+        setBookmark(document_, digit, heldFrom(view->viewport().camera()));
+    });
+    connect(view, &SideView::bookmarkChosen, this,
+            [this, side](const Camera& bookmark) { moveCamera(side, shownFrom(bookmark)); });
     connect(view, &SideView::resetWished, this, [this, side] { resetCamera(side); });
     connect(view, &SideView::filesDropped, this,
             [this, side](const QStringList& files) { Q_EMIT filesDropped(files, side); });
@@ -309,7 +327,9 @@ void CompareArea::resizeEvent(QResizeEvent* event) {
 
 void CompareArea::keyPressEvent(QKeyEvent* event) {
     const QString text = event->text();
-    if (!isComposed()) {
+    if (!isComposed() && event->key() == Qt::Key_Space) {
+        resetCamera(document_.activeSide());
+    } else if (!isComposed()) {
         QWidget::keyPressEvent(event);
     } else if (event->key() == flipKey) {
         composed_->setFlipped(true);
@@ -361,6 +381,11 @@ Camera CompareArea::shownFrom(const Camera& camera) const {
     return stepBack_ == 1.0 ? camera : dollied(camera, stepBack_);
 }
 
+/// The document's camera where a view shows it from there.
+Camera CompareArea::heldFrom(const Camera& shown) const {
+    return stepBack_ == 1.0 ? shown : dollied(shown, 1.0 / stepBack_);
+}
+
 /// The document's camera in the views that follow it.
 void CompareArea::showCamera() {
     const Camera shown = shownFrom(document_.scene().camera);
@@ -377,7 +402,7 @@ void CompareArea::moveCamera(Side side, const Camera& shown) {
         view(side)->viewport().setCamera(shown);
         return;
     }
-    document_.setCamera(stepBack_ == 1.0 ? shown : dollied(shown, 1.0 / stepBack_));
+    document_.setCamera(heldFrom(shown));
     showCamera();
 }
 

@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include "session/compare_look.h"
+#include "viewport/camera_history.h"
 #include "viewport/side_view.h"
 
 class QSplitter;
@@ -47,11 +48,22 @@ class CompareArea : public QWidget {
 
     void setCamerasLinked(bool linked);
 
+    /// How the mouse moves the cameras.
+    void setMouseHabits(const MouseHabits& habits);
+
     /// All views show the numerical check instead of the picture.
     void setInspecting(bool on);
 
     /// All sides look from where side A does.
     void realignCameras();
+
+    /// Which handles all views show.
+    HandleModes& handleModes() { return modes_; }
+
+    ViewTurntable& turntable() { return turntable_; }
+
+    /// The undo of the document's camera.
+    CameraHistory& cameraHistory() { return history_; }
 
     /// The camera that the scene had when it was opened.
     void resetCamera(Side side);
@@ -91,12 +103,17 @@ class CompareArea : public QWidget {
     void moveCamera(Side side, const Camera& shown);
     void showCamera();
     Camera shownFrom(const Camera& camera) const;
+    Camera heldFrom(const Camera& shown) const;
 
     ViewSources sources_;
     Document& document_;
     std::filesystem::path programCache_;
     Camera home_;
     CompareLook look_;
+    CameraHistory history_;
+    HandleModes modes_;
+    ViewTurntable turntable_;
+    MouseHabits habits_;
     QSplitter* rows_;
     QSplitter* upper_; ///< all but what is in the second row of a grid
     QSplitter* lower_;

@@ -26,7 +26,7 @@ constexpr int pauseMs = 5;
 
 /// So long nothing changes before samples take the fitted picture's place: longer than between two
 /// moves of a slow hand.
-constexpr int restMs = 200;
+constexpr int changeRestMs = 200;
 
 /// After so many samples nothing of the fitted picture is left. The grain of n of them is shown
 /// with the weight n / 256, and so never more than that of 256 is.
@@ -339,7 +339,7 @@ bool FrameLoop::wantsSamples() const {
 /// After a frame that shows the scene as it is.
 void FrameLoop::continueSoon() {
     if (wantsSamples() && (isMoving_ || !sampleTimer_.isActive())) {
-        sampleTimer_.start(isMoving_ ? restMs : pauseMs);
+        sampleTimer_.start(isMoving_ ? changeRestMs : pauseMs);
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -16,24 +15,32 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Distance along the ray to a triangle (Moeller and Trumbore 1997), or infinity.
-double distanceTo(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+/// A place on a triangle of a mesh.
+struct Met {
+    double distance = never;
+    std::size_t first = 0; ///< of the triangle's indices
+    double u = 0.0;        ///< shares of its second and third corner
+    double v = 0.0;
+};
+
+/// Where along the ray a triangle is (Moeller and Trumbore 1997); never: at infinity.
+Met meet(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 edge1 = b - a;
     const glm::dvec3 edge2 = c - a;
     const glm::dvec3 p = glm::cross(ray.direction, edge2);
     const double determinant = glm::dot(edge1, p);
     if (determinant == 0.0) {
-        return never;
+        return {};
     }
     const glm::dvec3 s = ray.origin - a;
     const double u = glm::dot(s, p) / determinant;
     const glm::dvec3 q = glm::cross(s, edge1);
     const double v = glm::dot(ray.direction, q) / determinant;
     if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0)) {
-        return never;
+        return {};
     }
     const double t = glm::dot(edge2, q) / determinant;
-    return t > 0.0 ? t : never;
+    return {t > 0.0 ? t : never, 0, u, v};
 }
 
 /// Tells whether the ray comes through the box before `limit`. The slabs' ends are rounded, so a
@@ -59,32 +66,54 @@ bool meets(const Ray& ray, const Bounds& box, double limit) {
 
 /// The nearest of some triangles in object space; the ray's direction need not be a unit vector
 /// there, so that distances are the world's.
-double distanceTo(const Ray& ray, std::span<const Vertex> vertices,
-                  std::span<const std::uint32_t> indices) {
-    const auto corner = [&](std::size_t i) { return glm::dvec3(vertices[indices[i]].position); };
-    double nearest = never;
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        nearest = std::min(nearest, distanceTo(ray, corner(i), corner(i + 1), corner(i + 2)));
+void meetNearest(const Ray& ray, const MeshView& mesh, std::size_t first, std::size_t count,
+                 Met& nearest) {
+    const auto corner = [&](std::size_t i) {
+        return glm::dvec3(mesh.vertices[mesh.indices[i]].position);
+    };
+    for (std::size_t i = first; i + 2 < first + count; i += 3) {
+        Met met = meet(ray, corner(i), corner(i + 1), corner(i + 2));
+        if (met.distance < nearest.distance) {
+            met.first = i;
+            nearest = met;
+        }
+    }
+}
+
+Met meetNearest(const Ray& ray, const PickMesh& pick) {
+    const MeshView& mesh = pick.mesh;
+    Met nearest;
+    if (pick.runs.empty()) {
+        meetNearest(ray, mesh, 0, mesh.indices.size(), nearest);
+        return nearest;
+    }
+    constexpr std::size_t perRun = 3 * trianglesPerRun;
+    for (std::size_t run = 0; run < pick.runs.size(); ++run) {
+        if (meets(ray, pick.runs[run], nearest.distance)) {
+            const std::size_t first = run * perRun;
+            meetNearest(ray, mesh, first, std::min(perRun, mesh.indices.size() - first), nearest);
+        }
     }
     return nearest;
 }
 
-double distanceTo(const Ray& ray, const PickMesh& pick) {
-    const MeshView& mesh = pick.mesh;
-    if (pick.runs.empty()) {
-        return distanceTo(ray, mesh.vertices, mesh.indices);
+/// The normal of the vertices, in world space; that of the triangle where they have none.
+glm::dvec3 normalAt(const Met& met, const MeshView& mesh, const glm::dmat4& world, const Ray& ray) {
+    const auto vertex = [&](std::size_t i) -> const Vertex& {
+        return mesh.vertices[mesh.indices[met.first + i]];
+    };
+    glm::dvec3 normal = (1.0 - met.u - met.v) * glm::dvec3(vertex(0).normal) +
+                        met.u * glm::dvec3(vertex(1).normal) + met.v * glm::dvec3(vertex(2).normal);
+    if (!(glm::length(normal) > 0.0)) {
+        const glm::dvec3 a(vertex(0).position);
+        normal = glm::cross(glm::dvec3(vertex(1).position) - a, glm::dvec3(vertex(2).position) - a);
     }
-    constexpr std::size_t perRun = 3 * trianglesPerRun;
-    double nearest = never;
-    for (std::size_t run = 0; run < pick.runs.size(); ++run) {
-        if (meets(ray, pick.runs[run], nearest)) {
-            const std::size_t first = run * perRun;
-            const auto triangles =
-                mesh.indices.subspan(first, std::min(perRun, mesh.indices.size() - first));
-            nearest = std::min(nearest, distanceTo(ray, mesh.vertices, triangles));
-        }
+    normal = glm::transpose(glm::inverse(glm::dmat3(world))) * normal;
+    const double length = glm::length(normal);
+    if (!(length > 0.0) || !std::isfinite(length)) {
+        return -ray.direction;
     }
-    return nearest;
+    return normal * (glm::dot(normal, ray.direction) > 0.0 ? -1.0 / length : 1.0 / length);
 }
 
 Ray inObjectSpace(const Ray& ray, const Object& object) {
@@ -103,17 +132,34 @@ Ray rayThrough(const Camera& camera, const glm::dvec2& place, const glm::dvec2& 
     return {eye(camera), glm::normalize(glm::dvec3(toWorld * glm::dvec4(x, y, -1.0, 0.0)))};
 }
 
+std::optional<glm::dvec2> placeOf(const Camera& camera, const glm::dvec3& point,
+                                  const glm::dvec2& size) {
+    const glm::dvec3 seen(viewMatrix(camera) * glm::dvec4(point, 1.0));
+    if (!(seen.z < 0.0)) {
+        return std::nullopt;
+    }
+    const double perMetre = pixelsPerMetre(camera, point, size.y);
+    return 0.5 * size + glm::dvec2(seen.x, -seen.y) * perMetre;
+}
+
+double pixelsPerMetre(const Camera& camera, const glm::dvec3& point, double height) {
+    const double depth = -glm::dvec3(viewMatrix(camera) * glm::dvec4(point, 1.0)).z;
+    return 0.5 * height / (depth * std::tan(0.5 * glm::radians(camera.fieldOfView)));
+}
+
 std::optional<Hit> cast(const Ray& ray, const Scene& scene,
                         const std::function<PickMesh(const Object&)>& meshes) {
-    Hit hit{-1, never, {}};
+    Hit hit{-1, never, {}, {}};
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (!object.visible) {
             continue;
         }
-        const double distance = distanceTo(inObjectSpace(ray, object), meshes(object));
-        if (distance < hit.distance) {
-            hit = {static_cast<int>(i), distance, ray.origin + distance * ray.direction};
+        const PickMesh pick = meshes(object);
+        const Met met = meetNearest(inObjectSpace(ray, object), pick);
+        if (met.distance < hit.distance) {
+            hit = {static_cast<int>(i), met.distance, ray.origin + met.distance * ray.direction,
+                   normalAt(met, pick.mesh, worldMatrix(object), ray)};
         }
     }
     return hit.object < 0 ? std::nullopt : std::optional(hit);

@@ -25,12 +25,21 @@ struct Hit {
     int object = -1; ///< index in the scene
     double distance = 0.0;
     glm::dvec3 point{0.0};
+    glm::dvec3 normal{0.0}; ///< unit, as the mesh is shaded there, on the side that the ray meets
 
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 
 /// The ray from the eye through a place in a view of `size` pixels, (0, 0) at the top left.
 Ray rayThrough(const Camera& camera, const glm::dvec2& place, const glm::dvec2& size);
+
+/// The place of a point in a view of `size` pixels, (0, 0) at the top left; nothing where it does
+/// not lie before the eye.
+std::optional<glm::dvec2> placeOf(const Camera& camera, const glm::dvec3& point,
+                                  const glm::dvec2& size);
+
+/// How many pixels of a view that is `height` pixels high a metre takes up at a point.
+double pixelsPerMetre(const Camera& camera, const glm::dvec3& point, double height);
 
 /// Returns the nearest visible surface that the ray meets, whichever way it faces.
 std::optional<Hit> cast(const Ray& ray, const Scene& scene,

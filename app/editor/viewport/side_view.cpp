@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 #include <QLabel>
 #include <QPainter>
@@ -15,9 +18,13 @@
 #include "shading/effects/effect_rows.h"
 #include "viewport/camera_moves.h"
 #include "viewport/inspection_panel.h"
+#include "viewport/light_handles.h"
+#include "viewport/object_gizmo.h"
 #include "viewport/ray_cast.h"
 #include "viewport/side_accuracy.h"
 #include "viewport/turning.h"
+#include "viewport/view_handles.h"
+#include "viewport/view_overlay.h"
 
 namespace patina {
 namespace {
@@ -25,25 +32,37 @@ namespace {
 constexpr int edge = 2; ///< pixels around a view
 constexpr int titlePadding = 8;
 
-/// Every value of a light that turning changed, as one edit each of the same interaction.
-void storeTurned(Document& document, const BlockPath& path, const Values& before,
-                 const Values& after) {
-    for (const auto& [id, value] : after) {
-        const auto found = before.find(id);
-        if (found == before.end() || !(found->second == value)) {
-            document.setValue(path, id, value);
+/// Those of a light's values that say where it is or where it points.
+Values placesOf(const Values& values, const Block& light) {
+    Values places;
+    for (const Parameter& parameter : light.parameters) {
+        if (parameter.space != Space::None) {
+            const auto found = values.find(parameter.id);
+            places.emplace(parameter.id,
+                           found == values.end() ? parameter.defaultValue : found->second);
         }
     }
+    return places;
+}
+
+std::map<int, Object> objectsAt(const Scene& scene, const std::vector<int>& indices) {
+    std::map<int, Object> objects;
+    for (const int index : indices) {
+        objects.emplace(index, scene.objects[static_cast<std::size_t>(index)]);
+    }
+    return objects;
 }
 
 } // namespace
 
-SideView::SideView(const ViewSources& sources, Side side, const std::filesystem::path& programCache,
-                   QWidget* parent)
+SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side,
+                   const std::filesystem::path& programCache, QWidget* parent)
     : QFrame(parent), document_(sources.document), meshes_(sources.meshes),
       switches_(sources.switches), side_(side), title_(new QLabel(this)),
       viewport_(new Viewport(
-          {[this]() -> const Scene& { return switches_.scene(side_); },
+          {[this, &turntable = tools.turntable]() -> const Scene& {
+               return turntable.turned(switches_.scene(side_), side_);
+           },
            [this]() -> const Scene& { return document_.scene(side_); },
            [this](const Object& object) { return meshes_.view(object); },
            [this] { return switches_.effects(side_); },
@@ -93,7 +112,25 @@ SideView::SideView(const ViewSources& sources, Side side, const std::filesystem:
         focusShown_ = byKeyboard;
         update();
     });
-    connect(viewport_, &Viewport::activated, this, [this] { document_.setActiveSide(side_); });
+    connect(viewport_, &Viewport::activated, this, [this] {
+        wasActive_ = document_.activeSide() == side_;
+        document_.setActiveSide(side_);
+    });
+    std::vector<std::unique_ptr<HandleSet>> sets;
+    sets.push_back(std::make_unique<ObjectGizmo>(document_, tools.modes));
+    sets.push_back(std::make_unique<LightHandles>(document_, tools.modes,
+                                                  [this](const Ray& ray) { return hitOf(ray); }));
+    auto* handles = new ViewHandles(*viewport_, std::move(sets));
+    auto* overlay = new ViewOverlay(*viewport_, document_, meshes_, *handles, tools.modes);
+    connect(&tools.turntable, &ViewTurntable::changed, overlay,
+            [overlay, &turntable = tools.turntable] {
+                overlay->setSuspended(turntable.turning().has_value());
+            });
+    connect(&tools.turntable, &ViewTurntable::moved, frames, [frames] {
+        if (!frames->isDrawing()) { // a slow screen skips some
+            frames->refresh();
+        }
+    });
     updateTitle();
 }
 
@@ -138,13 +175,12 @@ double SideView::aspect() const {
 
 /// The camera as it is where no object is current.
 Camera SideView::framedOnCurrent() const {
-    const int current = document_.currentObject();
-    const Scene& scene = document_.scene(side_);
-    if (current < 0 || current >= static_cast<int>(scene.objects.size())) {
-        return viewport_->camera();
+    std::vector<PlacedMesh> shown;
+    for (const int index : document_.editedObjects()) {
+        const Object& object = document_.scene(side_).objects[static_cast<std::size_t>(index)];
+        shown.push_back({object, meshes_.view(object)});
     }
-    const Object& object = scene.objects[static_cast<std::size_t>(current)];
-    return framed(viewport_->camera(), object, meshes_.view(object), aspect());
+    return framed(viewport_->camera(), shown, aspect());
 }
 
 Camera SideView::framedOnAll() const {
@@ -178,6 +214,14 @@ void SideView::connectNavigation() {
     });
     connect(&navigation, &CameraNavigation::dollyWished, this,
             [this](double factor) { Q_EMIT cameraWished(dollied(viewport_->camera(), factor)); });
+    connect(&navigation, &CameraNavigation::zoomWished, this, [this](double factor, QPointF place) {
+        Q_EMIT cameraWished(zoomedTo(viewport_->camera(), factor, {place.x(), place.y()},
+                                     {viewport_->width(), viewport_->height()}));
+    });
+    connect(&navigation, &CameraNavigation::lensWished, this, &SideView::toggleLens);
+    connect(&navigation, &CameraNavigation::bookmarkWished, this, &SideView::bookmark);
+    connect(&navigation, &CameraNavigation::dragBegan, this, &SideView::beginDrag);
+    connect(&navigation, &CameraNavigation::dragCancelled, this, &SideView::cancelDrag);
     connect(&navigation, &CameraNavigation::directionWished, this,
             [this](double yaw, double pitch) {
                 Camera camera = viewport_->camera();
@@ -191,8 +235,28 @@ void SideView::connectNavigation() {
             &SideView::turnEnvironment);
     connect(&navigation, &CameraNavigation::dragFinished, this, &SideView::endTurn);
     connect(&navigation, &CameraNavigation::pivotWished, this, &SideView::pivotOn);
+    connect(&navigation, &CameraNavigation::pickWished, this, &SideView::pick);
+    connect(&navigation, &CameraNavigation::lightPickWished, this, &SideView::placeLight);
     connect(&navigation, &CameraNavigation::frameWished, this, &SideView::frameObjects);
     connect(&navigation, &CameraNavigation::resetWished, this, &SideView::resetWished);
+}
+
+void SideView::toggleLens() {
+    const double held = viewport_->camera().fieldOfView;
+    const bool isNarrow = held <= orthographicLens;
+    usualLens_ = isNarrow ? usualLens_ : held;
+    Q_EMIT cameraWished(withLens(viewport_->camera(), isNarrow ? usualLens_ : orthographicLens));
+}
+
+void SideView::bookmark(int digit, bool isKept) {
+    if (isKept) {
+        Q_EMIT bookmarkWished(digit);
+        return;
+    }
+    const auto& bookmarks = document_.scene().bookmarks;
+    if (const auto found = bookmarks.find(digit); found != bookmarks.end()) {
+        Q_EMIT bookmarkChosen(found->second);
+    }
 }
 
 void SideView::turnObject(double yaw, double pitch) {
@@ -200,10 +264,14 @@ void SideView::turnObject(double yaw, double pitch) {
     if (current < 0) {
         return;
     }
-    beginTurn();
-    Object object = document_.scene().objects[static_cast<std::size_t>(current)];
-    object.rotation = turnedRotation(object.rotation, viewport_->camera(), yaw, pitch);
-    setObject(document_, current, object);
+    const std::vector<int> edited = document_.editedObjects();
+    const QString label = tr("Turn object");
+    beginTurn([this, before = objectsAt(document_.scene(), edited), label] {
+        setObjects(document_, before, label);
+    });
+    changeObjects(document_, edited, label, [&](Object& object) {
+        object.rotation = turnedRotation(object.rotation, viewport_->camera(), yaw, pitch);
+    });
 }
 
 void SideView::turnLight(double yaw, double pitch) {
@@ -211,13 +279,15 @@ void SideView::turnLight(double yaw, double pitch) {
     if (index < 0) {
         return;
     }
-    beginTurn();
-    const Values before =
-        document_.scene().lights[static_cast<std::size_t>(index)].block.parameters;
     const BlockPath path = pathOf(kinds::lights, index);
-    const Block* block = document_.block(path);
-    storeTurned(document_, path, before,
-                turnedLight(before, *block, viewport_->camera(), yaw, pitch));
+    const Block& block = *document_.block(path);
+    const Values& held = document_.scene().lights[static_cast<std::size_t>(index)].block.parameters;
+    const Values turned = turnedLight(held, block, viewport_->camera(), yaw, pitch);
+    const QString label = tr("Turn light");
+    beginTurn([this, path, before = placesOf(held, block), label] {
+        document_.setValues(path, before, label);
+    });
+    document_.setValues(path, placesOf(turned, block), label);
 }
 
 /// As the mouse pulls what the front of an object mirrors.
@@ -229,14 +299,21 @@ void SideView::turnEnvironment(double yaw) {
     if (rotation == nullptr) {
         return;
     }
-    beginTurn();
     const double now = environmentNumber(*environment, *block, roles::rotate);
+    beginTurn([this, path, id = rotation->id, before = document_.value(path, *rotation)] {
+        document_.setValue(path, id, before);
+    });
     document_.setValue(path, rotation->id, std::remainder(now + yaw, 360.0));
 }
 
-void SideView::beginTurn() {
+void SideView::beginDrag() {
+    atPress_ = viewport_->camera();
+}
+
+void SideView::beginTurn(std::function<void()> restore) {
     if (!turning_) {
         turning_ = true;
+        restore_ = std::move(restore);
         document_.beginInteraction();
     }
 }
@@ -248,9 +325,22 @@ void SideView::endTurn() {
     }
 }
 
+/// A turn that ends where it began leaves no step.
+void SideView::cancelDrag() {
+    if (turning_) {
+        restore_();
+        endTurn();
+    } else {
+        Q_EMIT cameraWished(atPress_);
+    }
+}
+
 std::optional<Hit> SideView::hitAt(QPointF place) const {
-    const Ray ray = rayThrough(viewport_->camera(), {place.x(), place.y()},
-                               {viewport_->width(), viewport_->height()});
+    return hitOf(rayThrough(viewport_->camera(), {place.x(), place.y()},
+                            {viewport_->width(), viewport_->height()}));
+}
+
+std::optional<Hit> SideView::hitOf(const Ray& ray) const {
     const auto meshes = [this](const Object& object) { return meshes_.pickMesh(object); };
     return cast(ray, document_.scene(side_), meshes);
 }
@@ -258,6 +348,74 @@ std::optional<Hit> SideView::hitAt(QPointF place) const {
 void SideView::pivotOn(QPointF place) {
     if (const std::optional<Hit> hit = hitAt(place)) {
         Q_EMIT cameraWished(pivotedAt(viewport_->camera(), hit->point));
+    }
+}
+
+/// A click beside everything takes the lines away; the current object stays what the panels show.
+/// The click that makes a view the active one picks nothing.
+void SideView::pick(QPointF place, bool adds) {
+    if (awaited_) {
+        viewport_->unsetCursor();
+        placeLight(place, *std::exchange(awaited_, std::nullopt));
+        return;
+    }
+    const std::optional<Hit> hit = wasActive_ ? hitAt(place) : std::nullopt;
+    if (!hit) {
+        if (wasActive_ && !adds) {
+            document_.selectObjects({});
+        }
+        return;
+    }
+    std::vector<int> picked = withGroups(document_.scene(), {hit->object});
+    const std::vector<int>& before = document_.selectedObjects();
+    if (adds && std::ranges::binary_search(before, hit->object)) {
+        std::vector<int> rest;
+        std::ranges::set_difference(before, picked, std::back_inserter(rest));
+        document_.selectObjects(rest);
+        return;
+    }
+    if (adds) {
+        picked.insert(picked.begin(), before.begin(), before.end());
+    }
+    picked.push_back(hit->object); // which becomes the current one
+    document_.selectObjects(picked);
+}
+
+void SideView::awaitLightPick(bool isShadow) {
+    awaited_ = isShadow;
+    viewport_->setCursor(Qt::CrossCursor);
+    viewport_->setFocus();
+}
+
+/// The current light goes where its highlight, or the shadow of the current object, falls on what
+/// is under the pointer.
+void SideView::placeLight(QPointF place, bool isShadow) {
+    const std::optional<Hit> hit = hitAt(place);
+    const int index = lightToTurn(document_.scene(), document_.catalog(), document_.currentLight());
+    const BlockPath path = pathOf(kinds::lights, index);
+    const Block* block = index < 0 ? nullptr : document_.block(path);
+    const auto held =
+        block
+            ? lightPose(document_.scene().lights[static_cast<std::size_t>(index)].block.parameters,
+                        *block, viewport_->camera())
+            : std::nullopt;
+    if (!hit || !held) {
+        return;
+    }
+    if (isShadow) {
+        const std::vector<Object>& objects = document_.scene().objects;
+        const auto caster = static_cast<std::size_t>(document_.currentObject());
+        const glm::dvec3 middle(worldMatrix(objects[caster]) *
+                                glm::dvec4(meshes_.view(objects[caster]).bounds.center(), 1.0));
+        document_.setValues(path,
+                            valuesAt(withShadowAt(*held, hit->point, middle), viewport_->camera()),
+                            tr("Put the shadow there"));
+    } else {
+        document_.setValues(
+            path,
+            valuesAt(withHighlightAt(*held, hit->point, hit->normal, viewport_->camera()),
+                     viewport_->camera()),
+            tr("Put the highlight there"));
     }
 }
 

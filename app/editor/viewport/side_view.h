@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include <QFrame>
 
@@ -9,7 +10,9 @@
 #include "resources/mesh_library.h"
 #include "resources/texture_library.h"
 #include "viewport/effect_switches.h"
+#include "viewport/handle_modes.h"
 #include "viewport/ray_cast.h"
+#include "viewport/view_turntable.h"
 #include "viewport/viewport.h"
 
 class QLabel;
@@ -18,6 +21,12 @@ namespace patina {
 
 class InspectionPanel;
 class ProgramWorker;
+
+/// Holds what all views have in common in how they show it.
+struct ViewTools {
+    HandleModes& modes;
+    ViewTurntable& turntable;
+};
 
 /// Holds what views show.
 struct ViewSources {
@@ -36,8 +45,8 @@ class SideView : public QFrame {
     Q_OBJECT
 
   public:
-    SideView(const ViewSources& sources, Side side, const std::filesystem::path& programCache,
-             QWidget* parent = nullptr);
+    SideView(const ViewSources& sources, const ViewTools& tools, Side side,
+             const std::filesystem::path& programCache, QWidget* parent = nullptr);
 
     Side side() const { return side_; }
     Viewport& viewport() { return *viewport_; }
@@ -47,6 +56,13 @@ class SideView : public QFrame {
 
     /// The numerical check with its legend and the pointer's numbers, or the picture.
     void setInspecting(bool on);
+
+    /// The orthographic lens, or the one before it.
+    void toggleLens();
+
+    /// The next click says where the current light's highlight is to be, or the shadow that it
+    /// throws of the current object.
+    void awaitLightPick(bool isShadow);
 
     /// Moves the camera so that the current object fills the view.
     void frameCurrentObject();
@@ -59,6 +75,8 @@ class SideView : public QFrame {
     void resetWished();
     void filesDropped(QStringList files);
     void captionChanged();
+    void bookmarkWished(int digit);                      ///< what is seen is to be kept
+    void bookmarkChosen(const patina::Camera& bookmark); ///< as the document has it
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -72,10 +90,16 @@ class SideView : public QFrame {
     void turnObject(double yaw, double pitch);
     void turnLight(double yaw, double pitch);
     void turnEnvironment(double yaw);
-    void beginTurn();
+    void bookmark(int digit, bool isKept);
+    void beginDrag();
+    void cancelDrag();
+    void beginTurn(std::function<void()> restore);
     void endTurn();
     std::optional<Hit> hitAt(QPointF place) const;
+    std::optional<Hit> hitOf(const Ray& ray) const;
+    void placeLight(QPointF place, bool isShadow);
     void pivotOn(QPointF place);
+    void pick(QPointF place, bool adds);
     void take(const QStringList& files, QPointF place);
     void updateTitle();
 
@@ -86,7 +110,12 @@ class SideView : public QFrame {
     QLabel* title_;
     Viewport* viewport_;
     InspectionPanel* inspection_ = nullptr; ///< made when it is first wanted
+    std::optional<bool> awaited_;           ///< see awaitLightPick()
     bool turning_ = false;
+    Camera atPress_;                          ///< the camera when a drag began
+    std::function<void()> restore_;           ///< makes what is turned as it was
+    double usualLens_ = Camera().fieldOfView; ///< degrees, before the orthographic one
+    bool wasActive_ = true;                   ///< before the button was pressed
     bool focusShown_ = false; ///< an edge around the view says that the keys go there
 };
 

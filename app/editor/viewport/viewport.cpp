@@ -47,6 +47,7 @@ void Viewport::setCamera(const Camera& camera) {
     if (!(camera == viewed_.camera())) {
         viewed_.setCamera(camera);
         frames_.refresh();
+        Q_EMIT cameraChanged();
     }
 }
 

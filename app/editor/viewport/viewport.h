@@ -49,8 +49,9 @@ class Viewport : public QOpenGLWidget, public ColorSource {
     Image linearPicture() override { return capture_.linearPicture(); }
 
   Q_SIGNALS:
-    void activated();                 ///< it was clicked
-    void resized();                   ///< it has another size
+    void activated(); ///< it was clicked
+    void resized();   ///< it has another size
+    void cameraChanged();
     void focusShown(bool byKeyboard); ///< the keyboard brought the focus here, or it went
     void filesDropped(QStringList files, QPointF place);
 

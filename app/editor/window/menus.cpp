@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "docks/lamp_taking.h"
+#include "docks/object_actions.h"
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
 #include "document/comparison.h"
@@ -23,9 +24,13 @@
 #include "text/short_text.h"
 #include "viewport/compare_area.h"
 #include "viewport/views_capture.h"
+#include "window/command_keys.h"
+#include "window/command_palette.h"
 #include "window/compare_bar.h"
 #include "window/help.h"
 #include "window/lighting_menu.h"
+#include "window/preferences_dialog.h"
+#include "window/shortcut_sheet.h"
 #include "window/theme.h"
 #include "window/window_layout.h"
 
@@ -36,9 +41,13 @@ Menus::Menus(const Parts& parts)
       capture_(new ViewsCapture(parts.views)) {
     makeFileMenu();
     makeEditMenu();
+    makeObjectMenu();
+    makeLightMenu();
     makeViewMenu();
     makeHelpMenu();
     makeToolBar();
+    keys_ = new CommandKeys(*parts.window.menuBar(), parts.session, this);
+    parts.views.setMouseHabits(parts.session.mouseHabits());
 }
 
 QAction* Menus::add(QMenu* menu, const QString& text, const QKeySequence& key,
@@ -46,6 +55,18 @@ QAction* Menus::add(QMenu* menu, const QString& text, const QKeySequence& key,
     QAction* action = menu->addAction(text);
     action->setShortcut(key);
     connect(action, &QAction::triggered, this, std::move(what));
+    return action;
+}
+
+/// A key that means something else in lists and number boxes works where a view has the focus.
+QAction* Menus::addForViews(QMenu* menu, const QString& text, const QKeySequence& key,
+                            std::function<void()> what) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(action, &QAction::triggered, this, std::move(what));
+    parts_.views.addAction(action); // first, or the menu bar's window would have its key
+    menu->addAction(action);
     return action;
 }
 
@@ -110,6 +131,9 @@ void Menus::makeEditMenu() {
     menu->addActions({undo, redo});
     menu->addSeparator();
     add(menu, tr("&Take Snapshot"), QKeySequence("Ctrl+T"), [this] { takeSnapshot(); });
+    add(menu, tr("&Preferences…"), QKeySequence("Ctrl+,"), [this] {
+        (new PreferencesDialog(parts_.session, parts_.theme, parts_.views, &parts_.window))->open();
+    });
     add(menu, tr("Material &Details…"), QKeySequence("Alt+Return"),
         [this] { parts_.files.editDetails(); });
     menu->addSeparator();
@@ -117,34 +141,92 @@ void Menus::makeEditMenu() {
         [this] { takeLampsOut(parts_.document, parts_.views, parts_.messages); });
 }
 
+/// Their keys mean something else in lists and number boxes: they work where a view has the focus.
+void Menus::makeObjectMenu() {
+    QMenu* menu = parts_.window.menuBar()->addMenu(tr("&Object"));
+    for (QAction* action : (new ObjectActions(parts_.document, parts_.files, this))->all()) {
+        parts_.views.addAction(action);
+        menu->addAction(action);
+    }
+    menu->addSeparator();
+    makeGizmos(menu);
+}
+
+/// A key of the handles shows them, and once more hides them.
+void Menus::makeGizmos(QMenu* menu) {
+    HandleModes& modes = parts_.views.handleModes();
+    const struct {
+        QString text;
+        const char* key;
+        Gizmo gizmo;
+    } rows[] = {{tr("Handles: &Move"), "W", Gizmo::Move},
+                {tr("Handles: &Turn"), "R", Gizmo::Turn},
+                {tr("Handles: S&cale"), "S", Gizmo::Scale}};
+    for (const auto& row : rows) {
+        QAction* action =
+            addForViews(menu, row.text, QKeySequence(row.key), [&modes, gizmo = row.gizmo] {
+                modes.setGizmo(modes.gizmo() == gizmo ? Gizmo::None : gizmo);
+            });
+        action->setCheckable(true);
+        connect(&modes, &HandleModes::changed, action, [action, &modes, gizmo = row.gizmo] {
+            action->setChecked(modes.gizmo() == gizmo);
+        });
+    }
+}
+
+void Menus::makeLightMenu() {
+    QMenu* menu = parts_.window.menuBar()->addMenu(tr("Li&ght"));
+    menu->setToolTipsVisible(true);
+    HandleModes& modes = parts_.views.handleModes();
+    QAction* shown = menu->addAction(tr("Show &Lights in the Views"));
+    shown->setObjectName("showLights");
+    shown->setCheckable(true);
+    connect(shown, &QAction::toggled, this, [this, &modes](bool shows) {
+        modes.setShowsLights(shows);
+        parts_.session.setShowsLights(shows);
+    });
+    modes.setShowsLights(parts_.session.showsLights());
+    shown->setChecked(modes.showsLights());
+    menu->addSeparator();
+    add(menu, tr("Put the &Highlight There…"), {}, [this] {
+        parts_.views.active().awaitLightPick(false);
+    })->setToolTip(tr("Click where the highlight of the current light is to be (L+click)"));
+    add(menu, tr("Put the &Shadow There…"), {}, [this] {
+        parts_.views.active().awaitLightPick(true);
+    })->setToolTip(tr("Click where the shadow of the current object is to fall (L+Shift+click)"));
+    menu->addSeparator();
+    add(menu, tr("S&olo"), {}, [this] {
+        toggleSolo(parts_.document, parts_.document.currentLight());
+    })->setToolTip(tr("Only the current light is on; once more: those that were"));
+    add(menu, tr("&Mute"), {}, [this] {
+        toggleMute(parts_.document, parts_.document.currentLight());
+    })->setToolTip(tr("Turn the current light off or on"));
+}
+
 void Menus::makeViewMenu() {
     QMenu* menu = parts_.window.menuBar()->addMenu(tr("&View"));
     makeCompareMenu(menu);
     menu->addSeparator();
-    QAction* inspect = menu->addAction(tr("&Numerical Check"));
+    QAction* inspect = addForViews(menu, tr("&Numerical Check"), QKeySequence("N"), [] {});
     inspect->setObjectName("inspect");
-    inspect->setShortcut(QKeySequence("N"));
     inspect->setCheckable(true);
     inspect->setToolTip(tr("Mark pixels whose numbers are wrong, and read those under the "
                            "pointer (N)"));
     connect(inspect, &QAction::toggled, &parts_.views, &CompareArea::setInspecting);
     lighting_ = new LightingMenu(parts_.document, parts_.thumbnails, &parts_.window);
     menu->addMenu(lighting_);
-    add(menu, tr("Check &Stability"), QKeySequence("Ctrl+K"), [this] { checkStability(); });
-    add(menu, tr("&Effects and Their Costs"), QKeySequence("E"),
-        [this] { parts_.layout.bringToFront("effects"); });
-    add(menu, tr("Acc&uracy and Its Cost"), QKeySequence("A"),
-        [this] { parts_.layout.bringToFront("accuracy"); });
+    add(menu, tr("Check &Stability"), QKeySequence("Ctrl+Shift+K"), [this] { checkStability(); });
+    addForViews(menu, tr("&Effects and Their Costs"), QKeySequence("E"),
+                [this] { parts_.layout.bringToFront("effects"); });
+    addForViews(menu, tr("Acc&uracy and Its Cost"), QKeySequence("A"),
+                [this] { parts_.layout.bringToFront("accuracy"); });
     menu->addSeparator();
-    add(menu, tr("&Frame Object"), QKeySequence("F"),
-        [this] { parts_.views.active().frameObjects(); });
-    QAction* reset = add(menu, tr("&Reset View"), QKeySequence(Qt::Key_Home),
-                         [this] { parts_.views.resetCamera(parts_.document.activeSide()); });
-    // Home means something else in number boxes and lists.
-    reset->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    menu->removeAction(reset);
-    parts_.views.addAction(reset);
-    menu->addAction(reset);
+    addForViews(menu, tr("&Frame Object"), QKeySequence("F"),
+                [this] { parts_.views.active().frameObjects(); });
+    addForViews(menu, tr("&Reset View"), QKeySequence(Qt::Key_Home),
+                [this] { parts_.views.resetCamera(parts_.document.activeSide()); });
+    makeCameraMoves(menu);
+    makeTurntable(menu->addMenu(tr("Turnta&ble")));
     menu->addSeparator();
     makeLookMenu(menu->addMenu(tr("L&ook")));
     QMenu* panels = menu->addMenu(tr("&Panels"));
@@ -157,6 +239,47 @@ void Menus::makeViewMenu() {
         parts_.window.setWindowState(parts_.window.windowState() ^ Qt::WindowFullScreen);
     });
     full->setCheckable(true);
+}
+
+/// Each turns what it says until it is chosen once more.
+void Menus::makeTurntable(QMenu* menu) {
+    ViewTurntable& turntable = parts_.views.turntable();
+    const std::pair<QString, TurntableOf> rows[] = {
+        {tr("Turn the &Objects"), TurntableOf::Object},
+        {tr("Turn the &Lights"), TurntableOf::Light},
+        {tr("Turn the &Environment"), TurntableOf::Environment}};
+    for (const auto& [text, what] : rows) {
+        QAction* action = add(menu, text, {}, [this, &turntable, what = what] {
+            const bool isTurning = turntable.turning() == what;
+            const auto done = turntable.setTurning(isTurning ? std::nullopt : std::optional(what));
+            if (!done) {
+                parts_.files.tell(done.error());
+            }
+        });
+        action->setCheckable(true);
+        const auto follow = [action, &turntable, what = what] {
+            action->setChecked(turntable.turning() == what);
+        };
+        connect(action, &QAction::triggered, action, follow);
+        connect(&turntable, &ViewTurntable::changed, action, follow);
+    }
+}
+
+void Menus::makeCameraMoves(QMenu* menu) {
+    add(menu, tr("Ort&hographic"), {}, [this] { parts_.views.active().toggleLens(); })
+        ->setToolTip(tr("A lens so narrow that parallel lines look parallel; once more: the one "
+                        "before (5 of the number pad)"));
+    CameraHistory& history = parts_.views.cameraHistory();
+    QAction* undo =
+        add(menu, tr("Undo Camera &Move"), QKeySequence("Alt+Z"), [&history] { history.undo(); });
+    QAction* redo = add(menu, tr("Redo Camera Mo&ve"), QKeySequence("Shift+Alt+Z"),
+                        [&history] { history.redo(); });
+    const auto follow = [&history, undo, redo] {
+        undo->setEnabled(history.canUndo());
+        redo->setEnabled(history.canRedo());
+    };
+    connect(&history, &CameraHistory::changed, this, follow);
+    follow();
 }
 
 void Menus::makeCompareMenu(QMenu* menu) {
@@ -205,7 +328,7 @@ void Menus::makeCompareMenu(QMenu* menu) {
     modes_->addSeparator();
     makeLibrarySteps(modes_);
     modes_->addSeparator();
-    QAction* next = add(modes_, tr("&Next Mode"), QKeySequence("C"), [this, choose] {
+    QAction* next = addForViews(modes_, tr("&Next Mode"), QKeySequence("C"), [this, choose] {
         const auto rows = compareModes();
         const auto now = static_cast<std::size_t>(&rowOf(parts_.views.look().mode) - rows.data());
         choose(rows[(now + 1) % rows.size()].mode);
@@ -218,8 +341,8 @@ void Menus::makeCompareMenu(QMenu* menu) {
     realign_ = add(menu, tr("Re-&align Cameras"), QKeySequence("Ctrl+R"),
                    [this] { parts_.views.realignCameras(); });
     realign_->setToolTip(tr("B looks from where A does (Ctrl+R)"));
-    swap_ = add(menu, tr("S&wap A and B"), QKeySequence("X"),
-                [this] { parts_.comparison.swapSides(); });
+    swap_ = addForViews(menu, tr("S&wap A and B"), QKeySequence("X"),
+                        [this] { parts_.comparison.swapSides(); });
     swap_->setToolTip(tr("Exchange the two materials (X)"));
     difference_ = add(menu, tr("&Difference"), QKeySequence("Ctrl+D"),
                       [this] { parts_.views.setDifferenceWanted(difference_->isChecked()); });
@@ -263,10 +386,8 @@ void Menus::makeLibrarySteps(QMenu* menu) {
                  {tr("Next Preset on A"), "Shift+PgDown", Side::A, 1},
                  {tr("Previous Preset on A"), "Shift+PgUp", Side::A, -1}};
     for (const auto& step : steps) {
-        QAction* action = add(menu, step.text, QKeySequence(step.key),
-                              [this, side = step.side, by = step.by] { steps_.step(side, by); });
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        parts_.views.addAction(action);
+        addForViews(menu, step.text, QKeySequence(step.key),
+                    [this, side = step.side, by = step.by] { steps_.step(side, by); });
     }
 }
 
@@ -287,9 +408,12 @@ void Menus::makeLookMenu(QMenu* menu) {
 }
 
 void Menus::makeHelpMenu() {
-    QMenu* menu = parts_.window.menuBar()->addMenu(tr("&Help"));
-    add(menu, tr("&Mouse and Keys"), QKeySequence(Qt::Key_F1),
-        [this] { showKeys(&parts_.window); });
+    QMenu* menu = parts_.window.menuBar()->addMenu(tr("He&lp"));
+    QAction* sheet = add(menu, tr("&Mouse and Keys…"), {},
+                         [this] { (new ShortcutSheet(*keys_, &parts_.window))->open(); });
+    sheet->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence("?")});
+    add(menu, tr("&Run a Command…"), QKeySequence("Ctrl+K"),
+        [this] { (new CommandPalette(*keys_, &parts_.window))->open(); });
     add(menu, tr("&About Patina"), {}, [this] { showAbout(&parts_.window); });
 }
 

@@ -14,6 +14,7 @@ class QMenu;
 
 namespace patina {
 
+class CommandKeys;
 class CompareArea;
 class Comparison;
 class Document;
@@ -55,8 +56,13 @@ class Menus : public QObject {
   private:
     void makeFileMenu();
     void makeEditMenu();
+    void makeObjectMenu();
+    void makeGizmos(QMenu* menu);
+    void makeLightMenu();
     void makeViewMenu();
     void makeCompareMenu(QMenu* menu);
+    void makeCameraMoves(QMenu* menu);
+    void makeTurntable(QMenu* menu);
     void makeLibrarySteps(QMenu* menu);
     void makeLookMenu(QMenu* menu);
     void makeHelpMenu();
@@ -68,7 +74,11 @@ class Menus : public QObject {
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& key,
                  std::function<void()> what);
 
+    QAction* addForViews(QMenu* menu, const QString& text, const QKeySequence& key,
+                         std::function<void()> what);
+
     Parts parts_;
+    CommandKeys* keys_ = nullptr;
     LibrarySteps steps_;
     ViewsCapture* capture_; ///< the views'
     QMenu* recent_ = nullptr;

@@ -16,9 +16,14 @@ class ChangeCommand : public DocumentCommand {
     void redo() override { apply(after_); }
     void undo() override { apply(before_); }
 
+    bool isOfSameTarget(const DocumentCommand& next) const override {
+        const auto* other = dynamic_cast<const ChangeCommand*>(&next);
+        return other && target_ == other->target_;
+    }
+
     bool mergeWith(const QUndoCommand* next) override {
         const auto* other = dynamic_cast<const ChangeCommand*>(next);
-        if (!other || !(target_ == other->target_)) {
+        if (!other || !isOfSameTarget(*other)) {
             return false;
         }
         after_ = other->after_;

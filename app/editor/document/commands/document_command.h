@@ -14,6 +14,9 @@ class DocumentCommand : public QUndoCommand {
     /// The undo stack merges commands of one id: those of one interaction.
     int id() const override { return interaction_ == 0 ? -1 : interaction_; }
 
+    /// Tells whether another command changes the same thing, so that the two may merge.
+    virtual bool isOfSameTarget(const DocumentCommand& /*other*/) const { return false; }
+
   protected:
     DocumentCommand(Document& document, const QString& label)
         : QUndoCommand(shortened(label)), document_(document), interaction_(document.interaction_) {

@@ -18,6 +18,7 @@ void ObjectCommand::announce() const {
 
 void ObjectCommand::setCurrent(int index) const {
     document().setCurrentObject(index);
+    document().selectObjects({}); // the others' places in the list may have changed
 }
 
 } // namespace patina

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QAction>
+
+#include "document/document.h"
+
+namespace patina {
+
+class FileActions;
+
+/// Has an action for all that can be done to the objects that are selected. Their keys work where
+/// the focus is in a widget that the actions were added to.
+class ObjectActions : public QObject {
+    Q_OBJECT
+
+  public:
+    ObjectActions(Document& document, FileActions& files, QObject* parent);
+
+    const std::vector<QAction*>& all() const { return actions_; }
+
+  private:
+    void add(const QString& text, const char* key, std::function<void()> what,
+             std::function<bool()> isPossible);
+    void follow();
+
+    Document& document_;
+    std::vector<QAction*> actions_;
+    std::vector<std::function<bool()>> possible_; ///< whether each may be asked for now
+};
+
+} // namespace patina

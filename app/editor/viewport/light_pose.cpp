@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/light_pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace patina {
+namespace {
+
+/// How far from the pivot a light without a place is drawn, as a share of what the view shows.
+constexpr double shownShare = 0.75;
+
+/// A caster stands at most so far along the way from its shadow to the light.
+constexpr double casterShare = 0.5;
+
+bool saysWhere(Space space) {
+    return space == Space::WorldPoint || space == Space::CameraPoint;
+}
+
+bool isOfCamera(Space space) {
+    return space == Space::CameraPoint || space == Space::CameraDirection;
+}
+
+const Parameter* firstWith(const Block& light, bool wantsPoint) {
+    const auto found = std::ranges::find_if(light.parameters, [wantsPoint](const Parameter& each) {
+        return each.space != Space::None && saysWhere(each.space) == wantsPoint;
+    });
+    return found == light.parameters.end() ? nullptr : &*found;
+}
+
+glm::dvec3 vectorOf(const Values& values, const Parameter& parameter) {
+    const auto found = values.find(parameter.id);
+    const Value& value = found == values.end() ? parameter.defaultValue : found->second;
+    const auto* vector = std::get_if<glm::dvec3>(&value);
+    return vector ? *vector : glm::dvec3(0.0);
+}
+
+double degreesOf(const Values& values, const Parameter& parameter) {
+    const auto found = values.find(parameter.id);
+    const Value& value = found == values.end() ? parameter.defaultValue : found->second;
+    const auto* number = std::get_if<double>(&value);
+    return number ? *number : 0.0;
+}
+
+glm::dvec3 toWorld(const glm::dvec3& vector, Space space, const Camera& camera) {
+    if (!isOfCamera(space)) {
+        return vector;
+    }
+    const glm::dmat4 world = glm::inverse(viewMatrix(camera));
+    return glm::dvec3(world * glm::dvec4(vector, saysWhere(space) ? 1.0 : 0.0));
+}
+
+glm::dvec3 fromWorld(const glm::dvec3& vector, Space space, const Camera& camera) {
+    if (!isOfCamera(space)) {
+        return vector;
+    }
+    return glm::dvec3(viewMatrix(camera) * glm::dvec4(vector, saysWhere(space) ? 1.0 : 0.0));
+}
+
+std::optional<glm::dvec3> asUnit(const glm::dvec3& vector) {
+    const double length = glm::length(vector);
+    return std::isfinite(length) && length > 0.0 ? std::optional(vector / length) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<LightPose> lightPose(const Values& values, const Block& light, const Camera& camera) {
+    LightPose place;
+    place.pointOf = firstWith(light, true);
+    place.directionOf = firstWith(light, false);
+    if (place.directionOf) {
+        place.direction =
+            asUnit(toWorld(vectorOf(values, *place.directionOf), place.directionOf->space, camera));
+    }
+    if (light.reach && !light.reach->angle.empty() && place.direction) {
+        place.angleOf = light.parameter(light.reach->angle);
+        place.angle = place.angleOf ? degreesOf(values, *place.angleOf) : 0.0;
+    }
+    if (place.pointOf) {
+        place.point = toWorld(vectorOf(values, *place.pointOf), place.pointOf->space, camera);
+        return place;
+    }
+    if (!place.direction) {
+        return std::nullopt;
+    }
+    const double shown = camera.distance * std::tan(0.5 * glm::radians(camera.fieldOfView));
+    place.point = camera.pivot - *place.direction * (shownShare * shown);
+    return place;
+}
+
+Values valuesAt(const LightPose& place, const Camera& camera) {
+    Values values;
+    if (place.pointOf) {
+        values.emplace(place.pointOf->id, fromWorld(place.point, place.pointOf->space, camera));
+    }
+    if (place.directionOf && place.direction) {
+        values.emplace(place.directionOf->id,
+                       fromWorld(*place.direction, place.directionOf->space, camera));
+    }
+    return values;
+}
+
+LightPose withHighlightAt(const LightPose& place, const glm::dvec3& point, const glm::dvec3& normal,
+                          const Camera& camera) {
+    const auto toEye = asUnit(eye(camera) - point);
+    if (!toEye) {
+        return place;
+    }
+    const glm::dvec3 toLight = 2.0 * glm::dot(normal, *toEye) * normal - *toEye;
+    LightPose moved = place;
+    moved.point = point + toLight * glm::distance(place.point, point);
+    moved.direction = place.directionOf ? std::optional(-toLight) : std::nullopt;
+    return moved;
+}
+
+LightPose withShadowAt(const LightPose& place, const glm::dvec3& point, const glm::dvec3& caster) {
+    const auto toLight = asUnit(caster - point);
+    if (!toLight) {
+        return place;
+    }
+    const double away =
+        std::max(glm::distance(place.point, point), glm::distance(caster, point) / casterShare);
+    LightPose moved = place;
+    moved.point = point + *toLight * away;
+    moved.direction = place.directionOf ? std::optional(-*toLight) : std::nullopt;
+    return moved;
+}
+
+} // namespace patina

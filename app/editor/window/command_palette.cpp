@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/command_palette.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include "window/command_keys.h"
+
+namespace patina {
+namespace {
+
+constexpr QSize paletteSize(460, 320);
+
+} // namespace
+
+CommandPalette::CommandPalette(const CommandKeys& keys, QWidget* parent)
+    : QDialog(parent), keys_(keys), search_(new QLineEdit(this)), list_(new QListWidget(this)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("commandPalette");
+    setWindowTitle(tr("Run a Command"));
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(search_);
+    layout->addWidget(list_);
+    search_->setPlaceholderText(tr("What is it called?"));
+    search_->setAccessibleName(tr("Name of a command"));
+    search_->installEventFilter(this);
+    list_->setAccessibleName(tr("Commands"));
+    list_->setUniformItemSizes(true);
+    connect(search_, &QLineEdit::textChanged, this, &CommandPalette::fill);
+    connect(search_, &QLineEdit::returnPressed, this, [this] { run(list_->currentItem()); });
+    connect(list_, &QListWidget::itemActivated, this, &CommandPalette::run);
+    resize(paletteSize);
+    fill({});
+}
+
+void CommandPalette::fill(const QString& words) {
+    list_->clear();
+    const std::vector<Command>& commands = keys_.commands();
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        const Command& command = commands[i];
+        if (!command.action->isEnabled() || !hasAllWords(command.id, words)) {
+            continue;
+        }
+        const QString path = QString(command.id).replace('/', QStringLiteral(" \u203a "));
+        const QString shortcut = command.action->shortcut().toString(QKeySequence::NativeText);
+        auto* item = new QListWidgetItem(
+            shortcut.isEmpty() ? path : QStringLiteral("%1   (%2)").arg(path, shortcut), list_);
+        item->setData(Qt::UserRole, static_cast<int>(i));
+    }
+    list_->setCurrentRow(0);
+}
+
+/// The dialog goes first: what is run may open another one, or want the focus in a view.
+void CommandPalette::run(const QListWidgetItem* item) {
+    if (item) {
+        const auto place = static_cast<std::size_t>(item->data(Qt::UserRole).toInt());
+        QAction* action = keys_.commands()[place].action;
+        accept();
+        action->trigger();
+    }
+}
+
+/// The arrows go through the list while the words are typed.
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const int step = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
+        if (step != 0) {
+            list_->setCurrentRow(
+                std::clamp(list_->currentRow() + step, 0, std::max(list_->count() - 1, 0)));
+            return true;
+        }
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+bool hasAllWords(const QString& text, const QString& words) {
+    return std::ranges::all_of(words.split(' ', Qt::SkipEmptyParts), [&](const QString& word) {
+        return text.contains(word, Qt::CaseInsensitive);
+    });
+}
+
+} // namespace patina

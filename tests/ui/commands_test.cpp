@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands by their keys and their names, and what an artist sets once.
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDockWidget>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QTreeWidget>
+#include <QWheelEvent>
+
+#include "ui/window_fixture.h"
+
+namespace patina::tests::commands_test {
+namespace {
+
+class Commands : public WindowFixture {
+  protected:
+    Commands() { focusView(); }
+
+    QDialog* dialog(const char* name) { return window().findChild<QDialog*>(name); }
+    void key(QWidget* widget, Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QTest::keyClick(widget, key, modifiers);
+    }
+    QTreeWidgetItem* rowOf(QDialog* sheet, const QString& text) {
+        const auto found = sheet->findChild<QTreeWidget*>()->findItems(
+            text, Qt::MatchFixedString | Qt::MatchRecursive);
+        return found.isEmpty() ? nullptr : found.front();
+    }
+};
+
+TEST_F(Commands, F1_ListsEveryKeyAndSearchesThem) {
+    view().setFocus();
+    key(&view(), Qt::Key_F1);
+    QDialog* sheet = dialog("shortcutSheet");
+    ASSERT_NE(sheet, nullptr);
+    ASSERT_NE(rowOf(sheet, "Export Picture"), nullptr);
+    EXPECT_EQ(rowOf(sheet, "Export Picture")->text(1), "Ctrl+Shift+E");
+    QTest::keyClicks(sheet->findChild<QLineEdit*>(), "picture export");
+    EXPECT_FALSE(rowOf(sheet, "Export Picture")->isHidden());
+    EXPECT_TRUE(rowOf(sheet, "Take Snapshot")->isHidden());
+}
+
+TEST_F(Commands, KeyThatIsTaken_IsToldAndTakenAwayAndKept) {
+    key(&view(), Qt::Key_F1);
+    QDialog* sheet = dialog("shortcutSheet");
+    ASSERT_NE(sheet, nullptr);
+    sheet->findChild<QTreeWidget*>()->setCurrentItem(rowOf(sheet, "Take Snapshot"));
+    auto* edit = sheet->findChild<QKeySequenceEdit*>();
+    edit->setFocus();
+    key(edit, Qt::Key_D, Qt::ControlModifier);
+    const auto labels = sheet->findChildren<QLabel*>();
+    const auto tellsHolder = [&labels] {
+        return std::ranges::any_of(
+            labels, [](const QLabel* label) { return label->text().contains("Difference"); });
+    };
+    EXPECT_TRUE(QTest::qWaitFor(tellsHolder)); // more keys might follow
+    const auto buttons = sheet->findChildren<QPushButton*>();
+    const auto set = std::ranges::find(buttons, QString("Set"), &QPushButton::text);
+    ASSERT_NE(set, buttons.end());
+    QTest::mouseClick(*set, Qt::LeftButton);
+    EXPECT_EQ(rowOf(sheet, "Take Snapshot")->text(1), "Ctrl+D");
+    EXPECT_EQ(rowOf(sheet, "Difference")->text(1), "");
+    sheet->close();
+    close();
+    open();
+    focusView();
+    key(&view(), Qt::Key_F1);
+    EXPECT_EQ(rowOf(dialog("shortcutSheet"), "Take Snapshot")->text(1), "Ctrl+D");
+}
+
+TEST_F(Commands, CtrlK_RunsACommandByItsName) {
+    key(&view(), Qt::Key_K, Qt::ControlModifier);
+    QDialog* palette = dialog("commandPalette");
+    ASSERT_NE(palette, nullptr);
+    auto* search = palette->findChild<QLineEdit*>();
+    QTest::keyClicks(search, "orthographic");
+    key(search, Qt::Key_Return);
+    EXPECT_EQ(camera().fieldOfView, 1.0);
+}
+
+TEST_F(Commands, SingleLetter_ActsInAViewOnly) {
+    const auto actions = window().findChildren<QAction*>();
+    const auto inspect = *std::ranges::find(actions, QString("inspect"), &QAction::objectName);
+    auto* elsewhere = window().dock("lights")->findChild<QAbstractItemView*>();
+    ASSERT_NE(elsewhere, nullptr);
+    elsewhere->setFocus();
+    key(elsewhere, Qt::Key_N);
+    EXPECT_FALSE(inspect->isChecked());
+    view().setFocus();
+    key(&view(), Qt::Key_N);
+    EXPECT_TRUE(inspect->isChecked());
+}
+
+TEST_F(Commands, BlenderMouse_OrbitsWithTheMiddleButtonOnly) {
+    key(&view(), Qt::Key_Comma, Qt::ControlModifier);
+    QDialog* preferences = dialog("preferences");
+    ASSERT_NE(preferences, nullptr);
+    preferences->findChild<QComboBox*>("mouseScheme")->setCurrentIndex(2);
+    preferences->close();
+    const Camera before = camera();
+    drag(Qt::LeftButton, Qt::NoModifier, {40, 10});
+    EXPECT_EQ(camera(), before);
+    drag(Qt::MiddleButton, Qt::NoModifier, {40, 10});
+    EXPECT_NE(camera().yaw, before.yaw);
+    EXPECT_EQ(Session().mouseHabits().scheme, MouseScheme::Blender);
+}
+
+TEST_F(Commands, WheelThatDoesNotZoom_StillZoomsWithCtrl) {
+    key(&view(), Qt::Key_Comma, Qt::ControlModifier);
+    dialog("preferences")->findChild<QCheckBox*>("wheelZooms")->setChecked(false);
+    dialog("preferences")->close();
+    const auto wheel = [this](Qt::KeyboardModifiers modifiers) {
+        const QPointF at(view().rect().center());
+        QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120}, Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&view(), &event);
+    };
+    const double before = camera().distance;
+    wheel(Qt::NoModifier);
+    EXPECT_EQ(camera().distance, before);
+    wheel(Qt::ControlModifier);
+    EXPECT_LT(camera().distance, before);
+}
+
+} // namespace
+} // namespace patina::tests::commands_test

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the mouse drags in a view besides the camera: objects by their handles, and lights.
+#include <QApplication>
+#include <QTest>
+
+#include <glm/geometric.hpp>
+
+#include "document/scene_edits.h"
+#include "ui/window_fixture.h"
+#include "viewport/light_pose.h"
+#include "viewport/ray_cast.h"
+#include "viewport/side_view.h"
+
+namespace patina::tests::handles_test {
+namespace {
+
+class Handles : public WindowFixture {
+  protected:
+    Handles() { focusView(); }
+
+    const Object& object() { return document().scene().objects[0]; }
+    int steps() { return document().undoStack().count(); }
+    glm::dvec2 size() { return {view().width(), view().height()}; }
+    QPoint placeOf(const glm::dvec3& point) {
+        const auto place = patina::placeOf(camera(), point, size());
+        return {qRound(place->x), qRound(place->y)};
+    }
+    /// Where the end of a world axis of the handles is.
+    QPoint endOf(const glm::dvec3& axis) {
+        const glm::dvec3& origin = object().translation;
+        return placeOf(origin + axis * (78.0 / pixelsPerMetre(camera(), origin, size().y)));
+    }
+    void key(Qt::Key key) { QTest::keyClick(&view(), key); }
+    void press(QPoint at) { QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, at); }
+    void moveTo(QPoint at) {
+        QMouseEvent move(QEvent::MouseMove, at, view().mapToGlobal(at), Qt::NoButton,
+                         Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&view(), &move);
+    }
+    void release(QPoint at) { QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, at); }
+    void dragFrom(QPoint from, QPoint by) {
+        press(from);
+        moveTo(from + by / 2);
+        moveTo(from + by);
+        release(from + by);
+    }
+    LightPose pose(std::size_t index) {
+        const Light& light = document().scene().lights[index];
+        return *lightPose(light.block.parameters,
+                          *document().catalog().find(kinds::lights, light.block.id), camera());
+    }
+    /// A spot light above the object, which is the current one.
+    std::size_t addSpot() {
+        const auto blocks = document().catalog().ofKind(kinds::lights);
+        const auto spot = std::ranges::find_if(blocks, [](const Block* block) {
+            return block->reach && !block->reach->angle.empty();
+        });
+        addLight(document(), (*spot)->id);
+        const std::size_t index = document().scene().lights.size() - 1;
+        document().setCurrentLight(int(index));
+        LightPose above = pose(index);
+        above.point = {0.3, 1.4, 0.2};
+        above.direction = glm::normalize(glm::dvec3(0.0) - above.point);
+        document().setValues(pathOf(kinds::lights, int(index)), valuesAt(above, camera()), "place");
+        newFrames();
+        return index;
+    }
+};
+
+TEST_F(Handles, DragOfAnAxis_MovesAlongItInOneStep) {
+    key(Qt::Key_W);
+    const Camera before = camera();
+    const QPoint end = endOf({0.0, 1.0, 0.0});
+    dragFrom(end, {0, -40});
+    EXPECT_GT(object().translation.y, 0.05);
+    EXPECT_NEAR(object().translation.x, 0.0, 1e-9);
+    EXPECT_NEAR(object().translation.z, 0.0, 1e-9);
+    EXPECT_EQ(camera(), before);
+    EXPECT_EQ(steps(), 1);
+}
+
+TEST_F(Handles, DragOfTheMiddle_FollowsThePointer) {
+    key(Qt::Key_W);
+    const QPoint from = placeOf(object().translation);
+    dragFrom(from, {40, 25});
+    const QPoint there = placeOf(object().translation);
+    EXPECT_NEAR(there.x(), from.x() + 40, 2);
+    EXPECT_NEAR(there.y(), from.y() + 25, 2);
+}
+
+TEST_F(Handles, EscWhileDragged_PutsTheObjectBackWithoutAStep) {
+    key(Qt::Key_W);
+    const Object before = object();
+    const QPoint end = endOf({0.0, 1.0, 0.0});
+    press(end);
+    moveTo(end + QPoint(0, -40));
+    ASSERT_NE(object(), before);
+    key(Qt::Key_Escape);
+    moveTo(end + QPoint(0, -60));
+    release(end);
+    EXPECT_EQ(object(), before);
+    EXPECT_EQ(steps(), 0);
+}
+
+TEST_F(Handles, DragOfARing_TurnsAboutItsAxis) {
+    Camera above = camera();
+    above.yaw = 0.0;
+    above.pitch = 90.0; // the ring of the upright axis is a circle
+    document().setCamera(above);
+    key(Qt::Key_R);
+    const QPoint middle = placeOf(object().translation);
+    press(middle + QPoint(80, 0));
+    moveTo(middle + QPoint(57, -57));
+    release(middle + QPoint(57, -57));
+    EXPECT_NEAR(object().rotation.y, 45.0, 1.5);
+    EXPECT_NEAR(object().rotation.x, 0.0, 1e-3);
+    EXPECT_EQ(steps(), 1);
+}
+
+TEST_F(Handles, DragOfTheMiddleOfScaling_ScalesAllAxes) {
+    key(Qt::Key_S);
+    dragFrom(placeOf(object().translation), {50, 0});
+    EXPECT_GT(object().scale.x, 1.2);
+    EXPECT_EQ(object().scale.x, object().scale.z);
+    EXPECT_EQ(steps(), 1);
+}
+
+TEST_F(Handles, KeyOnceMore_HidesThem) {
+    key(Qt::Key_W);
+    key(Qt::Key_W);
+    const Object before = object();
+    dragFrom(endOf({0.0, 1.0, 0.0}), {0, -40});
+    EXPECT_EQ(object(), before);
+}
+
+TEST_F(Handles, DragOfALamp_MovesItAsItIsSeen) {
+    const std::size_t spot = addSpot();
+    const int before = steps();
+    const QPoint from = placeOf(pose(spot).point);
+    dragFrom(from, {-30, 12});
+    const QPoint there = placeOf(pose(spot).point);
+    EXPECT_NEAR(there.x(), from.x() - 30, 2);
+    EXPECT_NEAR(there.y(), from.y() + 12, 2);
+    EXPECT_EQ(steps(), before + 1);
+}
+
+TEST_F(Handles, EscWhileALampIsDragged_PutsItBackWithoutAStep) {
+    const std::size_t spot = addSpot();
+    const std::vector<Light> before = document().scene().lights;
+    const int stepsBefore = steps();
+    const QPoint from = placeOf(pose(spot).point);
+    press(from);
+    moveTo(from + QPoint(-30, 12));
+    ASSERT_NE(document().scene().lights, before);
+    key(Qt::Key_Escape);
+    release(from);
+    EXPECT_EQ(document().scene().lights, before);
+    EXPECT_EQ(steps(), stepsBefore);
+}
+
+TEST_F(Handles, DragOfALampsDistance_MovesItAlongItsAxis) {
+    const std::size_t spot = addSpot();
+    const LightPose before = pose(spot);
+    const Ray axis{before.point, *before.direction};
+    const auto meshes = [this](const Object& each) { return window().meshes().pickMesh(each); };
+    const auto target = cast(axis, document().scene(), meshes);
+    ASSERT_TRUE(target);
+    const QPoint handle = placeOf(glm::mix(before.point, target->point, 0.45));
+    dragFrom(handle, placeOf(before.point) - handle);
+    EXPECT_GT(glm::distance(pose(spot).point, target->point), 1.2 * target->distance);
+    EXPECT_NEAR(glm::distance(*pose(spot).direction, *before.direction), 0.0, 1e-6);
+}
+
+TEST_F(Handles, LightsThatAreNotShown_AreNotDragged) {
+    const std::size_t spot = addSpot();
+    window().views().handleModes().setShowsLights(false);
+    const LightPose before = pose(spot);
+    dragFrom(placeOf(before.point), {-30, 12});
+    EXPECT_EQ(pose(spot).point, before.point);
+}
+
+TEST_F(Handles, LAndClick_PutTheHighlightUnderThePointer) {
+    const std::size_t spot = addSpot();
+    const int before = steps();
+    const QPoint place = view().rect().center() + QPoint(20, 12);
+    QTest::keyPress(&view(), Qt::Key_L);
+    QTest::mouseClick(&view(), Qt::LeftButton, Qt::NoModifier, place);
+    QTest::keyRelease(&view(), Qt::Key_L);
+    const auto meshes = [this](const Object& each) { return window().meshes().pickMesh(each); };
+    const auto hit =
+        cast(rayThrough(camera(), {place.x(), place.y()}, size()), document().scene(), meshes);
+    ASSERT_TRUE(hit);
+    const glm::dvec3 toLight = glm::normalize(pose(spot).point - hit->point);
+    const glm::dvec3 toEye = glm::normalize(eye(camera()) - hit->point);
+    EXPECT_NEAR(glm::dot(glm::normalize(toLight + toEye), hit->normal), 1.0, 1e-6);
+    EXPECT_NEAR(glm::dot(*pose(spot).direction, -toLight), 1.0, 1e-6);
+    EXPECT_EQ(steps(), before + 1);
+}
+
+TEST_F(Handles, LShiftAndClick_PutTheShadowUnderThePointer) {
+    Object floor;
+    floor.mesh = "builtin:cube";
+    floor.translation = {0.0, -1.6, 0.0};
+    floor.scale = {4.0, 0.5, 4.0};
+    floor.material = object().material;
+    addObject(document(), floor);
+    document().setCurrentObject(0);
+    const std::size_t spot = addSpot();
+    const QPoint place = placeOf({1.5, -1.1, 1.0});
+    QTest::keyPress(&view(), Qt::Key_L);
+    QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, place);
+    QTest::keyRelease(&view(), Qt::Key_L);
+    const auto meshes = [this](const Object& each) { return window().meshes().pickMesh(each); };
+    const auto hit =
+        cast(rayThrough(camera(), {place.x(), place.y()}, size()), document().scene(), meshes);
+    ASSERT_TRUE(hit);
+    ASSERT_EQ(hit->object, 1);
+    const auto met = cast({pose(spot).point, *pose(spot).direction}, document().scene(), meshes);
+    ASSERT_TRUE(met);
+    EXPECT_EQ(met->object, 0); // the caster is between the light and the place
+}
+
+TEST_F(Handles, SoloTwice_LeavesTheLightsAsTheyWere) {
+    toggleMute(document(), 1);
+    const std::vector<Light> before = document().scene().lights;
+    toggleSolo(document(), 0);
+    EXPECT_EQ(std::ranges::count(document().scene().lights, true, &Light::enabled), 1);
+    toggleSolo(document(), 2);
+    EXPECT_TRUE(document().scene().lights[2].enabled);
+    EXPECT_EQ(std::ranges::count(document().scene().lights, true, &Light::enabled), 1);
+    toggleSolo(document(), 2);
+    EXPECT_EQ(document().scene().lights, before);
+}
+
+} // namespace
+} // namespace patina::tests::handles_test
