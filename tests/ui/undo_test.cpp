@@ -208,6 +208,14 @@ TEST_F(LightingMenu, EveryShippedScene_HasAPictureSoon) {
         QTest::qWaitFor([&] { return std::ranges::all_of(menu->actions(), isPainted); }, 120000));
 }
 
+TEST_F(LightingMenu, Rows_AreAsHighAsTheirPictures) {
+    auto* menu = window().findChild<QMenu*>("lighting");
+    Q_EMIT menu->aboutToShow();
+    for (QAction* action : menu->actions()) {
+        EXPECT_GE(menu->actionGeometry(action).height(), 84);
+    }
+}
+
 class NumberField : public WindowFixture {
   protected:
     NumberBox& box(const std::string& id) {
