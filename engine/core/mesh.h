@@ -14,11 +14,24 @@ namespace patina {
 /// One vertex as the GPU reads it: 48 bytes, object space, metres.
 struct Vertex {
     glm::vec3 position{0.0f};
-    glm::vec3 normal{0.0f, 0.0f, 1.0f};          ///< unit
-    glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f};   ///< xyz unit or zero (unknown); w = +1 or -1
+    glm::vec3 normal{0.0f, 0.0f, 1.0f};        ///< unit
+    glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f}; ///< xyz unit or zero (unknown); w = +1 or -1
     glm::vec2 uv{0.0f};
 
     friend bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+/// How much of its surroundings a vertex sees past its own mesh, as the GPU reads it: 8 bytes
+/// (mesh_openness.h). As it is made nothing is hidden.
+struct VertexOpenness {
+    std::int16_t x = 0; ///< the mean of the directions that are free, times their share, less the
+    std::int16_t y = 0; ///< normal, in object space, in units of `unit`
+    std::int16_t z = 0;
+    std::int16_t back = 1; ///< 1 .. 32767: the share that is hidden from the back of the surface
+
+    static constexpr float unit = 1.4142136f / 32767.0f;
+
+    friend bool operator==(const VertexOpenness&, const VertexOpenness&) = default;
 };
 
 /// Axis-aligned box. Empty (lower > upper) until the first point is added.
@@ -39,6 +52,7 @@ struct MeshView {
     std::span<const Vertex> vertices;
     std::span<const std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
     Bounds bounds;
+    std::span<const VertexOpenness> openness{}; ///< of each vertex; empty: nothing is hidden
 };
 
 /// A triangle list.

@@ -86,6 +86,7 @@ struct Scene {
     BlockParts parts;             ///< the picture of one is a path that scene files resolve
     glm::dvec3 ambient{0.0};      ///< linear colour of the light from everywhere
     Hemisphere hemisphere;        ///< beside it
+    bool occlusion = false;       ///< objects hide these and the environment from themselves
     glm::dvec3 background{0.18f}; ///< linear; a float, as files hold it
     Ground ground;
     Camera camera;

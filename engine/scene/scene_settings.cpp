@@ -60,6 +60,7 @@ const MemberTable<Scene>& sceneMembers() {
         {"hemisphere.sky", member(&Scene::hemisphere, &Hemisphere::sky)},
         {"hemisphere.ground", member(&Scene::hemisphere, &Hemisphere::ground)},
         {"hemisphere.up", member(&Scene::hemisphere, &Hemisphere::up)},
+        {"occlusion", member(&Scene::occlusion)},
         {"background", member(&Scene::background)},
         {"exposure", member(&Scene::exposure)},
         {"drawings", drawings()},
