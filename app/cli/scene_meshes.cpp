@@ -8,6 +8,7 @@
 #include "cli/picture_options.h"
 #include "core/image_places.h"
 #include "scene/builtin_mesh.h"
+#include "scene/kept_openness.h"
 #include "scene/mesh_path.h"
 
 namespace patina {
@@ -27,7 +28,19 @@ Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, AssetClient& client) 
         return tl::unexpected(errors);
     }
     meshes.nameMissingPlaces(scene);
+    if (wantsOpenness(scene)) {
+        meshes.findOpenness();
+    }
     return meshes;
+}
+
+void SceneMeshes::findOpenness() {
+    for (const auto& [key, mesh] : made_) {
+        openness_.emplace(key, keptOpenness(mesh.view(), opennessFolder()));
+    }
+    for (const auto& [key, mesh] : read_) {
+        openness_.emplace(key, keptOpenness(mesh->view(), opennessFolder()));
+    }
 }
 
 void SceneMeshes::nameMissingPlaces(const Scene& scene) {
@@ -82,12 +95,17 @@ Errors SceneMeshes::remarks() const {
 }
 
 MeshView SceneMeshes::view(const Object& object) const {
-    const auto made = made_.find(meshKey(object));
-    if (made != made_.end()) {
-        return made->second.view();
+    const MeshKey key = meshKey(object);
+    MeshView view;
+    if (const auto made = made_.find(key); made != made_.end()) {
+        view = made->second.view();
+    } else if (const auto read = read_.find(key); read != read_.end()) {
+        view = read->second->view();
     }
-    const auto read = read_.find(meshKey(object));
-    return read != read_.end() ? read->second->view() : MeshView{};
+    if (const auto openness = openness_.find(key); openness != openness_.end()) {
+        view.openness = openness->second;
+    }
+    return view;
 }
 
 } // namespace patina

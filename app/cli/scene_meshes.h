@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "assets/asset_client.h"
 #include "core/error.h"
@@ -25,6 +26,7 @@ class SceneMeshes {
     Errors remarks() const;
 
   private:
+    void findOpenness();
     Result<void> add(const Object& object, AssetClient& client);
     void nameMissingPlaces(const Scene& scene);
 
@@ -32,6 +34,7 @@ class SceneMeshes {
     Errors remarks_; ///< of those that were read
     std::map<MeshKey, Mesh> made_;
     std::map<MeshKey, std::shared_ptr<const SharedMesh>> read_;
+    std::map<MeshKey, std::vector<VertexOpenness>> openness_; ///< where the scene asks for it
 };
 
 } // namespace patina

@@ -30,6 +30,13 @@ void VertexArray::attribute(unsigned location, const Buffer& buffer, int compone
                           reinterpret_cast<const void*>(offset));
 }
 
+void VertexArray::shorts(unsigned location, const Buffer& buffer) {
+    bind();
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 4, GL_SHORT, GL_FALSE, 4 * sizeof(GLshort), nullptr);
+}
+
 void VertexArray::instanced(unsigned location, const Buffer& buffer, unsigned count,
                             std::size_t offset) const {
     constexpr std::size_t size = 4 * sizeof(float);

@@ -30,9 +30,11 @@ vec3 fittedLight(Surface s) {
         matteMean += sideways.z * across;
     }
     // One after another, so that few numbers are kept at a time.
-    vec3 sum = part.rgb * environmentOnMatte(environmentInside(matteMean));
+    vec3 sum = OPEN_SHARE * part.rgb * environmentOnMatte(environmentInside(OPEN_MEAN(matteMean)));
     part = texture(lobeTable, vec3(place, 1.0));
-    sum += part.rgb * environmentSeenBy(environmentInside(narrowMean), part.a);
+    sum += OPEN_TOWARDS(narrowMean, LOBE_WIDTH(part.a)) * part.rgb *
+           environmentSeenBy(environmentInside(narrowMean), part.a);
     part = texture(lobeTable, vec3(place, 2.0));
-    return sum + part.rgb * environmentSeenBy(environmentInside(wideMean), part.a);
+    return sum + OPEN_TOWARDS(wideMean, LOBE_WIDTH(part.a)) * part.rgb *
+                     environmentSeenBy(environmentInside(wideMean), part.a);
 }

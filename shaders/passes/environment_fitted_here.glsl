@@ -48,8 +48,9 @@ vec3 seenBy(GatheredHere lobe, vec3 r) {
     float missing = clamp(missingSquared / (1.0 + safeSqrt(1.0 - missingSquared)), 1e-9, 0.9);
     float length = 1.0 - missing;
     float kappa = length * (3.0 - length * length) / (missing * (2.0 - missing));
-    vec3 d = environmentInside(safeNormalize(r + shift, r));
-    return lobe.color * environmentSeenBy(d, log2(kappa));
+    vec3 d = safeNormalize(r + shift, r);
+    return lobe.color * OPEN_TOWARDS(d, LOBE_WIDTH(log2(kappa))) *
+           environmentSeenBy(environmentInside(d), log2(kappa));
 }
 
 void gather(inout GatheredHere lobe, vec3 color, float mean, vec3 apart) {
@@ -112,6 +113,6 @@ vec3 fittedLight(Surface s, Model p) {
         from = to;
         to *= HALF_FACTOR;
     }
-    return matte * environmentOnMatte(environmentInside(s.n)) + seenBy(wideLobe, r) +
-           seenBy(narrowLobe, r);
+    vec3 onMatte = environmentOnMatte(environmentInside(OPEN_MEAN(s.n)));
+    return OPEN_SHARE * matte * onMatte + seenBy(wideLobe, r) + seenBy(narrowLobe, r);
 }

@@ -52,6 +52,7 @@ class EffectRowsTest : public ShadingTest {
         scene_.hemisphere.sky = glm::dvec3(0.2);
         scene_.setPart(kinds::environment, block("environment", "studio"));
         scene_.ambient = glm::dvec3(0.1);
+        scene_.occlusion = true;
         scene_.setPart(kinds::fog, block("fog", "linear"));
         scene_.exposure = 1.0;
         scene_.setPart(kinds::tone, block("tone", "khronos-neutral"));
@@ -87,16 +88,16 @@ TEST_F(EffectRowsTest, EveryEffectThatIsIn_CanBeLeftOut) {
     useEverything();
     const std::vector<EffectRow> all = rows();
     ASSERT_EQ(std::count_if(all.begin(), all.end(), [](const EffectRow& each) { return each.in; }),
-              17);
+              18);
     for (const EffectRow& each : all) {
         EXPECT_TRUE(each.removable || !each.in) << each.line.effect;
     }
 }
 
 TEST_F(EffectRowsTest, EmptyScene_SaysWhatItLacks) {
-    for (const char* effect :
-         {"ambient", "fog", "fresnel", "opacity", "emission", "exposure", "tone", "shadows",
-          "ground", "hemisphere", "environment", "texture", "transparency", "refraction"}) {
+    for (const char* effect : {"ambient", "fog", "fresnel", "opacity", "emission", "exposure",
+                               "tone", "shadows", "ground", "hemisphere", "occlusion",
+                               "environment", "texture", "transparency", "refraction"}) {
         EXPECT_FALSE(row(effect).line.reason.empty()) << effect;
         EXPECT_FALSE(isIn(effect)) << effect;
     }
@@ -112,6 +113,18 @@ TEST_F(EffectRowsTest, WhatWorksThroughTheModel_IsWithinIt) {
          {"models/lambert", "fog/linear", "opacity", "fresnel/schlick", "ground"}) {
         EXPECT_EQ(row(effect).within, "") << effect;
     }
+}
+
+TEST_F(EffectRowsTest, OcclusionWithoutLightFromAllAround_SaysSo) {
+    scene_.occlusion = true;
+    scene_.lights = {light("head")};
+    EXPECT_FALSE(isIn("occlusion"));
+    EXPECT_EQ(row("occlusion").line.reason, "The scene has no environment and no ambient light.");
+    scene_.ambient = glm::dvec3(0.1);
+    EXPECT_TRUE(isIn("occlusion"));
+    EXPECT_TRUE(row("occlusion").removable);
+    scene_.objects[0].material = material("toon");
+    EXPECT_FALSE(isIn("occlusion"));
 }
 
 TEST_F(EffectRowsTest, FillingOfASlotThatIsNeverEmpty_CannotBeLeftOut) {

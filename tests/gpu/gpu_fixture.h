@@ -130,7 +130,9 @@ class GpuTest : public testing::Test {
             }
             found = meshes.emplace(name, std::move(*made)).first;
         }
-        return found->second.view();
+        MeshView view = found->second.view();
+        view.openness = openness[name];
+        return view;
     }
 
     MeshSource meshSource() {
@@ -182,6 +184,7 @@ class GpuTest : public testing::Test {
     std::shared_ptr<const Catalog> catalog;
     std::unique_ptr<Renderer> renderer;
     std::map<std::string, Mesh> meshes;
+    std::map<std::string, std::vector<VertexOpenness>> openness; ///< of those that have it
 };
 
 } // namespace patina

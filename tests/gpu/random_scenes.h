@@ -28,6 +28,7 @@ class RandomScenes {
         }
         addLights(scene);
         addSurroundings(scene);
+        scene.occlusion = number % 2 == 1;
         scene.camera.yaw = between(-180.0, 180.0);
         scene.camera.pitch = between(-60.0, 85.0);
         scene.camera.distance = chance(0.1) ? between(0.1, 1.0) : between(2.0, 6.0);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/mesh_openness.h"
 #include "gpu_fixture.h"
 #include "measure/error/frame_error.h"
 #include "render/lights/environment_light.h"
@@ -135,6 +136,22 @@ TEST_F(ReferenceFrameTest, Hemisphere_IsInIt) {
     scene.hemisphere.sky = {0.2, 0.4, 0.9};
     scene.hemisphere.ground = {0.3, 0.1, 0.0};
     scene.hemisphere.up = {0.2, 1.0, 0.1};
+    EXPECT_LE(error(scene).p99, rounding);
+}
+
+/// With and without an environment, on a ring whose inner side hides light from itself.
+TEST_F(ReferenceFrameTest, Occlusion_IsInIt) {
+    Scene scene = simpleScene("phong");
+    scene.objects[0].mesh = "builtin:torus";
+    scene.objects[0].rotation = {60.0, 0.0, 0.0};
+    scene.ambient = {0.1, 0.2, 0.3};
+    scene.hemisphere = {{0.2, 0.4, 0.9}, {0.3, 0.1, 0.0}, {0.2, 1.0, 0.1}};
+    const Image open = capture(scene);
+    openness["torus"] = opennessOf(mesh(scene.objects[0]));
+    scene.occlusion = true;
+    EXPECT_NE(capture(scene), open);
+    EXPECT_LE(error(scene).p99, rounding);
+    scene.setPart(kinds::environment, block("environment", "studio"));
     EXPECT_LE(error(scene).p99, rounding);
 }
 

@@ -16,6 +16,7 @@ void startWhenChanged(QTimer& settle, const Document& document, const MeshLibrar
     };
     onChange(document, DocumentChange::Drawn | DocumentChange::Current, &settle, later);
     QObject::connect(&meshes, &MeshLibrary::loaded, &settle, later);
+    QObject::connect(&meshes, &MeshLibrary::opennessFound, &settle, later);
 }
 
 } // namespace patina

@@ -18,6 +18,7 @@
 #include "render/lights/environment_image.h"
 #include "render/renderer.h"
 #include "scene/environment.h"
+#include "scene/kept_openness.h"
 #include "scene/primitives.h"
 #include "scene/scene_file.h"
 
@@ -158,8 +159,11 @@ class ThumbnailMaker::Studio {
         const auto [place, isNew] = meshes_.try_emplace(name);
         if (isNew) {
             place->second = primitive(name.substr(name.find(':') + 1)).value_or(Mesh());
+            openness_[name] = keptOpenness(place->second.view(), opennessFolder());
         }
-        return place->second.view();
+        MeshView view = place->second.view();
+        view.openness = openness_[name];
+        return view;
     }
 
     AssetClient files_; ///< starts nothing before an image is wanted
@@ -168,6 +172,7 @@ class ThumbnailMaker::Studio {
     std::shared_ptr<const Catalog> catalog_;
     Scene scene_;
     std::map<std::string, Mesh> meshes_;
+    std::map<std::string, std::vector<VertexOpenness>> openness_; ///< of the meshes
 };
 
 ThumbnailMaker::ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,

@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "scene/builtin_mesh.h"
+#include "scene/kept_openness.h"
 #include "scene/mesh_path.h"
 
 namespace patina {
@@ -16,10 +17,19 @@ constexpr int progressIntervalMs = 100;
 
 } // namespace
 
-MeshLibrary::MeshLibrary(QObject* parent) : QObject(parent) {}
+MeshLibrary::MeshLibrary(QObject* parent)
+    : QObject(parent), opennessWorker_({.priority = QThread::LowPriority}) {}
 
 MeshView MeshLibrary::view(const Object& object) {
     const MeshKey key = meshKey(object);
+    MeshView view = triangles(key);
+    if (!view.indices.empty()) {
+        addOpenness(view, key);
+    }
+    return view;
+}
+
+MeshView MeshLibrary::triangles(const MeshKey& key) {
     if (builtinName(key.mesh)) {
         if (!builtins_.contains(key)) {
             makeBuiltin(key);
@@ -33,6 +43,52 @@ MeshView MeshLibrary::view(const Object& object) {
         load(key);
     }
     return {};
+}
+
+void MeshLibrary::addOpenness(MeshView& view, const MeshKey& key) {
+    const auto found = found_.find(key);
+    if (found != found_.end() && found->second->vertices == view.vertices.data()) {
+        view.openness = found->second->openness;
+    } else if (wantsOpenness_ && !finding_.contains(key)) {
+        findOpenness(view, key);
+    }
+}
+
+void MeshLibrary::findOpenness(const MeshView& view, const MeshKey& key) {
+    const auto file = files_.find(key);
+    const std::shared_ptr<const Loaded> held = file != files_.end() ? file->second : nullptr;
+    const bool first = finding_.empty();
+    finding_[key] = opennessWorker_.ask(
+        [view, held](const Worker::Control& control) {
+            return std::make_shared<const Found>(Found{
+                view.vertices.data(), keptOpenness(view, opennessFolder(), &control.progress())});
+        },
+        [this, key](const Result<std::shared_ptr<const Found>>& answer) {
+            finding_.erase(key);
+            std::shared_ptr<const Found>& found = found_[key];
+            if (found) {
+                outdatedOpenness_.push_back(found);
+            }
+            found = answer ? *answer : std::make_shared<const Found>();
+            Q_EMIT opennessFound();
+        });
+    if (first) {
+        QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportFinding);
+    }
+}
+
+void MeshLibrary::reportFinding() {
+    for (const auto& [key, progress] : finding_) {
+        Q_EMIT opennessProgressed(QString::fromStdString(key.mesh), progress->done.load());
+    }
+    if (!finding_.empty()) {
+        QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportFinding);
+    }
+}
+
+void MeshLibrary::cancelAll() {
+    worker_.cancel();
+    opennessWorker_.cancel();
 }
 
 PickMesh MeshLibrary::pickMesh(const Object& object) {

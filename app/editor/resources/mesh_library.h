@@ -19,6 +19,7 @@ namespace patina {
 
 /// Every mesh the editor has. Built-in ones are made when they are first asked for; files are read
 /// by the files process, asked from a worker thread, and the views draw without them until then.
+/// What meshes hide from themselves is found in another thread, for scenes that ask for it.
 class MeshLibrary : public QObject {
     Q_OBJECT
 
@@ -29,17 +30,21 @@ class MeshLibrary : public QObject {
     /// was not asked for yet starts loading.
     MeshView view(const Object& object);
 
+    /// Tells whether view() has what a mesh hides from itself found where that is not there yet.
+    void wantOpenness(bool wanted) { wantsOpenness_ = wanted; }
+
     /// The same for rays, which need not look at each triangle of a large mesh.
     PickMesh pickMesh(const Object& object);
 
-    bool isLoading() const { return !loading_.empty(); }
+    /// Tells whether a file is read, or what a mesh hides is found.
+    bool isLoading() const { return !loading_.empty() || !finding_.empty(); }
     bool has(const Object& object) const;
 
     /// Starts the files process ahead of its first use.
     void warmUp();
 
     /// Gives up on everything that is loading.
-    void cancelAll() { worker_.cancel(); }
+    void cancelAll();
 
     /// Gives up on what is loading and is in no object of the scene.
     void cancelAllBut(const Scene& scene);
@@ -60,7 +65,9 @@ class MeshLibrary : public QObject {
   Q_SIGNALS:
     void loadingStarted(QString file);
     void progressed(QString file, float share);
-    void loaded(QString file);           ///< its triangles are there
+    void loaded(QString file);                          ///< its triangles are there
+    void opennessProgressed(QString mesh, float share); ///< where it takes a moment
+    void opennessFound();                               ///< view() has it, or does without it
     void remarked(patina::Error remark); ///< what had to be left out of a mesh that is there
     void failed(QString file, patina::Error why); ///< also when it was cancelled
     /// The file was read, or could not be, without these.
@@ -74,6 +81,16 @@ class MeshLibrary : public QObject {
     };
     using Answer = Result<std::shared_ptr<const Loaded>>;
 
+    /// Holds what a mesh hides from itself.
+    struct Found {
+        const Vertex* vertices = nullptr;     ///< whose it is
+        std::vector<VertexOpenness> openness; ///< empty: it was cancelled
+    };
+
+    MeshView triangles(const MeshKey& key);
+    void addOpenness(MeshView& view, const MeshKey& key);
+    void findOpenness(const MeshView& view, const MeshKey& key);
+    void reportFinding();
     static Answer read(AssetClient& client, const MeshKey& key, Progress& progress);
     void makeBuiltin(const MeshKey& key);
     void load(const MeshKey& key);
@@ -87,7 +104,12 @@ class MeshLibrary : public QObject {
     std::vector<std::shared_ptr<const Loaded>> outdated_;      ///< frames may still draw them
     std::map<MeshKey, std::shared_ptr<Progress>> loading_;
     std::map<MeshKey, Error> failures_;
+    std::map<MeshKey, std::shared_ptr<const Found>> found_;
+    std::vector<std::shared_ptr<const Found>> outdatedOpenness_; ///< frames may still draw it
+    std::map<MeshKey, std::shared_ptr<Progress>> finding_;
     FileRights rights_;
+    bool wantsOpenness_ = false;
+    Worker opennessWorker_;
     Worker worker_;
 };
 

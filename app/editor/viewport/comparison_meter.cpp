@@ -35,6 +35,7 @@ ComparisonMeter::ComparisonMeter(const ViewSources& sources, const Viewport& fir
     connect(&textures_, &TextureLibrary::arrived, this, changed);
     connect(&switches_, &EffectSwitches::changed, this, changed);
     connect(&meshes_, &MeshLibrary::loaded, this, changed);
+    connect(&meshes_, &MeshLibrary::opennessFound, this, changed);
     connect(&environments_, &EnvironmentLibrary::loaded, this, changed);
     connect(&environments_, &EnvironmentLibrary::failed, this, changed);
     connect(&first, &Viewport::resized, this, changed);

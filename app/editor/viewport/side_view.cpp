@@ -105,6 +105,7 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
              [this] { viewport_->setCatalog(document_.sharedCatalog()); });
     connect(&switches_, &EffectSwitches::changed, frames, &FrameLoop::refresh);
     connect(&meshes_, &MeshLibrary::loaded, frames, &FrameLoop::refresh);
+    connect(&meshes_, &MeshLibrary::opennessFound, frames, &FrameLoop::refresh);
     connect(&sources.environments, &EnvironmentLibrary::loaded, frames, &FrameLoop::refresh);
     connect(&sources.environments, &EnvironmentLibrary::failed, frames, &FrameLoop::refresh);
     connect(viewport_, &Viewport::filesDropped, this, &SideView::take);

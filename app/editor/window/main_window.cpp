@@ -8,6 +8,7 @@
 
 #include "gl/driver_cache.h"
 #include "parameters/dropped_files.h"
+#include "scene/kept_openness.h"
 #include "window/focus_order.h"
 
 namespace patina {
@@ -73,6 +74,8 @@ DockContext MainWindow::dockContext() {
 void MainWindow::connectParts() {
     connect(&documentFiles_, &DocumentFiles::message, &messages_, &MessageLog::add);
     connect(&meshes_, &MeshLibrary::remarked, &messages_, &MessageLog::addNote);
+    onChange(document_, DocumentChange::Drawn, &meshes_,
+             [this] { meshes_.wantOpenness(wantsOpenness(document_.scene())); });
     connect(&textures_, &TextureLibrary::failed, this,
             [this](const QString&, const Error& why) { messages_.add(why); });
     onChange(document_, DocumentChange::Scene, &textures_, &TextureLibrary::forgetFailures);

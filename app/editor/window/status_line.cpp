@@ -64,7 +64,7 @@ void StatusLine::makeLoadingRow() {
     progress_->setRange(0, 100);
     progress_->setMaximumWidth(progressWidth);
     cancel_->setText(tr("Cancel"));
-    cancel_->setToolTip(tr("Stop reading the file"));
+    cancel_->setToolTip(tr("Stop what is going on"));
     addPermanentWidget(progress_);
     addPermanentWidget(cancel_);
     hideLoading();
@@ -81,6 +81,8 @@ void StatusLine::makeLoadingRow() {
     connect(&meshes_, &MeshLibrary::loadingStarted, this,
             [this](const QString& file) { showLoading(file, 0.0f); });
     connect(&meshes_, &MeshLibrary::progressed, this, &StatusLine::showLoading);
+    connect(&meshes_, &MeshLibrary::opennessProgressed, this, &StatusLine::showFinding);
+    connect(&meshes_, &MeshLibrary::opennessFound, this, &StatusLine::hideLoading);
     connect(&meshes_, &MeshLibrary::loaded, this, &StatusLine::hideLoading);
     connect(&meshes_, &MeshLibrary::failed, this, &StatusLine::hideLoading);
 }
@@ -138,11 +140,19 @@ void StatusLine::showSamples() {
 }
 
 void StatusLine::showLoading(const QString& file, float share) {
+    showProgress(tr("%1 %p%").arg(shortened(QFileInfo(file).fileName())), share);
+}
+
+void StatusLine::showFinding(const QString&, float share) {
+    showProgress(tr("Occlusion %p%"), share);
+}
+
+void StatusLine::showProgress(const QString& text, float share) {
     if (!isLoading()) {
         return;
     }
     progress_->setValue(static_cast<int>(share * 100.0f));
-    progress_->setFormat(tr("%1 %p%").arg(shortened(QFileInfo(file).fileName())));
+    progress_->setFormat(text);
     progress_->show();
     cancel_->show();
 }

@@ -43,6 +43,8 @@ class StatusLine : public QStatusBar {
     void makeLoadingRow();
     void showFrame();
     void showLoading(const QString& file, float share);
+    void showFinding(const QString& mesh, float share);
+    void showProgress(const QString& text, float share);
     void hideLoading();
     void showSamples();
     void showBadge();

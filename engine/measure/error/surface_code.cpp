@@ -71,6 +71,7 @@ class Collector {
             code_.firstSample = object_.firstSample;
             code_.isSampled = !takesKeyAlone(effects_);
         }
+        code_.openness = opennessValue(effects_);
         code_.slots = layout_.slots.size();
         code_.blends = effects_.blend.has_value();
         addBlock(*layout_.model, *effects_.model);
@@ -286,18 +287,23 @@ glm::dvec3 SurfaceShader::lit() const {
     return sum;
 }
 
-/// As passes/ambient.glsl and passes/hemisphere.glsl.
+/// As passes/ambient.glsl, passes/hemisphere.glsl and passes/openness.glsl.
 glm::dvec3 SurfaceShader::ambient() const {
     if (!code_.ambient && !code_.hemisphere) {
         return glm::dvec3(0.0);
     }
     const reference::Geometry g = reference::geometry(point_.n, point_.t, point_.n, point_.toEye);
+    const glm::dvec4 open =
+        code_.openness ? noted(*code_.openness) : glm::dvec4(0.0, 0.0, 0.0, 1.0);
+    const glm::dvec3 facing = g.n + glm::dvec3(open);
+    const double length = glm::length(facing);
     glm::dvec3 light = code_.ambient.value_or(glm::dvec3(0.0));
     if (code_.hemisphere) {
-        const double up = glm::clamp(0.5 + 0.5 * glm::dot(g.n, code_.hemisphere->up), 0.0, 1.0);
+        const glm::dvec3 n = length > 1e-30 ? facing / length : g.n;
+        const double up = glm::clamp(0.5 + 0.5 * glm::dot(n, code_.hemisphere->up), 0.0, 1.0);
         light += glm::mix(code_.hemisphere->ground, code_.hemisphere->sky, up);
     }
-    return light * value(g.n, 0.5 * g.n + std::sqrt(0.75) * g.t);
+    return open.w * light * value(g.n, 0.5 * g.n + std::sqrt(0.75) * g.t);
 }
 
 glm::dvec3 SurfaceShader::emitted() const {

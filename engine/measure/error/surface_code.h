@@ -45,6 +45,7 @@ struct SurfaceCode {
     std::optional<BlockCode> fog;
     std::optional<std::size_t> firstSample; ///< of an environment's light, among a pixel's values
     bool isSampled = false;                 ///< its directions are others in each round
+    std::optional<std::size_t> openness;    ///< of the pixel, among its values
     std::size_t firstShare = 0;
     glm::dvec3 eye{0.0};
 

@@ -14,6 +14,9 @@
 namespace patina {
 namespace {
 
+/// As passes/openness.vert has it, behind those of Instance.
+constexpr unsigned opennessAttribute = Instance::firstAttribute + Instance::attributes;
+
 /// Writes the bytes from `offset` on, at most `bytes` of them, and says how many.
 std::size_t writeSlice(gl::Buffer& target, std::span<const std::byte> content, std::size_t offset,
                        std::size_t bytes) {
@@ -23,8 +26,8 @@ std::size_t writeSlice(gl::Buffer& target, std::span<const std::byte> content, s
 }
 
 /// The same of vertices, whose normals arrive sound whatever the mesh has.
-std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices,
-                          std::size_t offset, std::size_t bytes) {
+std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices, std::size_t offset,
+                          std::size_t bytes) {
     const std::size_t end = offset + std::min(bytes, vertices.size_bytes() - offset);
     const std::size_t first = offset / sizeof(Vertex);
     const auto touched =
@@ -33,8 +36,8 @@ std::size_t writeVertices(gl::Buffer& target, std::span<const Vertex> vertices,
         return writeSlice(target, std::as_bytes(vertices), offset, bytes);
     }
     const std::vector<Vertex> sound = withValidNormals(touched);
-    const auto slice = std::as_bytes(std::span(sound))
-                           .subspan(offset - first * sizeof(Vertex), end - offset);
+    const auto slice =
+        std::as_bytes(std::span(sound)).subspan(offset - first * sizeof(Vertex), end - offset);
     target.write(GL_COPY_WRITE_BUFFER, slice, offset);
     return slice.size();
 }
@@ -46,8 +49,7 @@ GpuMesh::GpuMesh(const MeshView& mesh, std::uint64_t serial)
     // A target that no vertex array remembers.
     vertices_.reserve(GL_COPY_WRITE_BUFFER, mesh.vertices.size_bytes(),
                       gl::Buffer::Content::Lasting);
-    indices_.reserve(GL_COPY_WRITE_BUFFER, mesh.indices.size_bytes(),
-                     gl::Buffer::Content::Lasting);
+    indices_.reserve(GL_COPY_WRITE_BUFFER, mesh.indices.size_bytes(), gl::Buffer::Content::Lasting);
 }
 
 gl::VertexArray GpuMesh::makeArray() const {
@@ -60,6 +62,9 @@ gl::VertexArray GpuMesh::makeArray() const {
     array.attribute(3, vertices_, 2, sizeof(Vertex), offsetof(Vertex, uv));
     array.attribute(4, vertices_, 1, sizeof(Vertex),
                     offsetof(Vertex, tangent) + offsetof(glm::vec4, w));
+    if (openness_) {
+        array.shorts(opennessAttribute, *openness_);
+    }
     return array;
 }
 
@@ -68,6 +73,18 @@ void GpuMesh::upload(const MeshView& mesh, std::size_t bytes) {
     uploaded_ += uploaded_ < split
                      ? writeVertices(vertices_, mesh.vertices, uploaded_, bytes)
                      : writeSlice(indices_, std::as_bytes(mesh.indices), uploaded_ - split, bytes);
+}
+
+/// The arrays are made again, with one attribute more.
+void GpuMesh::takeOpenness(const MeshView& mesh) {
+    if (openness_ || mesh.openness.empty() || mesh.openness.size() != mesh.vertices.size()) {
+        return;
+    }
+    openness_ = gl::Buffer::create();
+    openness_->reserve(GL_COPY_WRITE_BUFFER, mesh.openness.size_bytes(),
+                       gl::Buffer::Content::Lasting);
+    openness_->write(GL_COPY_WRITE_BUFFER, std::as_bytes(mesh.openness), 0);
+    arrays_ = InstancedArrays();
 }
 
 void GpuMesh::draw(const InstanceBuffer& instances, const DrawRange& range) const {

@@ -13,7 +13,8 @@
 namespace patina {
 
 /// A mesh in the GPU's memory. Attributes: 0 position, 1 normal, 2 tangent,
-/// 3 texture coordinates, 4 on which side the bitangent is; then those of Instance.
+/// 3 texture coordinates, 4 on which side the bitangent is; then those of Instance; 11 openness,
+/// once it is there: without it nothing is hidden.
 class GpuMesh {
   public:
     /// Makes room for this mesh; upload() brings the content. `serial` tells it from every other
@@ -23,6 +24,9 @@ class GpuMesh {
     /// Takes in at most `bytes` more of the mesh it was made for, and at least one.
     void upload(const MeshView& mesh, std::size_t bytes);
     bool isComplete() const { return uploaded_ == vertices_.size() + indices_.size(); }
+
+    /// Takes in the openness of the mesh it was made for, where that is there and new.
+    void takeOpenness(const MeshView& mesh);
 
     /// Draws a complete mesh.
     void draw(const InstanceBuffer& instances, const DrawRange& range) const;
@@ -49,6 +53,7 @@ class GpuMesh {
     mutable InstancedArrays arrays_;
     gl::Buffer vertices_ = gl::Buffer::create();
     gl::Buffer indices_ = gl::Buffer::create();
+    std::optional<gl::Buffer> openness_;
     std::size_t uploaded_ = 0; ///< bytes: of the vertices, then of the indices
     int triangles_ = 0;
     std::uint64_t serial_ = 0;

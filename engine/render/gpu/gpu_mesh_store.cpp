@@ -32,6 +32,7 @@ const GpuMesh& GpuMeshStore::get(const MeshView& mesh) {
     while (!held.isComplete()) {
         held.upload(mesh, mesh.vertices.size_bytes() + mesh.indices.size_bytes());
     }
+    held.takeOpenness(mesh);
     return held;
 }
 

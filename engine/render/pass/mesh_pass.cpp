@@ -26,6 +26,7 @@ bool MeshPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget& budget) {
                 return false;
             }
         }
+        item.mesh->takeOpenness(item.view);
     }
     return findEdges(plan, gpu, budget);
 }

@@ -49,10 +49,10 @@ void AmbientEffect::listMissing(LeftOutListing& listing, const EffectSet& set) c
 
 void AmbientEffect::writeLight(SurfaceText& text) const {
     if (ambient && text.set.model && takesAmbient(text.set)) {
-        text.main += fmt::format("    shaded += sceneData[{}].rgb * {};\n", SceneLayout::ambient,
-                                 ambientShare(text));
-        text.noteTerm("AMBIENT", fmt::format("sceneData[{}].rgb * modelled", SceneLayout::ambient),
-                      "0.0");
+        const std::string light =
+            fmt::format("sceneData[{}].rgb{}", SceneLayout::ambient, openFactor(text));
+        text.main += fmt::format("    shaded += {} * {};\n", light, ambientShare(text));
+        text.noteTerm("AMBIENT", light + " * modelled", "0.0");
     }
 }
 

@@ -50,6 +50,7 @@ Scene aloneIn(const Scene& scene, std::size_t object, const Catalog& catalog) {
     alone.parts = scene.parts;
     alone.ambient = scene.ambient;
     alone.hemisphere = scene.hemisphere;
+    alone.occlusion = scene.occlusion;
     alone.ground = scene.ground;
     alone.exposure = scene.exposure;
     alone.drawings = scene.drawings;

@@ -16,6 +16,7 @@
 #include "shading/effects/hemisphere.h"
 #include "shading/effects/lights.h"
 #include "shading/effects/model.h"
+#include "shading/effects/occlusion.h"
 #include "shading/effects/opacity.h"
 #include "shading/effects/outline.h"
 #include "shading/effects/picture_effect.h"
@@ -57,9 +58,9 @@ struct EffectChoices : Effects... {
 /// new one is a row here.
 using AllEffects =
     EffectChoices<GroundEffect, ModelEffect, SlotsEffect, LightsEffect, ShadowsEffect,
-                  AmbientEffect, HemisphereEffect, EnvironmentEffect, BlendEffect, EmissionEffect,
-                  TexturesEffect, FogEffect, OpacityEffect, RefractionEffect, RefractedSceneEffect,
-                  TransparencyEffect, OutlineEffect, PictureEffect>;
+                  OcclusionEffect, AmbientEffect, HemisphereEffect, EnvironmentEffect, BlendEffect,
+                  EmissionEffect, TexturesEffect, FogEffect, OpacityEffect, RefractionEffect,
+                  RefractedSceneEffect, TransparencyEffect, OutlineEffect, PictureEffect>;
 
 /// Exactly what one program computes: the choices of all effects. A value: equal sets give equal
 /// program text. It points into the catalogue that it was made with.

@@ -112,6 +112,7 @@ const char* wayText(EnvironmentWay way) {
 }
 
 void writeFitted(SurfaceText& text, const EnvironmentEffect& effect) {
+    addOpenDirections(text);
     addEnvironment(text.out, *effect.environment, EnvironmentLayout::harmonics);
     if (effect.way == EnvironmentWay::OneLight) {
         addIrradiance(text.out, *effect.environment);
@@ -235,6 +236,7 @@ void EnvironmentEffect::writeLight(SurfaceText& text) const {
         writeFitted(text, *this);
         return;
     }
+    addOpenDirections(text);
     addEnvironment(text.out, *environment);
     text.out.addFile("passes/environment_points.glsl");
     text.out.addFile("passes/environment_light.glsl");

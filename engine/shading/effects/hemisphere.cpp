@@ -61,9 +61,10 @@ std::optional<int> hemisphereData(const SceneLayout& layout) {
 std::string hemisphereLight(SurfaceText& text) {
     text.out.addFile("passes/hemisphere.glsl");
     const int first = *hemisphereData(text.scene);
-    return fmt::format("hemisphereLight(s, sceneData[{}].rgb, sceneData[{}].rgb, "
-                       "sceneData[{}].xyz)",
-                       first, first + 1, first + 2);
+    return fmt::format("hemisphereLight({}, sceneData[{}].rgb, sceneData[{}].rgb, "
+                       "sceneData[{}].xyz){}",
+                       text.set.isOccluded ? "facingOpen(s)" : "s", first, first + 1, first + 2,
+                       openFactor(text));
 }
 
 void HemisphereEffect::writeLight(SurfaceText& text) const {

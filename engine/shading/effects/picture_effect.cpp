@@ -20,6 +20,9 @@ const char* whyPerPixel(const EffectSet& set) {
     if (hasShadows(set)) {
         return "Lighting stays per pixel: shadows have edges between the corners.";
     }
+    if (set.isOccluded) {
+        return "Lighting stays per pixel: which side is seen says what the object hides.";
+    }
     if (isLitByEnvironment(set)) {
         return "Lighting stays per pixel: an environment's light is summed up there.";
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace patina {
@@ -20,8 +21,13 @@ struct SurfaceBufferLayout {
 
 /// The images of a set that change a parameter, by their place in EffectSet::textures. Their
 /// results are the first values, in this order; behind them are the samples of an environment's
-/// light, then four lights' shares share each.
+/// light, then the openness where objects hide light from themselves, then four lights' shares
+/// share each.
 std::vector<std::size_t> texturedInputs(const EffectSet& set);
+
+/// The value that says how the free directions lie off the mesh's normal (x, y, z), and their share
+/// (w); nothing where nothing is hidden.
+std::optional<std::size_t> opennessValue(const EffectSet& set);
 
 /// The first of the values that are lights' shares.
 std::size_t firstShare(const EffectSet& set);

@@ -205,8 +205,9 @@ Checked<ProgramSource> surfaceProgram(const EffectSet& set, const Catalog& catal
         }
         addSurfaceVertex(vertex, set, object, [&](SourceBuilder& stage) {
             SurfaceText text(stage, set, object, scene);
-            return output == SurfaceOutput::Picture ? writeVertices(text, sceneVec4s)
-                                                    : std::string();
+            const std::string openness = set.OcclusionEffect::writeVertex(stage);
+            return openness + (output == SurfaceOutput::Picture ? writeVertices(text, sceneVec4s)
+                                                                : std::string());
         });
     };
     return program(catalog, writeVertex, [&](SourceBuilder& fragment) {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "shading/effects/effect_parts.h"
+#include "shading/glsl/source_builder.h"
+
+namespace patina {
+
+/// What an object hides of the environment and of the ambient light from itself, by the openness of
+/// its vertices. It is left out where the scene has no such light, and of drawings.
+struct OcclusionEffect {
+    bool wantsOcclusion = false; ///< as the scene says
+    bool isOccluded = false;
+
+    void choose(const SceneSubject& subject, const EffectSet& set);
+    void adjust(const EffectSet& set);
+    void addTo(ChoiceHash& hash) const { hash.add(wantsOcclusion); }
+    void list(EffectListing& listing, const EffectSet& set) const;
+    void listMissing(LeftOutListing& listing, const EffectSet& set) const;
+    EffectLine absent(const EffectSet&) const {
+        return {"occlusion", {}, "The scene's objects hide nothing from themselves."};
+    }
+    void writeLight(SurfaceText& text) const;
+
+    /// Declares what the vertices hand on, and returns the statement that does so.
+    std::string writeVertex(SourceBuilder& vertex) const;
+    static void remove(Scene& scene, const EffectName& effect, const Catalog& catalog);
+
+    friend bool operator==(const OcclusionEffect&, const OcclusionEffect&) = default;
+};
+
+/// Returns what ambient light is multiplied by, with its operator; empty where nothing is hidden.
+std::string openFactor(const SurfaceText& text);
+
+/// Defines what the code of an environment asks for: OPEN_TOWARDS(direction, width), OPEN_SHARE and
+/// OPEN_MEAN(normal), which are 1 and the normal where nothing is hidden.
+void addOpenDirections(SurfaceText& text);
+
+} // namespace patina
