@@ -15,13 +15,13 @@
 #include "catalog/json_text.h"
 #include "cli/environment_setup.h"
 #include "cli/image_difference.h"
-#include "cli/label.h"
 #include "cli/picture.h"
 #include "cli/picture_options.h"
 #include "cli/scene_meshes.h"
 #include "cli/scene_setup.h"
 #include "cli/texture_text.h"
 #include "core/display_image.h"
+#include "core/label.h"
 
 namespace patina {
 namespace {

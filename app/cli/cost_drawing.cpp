@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/label.h"
 #include "cli/plot_labels.h"
+#include "core/label.h"
 
 namespace patina {
 namespace {

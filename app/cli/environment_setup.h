@@ -11,10 +11,6 @@
 
 namespace patina {
 
-/// Puts an environment into the scene: a block's id, a file for the block that shows one, or
-/// "none".
-Result<void> chooseEnvironment(Scene& scene, const std::string& choice, const Catalog& catalog);
-
 /// The picture that the scene's environment is made of; null where it needs none. One that cannot
 /// be read is an error where the options name it; where a scene does, a warning on standard error,
 /// and a placeholder takes its place.

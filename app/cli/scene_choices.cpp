@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/block_assignment.h"
-#include "cli/environment_setup.h"
-#include "cli/scene_assignment.h"
+#include "material/block_assignment.h"
 #include "material/block_values.h"
+#include "scene/environment_choice.h"
+#include "scene/scene_assignment.h"
 
 namespace patina {
 namespace {

@@ -6,18 +6,12 @@
 #include <fmt/format.h>
 
 #include "catalog/fills.h"
-#include "catalog/settings.h"
-#include "catalog/suggestion.h"
-#include "cli/accuracy_text.h"
-#include "cli/block_assignment.h"
-#include "cli/scene_assignment.h"
 #include "cli/scene_choices.h"
 #include "cli/texture_text.h"
-#include "cli/typed_value.h"
-#include "material/blocks_in_use.h"
-#include "material/material_settings.h"
+#include "material/material_assignment.h"
 #include "material/model_swap.h"
 #include "material/preset_file.h"
+#include "scene/scene_assignment.h"
 #include "scene/scene_file.h"
 
 namespace patina {
@@ -89,26 +83,6 @@ Checked<void> usePreset(SceneSetup& setup, const std::string& preset, const Read
     return {};
 }
 
-/// Another block of a kind beside the model, or none; values that both have carry over.
-Result<bool> choosePart(Material& material, const std::string& kind, const std::string& id,
-                        const Catalog& catalog) {
-    const bool isNone = id == findKind(kind)->noneWord;
-    const auto block = isNone ? Result<const Block*>(nullptr) : knownBlock(catalog, kind, id);
-    if (!block) {
-        return tl::unexpected(block.error());
-    }
-    const Block* model = catalog.find(kinds::models, material.model.id);
-    if (!isNone && model != nullptr && !hasPlaceFor(*model, kind)) {
-        return failure(
-            fmt::format("{} {}: the model \"{}\" has no place for it", kind, id, material.model.id),
-            fmt::format("a model with a {} slot", kind));
-    }
-    const BlockValues* held = material.part(kind);
-    const Block* before = held == nullptr ? nullptr : catalog.find(kind, held->id);
-    material = withPart(material, kind, before, *block);
-    return true;
-}
-
 /// Another model than a preset's is swapped as in the editor; without a preset it starts afresh.
 Result<void> chooseBlocks(Material& material, bool isPreset, const PictureOptions& options,
                           const Catalog& catalog) {
@@ -128,93 +102,6 @@ Result<void> chooseBlocks(Material& material, bool isPreset, const PictureOption
         }
     }
     return {};
-}
-
-/// What every material has, by its id or after the word for it.
-Result<bool> setOwn(Material& material, const Assignment& assignment) {
-    const std::string named = assignment.inside(settings::material);
-    const std::string& id = named.empty() ? assignment.id : named;
-    const Parameter* parameter = settingsBlock(settings::material)->parameter(id);
-    if (parameter == nullptr) {
-        return false;
-    }
-    return valueFromText(*parameter, assignment.text).map([&](const Value& value) {
-        storeSetting(material, id, value);
-        return true;
-    });
-}
-
-Result<bool> setIn(const Block* block, BlockValues* values, const std::string& id,
-                   const std::string& text) {
-    return block == nullptr ? Result<bool>(false)
-                            : assignIn(*block, values->parameters, {id, text});
-}
-
-/// "<kind>" chooses a part, "<kind>.<id>" or the id alone sets one of its parameters.
-Result<bool> setInParts(Material& material, const std::string& id, const std::string& text,
-                        const Catalog& catalog) {
-    for (const std::string_view kind : partKinds(BlockOwner::Material)) {
-        if (id == kind) {
-            return choosePart(material, id, text, catalog);
-        }
-        BlockValues* part = material.part(kind);
-        const Block* block = part == nullptr ? nullptr : catalog.find(kind, part->id);
-        const bool named = id.starts_with(std::string(kind) + '.');
-        Result<bool> done =
-            named ? setIn(block, part, id.substr(kind.size() + 1), text) : Result<bool>(false);
-        if (done && !*done) {
-            done = setIn(block, part, id, text);
-        }
-        if (!done || *done) {
-            return done;
-        }
-    }
-    return false;
-}
-
-/// All that may be set in a material.
-std::vector<std::string> knownIds(const Material& material, const Catalog& catalog) {
-    std::vector<std::string> ids = parameterIds(*settingsBlock(settings::material));
-    for (const Block* block : blocksInUse(material, catalog)) {
-        const bool isModel = block->kind == kinds::models;
-        const auto more = parameterIds(*block, isModel ? std::string() : block->kind + '.');
-        ids.insert(ids.end(), more.begin(), more.end());
-        for (const AccuracyChoice& choice : block->accuracy) {
-            ids.push_back(choice.id);
-        }
-    }
-    return ids;
-}
-
-Result<void> applySet(Material& material, const std::string& text, const Catalog& catalog) {
-    const auto assignment = assignmentFrom(text);
-    if (!assignment) {
-        return tl::unexpected(assignment.error());
-    }
-    const std::string& id = assignment->id;
-    const Block* model = catalog.find(kinds::models, material.model.id);
-    Result<bool> done = setIn(model, &material.model, id, assignment->text);
-    if (done && !*done) {
-        done = setOwn(material, *assignment);
-    }
-    if (done && !*done) {
-        done = setLevel(material, id, assignment->text, catalog);
-    }
-    if (done && !*done) {
-        done = setInParts(material, id, assignment->text, catalog);
-    }
-    if (!done) {
-        return tl::unexpected(done.error());
-    }
-    if (*done) {
-        return {};
-    }
-    if (const BlockKind* kind = kindCalled(id)) {
-        return failure(fmt::format("a {} is chosen by an option of its own", kind->singular),
-                       fmt::format("--{} {}", kind->singular, assignment->text));
-    }
-    return failure(fmt::format("the model \"{}\" has no such parameter", material.model.id),
-                   oneOf(id, knownIds(material, catalog)) + "; `patina models` lists all");
 }
 
 /// An error of an assignment, with what was typed before it.
@@ -268,7 +155,7 @@ Checked<void> applyOptions(Object& object, bool isPreset, const PictureOptions& 
         if (isForScene(assignment, catalog)) {
             continue;
         }
-        if (auto applied = applySet(object.material, assignment, catalog); !applied) {
+        if (auto applied = assignInMaterial(object.material, assignment, catalog); !applied) {
             return tl::unexpected(Errors{namingSet(applied.error(), assignment)});
         }
     }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/typed_value.h"
+#include "catalog/typed_value.h"
 #include "core/ordinary_file.h"
 #include "shading/effects/textures.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/typed_value.h"
+#include "catalog/typed_value.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/label.h"
+#include "core/label.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <string>
 
 namespace patina {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 constexpr int glyphWidth = 5;
 constexpr int glyphHeight = 7;
 constexpr int margin = 2; ///< squares around the text
+
+constexpr char degree = '\x01'; ///< stands for the sign of degrees, which is two bytes
 
 struct Glyph {
     char character;
@@ -68,6 +71,7 @@ constexpr std::array glyphs{
     Glyph{'%', {"##  #", "##  #", "   # ", "  #  ", " #   ", "#  ##", "#  ##"}},
     Glyph{'#', {" # # ", " # # ", "#####", " # # ", "#####", " # # ", " # # "}},
     Glyph{'\'', {"  #  ", "  #  ", "     ", "     ", "     ", "     ", "     "}},
+    Glyph{degree, {" ##  ", "#  # ", " ##  ", "     ", "     ", "     ", "     "}},
     Glyph{'?', {" ### ", "#   #", "    #", "   # ", "  #  ", "     ", "  #  "}},
 };
 
@@ -113,19 +117,37 @@ struct Brush {
     }
 };
 
+/// A byte for each character: those beyond ASCII are one that has no glyph.
+std::string singleBytes(std::string_view text) {
+    std::string bytes;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool isContinued = (static_cast<unsigned char>(text[i]) & 0xC0u) == 0x80u;
+        if (text.substr(i).starts_with("\u00b0")) {
+            bytes += degree;
+        } else if (!isContinued) {
+            bytes += text[i];
+        }
+    }
+    return bytes;
+}
+
 } // namespace
 
 int labelHeight(int scale) {
     return (glyphHeight + 2 * margin) * scale;
 }
 
+int labelWidth(std::string_view text, int scale) {
+    const int advance = (glyphWidth + 1) * scale;
+    return static_cast<int>(singleBytes(text).size()) * advance + (2 * margin - 1) * scale;
+}
+
 void drawLabel(Image& image, std::string_view text, glm::ivec2 corner, int scale, int right) {
     const Brush brush{image, right};
     const int advance = (glyphWidth + 1) * scale;
-    const int width = static_cast<int>(text.size()) * advance + (2 * margin - 1) * scale;
-    brush.fill(corner, {width, labelHeight(scale)}, 0.0f, 0.65f);
+    brush.fill(corner, {labelWidth(text, scale), labelHeight(scale)}, 0.0f, 0.65f);
     glm::ivec2 place = corner + margin * scale;
-    for (const char character : text) {
+    for (const char character : singleBytes(text)) {
         brush.glyph(glyphOf(character), place, scale);
         place.x += advance;
     }

@@ -14,6 +14,9 @@ namespace patina {
 /// square in pixels. What does not fit between the corner and `right` is cut off.
 void drawLabel(Image& image, std::string_view text, glm::ivec2 corner, int scale, int right);
 
+/// Returns the width of a label's band in pixels, uncut.
+int labelWidth(std::string_view text, int scale);
+
 /// Returns the height of a label's band in pixels.
 int labelHeight(int scale);
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/block_assignment.h"
+#include "material/block_assignment.h"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
 #include "catalog/fills.h"
 #include "catalog/suggestion.h"
-#include "cli/typed_value.h"
+#include "catalog/typed_value.h"
 
 namespace patina {
 
@@ -43,6 +45,12 @@ std::vector<std::string> parameterIds(const Block& block, const std::string& pre
         ids.push_back(prefix + parameter.id);
     }
     return ids;
+}
+
+const BlockKind* kindCalled(std::string_view singular) {
+    const auto all = blockKinds();
+    const auto found = std::ranges::find(all, singular, &BlockKind::singular);
+    return found == all.end() ? nullptr : &*found;
 }
 
 Result<const Block*> knownBlock(const Catalog& catalog, std::string_view kind,

@@ -15,11 +15,16 @@ namespace patina {
 /// materials alone ("tone.curve"): then it is about those.
 bool isForScene(const std::string& assignment, const Catalog& catalog);
 
-/// Sets the value in the scene, or in its first object.
-Result<void> assignInScene(Scene& scene, const std::string& assignment, const Catalog& catalog);
+/// Sets the value in the scene, or in one of its objects.
+Result<void> assignInScene(Scene& scene, const std::string& assignment, const Catalog& catalog,
+                           std::size_t object = 0);
 
-/// The kind that files call so; null where there is none.
-const BlockKind* kindCalled(std::string_view singular);
+/// Holds what an id such as "fog.density" names in a scene.
+struct NamedParameter {
+    const Parameter* parameter = nullptr; ///< null: none
+    std::string owner{};                  ///< for people: "Fog", "Key"; empty: the scene itself
+};
+NamedParameter parameterIn(const Scene& scene, std::string_view id, const Catalog& catalog);
 
 /// The light of a name, in capitals or not; null where there is none.
 Light* lightNamed(Scene& scene, std::string_view name);

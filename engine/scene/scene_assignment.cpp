@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/scene_assignment.h"
+#include "scene/scene_assignment.h"
 
 #include <algorithm>
 #include <cctype>
@@ -8,9 +8,9 @@
 
 #include "catalog/settings.h"
 #include "catalog/suggestion.h"
-#include "cli/block_assignment.h"
-#include "cli/picture_levels.h"
-#include "cli/typed_value.h"
+#include "catalog/typed_value.h"
+#include "material/block_assignment.h"
+#include "scene/picture_levels.h"
 #include "scene/scene_settings.h"
 
 namespace patina {
@@ -70,17 +70,18 @@ Result<void> assignSetting(Owner& owner, std::string_view word, const Assignment
     });
 }
 
-Result<void> assignSettings(Scene& scene, std::string_view word, const Assignment& inner) {
+Result<void> assignSettings(Scene& scene, std::string_view word, const Assignment& inner,
+                            std::size_t object) {
     if (word == settings::camera) {
         return assignSetting(scene.camera, word, inner);
     }
     if (word == settings::scene) {
         return assignSetting(scene, word, inner);
     }
-    if (scene.objects.empty()) {
+    if (object >= scene.objects.size()) {
         return failure("the scene has no object");
     }
-    return assignSetting(scene.objects.front(), word, inner);
+    return assignSetting(scene.objects[object], word, inner);
 }
 
 /// In a block that the scene or a light of it may have; `option` is what would choose one.
@@ -140,13 +141,29 @@ Result<void> assignInLights(Scene& scene, const Assignment& inner, const Catalog
     return failure(fmt::format("there is no light \"{}\"", name), expectedLights(scene, name));
 }
 
-} // namespace
-
-const BlockKind* kindCalled(std::string_view singular) {
-    const auto all = blockKinds();
-    const auto found = std::ranges::find(all, singular, &BlockKind::singular);
-    return found == all.end() ? nullptr : &*found;
+/// "key.intensity", "key.shadow.softness": of the light's block, what every light has, or a part.
+NamedParameter parameterOfLight(const Scene& scene, const std::string& id, const Catalog& catalog) {
+    const auto light = std::ranges::find_if(scene.lights, [&](const Light& each) {
+        return !Assignment{lowered(id), {}}.inside(lowered(each.name)).empty();
+    });
+    if (light == scene.lights.end()) {
+        return {};
+    }
+    const Assignment own{id.substr(light->name.size() + 1), {}};
+    for (const std::string_view kind : partKinds(BlockOwner::Light)) {
+        const Block* part = blockOf(light->parts, kind, catalog);
+        const std::string inside = own.inside(findKind(kind)->singular);
+        if (part != nullptr && !inside.empty()) {
+            return {part->parameter(inside), light->name};
+        }
+    }
+    const Block* block = catalog.find(kinds::lights, light->block.id);
+    const Parameter* parameter = block == nullptr ? nullptr : block->parameter(own.id);
+    return {parameter != nullptr ? parameter : settingsBlock(settings::light)->parameter(own.id),
+            light->name};
 }
+
+} // namespace
 
 Light* lightNamed(Scene& scene, std::string_view name) {
     const auto found = std::ranges::find_if(
@@ -175,7 +192,8 @@ bool isForScene(const std::string& assignment, const Catalog& catalog) {
     return isSettings(word) || isGroup(word) || isOfPicture(assignment);
 }
 
-Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog& catalog) {
+Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog& catalog,
+                           std::size_t object) {
     const auto assignment = assignmentFrom(text);
     if (!assignment) {
         return tl::unexpected(assignment.error());
@@ -186,10 +204,10 @@ Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog&
         return choosePictureAccuracy(scene, text);
     }
     if (isSettings(word)) {
-        return assignSettings(scene, word, inner);
+        return assignSettings(scene, word, inner, object);
     }
     if (isGroup(word)) {
-        return assignSettings(scene, settings::scene, *assignment);
+        return assignSettings(scene, settings::scene, *assignment, object);
     }
     if (word == findKind(kinds::lights)->singular) {
         return assignInLights(scene, inner, catalog);
@@ -197,6 +215,25 @@ Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog&
     const std::string_view kind = kindCalled(word)->folder;
     return assignInBlock(blockOf(scene.parts, kind, catalog), scene.part(kind), inner,
                          fmt::format("the scene's {}", word), "--" + word);
+}
+
+NamedParameter parameterIn(const Scene& scene, std::string_view id, const Catalog& catalog) {
+    const Assignment named{std::string(id), {}};
+    const std::string word = firstWord(named.id);
+    if (isSettings(word)) {
+        return {settingsBlock(word)->parameter(named.inside(word))};
+    }
+    if (isGroup(word)) {
+        return {settingsBlock(settings::scene)->parameter(id)};
+    }
+    const BlockKind* kind = kindCalled(word);
+    if (kind != nullptr && kind->folder == kinds::lights) {
+        return parameterOfLight(scene, named.inside(word), catalog);
+    }
+    const Block* block = kind == nullptr ? nullptr : blockOf(scene.parts, kind->folder, catalog);
+    return block == nullptr
+               ? NamedParameter()
+               : NamedParameter{block->parameter(named.inside(word)), std::string(kind->label)};
 }
 
 } // namespace patina

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/picture_levels.h"
+#include "scene/picture_levels.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +20,7 @@ Result<void> choose(Scene& scene, std::string_view assignment) {
         for (const PictureChoiceText& each : pictureChoiceTexts()) {
             known.emplace_back(each.id);
         }
-        return failure(std::string("the picture has no such choice"),
-                       oneOf(id, known));
+        return failure(std::string("the picture has no such choice"), oneOf(id, known));
     }
     const std::string_view word = assignment.substr(equals + 1);
     if (const auto level = text->level(word)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/accuracy_text.h"
+#include "material/accuracy_text.h"
 
 #include <fmt/format.h>
 
@@ -22,12 +22,19 @@ const AccuracyChoice* choiceNamed(const Block& block, const std::string& name) {
 
 } // namespace
 
+const AccuracyChoice* accuracyChoiceIn(const Material& material, const std::string& name,
+                                       const Catalog& catalog) {
+    for (const Block* block : blocksInUse(material, catalog)) {
+        if (const AccuracyChoice* choice = choiceNamed(*block, name)) {
+            return choice;
+        }
+    }
+    return nullptr;
+}
+
 Result<bool> setLevel(Material& material, const std::string& name, const std::string& level,
                       const Catalog& catalog) {
-    const AccuracyChoice* choice = nullptr;
-    for (const Block* block : blocksInUse(material, catalog)) {
-        choice = choice == nullptr ? choiceNamed(*block, name) : choice;
-    }
+    const AccuracyChoice* choice = accuracyChoiceIn(material, name, catalog);
     if (choice == nullptr) {
         return false;
     }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/error.h"
+#include "material/material.h"
+
+namespace patina {
+
+/// Returns the accuracy choice of a block that the material uses, named by its id alone or with the
+/// block's kind or the word "accuracy" and a dot before it. Null where none has this name.
+const AccuracyChoice* accuracyChoiceIn(const Material& material, const std::string& name,
+                                       const Catalog& catalog);
+
+/// Sets such a choice. False where none has this name.
+Result<bool> setLevel(Material& material, const std::string& name, const std::string& level,
+                      const Catalog& catalog);
+
+} // namespace patina
