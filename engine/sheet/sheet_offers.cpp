@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet/sheet_offers.h"
+
+#include <utility>
+
+#include "catalog/settings.h"
+#include "material/blocks_in_use.h"
+#include "sheet/axis_steps.h"
+
+namespace patina {
+namespace {
+
+void addValues(std::vector<AxisOffer>& offers, const Block& block, const std::string& prefix,
+               const std::string& owner) {
+    for (const Parameter& parameter : block.parameters) {
+        const bool isNumber = isOneNumber(parameter);
+        const bool hasStates =
+            infoOf(parameter.type).isChoice || std::holds_alternative<bool>(parameter.defaultValue);
+        if (!isNumber && !hasStates) {
+            continue;
+        }
+        AxisOffer offer{{AxisKind::Value, prefix + parameter.id}, owner + parameter.label};
+        if (isNumber) {
+            offer.axis.range = SheetRange{parameter.softMin, parameter.softMax, usualSheetSteps};
+            offer.of = parameter;
+        }
+        offers.push_back(std::move(offer));
+    }
+}
+
+} // namespace
+
+std::vector<AxisOffer> axisOffers(const Scene& scene, std::size_t object, const Catalog& catalog) {
+    std::vector<AxisOffer> offers;
+    if (object >= scene.objects.size()) {
+        return offers;
+    }
+    for (const Block* block : blocksInUse(scene.objects[object].material, catalog)) {
+        const bool isModel = block->kind == kinds::models;
+        addValues(offers, *block, isModel ? std::string() : block->kind + '.',
+                  isModel ? std::string() : block->label + ": ");
+    }
+    addValues(offers, *settingsBlock(settings::material), {}, {});
+    for (const AxisKind kind :
+         {AxisKind::Models, AxisKind::Accuracy, AxisKind::Lights, AxisKind::Environments}) {
+        const auto planned = plannedAxis({kind, {}, {}, {}}, scene, object, catalog);
+        if (planned && planned->steps.size() > 1) {
+            offers.push_back({{kind, {}, {}, {}}, planned->title});
+        }
+    }
+    return offers;
+}
+
+} // namespace patina
