@@ -44,7 +44,11 @@ double directionalAlbedo(const ReferenceCase& model, double sin2) {
 } // namespace
 
 std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Block& model) {
-    const Result<EvalCase> variant = sweepVariant(catalog, defaultMaterial(model));
+    return whiteSkyAlbedo(catalog, defaultMaterial(model));
+}
+
+std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Material& material) {
+    const Result<EvalCase> variant = sweepVariant(catalog, material);
     if (!variant) {
         return std::nullopt;
     }
@@ -52,9 +56,9 @@ std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Block& model)
     if (!code) {
         return std::nullopt;
     }
-    const ReferenceCase compiled(
-        *code, variant->block.packedValues(),
-        variant->slot.block == nullptr ? std::vector<double>() : variant->slot.packedValues());
+    const ReferenceCase compiled(*code, variant->block.packedValues(),
+                                 variant->slot.block == nullptr ? std::vector<double>()
+                                                                : variant->slot.packedValues());
     double sum = 0.0;
     for (const LightNode& light : lights) {
         sum += light.weight * directionalAlbedo(compiled, light.sin2);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "catalog/catalog.h"
+#include "material/material.h"
 
 namespace patina {
 
@@ -12,5 +12,9 @@ namespace patina {
 /// double precision. Above 1: it sends out more than arrives. Nothing for a block without code in
 /// double precision.
 std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Block& model);
+
+/// The same of a material's model with the material's values and what fills its slot. Images are
+/// left out.
+std::optional<double> whiteSkyAlbedo(const Catalog& catalog, const Material& material);
 
 } // namespace patina
