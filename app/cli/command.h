@@ -23,6 +23,7 @@ void addExport(CLI::App& program, int& status);
 void addImport(CLI::App& program, int& status);
 void addModels(CLI::App& program, int& status);
 void addRender(CLI::App& program, int& status);
+void addSheet(CLI::App& program, int& status);
 void addValidate(CLI::App& program, int& status);
 
 /// Writes messages to standard error, one per line.

@@ -66,7 +66,7 @@ Checked<Image> PictureMaker::draw(const Scene& scene, const MeshSource& meshes, 
     if (frame.messages.size() > frame.warnings) {
         return tl::unexpected(frame.messages);
     }
-    report(frame.messages);
+    tell(frame.messages);
     if (auto looked = lookAtTextures(); !looked) {
         return tl::unexpected(looked.error());
     }
@@ -82,8 +82,19 @@ Checked<void> PictureMaker::lookAtTextures() {
     if (isNeeded) {
         return tl::unexpected(std::move(problems));
     }
-    report(problems);
+    tell(problems);
     return {};
+}
+
+void PictureMaker::tell(const Errors& warnings) {
+    Errors fresh;
+    for (const Error& warning : warnings) {
+        if (std::find(told_.begin(), told_.end(), warning) == told_.end()) {
+            fresh.push_back(warning);
+        }
+    }
+    addNew(told_, fresh);
+    report(fresh);
 }
 
 bool PictureFile::isLinear() const {

@@ -27,7 +27,8 @@ class PictureMaker {
     void setEnvironment(std::shared_ptr<const EnvironmentImage> image, int samples);
 
     /// With display the 8-bit display values / 255, else linear floats. An error when the picture
-    /// is not what was asked for; what was merely left out is a warning on standard error.
+    /// is not what was asked for; what was merely left out is a warning on standard error, given
+    /// once.
     Checked<Image> draw(const Scene& scene, const MeshSource& meshes, glm::ivec2 size,
                         bool display);
 
@@ -35,6 +36,7 @@ class PictureMaker {
     PictureMaker() = default;
 
     Checked<void> lookAtTextures();
+    void tell(const Errors& warnings);
 
     std::unique_ptr<gl::HeadlessContext> context_;
     std::unique_ptr<Renderer> renderer_;
@@ -42,6 +44,7 @@ class PictureMaker {
     std::vector<std::string> neededTextures_;
     std::shared_ptr<const EnvironmentImage> environment_;
     int samples_ = 0;
+    Errors told_; ///< warnings
 };
 
 /// Says where an image goes: a file, or "-" for a PNG on standard output.

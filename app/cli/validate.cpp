@@ -18,6 +18,7 @@
 #include "scene/mesh_path.h"
 #include "scene/scene_file.h"
 #include "scene/scene_limits.h"
+#include "sheet/sheet_file.h"
 
 namespace patina {
 namespace {
@@ -120,6 +121,20 @@ Errors sceneMistakesIn(const fs::path& file, const Catalog& catalog) {
     return errors;
 }
 
+Errors sheetMistakesIn(const fs::path& file) {
+    const auto reading = readSheet(file);
+    Errors errors = mistakesOf(reading);
+    const Result<LocatedJson> document = readJson(file);
+    std::error_code absent;
+    if (reading && document && !reading->sheet.preset.empty() &&
+        !fs::is_regular_file(reading->sheet.preset, absent)) {
+        errors.push_back(document->error(
+            "/preset", fmt::format("there is no preset \"{}\"", reading->sheet.preset),
+            "a path from the folder of this file"));
+    }
+    return errors;
+}
+
 /// A file says what it is by its name, and where that says nothing, by its "format".
 std::string formatOf(const fs::path& file) {
     const std::string name = file.filename().string();
@@ -129,6 +144,9 @@ std::string formatOf(const fs::path& file) {
     };
     if (endsWith(".patina-scene.json")) {
         return "patina.scene";
+    }
+    if (endsWith(sheetEnding)) {
+        return std::string(sheetFormat.name);
     }
     if (endsWith(".patina.json")) {
         return "patina.preset";
@@ -143,6 +161,9 @@ Errors mistakesIn(const fs::path& file, const Catalog& catalog) {
     const std::string format = formatOf(file);
     if (format == "patina.scene") {
         return sceneMistakesIn(file, catalog);
+    }
+    if (format == sheetFormat.name) {
+        return sheetMistakesIn(file);
     }
     return format.empty() ? descriptorMistakesIn(file, catalog) : presetMistakesIn(file, catalog);
 }
@@ -195,7 +216,8 @@ bool validate(const ValidateOptions& options) {
 
 void addValidate(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
-        "validate", "Check presets, scenes and block descriptors; every mistake with its place");
+        "validate",
+        "Check presets, scenes, sheets and block descriptors; every mistake with its place");
     auto options = std::make_shared<ValidateOptions>();
     command->add_option("files", options->files, "The files")->required();
     command->add_flag("--json", options->json, "Print the mistakes as JSON");

@@ -17,6 +17,7 @@ bool accuracyCost();
 bool sweepTime();
 bool frontTwice();
 bool fittedLight();
+bool contactSheet();
 bool manyObjects();
 bool assembly();
 bool switches();

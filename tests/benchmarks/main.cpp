@@ -33,6 +33,7 @@ int main(int count, char** arguments) {
                                         {"sweep-time", patina::benchmarks::sweepTime},
                                         {"front-twice", patina::benchmarks::frontTwice},
                                         {"fitted-light", patina::benchmarks::fittedLight},
+                                        {"contact-sheet", patina::benchmarks::contactSheet},
                                         {"many-objects", patina::benchmarks::manyObjects},
                                         {"assembly", patina::benchmarks::assembly},
                                         {"switches", patina::benchmarks::switches},

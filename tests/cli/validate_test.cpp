@@ -54,6 +54,15 @@ TEST(ValidateCommand, SoundPresetOfTheseTests_IsValid) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
 }
 
+TEST(ValidateCommand, SheetWithoutItsPreset_IsToldWithThePlace) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.patina-sheet.json", R"({"format": "patina.sheet", "version": 1,
+"preset": "gone.patina.json", "x": {"models": []}})");
+    const Outcome outcome = validate({(folder / "a.patina-sheet.json").string()});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find(":2:11: there is no preset"), std::string::npos) << outcome.err;
+}
+
 TEST(ValidateCommand, OneBadFileOfTwo_ExitsWithOne) {
     const TemporaryFolder folder;
     writeFile(folder / "bad.patina.json", "{}");
