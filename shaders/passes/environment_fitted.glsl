@@ -32,9 +32,9 @@ vec3 fittedLight(Surface s) {
     // One after another, so that few numbers are kept at a time.
     vec3 sum = OPEN_SHARE * part.rgb * environmentOnMatte(environmentInside(OPEN_MEAN(matteMean)));
     part = texture(lobeTable, vec3(place, 1.0));
-    sum += OPEN_TOWARDS(narrowMean, LOBE_WIDTH(part.a)) * part.rgb *
+    sum += OPEN_TOWARDS(narrowMean, OPEN_LOBE_EDGE(part.a)) * part.rgb *
            environmentSeenBy(environmentInside(narrowMean), part.a);
     part = texture(lobeTable, vec3(place, 2.0));
-    return sum + OPEN_TOWARDS(wideMean, LOBE_WIDTH(part.a)) * part.rgb *
+    return sum + OPEN_TOWARDS(wideMean, OPEN_LOBE_EDGE(part.a)) * part.rgb *
                      environmentSeenBy(environmentInside(wideMean), part.a);
 }

@@ -49,7 +49,7 @@ vec3 seenBy(GatheredHere lobe, vec3 r) {
     float length = 1.0 - missing;
     float kappa = length * (3.0 - length * length) / (missing * (2.0 - missing));
     vec3 d = safeNormalize(r + shift, r);
-    return lobe.color * OPEN_TOWARDS(d, LOBE_WIDTH(log2(kappa))) *
+    return lobe.color * OPEN_TOWARDS(d, OPEN_LOBE_EDGE(log2(kappa))) *
            environmentSeenBy(environmentInside(d), log2(kappa));
 }
 

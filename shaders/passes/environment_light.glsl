@@ -60,7 +60,7 @@ vec3 environmentArrived(Surface s, Lobe lobe, vec3 l, Environment e, Model p) {
     if (IS_DARK(d) || !(density > 0.0) || !(max(max(radiance.r, radiance.g), radiance.b) > 0.0)) {
         return vec3(0.0);
     }
-    return radiance * (OPEN_TOWARDS(l, 0.0) * max(shadeModel(d, p), vec3(0.0)) / (PI * density));
+    return radiance * (OPEN_TOWARDS(l, OPEN_EDGE) * max(shadeModel(d, p), vec3(0.0)) / (PI * density));
 }
 
 vec3 environmentLight(Surface s, Environment e, Model p) {

@@ -21,9 +21,6 @@ vec3 environmentSeenBy(vec3 d, float kappa) {
         fract(level));
 }
 
-// How wide a lobe is, in radians, by the log2 of its kappa.
-#define LOBE_WIDTH(kappa) exp2(0.5 - 0.5 * (kappa))
-
 // What a white matte surface shows whose normal is `n`, in the environment's own directions.
 vec3 environmentOnMatte(vec3 n) {
     return environmentTexel(octahedralLevel(octahedralPlace(n), MATTE_ORIGIN, MATTE_SHARE));

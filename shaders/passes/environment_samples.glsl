@@ -17,7 +17,7 @@ void noteSamples(Surface s, Environment e) {
         float density = drawnDensity(s, none, directionsAt(s, l, s.v), l, inside);
         vec3 arriving = vec3(0.0);
         if (density > 0.0) {
-            arriving = OPEN_TOWARDS(l, 0.0) * environmentRadiance(inside, e) / (PI * density);
+            arriving = OPEN_TOWARDS(l, OPEN_EDGE) * environmentRadiance(inside, e) / (PI * density);
         }
         noteValue(FIRST_SAMPLE + 2 * rule, vec4(l, 0.0));
         noteValue(FIRST_SAMPLE + 2 * rule + 1, vec4(arriving, 0.0));

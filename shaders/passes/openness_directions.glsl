@@ -4,18 +4,19 @@
 
 #define OPEN_SHARE opened.share
 #define OPEN_MEAN(n) ((n) + (opened.direction - opened.normal))
-#define OPEN_TOWARDS(d, width) openTowards(d, width)
+#define OPEN_TOWARDS(d, edge) openTowards(d, edge)
 
-// The edge of the cone stands for edges of any form, so it is never sharp.
-const float OPEN_EDGE = 0.25;
+// The edge of the cone stands for edges of any form, so it is never sharp: half its width, as a
+// cosine. That of a lobe, by the log2 of its kappa, is about its own width in radians.
+#define OPEN_EDGE 0.25
+#define OPEN_LOBE_EDGE(kappa) clamp(1.1875 - 0.1875 * (kappa), OPEN_EDGE, 1.0)
 
 // What the cone leaves of light from around the unit direction `d`, over what the horizon leaves of
 // it: 1 where nothing is hidden, and no more than the cone has of the light's own solid angle.
-// `width`: of the light, in radians.
-float openTowards(vec3 d, float width) {
-    float edge = clamp(width, OPEN_EDGE, 1.0);
-    float whole = smoothstep(-edge, edge, dot(d, opened.normal));
-    float seen = smoothstep(-edge, edge, dot(d, opened.direction) - opened.cone);
-    float fits = min((1.0 - opened.cone) / (0.5 * edge * edge), 1.0);
-    return fits * (whole > 1e-3 ? min(seen / whole, 1.0) : opened.share);
+float openTowards(vec3 d, float edge) {
+    float whole = clamp(dot(d, opened.normal) + edge, 0.0, 2.0 * edge);
+    float seen = clamp(dot(d, opened.direction) - opened.cone + edge, 0.0, 2.0 * edge);
+    float size = edge * edge;
+    float fits = min(2.0 * (1.0 - opened.cone), size);
+    return min(fits * (seen + 1e-4 * opened.share) / (size * (whole + 1e-4)), 1.0);
 }

@@ -120,8 +120,8 @@ class FittedStage {
     PrimitiveMeshes meshes_;
 };
 
-/// A frame of a ball under three lights, and under the fitted studio alone, in
-/// turns; and what a tick of a slider of the material, or of the studio, adds to the latter.
+/// A frame of a ball under three lights, and under the fitted studio alone, of which it hides part
+/// from itself, in turns; and what a tick of a slider of the material, or of the studio, adds to the latter.
 bool reportCosts() {
     Stage stage({512, 512});
     stage.scene.objects.front().mesh = "sphere";
@@ -130,6 +130,7 @@ bool reportCosts() {
     Scene fitted = stage.scene;
     fitted.lights.clear();
     fitted.setPart("environment", studio());
+    fitted.occlusion = true;
     fitted.accuracy.choose(PictureChoice::Environment, 1);
     double& roughness =
         std::get<double>(fitted.objects.front().material.model.parameters["roughness"]);
