@@ -137,7 +137,7 @@ void ComparisonMeter::rest() {
         return;
     }
     const auto timed = [this](const std::optional<TimeRatio>& ratio) {
-        if (ratio) {
+        if (ratio && numbers_.distance) { // else it is that of frames that have changed since
             numbers_.time = ratio;
             Q_EMIT numbersChanged();
         }
