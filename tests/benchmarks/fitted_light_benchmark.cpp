@@ -121,7 +121,8 @@ class FittedStage {
 };
 
 /// A frame of a ball under three lights, and under the fitted studio alone, of which it hides part
-/// from itself, in turns; and what a tick of a slider of the material, or of the studio, adds to the latter.
+/// from itself, in turns; and what a tick of a slider of the material, or of the studio, adds to
+/// the latter.
 bool reportCosts() {
     Stage stage({512, 512});
     stage.scene.objects.front().mesh = "sphere";
