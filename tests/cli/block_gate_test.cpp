@@ -138,7 +138,7 @@ TEST_F(TrialGateTest, HarmOfAFileThatTookAnothersPlace_IsNotHeldAgainstTheOther)
     write("homemade", good);
     const std::vector<StrangerBlock> asked = strangers();
     write("homemade", endlessLoop);
-    TrialGate gate(options({.seconds = 0.3}));
+    TrialGate gate(options({.seconds = 2.0}));
     EXPECT_FALSE(gate.ask(asked, true).isFinal);
     write("homemade", good);
     EXPECT_EQ(answerOf(gate), "");

@@ -36,14 +36,14 @@ class CostSweepTest : public GpuTest {
 #include "lib/directions.glsl"
 
 vec3 burnTest(Directions d, BurnTest p) {
-    int count = 4800;
+    int count = 14400;
     float value = 0.5;
     if (p.work == BURN_TEST_WORK_HALF) {
-        count = 2400;
+        count = 7200;
         value = 0.505;
     }
     if (p.work == BURN_TEST_WORK_QUARTER) {
-        count = 1200;
+        count = 3600;
         value = 0.55;
     }
     if (p.slip == BURN_TEST_SLIP_SMALL) {

@@ -73,7 +73,7 @@ const std::vector<Edit> edits{
      [](Document& d) { setLighting(d, readScene(defaultSceneFile(), d.catalog())->scene); }},
     {"LampsTakenOut",
      [](Document& d) {
-         d.setBlock(pathOf(kinds::environment), "studio");
+         setLighting(d, readScene(defaultSceneFile(), d.catalog())->scene); // fitted: at rest at once
          takeLampsOut(d, {2.0, {{{0.0, 0.6, 0.8}, {1.0, 0.9, 0.8}, 0.2}}});
      }},
     {"LightValue", [](Document& d) { set(d, kinds::lights, "intensity", 0.0); }},
