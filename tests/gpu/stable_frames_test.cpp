@@ -264,8 +264,7 @@ std::vector<std::filesystem::path> shippedPresets() {
     std::vector<std::filesystem::path> files;
     const auto folder = std::filesystem::path(PATINA_SOURCE_DIR) / "presets";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file() && entry.path().extension() == ".json" &&
-            entry.path().parent_path() != folder) {
+        if (entry.path().filename().string().ends_with(".patina.json")) {
             files.push_back(entry.path());
         }
     }
