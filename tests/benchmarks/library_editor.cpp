@@ -6,7 +6,6 @@
 #include <thread>
 
 #include <QApplication>
-#include <QDir>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QScrollBar>

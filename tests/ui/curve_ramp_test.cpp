@@ -2,7 +2,6 @@
 // Curves and ramps edited with the mouse and the keyboard, as a hand does it.
 #include <QAbstractButton>
 #include <QComboBox>
-#include <QFrame>
 #include <QPushButton>
 
 #include "catalog/curve.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QAction>
 
 #include "ui/accuracy_fixture.h"
 #include "viewport/difference_view.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QKeyEvent>
-#include <QTest>
 #include <QWheelEvent>
 
 #include "docks/block_chooser.h"

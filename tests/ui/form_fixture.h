@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QApplication>
-#include <QSignalSpy>
 #include <QTest>
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 // Files that what is opened names outside its folder.
 #include <sys/stat.h>
 
-#include <QFileDialog>
 #include <QTest>
 
 #include "catalog/catalog.h"

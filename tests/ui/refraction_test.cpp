@@ -2,7 +2,6 @@
 // How a material bends light: chosen, undone and dragged, in the window.
 #include <QDockWidget>
 #include <QLabel>
-#include <QSignalSpy>
 #include <QTest>
 
 #include "docks/block_chooser.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Objects are selected by clicks, and what is done then is done to all of them.
-#include <QApplication>
 #include <QDockWidget>
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes with Patina stays as it is.
+#include <QApplication>
 #include <QFileDialog>
-#include <QTest>
 #include <QTimer>
 
 #include "ui/window_fixture.h"

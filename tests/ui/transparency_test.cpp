@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How transparent objects are put together: chosen, undone, and kept, in the window.
 #include <QDockWidget>
-#include <QSignalSpy>
 #include <QTest>
 
 #include "docks/block_chooser.h"

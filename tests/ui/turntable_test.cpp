@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A turntable turns what is seen and nothing else.
 #include <QAction>
-#include <QApplication>
 #include <QTest>
 
 #include "document/scene_edits.h"

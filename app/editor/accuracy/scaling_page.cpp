@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <QBuffer>
-#include <QPixmap>
 #include <QVBoxLayout>
 
 #include "accuracy/growth_plot.h"

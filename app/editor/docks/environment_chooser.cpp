@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <QAbstractItemView>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QSignalBlocker>

@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QUndoCommand>

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <QLabel>
-#include <QPainter>
 #include <QVBoxLayout>
 
 namespace patina {
