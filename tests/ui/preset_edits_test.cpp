@@ -5,6 +5,7 @@
 #include "files/preset_edits.h"
 #include "library/preset_library.h"
 #include "material/preset_file.h"
+#include "material/variant.h"
 #include "ui/preset_window.h"
 
 namespace patina::tests::preset_edits_test {
@@ -123,6 +124,32 @@ TEST_F(PresetEditsTest, FavouritesOfMany_AreOneStepAndRemembered) {
     ASSERT_EQ(edits_.undoStack().count(), 1);
     edits_.undoStack().undo();
     EXPECT_FALSE(library().marks().isFavourite(entry("One")->path));
+}
+
+TEST_F(PresetEditsTest, DetachedVariant_LooksAsBeforeAndFollowsNoParent) {
+    edits_.makeVariants({entry("One")});
+    const fs::path file = presets() / "One-variant.patina.json";
+    const auto variant = [&] { return library().find(QString::fromStdString(file.string())); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return variant() != nullptr; }, 20000));
+    const std::string before = readFile(file);
+    edits_.detach({entry("Two"), variant()});
+    const Material detached = read("One-variant");
+    EXPECT_EQ(parentOf(detached), "");
+    EXPECT_EQ(detached.model, read("One").model);
+    edits_.undoStack().undo();
+    EXPECT_EQ(readFile(file), before);
+    EXPECT_EQ(parentOf(read("One-variant")), fileOf("One").generic_string());
+}
+
+TEST_F(PresetEditsTest, ImportThatIsUndone_LiesInTheTrashAndComesBack) {
+    const fs::path folder = presets() / "bundle";
+    fs::create_directories(folder);
+    writeFile(folder / "New.patina.json", readFile(fileOf("One")));
+    edits_.noteImport(QString::fromStdString(folder.string()));
+    edits_.undoStack().undo();
+    EXPECT_FALSE(fs::exists(folder));
+    edits_.undoStack().redo();
+    EXPECT_EQ(readFile(folder / "New.patina.json"), readFile(fileOf("One")));
 }
 
 class PresetKeys : public PresetEditsTest {

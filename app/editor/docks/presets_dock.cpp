@@ -29,6 +29,7 @@
 #include "files/file_actions.h"
 #include "library/preset_library.h"
 #include "library/thumbnail_maker.h"
+#include "material/variant.h"
 #include "session/session.h"
 #include "viewport/compare_area.h"
 
@@ -276,6 +277,8 @@ void PresetsDock::addActions() {
     addFileAction(tr("Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")), &PresetsDock::duplicate);
     addFileAction(tr("New variant"), QKeySequence(QStringLiteral("Ctrl+Shift+D")),
                   &PresetsDock::makeVariants);
+    detach_ = addFileAction(tr("Detach from parent"), {}, &PresetsDock::detach);
+    detach_->setToolTip(tr("Make it a preset of its own, which looks as it does now"));
     tags_ =
         addFileAction(tr("Tags…"), QKeySequence(QStringLiteral("Ctrl+T")), &PresetsDock::editTags);
     favourite_ = addFileAction(tr("Favourite"), QKeySequence(QStringLiteral("Ctrl+B")),
@@ -301,6 +304,9 @@ void PresetsDock::updateActions() {
     const auto isOwn = [](const PresetPtr& entry) { return !entry->shipped; };
     const bool hasOwn = std::ranges::any_of(chosen, isOwn);
     rename_->setEnabled(chosen.size() == 1 && hasOwn);
+    detach_->setVisible(std::ranges::any_of(chosen, [](const PresetPtr& entry) {
+        return !entry->shipped && !parentOf(entry->material).empty();
+    }));
     tags_->setEnabled(hasOwn);
     trash_->setEnabled(hasOwn);
     favourite_->setEnabled(!chosen.empty());
@@ -361,6 +367,10 @@ void PresetsDock::duplicate() {
 
 void PresetsDock::makeVariants() {
     edits_.makeVariants(view_->selected());
+}
+
+void PresetsDock::detach() {
+    edits_.detach(view_->selected());
 }
 
 /// Offers the tags that all selected presets have: what is taken away there goes from each, what is
@@ -432,9 +442,13 @@ void PresetsDock::tellEdit(const QString& what, const std::vector<PresetOutcome>
             context_.files.tell({outcome.entry->file.string(), 0, 0, outcome.problem, {}});
         }
     }
-    const QString text =
-        failed == 0 ? what
-                    : tr("%1: not done for %2 of %3").arg(what).arg(failed).arg(outcomes.size());
+    sayDone(failed == 0
+                ? what
+                : tr("%1: not done for %2 of %3").arg(what).arg(failed).arg(outcomes.size()));
+}
+
+/// With a button that takes it back.
+void PresetsDock::sayDone(const QString& text) {
     notice_->say(text, {{tr("Undo"), tr("Take it back (Ctrl+Z in the presets)"),
                          [this] {
                              notice_->clear();
@@ -453,12 +467,19 @@ void PresetsDock::connectBundles() {
     });
     connect(&bundles_, &PresetBundles::exported, this,
             [this](const QString& file, const std::vector<BundleOutcome>& outcomes) {
-                tellBundle(tr("%1 is written").arg(QFileInfo(file).fileName()), outcomes);
+                const QString done = tr("%1 is written").arg(QFileInfo(file).fileName());
+                notice_->say(toldBundle(done, outcomes),
+                             {{tr("OK"), tr("Close this note"), [this] { notice_->clear(); }}});
             });
     connect(&bundles_, &PresetBundles::imported, this,
             [this](const QString& folder, const std::vector<BundleOutcome>& outcomes) {
                 presets_.scan();
-                tellBundle(tr("Imported into %1").arg(QDir(folder).dirName()), outcomes);
+                edits_.noteImport(folder);
+                sayDone(toldBundle(tr("Imported into %1").arg(QDir(folder).dirName()), outcomes));
+            });
+    connect(&edits_, &PresetEdits::importFailed, this,
+            [this](const QString& folder, const QString& problem) {
+                context_.files.tell({folder.toStdString(), 0, 0, problem.toStdString(), {}});
             });
     connect(&bundles_, &PresetBundles::failed, &context_.files, &FileActions::tell);
 }
@@ -488,8 +509,8 @@ void PresetsDock::importBundle() {
     }
 }
 
-/// What was not done is a message each.
-void PresetsDock::tellBundle(const QString& done, const std::vector<BundleOutcome>& outcomes) {
+/// Sends a message for each file that was not done, and returns what is said of all.
+QString PresetsDock::toldBundle(const QString& done, const std::vector<BundleOutcome>& outcomes) {
     int failed = 0;
     for (const BundleOutcome& outcome : outcomes) {
         if (!outcome.problem.empty()) {
@@ -497,8 +518,7 @@ void PresetsDock::tellBundle(const QString& done, const std::vector<BundleOutcom
             ++failed;
         }
     }
-    notice_->say(failed == 0 ? done : tr("%1, but for %2 files").arg(done).arg(failed),
-                 {{tr("OK"), tr("Close this note"), [this] { notice_->clear(); }}});
+    return failed == 0 ? done : tr("%1, but for %2 files").arg(done).arg(failed);
 }
 
 void PresetsDock::storeLook() {

@@ -57,6 +57,7 @@ class PresetsDock : public QWidget {
     void rename();
     void duplicate();
     void makeVariants();
+    void detach();
     void editTags();
     void toggleFavourites();
     void moveToTrash();
@@ -68,7 +69,8 @@ class PresetsDock : public QWidget {
     void connectBundles();
     void exportBundle();
     void importBundle();
-    void tellBundle(const QString& done, const std::vector<BundleOutcome>& outcomes);
+    QString toldBundle(const QString& done, const std::vector<BundleOutcome>& outcomes);
+    void sayDone(const QString& text);
 
     DockContext context_;
     PresetLibrary& presets_;
@@ -87,6 +89,7 @@ class PresetsDock : public QWidget {
     PresetBundles bundles_;
     bool isLastEdit_ = false; ///< nothing was edited in the document since the last edit here
     QAction* rename_ = nullptr;
+    QAction* detach_ = nullptr;
     QAction* tags_ = nullptr;
     QAction* favourite_ = nullptr;
     QAction* trash_ = nullptr;

@@ -40,6 +40,21 @@ std::string asProblem(const Error& error) {
     return error.expected.empty() ? error.problem : error.problem + "; " + error.expected;
 }
 
+bool toTrash(const QString& path, QString& trashed) {
+    return QFile::moveToTrash(path, &trashed);
+}
+
+/// Brings a file or folder back from the trash, where its place is free.
+bool fromTrash(QString& trashed, const QString& path) {
+    if (trashed.isEmpty() || !QFile::rename(trashed, path)) {
+        return false;
+    }
+    const QFileInfo file(trashed);
+    QFile::remove(QStringLiteral("%1/../info/%2.trashinfo").arg(file.path(), file.fileName()));
+    trashed.clear();
+    return true;
+}
+
 /// Brings a file from one state to the other. What somebody else made of it is not written over.
 std::string bring(PresetFileChange& change, const std::optional<std::string>& from,
                   const std::optional<std::string>& to) {
@@ -48,15 +63,10 @@ std::string bring(PresetFileChange& change, const std::optional<std::string>& fr
     }
     const QString file = QString::fromStdString(change.file.string());
     if (!to) {
-        return QFile::moveToTrash(file, &change.trashed)
-                   ? std::string()
-                   : "the file could not be moved to the trash";
+        return toTrash(file, change.trashed) ? std::string()
+                                             : "the file could not be moved to the trash";
     }
-    if (!from && !change.trashed.isEmpty() && QFile::rename(change.trashed, file)) {
-        const QFileInfo trashed(change.trashed);
-        QFile::remove(
-            QStringLiteral("%1/../info/%2.trashinfo").arg(trashed.path(), trashed.fileName()));
-        change.trashed.clear();
+    if (!from && fromTrash(change.trashed, file)) {
         return {};
     }
     const Result<void> written = writeFileAtomically(change.file, *to);
@@ -151,6 +161,39 @@ class PresetFilesCommand : public QUndoCommand {
     std::vector<PresetFileChange> changes_;
 };
 
+/// Takes the folder of an import into the trash, and back.
+class ImportCommand : public QUndoCommand {
+  public:
+    ImportCommand(PresetEdits& edits, const QString& folder)
+        : QUndoCommand(QObject::tr("Import into %1").arg(QFileInfo(folder).fileName())),
+          edits_(edits), folder_(folder) {}
+
+    void redo() override {
+        if (std::exchange(isNew_, false)) {
+            return;
+        }
+        tell(fromTrash(trashed_, folder_) ? QString() : QObject::tr("it is not in the trash"));
+    }
+    void undo() override {
+        tell(toTrash(folder_, trashed_) ? QString()
+                                        : QObject::tr("it could not be moved to the trash"));
+    }
+
+  private:
+    void tell(const QString& problem) {
+        setObsolete(!problem.isEmpty());
+        edits_.presets_.scan();
+        if (!problem.isEmpty()) {
+            Q_EMIT edits_.importFailed(folder_, problem);
+        }
+    }
+
+    PresetEdits& edits_;
+    QString folder_;
+    QString trashed_;
+    bool isNew_ = true; ///< the import itself was made before
+};
+
 PresetEdits::PresetEdits(PresetLibrary& presets, QObject* parent)
     : QObject(parent), presets_(presets) {}
 
@@ -200,6 +243,25 @@ void PresetEdits::duplicate(const std::vector<PresetPtr>& entries) {
 void PresetEdits::makeVariants(const std::vector<PresetPtr>& entries) {
     addCopies(entries, entries.size() == 1 ? tr("Variant of %1") : tr("Variants of %1 presets"),
               tr("%1 variant"), true);
+}
+
+void PresetEdits::detach(const std::vector<PresetPtr>& entries) {
+    Prepared prepared;
+    for (const PresetPtr& entry : entries) {
+        if (parentOf(entry->material).empty()) {
+            continue;
+        }
+        Material whole = entry->material;
+        patina::setParent(whole, {});
+        prepared.add(entry, [&](nlohmann::json& preset) {
+            preset = presetJson(whole, entry->file, presets_.catalog());
+        });
+    }
+    if (!prepared.changes.empty() || !prepared.refused.empty()) {
+        push(entries.size() == 1 ? tr("Detach %1").arg(entries.front()->name)
+                                 : tr("Detach %1 presets").arg(entries.size()),
+             std::move(prepared.refused), std::move(prepared.changes));
+    }
 }
 
 void PresetEdits::addCopies(const std::vector<PresetPtr>& entries, const QString& what,
@@ -277,6 +339,10 @@ void PresetEdits::setFavourites(const std::vector<PresetPtr>& entries, bool on) 
         command->setText(on ? tr("Mark as favourite") : tr("No favourite any more"));
         undoStack_.push(command);
     }
+}
+
+void PresetEdits::noteImport(const QString& folder) {
+    undoStack_.push(new ImportCommand(*this, folder));
 }
 
 } // namespace patina

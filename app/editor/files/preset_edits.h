@@ -37,20 +37,27 @@ class PresetEdits : public QObject {
     void duplicate(const std::vector<PresetPtr>& entries);
     /// Makes a variant of each, which looks like it at first.
     void makeVariants(const std::vector<PresetPtr>& entries);
+    /// Makes variants presets of their own, which look as they do and follow no parent any more.
+    void detach(const std::vector<PresetPtr>& entries);
     void moveToTrash(const std::vector<PresetPtr>& entries);
     /// Adds tags to each and takes others away.
     void changeTags(const std::vector<PresetPtr>& entries, const QStringList& added,
                     const QStringList& removed);
     void setFavourites(const std::vector<PresetPtr>& entries, bool on);
+    /// Has an import that made this folder taken back like an edit.
+    void noteImport(const QString& folder);
 
     QUndoStack& undoStack() { return undoStack_; }
 
   Q_SIGNALS:
     /// An edit, its undo or its redo was tried.
     void done(const QString& what, const std::vector<patina::PresetOutcome>& outcomes);
+    /// An import could not be taken back, or not be made again.
+    void importFailed(const QString& folder, const QString& problem);
 
   private:
     friend class PresetFilesCommand;
+    friend class ImportCommand;
 
     void addCopies(const std::vector<PresetPtr>& entries, const QString& what, const QString& name,
                    bool asVariants);
