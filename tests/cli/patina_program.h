@@ -33,6 +33,7 @@ inline Outcome patina(Start start) {
          {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
         start.environment.try_emplace(name, (home / name).string());
     }
+    makeCacheFolder(home / "XDG_CACHE_HOME");
     return run(patinaProgram(), start);
 }
 

@@ -76,6 +76,13 @@ TemporaryFolder::~TemporaryFolder() {
     std::filesystem::remove_all(path_, ignored);
 }
 
+void makeCacheFolder(const std::filesystem::path& cache) {
+    const std::filesystem::path shared = PATINA_BINARY_DIR "/openness";
+    std::filesystem::create_directories(shared);
+    std::filesystem::create_directories(cache / "patina");
+    std::filesystem::create_directory_symlink(shared, cache / "patina/openness");
+}
+
 std::string readFile(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     std::ostringstream text;

@@ -42,6 +42,10 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
+/// Makes a user's cache folder that keeps the openness of meshes where those of all tests do:
+/// finding the default mesh' takes as long as the rest of a short test.
+void makeCacheFolder(const std::filesystem::path& cache);
+
 std::string readFile(const std::filesystem::path& path);
 void writeFile(const std::filesystem::path& path, const std::string& text);
 

@@ -73,7 +73,8 @@ const std::vector<Edit> edits{
      [](Document& d) { setLighting(d, readScene(defaultSceneFile(), d.catalog())->scene); }},
     {"LampsTakenOut",
      [](Document& d) {
-         setLighting(d, readScene(defaultSceneFile(), d.catalog())->scene); // fitted: at rest at once
+         const auto fitted = readScene(defaultSceneFile(), d.catalog()); // is at rest at once
+         setLighting(d, fitted->scene);
          takeLampsOut(d, {2.0, {{{0.0, 0.6, 0.8}, {1.0, 0.9, 0.8}, 0.2}}});
      }},
     {"LightValue", [](Document& d) { set(d, kinds::lights, "intensity", 0.0); }},

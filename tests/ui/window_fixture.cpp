@@ -28,6 +28,7 @@ WindowFixture::WindowFixture(Size size) : size_(size) {
          {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
         qputenv(variable, QByteArray::fromStdString((home_ / variable).string()));
     }
+    makeCacheFolder(home_ / "XDG_CACHE_HOME");
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                        QString::fromStdString((home_ / "XDG_CONFIG_HOME").string()));
     open();
