@@ -68,7 +68,7 @@ const std::vector<Edit> edits{
          d.setModel(Side::A, "gooch");
          set(d, settings::scene, "drawings", std::string("all"));
      }},
-    {"Occlusion", [](Document& d) { set(d, settings::scene, "occlusion", true); }},
+    {"Occlusion", [](Document& d) { set(d, settings::scene, "occlusion", false); }},
     {"Lighting",
      [](Document& d) { setLighting(d, readScene(defaultSceneFile(), d.catalog())->scene); }},
     {"LampsTakenOut",

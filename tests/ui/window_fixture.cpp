@@ -51,6 +51,7 @@ void WindowFixture::open() {
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), frameLimitMs));
     ASSERT_TRUE(!frames.isEmpty() || frames.wait(frameLimitMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !window().meshes().isLoading(); }, frameLimitMs));
     newFrames();
 }
 

@@ -29,6 +29,15 @@ MeshView MeshLibrary::view(const Object& object) {
     return view;
 }
 
+void MeshLibrary::wantOpenness(bool wanted) {
+    wantsOpenness_ = wanted;
+    if (!wanted && !finding_.empty()) {
+        opennessWorker_.forget();
+        finding_.clear();
+        Q_EMIT opennessFound();
+    }
+}
+
 MeshView MeshLibrary::triangles(const MeshKey& key) {
     if (builtinName(key.mesh)) {
         if (!builtins_.contains(key)) {

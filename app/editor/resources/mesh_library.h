@@ -31,7 +31,8 @@ class MeshLibrary : public QObject {
     MeshView view(const Object& object);
 
     /// Tells whether view() has what a mesh hides from itself found where that is not there yet.
-    void wantOpenness(bool wanted) { wantsOpenness_ = wanted; }
+    /// What is being found for nobody any more is given up.
+    void wantOpenness(bool wanted);
 
     /// The same for rays, which need not look at each triangle of a large mesh.
     PickMesh pickMesh(const Object& object);
