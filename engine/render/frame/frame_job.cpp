@@ -82,7 +82,7 @@ void FrameJob::makePlan(const Scene& scene, const MeshSource& meshes, bool holds
     budget_.beginFrame();
     shared_->meshes.beginFrame();
     const bool isAll = purpose_ == FramePurpose::Capture;
-    gpu_.textures.budget = {isAll ? TextureBudget::everything : textureBytesAtOnce, false};
+    gpu_.textures.begin(isAll ? TextureBudget::everything : textureBytesAtOnce);
 }
 
 FrameJob::Progress FrameJob::step(Deadline deadline) {

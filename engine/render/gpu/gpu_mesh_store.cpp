@@ -69,7 +69,7 @@ void GpuMeshStore::beginFrame() {
 void GpuMeshStore::endFrame() {
     lastEntry_ = nullptr;
     std::erase_if(meshes_, [this](const auto& entry) {
-        return frame_ - entry.second.lastFrame > meshesKept;
+        return frame_ - entry.second.lastFrame > meshesKept && entry.second.mesh.use_count() == 1;
     });
     if (frame_ >= meshesKept) {
         for (auto& [key, entry] : meshes_) {

@@ -30,7 +30,7 @@ class GpuMeshStore {
     /// Call once per frame: contents are looked at once between its two ends.
     void beginFrame();
 
-    /// Call once per frame: forgets what was not drawn for a while.
+    /// Call once per frame: forgets what was not drawn for a while and nobody holds.
     void endFrame();
 
   private:

@@ -66,12 +66,12 @@ GLenum wrapOf(TextureWrap wrap) {
 } // namespace
 
 void GpuTextureStore::bind(std::span<glm::vec4> data, const Pipeline& pipeline,
-                           const Material& material, TextureBudget& budget) {
+                           const Material& material, TextureBudget& budget, ShownTextures& shown) {
     const auto& images = pipeline.effects.textures;
     for (std::size_t i = 0; i < images.size(); ++i) {
         const unsigned unit = binding::firstTexture + static_cast<unsigned>(i);
         glActiveTexture(GL_TEXTURE0 + unit);
-        bindOne(images[i], material, data[std::size_t(pipeline.object.texture(i))], budget);
+        bindOne(images[i], material, data[std::size_t(pipeline.object.texture(i))], budget, shown);
         if (const TextureUse* use = images[i].in(material)) {
             sampler(*use).bind(unit);
         }
@@ -87,7 +87,7 @@ std::uint64_t GpuTextureStore::stateOf(const BoundTexture& image, const Material
     const TextureLookup found = source_(*use, decodingOf(*use, image));
     const bool isOpaque = found.picture && showsOpaque(*found.picture, *use);
     const auto entry = entries_.find({found.picture.get(), isOpaque});
-    const bool isComplete = entry != entries_.end() && entry->second.texture.isComplete();
+    const bool isComplete = entry != entries_.end() && entry->second.texture->isComplete();
     // Addresses are even.
     return std::uint64_t(reinterpret_cast<std::uintptr_t>(found.picture.get())) +
            (isComplete ? 1 : 0);
@@ -95,17 +95,17 @@ std::uint64_t GpuTextureStore::stateOf(const BoundTexture& image, const Material
 
 /// A relief keeps its own strength; of anything else the placeholder is all that is seen.
 void GpuTextureStore::bindOne(const BoundTexture& image, const Material& material, glm::vec4& data,
-                              TextureBudget& budget) {
+                              TextureBudget& budget, ShownTextures& shown) {
     const TextureUse* use = image.in(material);
     TextureLookup found;
     if (source_ && use != nullptr) {
         found = source_(*use, decodingOf(*use, image));
     }
     if (found.picture) {
-        show(found.picture, showsOpaque(*found.picture, *use), budget);
+        shown.push_back(show(found.picture, showsOpaque(*found.picture, *use), budget));
         return;
     }
-    show(placeholder(image.role), false, budget);
+    shown.push_back(show(placeholder(image.role), false, budget));
     const bool isRelief = image.role == TextureRole::Normal || image.role == TextureRole::Height;
     if (!found.isMissing) {
         data.w = 0.0f;
@@ -114,21 +114,25 @@ void GpuTextureStore::bindOne(const BoundTexture& image, const Material& materia
     }
 }
 
-void GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque,
-                           TextureBudget& budget) {
+std::shared_ptr<const GpuTexture>
+GpuTextureStore::show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque,
+                      TextureBudget& budget) {
     const EntryKey key{picture.get(), isOpaque};
     auto entry = entries_.find(key);
     if (entry == entries_.end()) {
-        entry = entries_.emplace(key, Entry{picture, GpuTexture(*picture, isOpaque)}).first;
+        entry =
+            entries_.emplace(key, Entry{picture, std::make_shared<GpuTexture>(*picture, isOpaque)})
+                .first;
     }
     entry->second.lastFrame = frame_;
-    GpuTexture& texture = entry->second.texture;
+    GpuTexture& texture = *entry->second.texture;
     if (texture.isComplete()) {
         texture.bind();
-        return;
+    } else {
+        budget.bytesLeft -= std::min(budget.bytesLeft, texture.upload(*picture, budget.bytesLeft));
+        budget.isWaiting = budget.isWaiting || !texture.isComplete();
     }
-    budget.bytesLeft -= std::min(budget.bytesLeft, texture.upload(*picture, budget.bytesLeft));
-    budget.isWaiting = budget.isWaiting || !texture.isComplete();
+    return entry->second.texture;
 }
 
 const gl::Sampler& GpuTextureStore::sampler(const TextureUse& use) {
@@ -142,7 +146,8 @@ const gl::Sampler& GpuTextureStore::sampler(const TextureUse& use) {
 
 void GpuTextureStore::endFrame() {
     std::erase_if(entries_, [this](const auto& entry) {
-        return frame_ - entry.second.lastFrame > texturesKept;
+        return frame_ - entry.second.lastFrame > texturesKept &&
+               entry.second.texture.use_count() == 1;
     });
     ++frame_;
 }

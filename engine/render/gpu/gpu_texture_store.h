@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include <glm/vec4.hpp>
 
@@ -28,6 +29,9 @@ struct TextureBudget {
     bool isWaiting = false;
 };
 
+/// Holds images for as long as a view shows them.
+using ShownTextures = std::vector<std::shared_ptr<const GpuTexture>>;
+
 /// The images that are in the GPU's memory, each once however many materials show it.
 class GpuTextureStore {
   public:
@@ -37,18 +41,18 @@ class GpuTextureStore {
     /// nothing in `data`, the object's; one that is missing is a checker. Leaves texture unit 0
     /// active.
     void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material,
-              TextureBudget& budget);
+              TextureBudget& budget, ShownTextures& shown);
 
     /// A number that changes when bind() would show another state of one image of the material.
     std::uint64_t stateOf(const BoundTexture& image, const Material& material) const;
 
-    /// Forgets what was not drawn for a while.
+    /// Forgets what was not drawn for a while and no view shows.
     void endFrame();
 
   private:
     struct Entry {
         std::shared_ptr<const TexturePicture> picture; ///< kept, so that its address stays its own
-        GpuTexture texture;
+        std::shared_ptr<GpuTexture> texture;
         std::uint64_t lastFrame = 0;
     };
 
@@ -56,9 +60,9 @@ class GpuTextureStore {
     using EntryKey = std::pair<const TexturePicture*, bool>;
 
     void bindOne(const BoundTexture& image, const Material& material, glm::vec4& data,
-                 TextureBudget& budget);
-    void show(const std::shared_ptr<const TexturePicture>& picture, bool isOpaque,
-              TextureBudget& budget);
+                 TextureBudget& budget, ShownTextures& shown);
+    std::shared_ptr<const GpuTexture> show(const std::shared_ptr<const TexturePicture>& picture,
+                                           bool isOpaque, TextureBudget& budget);
     const gl::Sampler& sampler(const TextureUse& use);
 
     TextureSource source_;
@@ -67,14 +71,21 @@ class GpuTextureStore {
     std::uint64_t frame_ = 0;
 };
 
-/// The images of one frame, whatever other frames take in between.
+/// The images of one view's frames, whatever others take and forget in between.
 struct FrameTextures {
+    /// Begins a frame that takes at most so many bytes.
+    void begin(std::size_t bytes = TextureBudget::everything) {
+        budget = {bytes};
+        shown.clear();
+    }
+
     void bind(std::span<glm::vec4> data, const Pipeline& pipeline, const Material& material) {
-        store.bind(data, pipeline, material, budget);
+        store.bind(data, pipeline, material, budget, shown);
     }
 
     GpuTextureStore& store;
     TextureBudget budget{};
+    ShownTextures shown{};
 };
 
 } // namespace patina

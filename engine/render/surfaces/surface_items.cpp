@@ -44,7 +44,7 @@ void SurfaceItems::setCatalog(std::shared_ptr<const Catalog> catalog) {
 void SurfaceItems::prepare(const Scene& scene, const View& view, const MeshSource& meshes,
                            bool usesDepths) {
     report_ = FrameReport();
-    textures_.budget = TextureBudget();
+    textures_.begin();
     collect(scene, view, meshes);
     choosePipelines(scene, usesDepths ? effectView(depths_, fogReach(scene)) : EffectView());
     drawShadows(scene);
