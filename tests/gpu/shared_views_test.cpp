@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "gpu_fixture.h"
+#include "render/gpu/gpu_mesh_store.h"
+#include "render/lights/environment_pictures.h"
 #include "render/plan/frame_planner.h"
+#include "scene/primitives.h"
 
 namespace patina::tests::shared_views_test {
 namespace {
@@ -85,6 +88,32 @@ TEST_F(SharedViews, OfOneScene_ShareShadowMaps) {
     Renderer& second = other();
     captured(second, everything(90.0));
     EXPECT_EQ(second.report().shadowMaps, 0);
+}
+
+TEST_F(SharedViews, OfOneEnvironment_HaveItsPictureOnce) {
+    const auto image = EnvironmentImage::missing();
+    EnvironmentPictures pictures;
+    auto [first, isNew] = pictures.of(image);
+    EXPECT_TRUE(isNew);
+    EXPECT_EQ(pictures.of(image).first, first);
+    EXPECT_NE(pictures.of(nullptr).first, first);
+    first.reset();
+    EXPECT_TRUE(pictures.of(image).second) << "nobody held it";
+}
+
+/// The other view shows something else for longer than anything is kept for its own sake.
+TEST_F(SharedViews, MeshThatAViewHolds_StaysWhileOthersDraw) {
+    GpuMeshStore meshes;
+    const Mesh ball = primitive("sphere").value();
+    const std::shared_ptr<GpuMesh> held = meshes.prepare(ball.view());
+    const Mesh cube = primitive("cube").value();
+    for (int frame = 0; frame < 300; ++frame) {
+        meshes.beginFrame();
+        meshes.prepare(cube.view());
+        meshes.endFrame();
+    }
+    meshes.beginFrame();
+    EXPECT_EQ(meshes.prepare(ball.view()), held);
 }
 
 /// Four views, each a step at a time.

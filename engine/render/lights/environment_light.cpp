@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
 #include <epoxy/gl.h>
 #include <glm/trigonometric.hpp>
@@ -26,13 +27,6 @@ constexpr glm::ivec2 plainSize{256, 128};
 
 /// What does not change where the environment is bright, seen from within.
 constexpr std::array<std::string_view, 3> otherRoles{roles::rotate, roles::background, roles::blur};
-
-/// In place of a picture that is on its way. A software driver compiles programs anew where one
-/// with coarser versions, or with sides that are powers of two, takes the place of one without.
-const EnvironmentTexels& blackTexels() {
-    static const EnvironmentTexels black{glm::ivec2(4), std::vector<std::uint16_t>(64)};
-    return black;
-}
 
 } // namespace
 
@@ -76,8 +70,9 @@ void EnvironmentLight::follow(const Subject& subject, const Catalog& catalog, Pr
 
 bool EnvironmentLight::followSome(const Subject& subject, const Catalog& catalog,
                                   ProgramCache& cache) {
-    const auto& [effects, scene, image, isFitted] = subject;
-    isFitted_ = isFitted;
+    const Scene& effects = subject.effects;
+    const Scene& scene = subject.scene;
+    isFitted_ = subject.isFitted;
     const std::uint64_t key = EffectKey::ofEnvironment(effects, catalog);
     const bool fits = key != 0 && scene.part(kinds::environment) &&
                       effects.part(kinds::environment)->id == scene.part(kinds::environment)->id;
@@ -88,7 +83,7 @@ bool EnvironmentLight::followSome(const Subject& subject, const Catalog& catalog
     }
     const BlockValues& values = *scene.part(kinds::environment);
     pack(values);
-    if (takeImage(pictureParameter(current_->use.block()) ? image : nullptr)) {
+    if (takeImage(subject)) {
         return true;
     }
     if (looksOtherwise() || madeFor_ != current_) {
@@ -102,7 +97,7 @@ bool EnvironmentLight::followSome(const Subject& subject, const Catalog& catalog
         }
         return true;
     }
-    if (isFitted && blurredFor_ != current_ && makeBlurred(catalog, cache)) {
+    if (isFitted_ && blurredFor_ != current_ && makeBlurred(catalog, cache)) {
         return true;
     }
     const Backdrop backdrop = backdropOf(values, current_->use.block());
@@ -110,7 +105,7 @@ bool EnvironmentLight::followSome(const Subject& subject, const Catalog& catalog
     if (backdrop != Backdrop::Hidden) {
         background_ = program(*current_,
                               backdrop == Backdrop::Sharp ? EnvironmentOutput::SharpBackground
-                              : isFitted                  ? EnvironmentOutput::FittedBackground
+                              : isFitted_                 ? EnvironmentOutput::FittedBackground
                                                           : EnvironmentOutput::BlurredBackground,
                               catalog, cache);
     }
@@ -137,19 +132,18 @@ void EnvironmentLight::pack(const BlockValues& values) {
 }
 
 /// Another picture, or the next part of it. False where all of it is there.
-bool EnvironmentLight::takeImage(const std::shared_ptr<const EnvironmentImage>& image) {
-    const EnvironmentTexels& texels = image ? image->whole : blackTexels();
-    if (!hasImage_ || image != image_) {
-        image_ = image;
-        hasImage_ = true;
+bool EnvironmentLight::takeImage(const Subject& subject) {
+    static const std::shared_ptr<const EnvironmentImage> none;
+    const auto& image = pictureParameter(current_->use.block()) != nullptr ? subject.image : none;
+    if (!picture_ || image != picture_->image) {
+        bool isNew = false;
+        std::tie(picture_, isNew) = subject.pictures.of(image);
         madeFor_ = nullptr;
-        small_.fill(image ? image->small : blackTexels());
-        whole_.begin(texels.size);
-        if (isSlowToAllocate(texels.size)) {
+        if (isNew && isSlowToAllocate(picture_->whole.size())) {
             return true;
         }
     }
-    return whole_.fillSome(texels);
+    return picture_->fillSome();
 }
 
 bool EnvironmentLight::looksOtherwise() {
@@ -163,7 +157,7 @@ bool EnvironmentLight::looksOtherwise() {
 void EnvironmentLight::makeTable(const gl::Program* program) {
     const bool hasPicture = pictureParameter(current_->use.block()) != nullptr;
     const glm::ivec2 size = program == nullptr ? glm::ivec2(1)
-                            : hasPicture       ? small_.size()
+                            : hasPicture       ? picture_->small.size()
                                                : plainSize;
     values_.staging()[EnvironmentLayout::sizes] = glm::vec4(size, 0.0f, 0.0f);
     if (program == nullptr) {
@@ -171,7 +165,7 @@ void EnvironmentLight::makeTable(const gl::Program* program) {
     } else {
         upload();
         values_.bind(binding::environment);
-        small_.bind(binding::environmentImage);
+        picture_->small.bind(binding::environmentImage);
         baked_.draw(*program, size);
         table_.build(size, baked_.radiance());
         harmonics_ = irradianceHarmonics(size, baked_.radiance());
@@ -197,7 +191,7 @@ bool EnvironmentLight::makeBlurred(const Catalog& catalog, ProgramCache& cache) 
     }
     upload();
     values_.bind(binding::environment);
-    whole_.bind(binding::environmentImage);
+    picture_->whole.bind(binding::environmentImage);
     blurred_.draw(*sharp, *matte, *blurProgram_);
     blurredFor_ = current_;
     return true;
@@ -226,7 +220,7 @@ void EnvironmentLight::setSamples(const Samples& samples) {
 void EnvironmentLight::bind() const {
     values_.bind(binding::environment);
     tableTexture_.bind(binding::environmentTable);
-    whole_.bind(binding::environmentImage);
+    picture_->whole.bind(binding::environmentImage);
     if (isFitted_ && blurred_.isThere()) {
         blurred_.bind(binding::environmentBlurred); // the same unit
     } else {

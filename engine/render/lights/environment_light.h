@@ -9,7 +9,7 @@
 
 #include "render/gpu/uniform_buffer.h"
 #include "render/lights/blurred_environment.h"
-#include "render/lights/environment_image.h"
+#include "render/lights/environment_pictures.h"
 #include "render/lights/environment_table.h"
 #include "render/lights/environment_texture.h"
 #include "shading/effects/environment_effect.h"
@@ -35,7 +35,8 @@ class EnvironmentLight {
         const Scene& scene;
         /// Without a picture that is there an environment that needs one is black.
         const std::shared_ptr<const EnvironmentImage>& image;
-        bool isFitted = false; ///< programs look it up out of focus
+        EnvironmentPictures& pictures; ///< of which its own one is
+        bool isFitted = false;         ///< programs look it up out of focus
     };
 
     /// Follows the scene. Allocates nothing while only values change.
@@ -91,7 +92,7 @@ class EnvironmentLight {
     const gl::Program* program(Known& known, EnvironmentOutput output, const Catalog& catalog,
                                ProgramCache& cache);
     void pack(const BlockValues& values);
-    bool takeImage(const std::shared_ptr<const EnvironmentImage>& image);
+    bool takeImage(const Subject& subject);
     bool looksOtherwise();
     void makeTable(const gl::Program* program);
     bool makeBlurred(const Catalog& catalog, ProgramCache& cache);
@@ -105,10 +106,7 @@ class EnvironmentLight {
     std::vector<glm::vec4> look_; ///< the values that the table was made from
     std::vector<glm::vec4> wantedLook_;
     const Known* madeFor_ = nullptr;
-    std::shared_ptr<const EnvironmentImage> image_;
-    bool hasImage_ = false;
-    EnvironmentTexture whole_;
-    EnvironmentTexture small_;
+    std::shared_ptr<EnvironmentPicture> picture_;
     SmallEnvironment baked_;
     EnvironmentTable table_;
     EnvironmentTexture tableTexture_;

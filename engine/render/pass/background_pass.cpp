@@ -20,11 +20,12 @@ Result<bool> BackgroundPass::prepare(FramePlan& plan, FrameGpu& gpu) {
         return isNew;
     }
     const SceneToPack packing{*plan.scene, *plan.effects, {}};
+    const FrameEnvironment::Shared shared{gpu.shared.programs(), gpu.shared.environments};
     if (plan.isUnseen) {
-        gpu.environment.prewarm(packing, *plan.view, catalog, gpu.shared.programs());
+        gpu.environment.prewarm(packing, *plan.view, catalog, shared);
         return false;
     }
-    return gpu.environment.begin(packing, *plan.view, catalog, gpu.shared.programs());
+    return gpu.environment.begin(packing, *plan.view, catalog, shared);
 }
 
 bool BackgroundPass::draw(const FramePlan& plan, FrameGpu& gpu, StepBudget&) {

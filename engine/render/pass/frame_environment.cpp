@@ -67,11 +67,13 @@ void set(const gl::Program& program, const char* name, const glm::dvec3& value) 
 } // namespace
 
 Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
-                                     const Catalog& catalog, ProgramCache& cache) {
+                                     const Catalog& catalog, const Shared& shared) {
+    ProgramCache& cache = shared.cache;
     const int built = cache.builtCount();
     const bool fits = isFitted(scene.effects, view);
-    if (light_.followSome({scene.effects, scene.scene, view.environmentImage, fits}, catalog,
-                          cache) ||
+    if (light_.followSome(
+            {scene.effects, scene.scene, view.environmentImage, shared.pictures, fits}, catalog,
+            cache) ||
         cache.builtCount() > built) {
         return true;
     }
@@ -107,10 +109,10 @@ Result<bool> FrameEnvironment::begin(const SceneToPack& scene, const View& view,
 }
 
 void FrameEnvironment::prewarm(const SceneToPack& scene, const View& view, const Catalog& catalog,
-                               ProgramCache& cache) {
-    light_.follow(
-        {scene.effects, scene.scene, view.environmentImage, isFitted(scene.effects, view)}, catalog,
-        cache);
+                               const Shared& shared) {
+    light_.follow({scene.effects, scene.scene, view.environmentImage, shared.pictures,
+                   isFitted(scene.effects, view)},
+                  catalog, shared.cache);
     if (isIn()) {
         light_.setSamples({0, roundSamples, 0});
     }

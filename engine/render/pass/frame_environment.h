@@ -12,10 +12,16 @@ namespace patina {
 /// and the mean of the frames of one picture. Nothing of it exists without an environment.
 class FrameEnvironment {
   public:
+    /// Holds what views share of it.
+    struct Shared {
+        ProgramCache& cache;
+        EnvironmentPictures& pictures;
+    };
+
     /// Prepares a frame of the scene, up to and with the first thing that takes long: true as long
     /// as there may be more, and the next call goes on.
     Result<bool> begin(const SceneToPack& scene, const View& view, const Catalog& catalog,
-                       ProgramCache& cache);
+                       const Shared& shared);
 
     /// Tells whether the frame that was prepared looks at an environment.
     bool isIn() const { return light_.isIn(); }
@@ -25,7 +31,7 @@ class FrameEnvironment {
 
     /// As begin() for a frame that is not to be seen: what the mean holds stays.
     void prewarm(const SceneToPack& scene, const View& view, const Catalog& catalog,
-                 ProgramCache& cache);
+                 const Shared& shared);
 
     /// Returns what a level white surface that faces up reflects of it, seen from anywhere.
     glm::dvec3 upward() const { return isIn() ? light_.upward() : glm::dvec3(0.0); }

@@ -7,6 +7,7 @@
 #include "catalog/catalog.h"
 #include "render/gpu/gpu_mesh_store.h"
 #include "render/gpu/gpu_texture_store.h"
+#include "render/lights/environment_pictures.h"
 #include "render/pass/pipeline_store.h"
 #include "render/pass/shadow_maps.h"
 
@@ -27,6 +28,7 @@ struct RenderResources {
     PipelineStore pipelines;
     GpuMeshStore meshes;
     GpuTextureStore textures;
+    EnvironmentPictures environments;
     ShadowMaps shadows;
 };
 

@@ -121,7 +121,7 @@ Result<SurfaceBuffer> SurfaceBufferDrawer::capture(const Scene& scene, const Vie
     if (!items_.report().messages.empty()) {
         return tl::unexpected(items_.report().messages.front());
     }
-    environment_.follow({scene, scene, view.environmentImage}, *catalog_,
+    environment_.follow({scene, scene, view.environmentImage, shared_.environments}, *catalog_,
                         items_.pipelines().programs());
     if (environment_.isIn()) {
         environment_.setSamples({round, SurfaceBufferLayout::samples, view.environmentSeries});
