@@ -32,4 +32,10 @@ bool Fence::passed(std::chrono::nanoseconds patience) {
     return true;
 }
 
+void Fence::holdBack() const {
+    if (sync_ != nullptr) {
+        glWaitSync(static_cast<GLsync>(sync_), 0, GL_TIMEOUT_IGNORED);
+    }
+}
+
 } // namespace patina::gl

@@ -25,6 +25,10 @@ class Fence {
     /// empty.
     bool passed(std::chrono::nanoseconds patience);
 
+    /// Has the device wait for it before it does what the current context is given from now on,
+    /// one that shares objects with the fence's own.
+    void holdBack() const;
+
   private:
     void* sync_ = nullptr; ///< a GLsync
 };

@@ -17,6 +17,19 @@ unsigned colorAttachment(std::size_t location) {
     return GL_COLOR_ATTACHMENT0 + static_cast<unsigned>(location);
 }
 
+unsigned colorTextureOf(unsigned framebuffer) {
+    GLint type = GL_NONE;
+    GLint name = 0;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type == GL_TEXTURE) {
+        glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                              GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    }
+    return static_cast<unsigned>(name);
+}
+
 Framebuffer Framebuffer::create() {
     Framebuffer framebuffer;
     GLuint name = 0;
@@ -26,8 +39,12 @@ Framebuffer Framebuffer::create() {
 }
 
 void Framebuffer::attachColor(const Texture& texture) {
+    attachColor(texture.name());
+}
+
+void Framebuffer::attachColor(unsigned texture) {
     glBindFramebuffer(GL_FRAMEBUFFER, name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
 }
 
 void Framebuffer::attachColor(const Renderbuffer& buffer) {

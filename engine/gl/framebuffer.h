@@ -18,6 +18,10 @@ void deleteFramebuffer(unsigned name);
 /// it.
 unsigned colorAttachment(std::size_t location);
 
+/// Returns the texture that a framebuffer object of the current context is drawn into; 0 where that
+/// is none.
+unsigned colorTextureOf(unsigned framebuffer);
+
 /// A framebuffer object. What is attached must outlive it.
 class Framebuffer {
   public:
@@ -27,6 +31,9 @@ class Framebuffer {
     /// These bind the framebuffer for drawing and reading.
     void attachColor(const Texture& texture);
     void attachColor(const Renderbuffer& buffer);
+    /// A texture that somebody else owns, of this context or one that shares with it; it may go
+    /// and be replaced, but is drawn to only while it is there.
+    void attachColor(unsigned texture);
     void attachDepth(const Renderbuffer& buffer);
     /// The colours that a program writes to `location`; those of all locations from 0 on are drawn.
     void attachColor(const TargetTexture& texture, unsigned location);

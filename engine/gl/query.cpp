@@ -11,30 +11,33 @@ void deleteQuery(unsigned name) {
 
 TimeQuery TimeQuery::create() {
     TimeQuery query;
-    GLuint name = 0;
-    glGenQueries(1, &name);
-    query.name_ = Name<deleteQuery>(name);
+    GLuint names[2] = {};
+    glGenQueries(2, names);
+    query.began_ = Name<deleteQuery>(names[0]);
+    query.ended_ = Name<deleteQuery>(names[1]);
     return query;
 }
 
 void TimeQuery::begin() {
-    glBeginQuery(GL_TIME_ELAPSED, name_.get());
+    glQueryCounter(began_.get(), GL_TIMESTAMP);
 }
 
 void TimeQuery::end() {
-    glEndQuery(GL_TIME_ELAPSED);
+    glQueryCounter(ended_.get(), GL_TIMESTAMP);
 }
 
 bool TimeQuery::ready() const {
     GLint available = 0;
-    glGetQueryObjectiv(name_.get(), GL_QUERY_RESULT_AVAILABLE, &available);
+    glGetQueryObjectiv(ended_.get(), GL_QUERY_RESULT_AVAILABLE, &available);
     return available != 0;
 }
 
 std::uint64_t TimeQuery::nanoseconds() const {
-    GLuint64 time = 0;
-    glGetQueryObjectui64v(name_.get(), GL_QUERY_RESULT, &time);
-    return time;
+    GLuint64 began = 0;
+    GLuint64 ended = 0;
+    glGetQueryObjectui64v(began_.get(), GL_QUERY_RESULT, &began);
+    glGetQueryObjectui64v(ended_.get(), GL_QUERY_RESULT, &ended);
+    return ended > began ? ended - began : 0;
 }
 
 } // namespace patina::gl

@@ -9,7 +9,8 @@ namespace patina::gl {
 
 void deleteQuery(unsigned name);
 
-/// A query for the time the device spends between begin and end.
+/// Asks for the time that passes on the device between begin and end. Others may begin and end in
+/// between.
 class TimeQuery {
   public:
     static TimeQuery create();
@@ -24,7 +25,8 @@ class TimeQuery {
     std::uint64_t nanoseconds() const;
 
   private:
-    Name<deleteQuery> name_;
+    Name<deleteQuery> began_;
+    Name<deleteQuery> ended_;
 };
 
 } // namespace patina::gl

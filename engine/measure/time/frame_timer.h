@@ -15,7 +15,7 @@ namespace patina {
 class FrameTimer {
   public:
     enum class Method {
-        DeviceTimer, ///< GL_TIME_ELAPSED queries, read when they are ready: costs nothing
+        DeviceTimer, ///< timestamps of the device, read when they are ready: costs nothing
         WallClock,   ///< a clock around glFinish: waits for the device
     };
 
