@@ -19,6 +19,7 @@ bool frontTwice();
 bool fittedLight();
 bool contactSheet();
 bool manyObjects();
+bool views();
 bool assembly();
 bool switches();
 bool offEffects();

@@ -35,6 +35,7 @@ int main(int count, char** arguments) {
                                         {"fitted-light", patina::benchmarks::fittedLight},
                                         {"contact-sheet", patina::benchmarks::contactSheet},
                                         {"many-objects", patina::benchmarks::manyObjects},
+                                        {"views", patina::benchmarks::views},
                                         {"assembly", patina::benchmarks::assembly},
                                         {"switches", patina::benchmarks::switches},
                                         {"off-effects", patina::benchmarks::offEffects},

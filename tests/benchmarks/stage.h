@@ -44,6 +44,7 @@ class Stage {
     }
 
     const Catalog& catalog() const { return *catalog_; }
+    const std::shared_ptr<const Catalog>& sharedCatalog() const { return catalog_; }
 
     void use(const char* model) {
         Material& material = scene.objects.front().material;
