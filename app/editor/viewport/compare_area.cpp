@@ -25,12 +25,11 @@ constexpr int flipKey = Qt::Key_Space;
 
 } // namespace
 
-CompareArea::CompareArea(const ViewSources& sources, std::filesystem::path programCache,
-                         QWidget* parent)
+CompareArea::CompareArea(const ViewSources& sources, QWidget* parent)
     : QWidget(parent), sources_(sources), document_(sources.document),
-      programCache_(std::move(programCache)), home_(document_.scene().camera), history_(document_),
-      turntable_(document_), rows_(new QSplitter(Qt::Vertical, this)),
-      upper_(new QSplitter(Qt::Horizontal, rows_)), lower_(new QSplitter(Qt::Horizontal, rows_)) {
+      home_(document_.scene().camera), history_(document_), turntable_(document_),
+      rows_(new QSplitter(Qt::Vertical, this)), upper_(new QSplitter(Qt::Horizontal, rows_)),
+      lower_(new QSplitter(Qt::Horizontal, rows_)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(rows_);
@@ -97,7 +96,7 @@ void CompareArea::resetCamera(Side side) {
 }
 
 SideView* CompareArea::addView(Side side) {
-    auto* view = new SideView(sources_, {modes_, turntable_}, side, programCache_, upper_);
+    auto* view = new SideView(sources_, {modes_, turntable_}, side, upper_);
     upper_->insertWidget(static_cast<int>(indexOf(side)), view);
     connect(view, &SideView::cameraWished, this,
             [this, side](const Camera& shown) { moveCamera(side, shown); });
@@ -240,7 +239,7 @@ void CompareArea::shareRoom() {
 }
 
 void CompareArea::makeMeter() {
-    meter_ = new ComparisonMeter(sources_, first().viewport(), programCache_, this);
+    meter_ = new ComparisonMeter(sources_, first().viewport(), this);
     connect(meter_, &ComparisonMeter::framesChanged, this, &CompareArea::showNumbers);
     connect(meter_, &ComparisonMeter::numbersChanged, this, &CompareArea::showNumbers);
     first().viewport().installEventFilter(this);

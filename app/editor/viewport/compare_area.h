@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -28,8 +27,7 @@ class CompareArea : public QWidget {
     Q_OBJECT
 
   public:
-    CompareArea(const ViewSources& sources, std::filesystem::path programCache,
-                QWidget* parent = nullptr);
+    explicit CompareArea(const ViewSources& sources, QWidget* parent = nullptr);
 
     SideView& first() { return *view(Side::A); }
     SideView* second() { return view(Side::B); }
@@ -107,7 +105,6 @@ class CompareArea : public QWidget {
 
     ViewSources sources_;
     Document& document_;
-    std::filesystem::path programCache_;
     Camera home_;
     CompareLook look_;
     CameraHistory history_;

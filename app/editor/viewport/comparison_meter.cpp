@@ -17,11 +17,10 @@ constexpr int longestEdge = 1024; ///< pixels; what is shown larger is stretched
 
 } // namespace
 
-ComparisonMeter::ComparisonMeter(const ViewSources& sources, const Viewport& first,
-                                 std::filesystem::path programCache, QObject* parent)
+ComparisonMeter::ComparisonMeter(const ViewSources& sources, const Viewport& first, QObject* parent)
     : QObject(parent), document_(sources.document), first_(first), meshes_(sources.meshes),
       textures_(sources.textures), environments_(sources.environments), switches_(sources.switches),
-      worker_(std::move(programCache)) {
+      worker_(sources.context.programCache()) {
     settle_.setSingleShot(true);
     settle_.setInterval(gatherMs);
     rest_.setSingleShot(true);

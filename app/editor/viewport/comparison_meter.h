@@ -27,8 +27,7 @@ class ComparisonMeter : public QObject {
 
   public:
     /// `first` is side A's view.
-    ComparisonMeter(const ViewSources& sources, const Viewport& first,
-                    std::filesystem::path programCache, QObject* parent = nullptr);
+    ComparisonMeter(const ViewSources& sources, const Viewport& first, QObject* parent = nullptr);
 
     /// The difference is looked at, in so many pixels; empty: it is not.
     void setPictureSize(const QSize& pixels);

@@ -35,7 +35,8 @@ constexpr int mixedSamples = 256;
 } // namespace
 
 FrameLoop::FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed)
-    : widget_(widget), viewed_(viewed), stopwatch_(widget), programs_(viewed), note_(widget),
+    : widget_(widget), viewed_(viewed), context_(viewed.sources().context),
+      surface_(widget, context_), stopwatch_(context_), programs_(viewed), note_(widget),
       targets_([this] { return isDrawing() || wantsSamples(); }, [this] { releaseTargets(); }) {
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, &FrameLoop::proceed);
@@ -45,7 +46,7 @@ FrameLoop::FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed)
 }
 
 void FrameLoop::open() {
-    Result<std::unique_ptr<Renderer>> renderer = Renderer::create({viewed_.sources().programCache});
+    Result<std::unique_ptr<Renderer>> renderer = surface_.open();
     if (!renderer) {
         failure_ = QString::fromStdString(renderer.error().text());
         Q_EMIT failed(failure_);
@@ -53,6 +54,7 @@ void FrameLoop::open() {
     }
     renderer_ = std::move(*renderer);
     renderer_->setTextures(viewed_.sources().textures);
+    const ViewContext::Current current(context_);
     stopwatch_.open();
     catalogIsNew_ = viewed_.catalog() != nullptr;
     stale_ = true;
@@ -62,26 +64,48 @@ void FrameLoop::close() {
     giveUp();
     Q_EMIT closing();
     if (renderer_) {
-        widget_.makeCurrent();
-        stopwatch_.close();
-        renderer_.reset();
-        widget_.doneCurrent();
+        {
+            const ViewContext::Current current(context_);
+            stopwatch_.close();
+        }
+        surface_.close(std::move(renderer_));
     }
 }
 
 void FrameLoop::paint() {
-    if (!renderer_) {
-        return;
+    const bool isNew = isNew_;
+    switch (paintNext()) {
+    case Painted::Nothing:
+        break;
+    case Painted::Later:
+        if (isNew) {
+            note_.show(frameCount_ > 0);
+        }
+        break;
+    case Painted::Sketch:
+        finishSketch();
+        break;
+    case Painted::Frame:
+        finishFrame();
+        break;
     }
-    if (progress_ == Progress::Drawn) {
-        show();
-        std::exchange(sketching_, false) ? finishSketch() : finishFrame();
-    } else if (progress_ == Progress::Idle && (stale_ || moreSamples_)) {
+}
+
+FrameLoop::Painted FrameLoop::paintNext() {
+    const bool isDrawn = progress_ == Progress::Drawn;
+    const bool isWanted = progress_ == Progress::Idle && (stale_ || moreSamples_);
+    if (!renderer_ || !(isDrawn || isWanted)) {
+        return Painted::Nothing;
+    }
+    const ViewSurface::Painting painting(surface_);
+    if (isWanted) {
         isAtRest_ = !std::exchange(stale_, false);
         isMoving_ = !isAtRest_ && viewed_.fitsWhileMoving();
         isContinued_ = isAtRest_ && samples() > 0;
-        beginFrame();
+        return beginFrame(painting.framebuffer());
     }
+    show(painting.framebuffer());
+    return std::exchange(sketching_, false) ? Painted::Sketch : Painted::Frame;
 }
 
 void FrameLoop::refresh() {
@@ -112,9 +136,8 @@ void FrameLoop::giveUp() {
     }
     const Progress progress = std::exchange(progress_, Progress::Idle);
     if (progress == Progress::Drawing || progress == Progress::Drawn) {
-        widget_.makeCurrent();
+        const ViewContext::Current current(context_);
         stopwatch_.end();
-        widget_.doneCurrent();
     }
 }
 
@@ -127,10 +150,9 @@ void FrameLoop::setInspecting(bool on) {
 }
 
 std::optional<PixelProbe> FrameLoop::probe(glm::ivec2 pixel) {
-    widget_.makeCurrent();
+    const ViewContext::Current current(context_);
     auto found = renderer_->inspection().probe(viewed_.sources().scene(), view(),
                                                viewed_.sources().meshes, pixel);
-    widget_.doneCurrent();
     return found ? std::move(*found) : std::nullopt;
 }
 
@@ -161,32 +183,32 @@ const FrameReport& FrameLoop::report() const {
     return renderer_ ? renderer_->report() : nothing;
 }
 
-void FrameLoop::beginFrame() {
+FrameLoop::Painted FrameLoop::beginFrame(unsigned framebuffer) {
     moreSamples_ = false;
-    if (std::exchange(catalogIsNew_, false)) {
-        renderer_->setCatalog(viewed_.catalog());
+    if (std::exchange(catalogIsNew_, false) && renderer_->catalog() != viewed_.catalog().get()) {
+        renderer_->setCatalog(viewed_.catalog()); // that of all views
     }
     if (inspecting_) {
         stopwatch_.begin();
         renderer_->inspection().draw(viewed_.sources().scene(), view(), viewed_.sources().meshes,
-                                     widget_.defaultFramebufferObject());
-        finishFrame();
-        return;
+                                     framebuffer);
+        stopwatch_.end();
+        return Painted::Frame;
     }
     const bool isNew = isNew_;
     FrameJob& job = beginJob(isNew ? FramePurpose::Sketch : FramePurpose::Window);
     if (waitsForPrograms(job)) {
-        return;
+        return Painted::Later;
     }
     isNew_ = false;
     stopwatch_.begin();
-    if (isNew && drawSketch(job)) {
-        return;
+    if (isNew) {
+        if (const std::optional<Painted> sketch = drawSketch(job, framebuffer)) {
+            return *sketch;
+        }
+        return drawFrame(beginJob(FramePurpose::Window), framebuffer);
     }
-    drawFrame(isNew ? beginJob(FramePurpose::Window) : job);
-    if (isNew && isDrawing()) {
-        note_.show(frameCount_ > 0);
-    }
+    return drawFrame(job, framebuffer);
 }
 
 FrameJob& FrameLoop::beginJob(FramePurpose purpose) {
@@ -211,17 +233,13 @@ bool FrameLoop::waitsForPrograms(FrameJob& job) {
     missing_ = missing;
     ++waitCount_;
     goOnWith(Progress::Waiting);
-    if (isNew_) {
-        note_.show(frameCount_ > 0);
-    }
     return true;
 }
 
 /// Meanwhile; it takes as long as several steps of a frame.
 void FrameLoop::makeTargets() {
-    widget_.makeCurrent();
+    const ViewContext::Current current(context_);
     beginJob(FramePurpose::Targets).step(FrameJob::never);
-    widget_.doneCurrent();
 }
 
 void FrameLoop::takePrograms() {
@@ -233,34 +251,34 @@ void FrameLoop::takePrograms() {
     }
 }
 
-/// Shows a sketch, now or in later turns. False where the frame is as quick.
-bool FrameLoop::drawSketch(FrameJob& job) {
+/// Shows a sketch, now or in later turns. Nothing where the frame is as quick.
+std::optional<FrameLoop::Painted> FrameLoop::drawSketch(FrameJob& job, unsigned framebuffer) {
     const auto patience = frameCount_ == 0 ? firstSketchPatience : sketchPatience;
     sketching_ = job.step(patience) == FrameJob::Progress::More;
     if (job.isNeedless()) {
-        return false;
+        return std::nullopt;
     }
     if (sketching_) {
         goOnWith(Progress::Drawing);
-        note_.show(frameCount_ > 0);
-    } else {
-        job.show(widget_.defaultFramebufferObject());
-        finishSketch();
+        return Painted::Later;
     }
-    return true;
+    job.show(framebuffer);
+    stopwatch_.end();
+    return Painted::Sketch;
 }
 
-void FrameLoop::drawFrame(FrameJob& job) {
+FrameLoop::Painted FrameLoop::drawFrame(FrameJob& job, unsigned framebuffer) {
     if (job.step(firstPatience) == FrameJob::Progress::More) {
         goOnWith(Progress::Drawing);
-    } else {
-        show();
-        finishFrame();
+        return Painted::Later;
     }
+    show(framebuffer);
+    return Painted::Frame;
 }
 
-void FrameLoop::show() {
-    renderer_->job().show(widget_.defaultFramebufferObject(), sketching_ ? 1.0 : nextShare());
+void FrameLoop::show(unsigned framebuffer) {
+    renderer_->job().show(framebuffer, sketching_ ? 1.0 : nextShare());
+    stopwatch_.end();
 }
 
 /// The share that the frame has of what is on the screen from now on: at rest the fitted picture
@@ -287,9 +305,10 @@ void FrameLoop::proceed() {
         makeTargets();
         return;
     }
-    widget_.makeCurrent();
-    const FrameJob::Progress progress = renderer_->job().step(stepPatience);
-    widget_.doneCurrent();
+    const FrameJob::Progress progress = [this] {
+        const ViewContext::Current current(context_);
+        return renderer_->job().step(stepPatience);
+    }();
     if (progress == FrameJob::Progress::Done) {
         progress_ = Progress::Drawn;
         widget_.update();
@@ -300,7 +319,6 @@ void FrameLoop::proceed() {
 
 /// The whole frame is the next one.
 void FrameLoop::finishSketch() {
-    stopwatch_.end();
     progress_ = Progress::Idle;
     note_.hide();
     stale_ = true;
@@ -309,7 +327,6 @@ void FrameLoop::finishSketch() {
 }
 
 void FrameLoop::finishFrame() {
-    stopwatch_.end();
     if (!inspecting_) {
         renderer_->job().noteTime(stopwatch_.milliseconds());
     }
@@ -363,9 +380,8 @@ Image FrameLoop::pictureOf(const Scene& scene, View wanted, bool display) {
             refresh();
         }
     }
-    widget_.makeCurrent();
+    const ViewContext::Current current(context_);
     Result<Image> picture = renderer_->capture(scene, wanted, viewed_.sources().meshes, display);
-    widget_.doneCurrent();
     targets_.noteUse();
     return picture ? std::move(*picture) : Image();
 }
@@ -393,10 +409,9 @@ void FrameLoop::takeBack(bool isAnother) {
 }
 
 void FrameLoop::drawUnseen(const Scene& scene, const View& view) {
-    widget_.makeCurrent();
+    const ViewContext::Current current(context_);
     renderer_->begin(scene, view, viewed_.sources().meshes, FramePurpose::Prewarm)
         .step(FrameJob::never);
-    widget_.doneCurrent();
     targets_.noteUse();
 }
 
@@ -404,9 +419,10 @@ void FrameLoop::drawUnseen(const Scene& scene, const View& view) {
 /// memory.
 void FrameLoop::releaseTargets() {
     if (renderer_) {
-        widget_.makeCurrent();
-        renderer_->job().releaseTargets();
-        widget_.doneCurrent();
+        {
+            const ViewContext::Current current(context_);
+            renderer_->job().releaseTargets();
+        }
         returnFreeMemory();
     }
 }

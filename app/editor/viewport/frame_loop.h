@@ -15,13 +15,14 @@
 #include "viewport/frame_stopwatch.h"
 #include "viewport/idle_release.h"
 #include "viewport/ordered_programs.h"
+#include "viewport/view_surface.h"
 #include "viewport/viewed_scene.h"
 
 class QOpenGLWidget;
 
 namespace patina {
 
-/// Draws what a widget shows with a Renderer of its own. A frame is drawn only after refresh(),
+/// Draws what a widget shows, in the context of all views. A frame is drawn only after refresh(),
 /// once however often that was called. One that takes long is drawn over several turns of the event
 /// loop with the last picture on the screen, or a sketch where the scene is a new one; what changes
 /// meanwhile is in the next one. An environment's light is fitted while something changes; when
@@ -36,7 +37,7 @@ class FrameLoop : public QObject {
     /// Both outlive it.
     FrameLoop(QOpenGLWidget& widget, const ViewedScene& viewed);
 
-    // The widget's context, which is current in open() and paint().
+    // The widget's context is there; it is current in open() and paint().
     void open();
     void close();
     void paint();
@@ -124,18 +125,27 @@ class FrameLoop : public QObject {
         Lent ///< until takeBack()
     };
 
-    void beginFrame();
+    /// What has become of the picture on the screen.
+    enum class Painted {
+        Nothing, ///< the last one is there
+        Later,   ///< that, until a frame that was begun is done
+        Sketch,
+        Frame
+    };
+
+    Painted paintNext();
+    Painted beginFrame(unsigned framebuffer);
     View drawnView() const;
     FrameJob& beginJob(FramePurpose purpose);
     bool waitsForPrograms(FrameJob& job);
     void takePrograms();
     void makeTargets();
-    bool drawSketch(FrameJob& job);
-    void drawFrame(FrameJob& job);
+    std::optional<Painted> drawSketch(FrameJob& job, unsigned framebuffer);
+    Painted drawFrame(FrameJob& job, unsigned framebuffer);
     void goOnWith(Progress progress);
     void proceed();
     void finishSketch();
-    void show();
+    void show(unsigned framebuffer);
     double nextShare();
     void finishFrame();
     bool wantsSamples() const;
@@ -145,6 +155,8 @@ class FrameLoop : public QObject {
 
     QOpenGLWidget& widget_;
     const ViewedScene& viewed_;
+    ViewContext& context_;
+    ViewSurface surface_;
     bool catalogIsNew_ = false;
     std::unique_ptr<Renderer> renderer_;
     QString failure_;

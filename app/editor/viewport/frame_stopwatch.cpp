@@ -2,7 +2,6 @@
 #include "viewport/frame_stopwatch.h"
 
 #include <QObject>
-#include <QOpenGLWidget>
 
 namespace patina {
 
@@ -10,9 +9,10 @@ QString FrameStopwatch::text() {
     if (!timer_) {
         return {};
     }
-    widget_.makeCurrent();
-    timer_->collect();
-    widget_.doneCurrent();
+    {
+        const ViewContext::Current current(context_);
+        timer_->collect();
+    }
     if (timer_->milliseconds() > 0.0) {
         const std::string_view method = timer_->methodText();
         text_ = QObject::tr("%1 ms (%2)")
@@ -27,12 +27,11 @@ void FrameStopwatch::choose(bool isOpen) {
         return;
     }
     text(); // of the frames so far
-    widget_.makeCurrent();
+    const ViewContext::Current current(context_);
     const FrameTimer::Method method = trustedMethod();
     if (method != timer_->method() && !isOpen) {
         timer_.emplace(method);
     }
-    widget_.doneCurrent();
 }
 
 } // namespace patina

@@ -6,17 +6,16 @@
 #include <QString>
 
 #include "measure/time/frame_timer.h"
-
-class QOpenGLWidget;
+#include "viewport/view_context.h"
 
 namespace patina {
 
-/// Knows how long the frames of a widget take, and how that is measured.
+/// Knows how long the frames of a view take, and how that is measured.
 class FrameStopwatch {
   public:
-    explicit FrameStopwatch(QOpenGLWidget& widget) : widget_(widget) {}
+    explicit FrameStopwatch(const ViewContext& context) : context_(context) {}
 
-    // The widget's context is current in these.
+    // The views' context is current in these.
     void open() { timer_.emplace(FrameTimer::Method::WallClock); }
     void close() { timer_.reset(); }
     void begin() { timer_->begin(); }
@@ -33,7 +32,7 @@ class FrameStopwatch {
     void choose(bool isOpen);
 
   private:
-    QOpenGLWidget& widget_;
+    const ViewContext& context_;
     std::optional<FrameTimer> timer_; ///< while there is a context
     QString text_;                    ///< the last one that was known
 };

@@ -3,14 +3,12 @@
 
 #include <utility>
 
-#include <QOpenGLWidget>
-
 #include "render/frame/frame_job.h"
 
 namespace patina {
 
-PictureCapture::PictureCapture(QOpenGLWidget& widget, FrameLoop& frames, const ViewedScene& viewed)
-    : widget_(widget), frames_(frames), viewed_(viewed) {
+PictureCapture::PictureCapture(FrameLoop& frames, const ViewedScene& viewed)
+    : frames_(frames), viewed_(viewed) {
     turn_.setSingleShot(true);
     connect(&turn_, &QTimer::timeout, this, [this] { isBegun_ ? proceed() : begin(); });
     connect(&frames, &FrameLoop::interrupted, this, &PictureCapture::beginAnew);
@@ -68,10 +66,11 @@ void PictureCapture::begin() {
     lent_ = &frames_.lend();
     View wanted = frames_.view();
     wanted.effects = isWhole ? wanted.effects : nullptr;
-    widget_.makeCurrent();
-    lent_->begin(whole, wanted, viewed_.sources().meshes, FramePurpose::Capture)
-        .step(FrameJob::Clock::now());
-    widget_.doneCurrent();
+    {
+        const ViewContext::Current current(viewed_.sources().context);
+        lent_->begin(whole, wanted, viewed_.sources().meshes, FramePurpose::Capture)
+            .step(FrameJob::Clock::now());
+    }
     isBegun_ = true;
     turn_.start(0);
 }
@@ -83,16 +82,22 @@ void PictureCapture::beginAnew() {
 }
 
 void PictureCapture::proceed() {
-    widget_.makeCurrent();
-    FrameJob& job = lent_->job();
-    const bool isDone = job.step(FrameLoop::stepPatience) == FrameJob::Progress::Done;
-    Result<Image> picture = isDone ? job.read(order_->display) : Image();
-    widget_.doneCurrent();
-    if (isDone) {
-        finish(picture ? std::move(*picture) : Image());
+    std::optional<Image> picture = proceeded();
+    if (picture) {
+        finish(std::move(*picture));
     } else {
         turn_.start(0);
     }
+}
+
+/// The picture, once it is done; empty where it cannot be read.
+std::optional<Image> PictureCapture::proceeded() {
+    const ViewContext::Current current(viewed_.sources().context);
+    FrameJob& job = lent_->job();
+    if (job.step(FrameLoop::stepPatience) == FrameJob::Progress::More) {
+        return std::nullopt;
+    }
+    return job.read(order_->display).value_or(Image());
 }
 
 void PictureCapture::finish(Image picture) {

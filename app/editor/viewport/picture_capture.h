@@ -19,8 +19,8 @@ class PictureCapture : public QObject {
   public:
     using Taken = std::function<void(Image)>;
 
-    /// All outlive it; `frames` are drawn in `widget`.
-    PictureCapture(QOpenGLWidget& widget, FrameLoop& frames, const ViewedScene& viewed);
+    /// Both outlive it.
+    PictureCapture(FrameLoop& frames, const ViewedScene& viewed);
 
     /// Returns the picture before exposure and tone mapping.
     Image linearPicture();
@@ -47,10 +47,10 @@ class PictureCapture : public QObject {
     void begin();
     void beginAnew();
     void proceed();
+    std::optional<Image> proceeded();
     void finish(Image picture);
     Order end();
 
-    QOpenGLWidget& widget_;
     FrameLoop& frames_;
     const ViewedScene& viewed_;
     std::optional<Order> order_;

@@ -55,8 +55,7 @@ std::map<int, Object> objectsAt(const Scene& scene, const std::vector<int>& indi
 
 } // namespace
 
-SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side,
-                   const std::filesystem::path& programCache, QWidget* parent)
+SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side, QWidget* parent)
     : QFrame(parent), document_(sources.document), meshes_(sources.meshes),
       switches_(sources.switches), side_(side), title_(new QLabel(this)),
       viewport_(new Viewport(
@@ -69,7 +68,7 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
            [this, &environments = sources.environments] {
                return environments.image(environmentPicture(document_));
            },
-           programCache,
+           sources.context,
            [&textures = sources.textures](const TextureUse& use, TextureDecoding decoding) {
                return textures.find(use, decoding);
            },

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <functional>
 
 #include <QFrame>
@@ -21,6 +20,7 @@ namespace patina {
 
 class InspectionPanel;
 class ProgramWorker;
+class ViewContext;
 
 /// Holds what all views have in common in how they show it.
 struct ViewTools {
@@ -37,6 +37,7 @@ struct ViewSources {
     EffectSwitches& switches;
     ProgramEffects& effects;
     ProgramWorker& programs;
+    ViewContext& context;
 };
 
 /// One side of the comparison: a viewport under a coloured, lettered title, and what the mouse
@@ -46,7 +47,7 @@ class SideView : public QFrame {
 
   public:
     SideView(const ViewSources& sources, const ViewTools& tools, Side side,
-             const std::filesystem::path& programCache, QWidget* parent = nullptr);
+             QWidget* parent = nullptr);
 
     Side side() const { return side_; }
     Viewport& viewport() { return *viewport_; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -14,6 +13,7 @@ class QWidget;
 namespace patina {
 
 class ProgramWorker;
+class ViewContext;
 
 /// Knows what a widget shows: a scene with its meshes and images, the camera that looks at it, and
 /// the blocks that it is computed with.
@@ -28,7 +28,7 @@ class ViewedScene {
         std::function<const Scene*()> effects; ///< see View::effects
         /// See View::environmentImage.
         std::function<std::shared_ptr<const EnvironmentImage>()> environment;
-        std::filesystem::path programCache;
+        ViewContext& context;              ///< what the views draw in
         TextureSource textures{};          ///< the images of materials; without it none are shown
         ProgramWorker* programs = nullptr; ///< makes programs; without it frames wait for them
     };

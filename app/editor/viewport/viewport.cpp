@@ -17,7 +17,7 @@ namespace patina {
 
 Viewport::Viewport(ViewedScene::Sources sources, QWidget* parent)
     : QOpenGLWidget(parent), viewed_(std::move(sources), *this), frames_(*this, viewed_),
-      prewarmer_(frames_, viewed_), prober_(frames_, *this), capture_(*this, frames_, viewed_) {
+      prewarmer_(frames_, viewed_), prober_(frames_, *this), capture_(frames_, viewed_) {
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);

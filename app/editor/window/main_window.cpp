@@ -22,12 +22,13 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
     : theme_(theme), document_(catalog), switches_(document_, effects_, tried_), watcher_(catalog),
       presets_(catalog, session_),
       thumbnails_(catalog, {cacheFolder() / "thumbnails", programFolder(), defaultSceneFile()}),
-      programs_(programFolder()), autosave_(document_, documentFiles_, stateFolder() / "autosave"),
+      programs_(programFolder()), viewContext_(programFolder()),
+      autosave_(document_, documentFiles_, stateFolder() / "autosave"),
       files_(new FileActions(document_, documentFiles_, meshes_, session_, this)),
       pictures_(new PictureExport(session_, this)),
-      views_(new CompareArea(
-          {document_, meshes_, textures_, environments_, switches_, effects_, programs_},
-          programFolder(), this)),
+      views_(new CompareArea({document_, meshes_, textures_, environments_, switches_, effects_,
+                              programs_, viewContext_},
+                             this)),
       status_(new StatusLine(document_, meshes_, textures_, environments_, messages_, this)),
       recovery_(new RecoveryOffer(autosave_, documentFiles_, *files_, this)) {
     setAcceptDrops(true);

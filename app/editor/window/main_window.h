@@ -23,6 +23,7 @@
 #include "viewport/compare_area.h"
 #include "viewport/effect_switches.h"
 #include "viewport/program_worker.h"
+#include "viewport/view_context.h"
 #include "window/menus.h"
 #include "window/status_line.h"
 #include "window/theme.h"
@@ -85,6 +86,7 @@ class MainWindow : public QMainWindow {
     PresetLibrary presets_;
     ThumbnailMaker thumbnails_;
     ProgramWorker programs_;
+    ViewContext viewContext_;
     UserBlockTrials trials_;
     Autosave autosave_;
     FileActions* files_;
