@@ -22,6 +22,7 @@ class TextureReader {
 
     TextureUse run(References& references) {
         readFile(references);
+        reader_.read("enabled", use_.enabled);
         Json kept = Json::object();
         for (const Parameter& setting : settings_.parameters) {
             readSetting(setting, kept);
@@ -113,6 +114,9 @@ nlohmann::json toJson(const TextureUse& use, std::string_view key,
                       const std::filesystem::path& folder) {
     Json json = use.unknown;
     json["file"] = imageForFile(use.file, folder);
+    if (!use.enabled) {
+        json["enabled"] = false;
+    }
     for (const Parameter& setting : textureSettings(textureRole(key), everyChannel).parameters) {
         const Value value = textureSetting(use, setting.id);
         if (!json.contains(setting.id) || value != setting.defaultValue) {

@@ -33,6 +33,7 @@ enum class TextureFilter { Smooth, Nearest };
 struct TextureUse {
     std::string file;     ///< a full path with forward slashes
     bool outside = false; ///< a file named it that may not: it is not read until the user agrees
+    bool enabled = true;  ///< off: it stays where it lies and counts for nothing
     TextureColorSpace colorSpace = TextureColorSpace::Auto;
     TextureChannel channel = TextureChannel::Auto;
     TextureMode mode = TextureMode::Replace;

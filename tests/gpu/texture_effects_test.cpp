@@ -99,6 +99,12 @@ TEST_F(TextureEffects, StrengthZero_IsLeftOutWithAReason) {
     EXPECT_EQ(whyNot(phong), "Its strength is 0.");
 }
 
+TEST_F(TextureEffects, SwitchedOff_IsLeftOutWithAReason) {
+    Material phong = withImage("phong", "diffuse.color");
+    phong.textures.begin()->second.enabled = false;
+    EXPECT_EQ(whyNot(phong), "It is switched off.");
+}
+
 TEST_F(TextureEffects, MoreImagesThanUnits_AreLeftOutWithAReason) {
     Material ward = material("ward");
     for (const char* key : {"diffuse.color", "emissive.color", "gloss", "height", "normal",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Images on values: laying one on, how it lies, taking it away, and files that are not there.
+#include <QCheckBox>
 #include <QImage>
 #include <QLabel>
 #include <QMimeData>
@@ -60,6 +61,19 @@ TEST_F(TextureForm, RemoveButton_IsOneStep) {
     line().removeButton()->click();
     EXPECT_EQ(use(), nullptr);
     EXPECT_EQ(fixture.steps(), 2);
+}
+
+TEST_F(TextureForm, Switch_TurnsTheImageOffAndOnWithoutTakingItAway) {
+    lay(image());
+    EXPECT_TRUE(line().enabledBox()->isChecked());
+    line().enabledBox()->click();
+    ASSERT_NE(use(), nullptr);
+    EXPECT_FALSE(use()->enabled);
+    EXPECT_FALSE(line().nameLabel()->isEnabled());
+    EXPECT_EQ(fixture.steps(), 2);
+    document.undoStack().undo();
+    EXPECT_TRUE(use()->enabled);
+    EXPECT_TRUE(line().enabledBox()->isChecked());
 }
 
 TEST_F(TextureForm, FileDroppedOnTheRow_LiesOnItsValue) {

@@ -52,6 +52,15 @@ TEST(TextureFile, EverySetting_IsWrittenAsItWasRead) {
     EXPECT_EQ(toJson(read->material, "/looks")["textures"]["diffuse.color"], fullTexture());
 }
 
+TEST(TextureFile, SwitchedOff_IsReadAndWritten) {
+    json off = fullTexture();
+    off["enabled"] = false;
+    EXPECT_FALSE(use(off).enabled);
+    const auto read = reading({{"diffuse.color", off}});
+    EXPECT_EQ(toJson(read->material, "/looks")["textures"]["diffuse.color"], off);
+    EXPECT_TRUE(use(fullTexture()).enabled);
+}
+
 /// The image of a preset in a folder, where it is a link to `target`.
 TextureUse linked(const std::filesystem::path& target) {
     const tests::TemporaryFolder folder;

@@ -46,6 +46,8 @@ void FormTextures::attach(ParameterRow& row) {
     connect(line, &TextureLine::allowWished, this, [this, &row] { allow(row.parameter()); });
     connect(line, &TextureLine::removeWished, this,
             [this, &row] { source_->setTexture(row.parameter().id, std::nullopt); });
+    connect(line, &TextureLine::enabledWished, this,
+            [this, &row](bool enabled) { setEnabled(row.parameter(), enabled); });
     connect(&row, &ParameterRow::imageDropped, this,
             [this, &row](const QString& file) { lay(row.parameter(), file); });
 }
@@ -78,6 +80,13 @@ void FormTextures::lay(const Parameter& parameter, const QString& file) {
 void FormTextures::allow(const Parameter& parameter) {
     if (std::optional<TextureUse> use = source_->texture(parameter.id)) {
         use->outside = false;
+        source_->setTexture(parameter.id, use);
+    }
+}
+
+void FormTextures::setEnabled(const Parameter& parameter, bool enabled) {
+    if (std::optional<TextureUse> use = source_->texture(parameter.id)) {
+        use->enabled = enabled;
         source_->setTexture(parameter.id, use);
     }
 }

@@ -38,6 +38,7 @@ class FormTextures : public QObject {
   private:
     void ask(const ParameterRow& row);
     void allow(const Parameter& parameter);
+    void setEnabled(const Parameter& parameter, bool enabled);
     void showSettings(const ParameterRow& row);
     QString startFolder(const Parameter& parameter) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/texture_line.h"
 
+#include <QCheckBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,6 +12,16 @@ namespace patina {
 namespace {
 
 constexpr int thumbnailSide = 24;
+constexpr double fadedShare = 0.35; ///< of an image that is switched off
+
+QPixmap faded(const QPixmap& picture, double share) {
+    QPixmap result(picture.size());
+    result.fill(Qt::transparent);
+    QPainter painter(&result);
+    painter.setOpacity(share);
+    painter.drawPixmap(0, 0, picture);
+    return result;
+}
 
 /// Four fields of a checker: "an image" without words; in alarming colours a missing one.
 QIcon checker(const QColor& light, const QColor& dark) {
@@ -27,7 +38,8 @@ QIcon checker(const QColor& light, const QColor& dark) {
 
 TextureLine::TextureLine(const QString& valueName, QWidget* parent)
     : QWidget(parent), valueName_(valueName),
-      choose_(button({}, tr("Put an image on it, or drop one here"))), name_(new QLabel(this)),
+      choose_(button({}, tr("Put an image on it, or drop one here"))),
+      enabled_(new QCheckBox(this)), name_(new QLabel(this)),
       allow_(button(tr("Allow"), tr("Read this file although it is not in the preset's folder"))),
       settings_(button(QStringLiteral("…"), tr("How the image is read and laid on"))),
       remove_(button(QStringLiteral("×"), tr("Take the image away"))) {
@@ -35,6 +47,7 @@ TextureLine::TextureLine(const QString& valueName, QWidget* parent)
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(4);
     line->addWidget(choose_);
+    line->addWidget(enabled_);
     line->addWidget(name_, 1);
     line->addWidget(allow_);
     line->addWidget(settings_);
@@ -42,10 +55,13 @@ TextureLine::TextureLine(const QString& valueName, QWidget* parent)
     name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     name_->setTextFormat(Qt::PlainText);
     choose_->setAccessibleName(tr("Image of %1").arg(valueName));
+    enabled_->setToolTip(tr("Whether the image counts; while it does not it stays here"));
+    enabled_->setAccessibleName(tr("Image of %1 counts").arg(valueName));
     allow_->setAccessibleName(tr("Allow the image of %1").arg(valueName));
     settings_->setAccessibleName(tr("Settings of the image of %1").arg(valueName));
     remove_->setAccessibleName(tr("Remove the image of %1").arg(valueName));
     connect(choose_, &QToolButton::clicked, this, &TextureLine::chooseWished);
+    connect(enabled_, &QCheckBox::clicked, this, &TextureLine::enabledWished);
     connect(allow_, &QToolButton::clicked, this, &TextureLine::allowWished);
     connect(settings_, &QToolButton::clicked, this, &TextureLine::settingsWished);
     connect(remove_, &QToolButton::clicked, this, &TextureLine::removeWished);
@@ -63,15 +79,17 @@ QToolButton* TextureLine::button(const QString& text, const QString& toolTip) {
 
 void TextureLine::present(const std::optional<TextureUse>& use, const TexturePreview& preview) {
     isBound_ = use.has_value();
-    for (QWidget* part : {static_cast<QWidget*>(name_), static_cast<QWidget*>(settings_),
-                          static_cast<QWidget*>(remove_)}) {
+    for (QWidget* part : {static_cast<QWidget*>(enabled_), static_cast<QWidget*>(name_),
+                          static_cast<QWidget*>(settings_), static_cast<QWidget*>(remove_)}) {
         part->setVisible(isBound_);
     }
     allow_->setVisible(isBound_ && use->outside);
     if (isBound_) {
+        enabled_->setChecked(use->enabled);
+        name_->setEnabled(use->enabled);
         showName(*use, preview.problem);
     }
-    showPreview(preview.image, isBound_ && !preview.problem.isEmpty());
+    showPreview(preview.image, isBound_ && !preview.problem.isEmpty(), !use || use->enabled);
 }
 
 void TextureLine::showName(const TextureUse& use, const QString& problem) {
@@ -82,15 +100,19 @@ void TextureLine::showName(const TextureUse& use, const QString& problem) {
     name_->setAccessibleDescription(problem);
 }
 
-void TextureLine::showPreview(const QImage& image, bool isMissing) {
+void TextureLine::showPreview(const QImage& image, bool isMissing, bool isEnabled) {
     const bool shows = isBound_ && !image.isNull() && !isMissing;
     QColor quiet = palette().color(QPalette::WindowText);
     quiet.setAlphaF(0.35f);
-    choose_->setIcon(shows       ? QIcon(QPixmap::fromImage(image.scaled(
-                               thumbnailSide, thumbnailSide, Qt::KeepAspectRatioByExpanding,
-                               Qt::SmoothTransformation)))
-                     : isMissing ? checker(QColor(255, 0, 255), QColor(40, 0, 40))
-                                 : checker(quiet, Qt::transparent));
+    if (shows) {
+        const QPixmap small = QPixmap::fromImage(image.scaled(thumbnailSide, thumbnailSide,
+                                                              Qt::KeepAspectRatioByExpanding,
+                                                              Qt::SmoothTransformation));
+        choose_->setIcon(isEnabled ? small : faded(small, fadedShare));
+    } else {
+        choose_->setIcon(isMissing && isEnabled ? checker(QColor(255, 0, 255), QColor(40, 0, 40))
+                                                : checker(quiet, Qt::transparent));
+    }
     const int side = isBound_ ? thumbnailSide : thumbnailSide / 2;
     choose_->setIconSize({side, side});
     choose_->setToolTip(isBound_ ? tr("Choose another image") : tr("Put an image on %1, or drop "

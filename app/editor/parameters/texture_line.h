@@ -5,13 +5,14 @@
 
 #include "parameters/parameter_source.h"
 
+class QCheckBox;
 class QLabel;
 class QToolButton;
 
 namespace patina {
 
-/// The image on a value, in one line: a small picture, its name, how it lies, and away with it.
-/// Without an image only a button that asks for one.
+/// The image on a value, in one line: a small picture, whether it counts, its name, how it lies,
+/// and away with it. Without an image only a button that asks for one.
 class TextureLine : public QWidget {
     Q_OBJECT
 
@@ -21,6 +22,7 @@ class TextureLine : public QWidget {
     void present(const std::optional<TextureUse>& use, const TexturePreview& preview);
     bool isBound() const { return isBound_; }
 
+    QCheckBox* enabledBox() const { return enabled_; }
     QToolButton* settingsButton() const { return settings_; }
     QToolButton* removeButton() const { return remove_; }
     QToolButton* allowButton() const { return allow_; }
@@ -30,15 +32,17 @@ class TextureLine : public QWidget {
     void chooseWished();
     void settingsWished();
     void removeWished();
+    void enabledWished(bool enabled);
     void allowWished();
 
   private:
     QToolButton* button(const QString& text, const QString& toolTip);
     void showName(const TextureUse& use, const QString& problem);
-    void showPreview(const QImage& image, bool isMissing);
+    void showPreview(const QImage& image, bool isMissing, bool isEnabled);
 
     QString valueName_;
     QToolButton* choose_;
+    QCheckBox* enabled_;
     QLabel* name_;
     QToolButton* allow_;
     QToolButton* settings_;

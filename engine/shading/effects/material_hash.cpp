@@ -81,8 +81,9 @@ void add(ValueHash& hash, const BlockValues& block) {
 
 void add(ValueHash& hash, const TextureUse& use) {
     hash.add(std::string_view(use.file));
-    for (const int choice : {int(use.outside), int(use.colorSpace), int(use.channel), int(use.mode),
-                             int(use.wrap), int(use.filter), int(use.cutOut)}) {
+    for (const int choice :
+         {int(use.outside), int(use.enabled), int(use.colorSpace), int(use.channel), int(use.mode),
+          int(use.wrap), int(use.filter), int(use.cutOut)}) {
         hash.add(static_cast<std::uint64_t>(choice));
     }
     hash.add(use.scale.x, use.scale.y, use.offset.x, use.offset.y, use.rotation, use.strength,

@@ -199,6 +199,8 @@ TextureTarget textureTarget(std::string_view key, const TextureUse& use, const M
     target.role = textureRole(key);
     if (use.file.empty()) {
         target.whyNot = "It names no file.";
+    } else if (!use.enabled) {
+        target.whyNot = "It is switched off.";
     } else if (use.strength == 0.0) {
         target.whyNot = "Its strength is 0.";
     } else if (target.role == TextureRole::Input) {
@@ -235,7 +237,7 @@ bool isColorUse(TextureRole role, TextureChannel channel) {
 bool isTextured(std::string_view parameterId, const Material& material) {
     const auto found = material.textures.find(parameterId);
     return found != material.textures.end() && !found->second.file.empty() &&
-           found->second.strength != 0.0;
+           found->second.enabled && found->second.strength != 0.0;
 }
 
 std::string BoundTexture::key() const {
