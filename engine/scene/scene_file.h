@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "material/preset_file.h"
 #include "scene/scene.h"
@@ -22,11 +23,21 @@ struct SceneReading {
 Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog& catalog,
                                 const ReadingRights& rights = {});
 
+/// Reads a scene from a document that is in no file, as one that was copied; its paths begin where
+/// the document says that it stands, and where it does not they stay as they are.
+Checked<SceneReading> sceneFromJson(const LocatedJson& document, const Catalog& catalog,
+                                    const ReadingRights& rights = {});
+
 /// Tells whether a JSON file says by its "format" that it is a scene, whatever it is called.
 bool saysItIsAScene(const std::filesystem::path& path);
 
 /// Returns the scene's JSON; mesh paths relative to `folder`.
 nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder);
+
+/// Returns the JSON of a scene that says nothing but which objects or lights it has; paths stay as
+/// they are.
+nlohmann::json sceneJsonOf(std::span<const Object> objects);
+nlohmann::json sceneJsonOf(std::span<const Light> lights);
 
 Result<void> writeScene(const std::filesystem::path& path, const Scene& scene);
 

@@ -319,7 +319,12 @@ Checked<SceneReading> readScene(const std::filesystem::path& path, const Catalog
     if (!document) {
         return tl::unexpected(Errors{document.error()});
     }
-    return SceneReader(*document, catalog, rights).run();
+    return sceneFromJson(*document, catalog, rights);
+}
+
+Checked<SceneReading> sceneFromJson(const LocatedJson& document, const Catalog& catalog,
+                                    const ReadingRights& rights) {
+    return SceneReader(document, catalog, rights).run();
 }
 
 bool saysItIsAScene(const std::filesystem::path& path) {

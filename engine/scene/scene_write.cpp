@@ -65,21 +65,40 @@ Json toJson(const Light& light, const std::filesystem::path& folder) {
     return json;
 }
 
+Json emptySceneJson() {
+    return {{"format", sceneFormat.name}, {"version", sceneFormat.version}};
+}
+
+template <class Element>
+Json jsonOfAll(std::span<const Element> elements, const std::filesystem::path& folder) {
+    Json json = Json::array();
+    for (const Element& element : elements) {
+        json.push_back(toJson(element, folder));
+    }
+    return json;
+}
+
 } // namespace
+
+nlohmann::json sceneJsonOf(std::span<const Object> objects) {
+    Json json = emptySceneJson();
+    json["objects"] = jsonOfAll(objects, {});
+    return json;
+}
+
+nlohmann::json sceneJsonOf(std::span<const Light> lights) {
+    Json json = emptySceneJson();
+    json["lights"] = jsonOfAll(lights, {});
+    return json;
+}
 
 nlohmann::json toJson(const Scene& scene, const std::filesystem::path& folder) {
     Json json = scene.unknown;
     json["format"] = sceneFormat.name;
     json["version"] = sceneFormat.version;
     json["name"] = scene.name;
-    json["objects"] = Json::array();
-    for (const Object& object : scene.objects) {
-        json["objects"].push_back(toJson(object, folder));
-    }
-    json["lights"] = Json::array();
-    for (const Light& light : scene.lights) {
-        json["lights"].push_back(toJson(light, folder));
-    }
+    json["objects"] = jsonOfAll(std::span<const Object>(scene.objects), folder);
+    json["lights"] = jsonOfAll(std::span<const Light>(scene.lights), folder);
     writeSettingsOf(scene, settings::scene, json);
     writeSettingsOf(scene.camera, settings::camera, json[std::string(settings::camera)]);
     for (const auto& [digit, camera] : scene.bookmarks) {

@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "document/random_material.h"
 #include "document/scene_edits.h"
 #include "parameters/number_box.h"
 #include "parameters/parameter_row.h"
@@ -34,6 +35,12 @@ void set(Document& document, std::string_view kind, const std::string& id, const
 
 const std::vector<Edit> edits{
     {"Parameter", [](Document& d) { set(d, kinds::models, "diffuse.color", glm::dvec3(0.1)); }},
+    {"ValuesAtOnce",
+     [](Document& d) {
+         d.setValues(d.currentPath(kinds::models), {{"diffuse.color", glm::dvec3(0.1)}}, "Reset");
+     }},
+    {"RandomMaterial",
+     [](Document& d) { randomiseMaterial(d, [share = 0.0]() mutable { return share += 0.06; }); }},
     {"Model", [](Document& d) { d.setModel(Side::A, "oren-nayar"); }},
     {"FresnelBlend",
      [](Document& d) {
@@ -47,6 +54,7 @@ const std::vector<Edit> edits{
      }},
     {"Opacity", [](Document& d) { set(d, settings::material, "opacity", 0.5); }},
     {"LightAdded", [](Document& d) { addLight(d, "point"); }},
+    {"LightsAdded", [](Document& d) { addLights(d, d.scene().lights, "Paste"); }},
     {"LightRemoved", [](Document& d) { removeLight(d, 0); }},
     {"LightKind", [](Document& d) { d.setBlock(pathOf(kinds::lights), "head"); }},
     {"LightSwitched",

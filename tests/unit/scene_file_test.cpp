@@ -97,6 +97,24 @@ TEST_F(SceneFile, PresetFile_IsTheObjectsMaterial) {
 }
 
 /// Some eleven megabytes, as an artist's own scene of so many objects has.
+TEST_F(SceneFile, ObjectsAlone_AreAReadableScene) {
+    const auto whole = read(plainScene());
+    const std::span<const Object> objects(whole->scene.objects);
+    const auto copied = sceneFromJson({{}, sceneJsonOf(objects), {}}, sceneCatalog());
+    ASSERT_TRUE(copied) << text(copied.error());
+    EXPECT_EQ(copied->scene.objects, whole->scene.objects);
+    EXPECT_TRUE(copied->scene.lights.empty());
+}
+
+TEST_F(SceneFile, LightsAlone_AreAReadableScene) {
+    const auto whole = read(plainScene());
+    const std::span<const Light> lights(whole->scene.lights);
+    const auto copied = sceneFromJson({{}, sceneJsonOf(lights), {}}, sceneCatalog());
+    ASSERT_TRUE(copied) << text(copied.error());
+    EXPECT_EQ(copied->scene.lights, whole->scene.lights);
+    EXPECT_TRUE(copied->scene.objects.empty());
+}
+
 TEST_F(SceneFile, TenThousandObjects_AreReadAsTheyWereWritten) {
     Scene scene = read(plainScene())->scene;
     scene.objects.resize(10000, scene.objects.front());

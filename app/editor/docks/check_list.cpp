@@ -11,6 +11,10 @@ namespace {
 
 constexpr int rowsInSight = 4;
 
+bool isDuplicate(const QKeyEvent& key) {
+    return key.key() == Qt::Key_D && key.modifiers() == Qt::ControlModifier;
+}
+
 } // namespace
 
 CheckList::CheckList(QWidget* parent) : QListWidget(parent) {
@@ -75,7 +79,20 @@ void CheckList::setRows(const std::vector<Row>& rows, int current, std::vector<i
     }
 }
 
+/// What the window has under the same keys waits while the list has the focus.
+bool CheckList::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && isDuplicate(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    return QListWidget::event(event);
+}
+
 void CheckList::keyPressEvent(QKeyEvent* event) {
+    if (isDuplicate(*event) && currentRow() >= 0) {
+        Q_EMIT duplicateWished();
+        return;
+    }
     if (event->key() == Qt::Key_Delete && currentRow() >= 0) {
         Q_EMIT removeWished(currentRow());
         return;

@@ -33,8 +33,10 @@ class CheckList : public QListWidget {
     void switched(int row, bool on);
     void renamed(int row, QString name);
     void removeWished(int row);
+    void duplicateWished();
 
   protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     QSize sizeHint() const override;
 

@@ -9,8 +9,10 @@
 
 #include "docks/block_chooser.h"
 #include "docks/check_list.h"
+#include "docks/light_actions.h"
 #include "docks/panel.h"
 #include "document/scene_edits.h"
+#include "files/file_actions.h"
 #include "parameters/document_form.h"
 #include "text/short_text.h"
 
@@ -41,7 +43,7 @@ LightsDock::LightsDock(const DockContext& context)
     layout->addWidget(labelled(tr("&Shadows"), shadow_));
     layout->addWidget(new DocumentForm(document_, context.textures, kinds::shadows));
     fillPanel(this, {list_, rowOf({kind_, solo_, add_, remove_})}, forms);
-    connectList();
+    connectList(context.files);
     connect(kinds_, &QMenu::aboutToShow, this, &LightsDock::fillMenu);
     connect(kind_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.currentPath(kinds::lights), id.toStdString());
@@ -60,7 +62,13 @@ LightsDock::LightsDock(const DockContext& context)
     update();
 }
 
-void LightsDock::connectList() {
+void LightsDock::connectList(FileActions& files) {
+    for (QAction* action : (new LightActions(document_, files, this))->all()) {
+        list_->addAction(action);
+    }
+    list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(list_, &CheckList::duplicateWished, &files.clipboard(),
+            &ClipboardActions::duplicateLight);
     connect(list_, &CheckList::chosen, this, [this](int row) { document_.setCurrentLight(row); });
     connect(list_, &CheckList::switched, this, &LightsDock::switchLight, Qt::QueuedConnection);
     connect(list_, &CheckList::renamed, this, &LightsDock::renameLight, Qt::QueuedConnection);

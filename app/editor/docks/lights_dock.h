@@ -23,7 +23,7 @@ class LightsDock : public QWidget {
     explicit LightsDock(const DockContext& context);
 
   private:
-    void connectList();
+    void connectList(FileActions& files);
     void fillMenu();
     void update();
     void updateShadow();

@@ -30,6 +30,12 @@ ObjectActions::ObjectActions(Document& document, FileActions& files, QObject* pa
         tr("Select &All Objects"), "Ctrl+A",
         [&document] { document.selectObjects(allOf(document.scene())); }, any);
     add(
+        tr("&Copy"), "Ctrl+C", [&files] { files.clipboard().copyObjects(); }, any);
+    add(
+        tr("Cu&t"), "Ctrl+X", [&files] { files.clipboard().cutObjects(); }, any);
+    add(
+        tr("&Paste"), "Ctrl+V", [&files] { files.clipboard().paste(); }, [] { return true; });
+    add(
         tr("&Duplicate"), "Shift+D", [&files] { files.duplicateObjects(); }, any);
     add(
         tr("&Hide"), "H",

@@ -131,6 +131,7 @@ void SceneDock::connectList() {
             [this](const std::vector<int>& rows) { document_.selectObjects(rows); });
     connect(list_, &CheckList::switched, this, &SceneDock::switchObject, Qt::QueuedConnection);
     connect(list_, &CheckList::renamed, this, &SceneDock::renameObject, Qt::QueuedConnection);
+    connect(list_, &CheckList::duplicateWished, &files_, &FileActions::duplicateObjects);
     connect(list_, &CheckList::removeWished, this,
             [this] { removeObjects(document_, document_.editedObjects()); });
 }

@@ -234,22 +234,78 @@ void Document::setValue(const BlockPath& path, std::string_view parameterId, con
     });
 }
 
-void Document::setValues(const BlockPath& path, const Values& values, const QString& label) {
+void Document::setValues(const BlockPath& path, const Values& values, const QString& label,
+                         const TextureEdits& textures) {
+    if (path.isAt(settings::camera)) {
+        for (const auto& [id, value] : values) {
+            setValue(path, id, value);
+        }
+        return;
+    }
+    bool isChange = false;
+    bool isHidden = false;
+    GroupCommand::Edits edits; // also of values that stay: the steps of a drag merge
+    for (const BlockPath& each : editedPaths(path)) {
+        isChange |= addValueEdits(edits, each, values, label);
+        isChange |= addTextureEdits(edits, each, textures, label);
+    }
+    for (const auto& [id, value] : values) {
+        isHidden |= isOverlaid(state_, path, id);
+    }
+    if (!isChange) {
+        return;
+    }
+    const auto edit = [&] { pushAsOne(*this, label, std::move(edits)); };
+    if (!isHidden) {
+        edit();
+        return;
+    }
+    editAsOneStep(label, [&] {
+        showOwnPicture(); // so that the edit is seen
+        edit();
+    });
+}
+
+/// Adds an edit of the values that the block at a path has; true where it changes something.
+bool Document::addValueEdits(std::vector<std::unique_ptr<DocumentCommand>>& edits,
+                             const BlockPath& path, const Values& values, const QString& label) {
     const Block* described = block(path);
     bool isChange = false;
-    GroupCommand::Edits edits; // also of values that stay: the steps of a drag merge
+    Values given;
     for (const auto& [id, wanted] : values) {
         const Parameter* parameter = described ? described->parameter(id) : nullptr;
         if (parameter && isFinite(wanted)) {
             const Value after = roundedToFloat(conformed(*parameter, wanted));
-            isChange |= after != value(path, *parameter);
-            edits.push_back(
-                std::make_unique<ParameterCommand>(*this, path, *described, *parameter, after));
+            const bool isNew = after != value(path, *parameter);
+            isChange |= isNew;
+            if (const auto* file = std::get_if<std::string>(&after);
+                file && isNew && infoOf(parameter->type).isFile) {
+                Q_EMIT fileNamed(*file);
+            }
+            given.emplace(id, after);
         }
     }
-    if (isChange) {
-        pushAsOne(*this, label, std::move(edits));
+    if (!given.empty()) {
+        edits.push_back(std::make_unique<ParameterCommand>(*this, path, *described, given, label));
     }
+    return isChange;
+}
+
+bool Document::addTextureEdits(std::vector<std::unique_ptr<DocumentCommand>>& edits,
+                               const BlockPath& path, const TextureEdits& textures,
+                               const QString& label) {
+    const Block* described = block(path);
+    bool isChange = false;
+    for (const auto& [id, use] : textures) {
+        const TextureUse* held = texture(path, id);
+        const bool isNew = held ? !use || *use != *held : use.has_value();
+        if (isNew && described && described->parameter(id) && takesTextures(path)) {
+            isChange = true;
+            edits.push_back(
+                std::make_unique<TextureCommand>(*this, ParameterTarget{path, id}, use, label));
+        }
+    }
+    return isChange;
 }
 
 const TextureUse* Document::texture(const BlockPath& path, std::string_view parameterId) const {

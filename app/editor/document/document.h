@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -19,6 +20,11 @@
 #include "document/shown_scenes.h"
 
 namespace patina {
+
+class DocumentCommand;
+
+/// Images by the ids of the values that they are laid on; nothing: one is taken away.
+using TextureEdits = std::map<std::string, std::optional<TextureUse>, std::less<>>;
 
 /// Holds the truth of an editing session as values. Widgets show it and ask it to change; every
 /// change is a command on the undo stack. Which object, light and side are current, and where the
@@ -78,8 +84,9 @@ class Document : public QObject {
     /// Of the camera it is no edit, as no move of it is.
     void setValue(const BlockPath& path, std::string_view parameterId, const Value& value);
 
-    /// Sets several values of one block as one step.
-    void setValues(const BlockPath& path, const Values& values, const QString& label);
+    /// Sets several values of one block, and images on them, as one step.
+    void setValues(const BlockPath& path, const Values& values, const QString& label,
+                   const TextureEdits& textures = {});
 
     // Images on values of a material.
     /// The image of a value; null where there is none.
@@ -131,6 +138,8 @@ class Document : public QObject {
     /// See onChange().
     void changed(const patina::DocumentChange& change);
     void modifiedChanged(bool modified);
+    /// Something is to be told the user.
+    void told(const patina::Error& message);
     /// The user named this file, which then may be read.
     void fileNamed(const std::filesystem::path& file);
     /// The artist is about to change this value.
@@ -142,6 +151,10 @@ class Document : public QObject {
     friend class DocumentCommand;
 
     std::vector<BlockPath> editedPaths(const BlockPath& path) const;
+    bool addValueEdits(std::vector<std::unique_ptr<DocumentCommand>>& edits, const BlockPath& path,
+                       const Values& values, const QString& label);
+    bool addTextureEdits(std::vector<std::unique_ptr<DocumentCommand>>& edits,
+                         const BlockPath& path, const TextureEdits& textures, const QString& label);
     void setBlocksOfMaterials(const BlockPath& path, const Block* wanted);
     void setKindOfLight(const BlockPath& path, const Block& wanted);
     void setScenePart(const BlockPath& path, const Block* wanted);

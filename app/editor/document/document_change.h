@@ -27,6 +27,7 @@ struct DocumentChange {
         Interaction = 1 << 12, ///< an interaction began or ended
         Snapshots = 1 << 13,   ///< one was taken, renamed or removed
         Bookmarks = 1 << 14,   ///< a view was kept
+        Locks = 1 << 15,       ///< values at `path` were locked, or freed
         /// Any of what is drawn.
         Drawn = Value | Texture | Material | Block | Lights | Objects | Comparing | Camera | Scene |
                 Catalog | Rights

@@ -155,6 +155,21 @@ void addLight(Document& document, std::string_view blockId) {
                          Document::tr("Add %1").arg(QString::fromStdString(block->label))));
 }
 
+void addLights(Document& document, const std::vector<Light>& lights, const QString& label) {
+    int index = static_cast<int>(document.scene().lights.size());
+    bool hasKey = std::ranges::any_of(document.scene().lights, &Light::isKey);
+    GroupCommand::Edits edits;
+    for (const Light& each : lights) {
+        Light light = each;
+        light.isKey = light.isKey && !std::exchange(hasKey, hasKey || light.isKey);
+        light.enabled = light.enabled || light.isMutedBySolo;
+        light.isMutedBySolo = false;
+        edits.push_back(
+            std::make_unique<LightCommand>(document, index++, std::nullopt, light, label));
+    }
+    pushAsOne(document, label, std::move(edits));
+}
+
 void setLight(Document& document, int index, const Light& light) {
     const Light* held = at(document.scene().lights, index);
     if (held && !(*held == light)) {

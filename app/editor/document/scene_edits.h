@@ -14,6 +14,8 @@
 namespace patina {
 
 void addLight(Document& document, std::string_view blockId);
+/// Adds lights, of which the last one becomes the current one. None is a second key light.
+void addLights(Document& document, const std::vector<Light>& lights, const QString& label);
 void setLight(Document& document, int index, const Light& light);
 void removeLight(Document& document, int index);
 

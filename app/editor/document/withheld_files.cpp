@@ -83,15 +83,22 @@ void WithheldFiles::allowLinks(FileSet links) {
     }
 }
 
-void WithheldFiles::addLinks(const std::vector<std::string>& places) {
-    OutsideFiles files = files_;
-    for (const std::string& place : places) {
-        const OutsideFile link{OutsideFile::Kind::Link, place};
-        if (std::ranges::find(files, link) == files.end()) {
-            files.push_back(link);
+void WithheldFiles::add(const OutsideFiles& files) {
+    OutsideFiles all = files_;
+    for (const OutsideFile& file : files) {
+        if (std::ranges::find(all, file) == all.end()) {
+            all.push_back(file);
         }
     }
-    set(std::move(files));
+    set(std::move(all));
+}
+
+void WithheldFiles::addLinks(const std::vector<std::string>& places) {
+    OutsideFiles links;
+    for (const std::string& place : places) {
+        links.push_back({OutsideFile::Kind::Link, place});
+    }
+    add(links);
 }
 
 void WithheldFiles::allow(const std::filesystem::path& file) {

@@ -27,6 +27,8 @@ class WithheldFiles : public QObject {
     FileRights rights() const;
     /// Withholds these alone, beside images, which know it themselves.
     void set(OutsideFiles files);
+    /// Withholds these as well.
+    void add(const OutsideFiles& files);
     /// Allows these links of meshes alone.
     void allowLinks(FileSet links);
     /// A mesh was read without these links.

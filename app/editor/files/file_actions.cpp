@@ -66,7 +66,8 @@ QString withSuffix(QString file, const QString& suffix) {
 FileActions::FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes,
                          Session& session, QWidget* window)
     : QObject(window), document_(document), files_(files), meshes_(meshes), session_(session),
-      consent_(session, window), window_(window) {
+      clipboard_(new ClipboardActions(document, files, meshes, this)), consent_(session, window),
+      window_(window) {
     connect(&meshes, &MeshLibrary::loaded, this, &FileActions::meshLoaded);
     connect(&meshes, &MeshLibrary::failed, this, &FileActions::meshFailed);
     connect(&meshes, &MeshLibrary::linksRefused, this, &FileActions::noteLinks);

@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include "document/document.h"
+#include "files/clipboard_actions.h"
 #include "files/outside_consent.h"
 #include "resources/mesh_library.h"
 #include "session/session.h"
@@ -61,6 +62,8 @@ class FileActions : public QObject {
     /// Adds copies of the objects that an edit changes, beside all others, and selects them.
     void duplicateObjects();
 
+    ClipboardActions& clipboard() const { return *clipboard_; }
+
     /// False when the user wants to go back. Saves when the user wants that.
     bool mayLoseDocument();
 
@@ -104,6 +107,7 @@ class FileActions : public QObject {
     DocumentFiles& files_;
     MeshLibrary& meshes_;
     Session& session_;
+    ClipboardActions* clipboard_;
     OutsideConsent consent_;
     QWidget* window_;
     std::optional<std::filesystem::file_time_type> written_; ///< the document's file, by us

@@ -16,6 +16,11 @@ DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, std::st
                      refresh(change.parameterId);
                  }
              });
+    onChange(document_, DocumentChange::Locks, this, [this](const DocumentChange& change) {
+        if (change.path == path_) {
+            refresh();
+        }
+    });
     if (kind_ == settings::camera) {
         onChange(document_, DocumentChange::Camera, this, [this] { refresh(); });
     }

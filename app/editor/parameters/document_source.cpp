@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters/document_source.h"
 
+#include "document/value_locks.h"
 #include "resources/texture_library.h"
 
 namespace patina {
@@ -21,6 +22,14 @@ void DocumentSource::setTexture(std::string_view parameterId,
 
 TexturePreview DocumentSource::preview(const TextureUse& use) const {
     return {textures_.preview(use.file), textures_.problem(use), textures_.hasAlpha(use.file)};
+}
+
+bool DocumentSource::isLocked(std::string_view parameterId) const {
+    return patina::isLocked(document_.state(), path_, parameterId);
+}
+
+void DocumentSource::setLocked(const std::vector<std::string>& parameterIds, bool locked) {
+    patina::setLocked(document_, path_, parameterIds, locked);
 }
 
 } // namespace patina

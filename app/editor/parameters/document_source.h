@@ -33,6 +33,16 @@ class DocumentSource : public ParameterSource {
     void setTexture(std::string_view parameterId, const std::optional<TextureUse>& use) override;
     TexturePreview preview(const TextureUse& use) const override;
 
+    void edit(const ValueEdits& edits, const QString& label) override {
+        document_.setValues(path_, edits.values, label, edits.textures);
+    }
+
+    bool takesLocks() const override { return true; }
+    bool isLocked(std::string_view parameterId) const override;
+    void setLocked(const std::vector<std::string>& parameterIds, bool locked) override;
+
+    void tell(const Error& message) override { Q_EMIT document_.told(message); }
+
   private:
     Document& document_;
     TextureLibrary& textures_;

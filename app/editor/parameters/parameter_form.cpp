@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include <QApplication>
 #include <QEvent>
 #include <QLabel>
 #include <QResizeEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "parameters/form_menu.h"
 #include "parameters/form_textures.h"
 #include "parameters/parameter_row.h"
 #include "parameters/parameter_section.h"
@@ -23,8 +25,8 @@ constexpr int restMs = 80;
 } // namespace
 
 ParameterForm::ParameterForm(QWidget* parent)
-    : QWidget(parent), textures_(new FormTextures(this)), empty_(new QLabel(this)),
-      ungrouped_(new QVBoxLayout), column_(new QVBoxLayout(this)) {
+    : QWidget(parent), textures_(new FormTextures(this)), menu_(new FormMenu(*this)),
+      empty_(new QLabel(this)), ungrouped_(new QVBoxLayout), column_(new QVBoxLayout(this)) {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // forms stack without gaps
     column_->setContentsMargins(6, 4, 6, 4);
     column_->setSpacing(4);
@@ -36,6 +38,7 @@ ParameterForm::ParameterForm(QWidget* parent)
     empty_->hide();
     approach_.setSingleShot(true);
     approach_.setInterval(restMs);
+    connect(qApp, &QApplication::focusChanged, this, &ParameterForm::followFilter);
     connect(&approach_, &QTimer::timeout, this, [this] {
         if (row(approached_)) {
             source_->prewarm(approached_);
@@ -43,11 +46,15 @@ ParameterForm::ParameterForm(QWidget* parent)
     });
 }
 
-ParameterForm::~ParameterForm() = default;
+/// The focus goes from it while it is destroyed.
+ParameterForm::~ParameterForm() {
+    disconnect(qApp, nullptr, this, nullptr);
+}
 
 void ParameterForm::setBlock(const Block* block, std::unique_ptr<ParameterSource> source,
                              const QString& emptyText) {
     textures_->setSource(source.get());
+    menu_->setSource(source.get(), block);
     source_ = std::move(source);
     const std::vector<Parameter> wanted = block ? block->parameters : std::vector<Parameter>();
     if (wanted != parameters_) {
@@ -55,8 +62,7 @@ void ParameterForm::setBlock(const Block* block, std::unique_ptr<ParameterSource
         arrange(wanted);
         setUpdatesEnabled(true);
     }
-    empty_->setText(emptyText);
-    empty_->setVisible(wanted.empty() && !emptyText.isEmpty());
+    emptyText_ = wanted.empty() ? emptyText : QString();
     refresh();
 }
 
@@ -101,12 +107,16 @@ ParameterRow* ParameterForm::makeRow(const Parameter& parameter) {
         approach_.start();
     });
     connect(row, &ParameterRow::left, &approach_, &QTimer::stop);
-    connect(row, &ParameterRow::interactionBegan, this,
-            [this, token, row] { *token = source_->beginInteraction(row->parameter().id); });
+    connect(row, &ParameterRow::interactionBegan, this, [this, token, row] {
+        interacting_ = row;
+        *token = source_->beginInteraction(row->parameter().id);
+    });
     connect(row, &ParameterRow::interactionEnded, this, [this, token] {
+        interacting_ = nullptr;
         if (*token != 0) {
             source_->endInteraction(std::exchange(*token, 0));
         }
+        followFilter();
     });
     connect(row, &ParameterRow::edited, this, [this, row](const Value& value) {
         const std::string id = row->parameter().id;
@@ -114,6 +124,7 @@ ParameterRow* ParameterForm::makeRow(const Parameter& parameter) {
         refresh(id); // shows the value as it was accepted, even when nothing changed
     });
     textures_->attach(*row);
+    menu_->attach(*row);
     return row;
 }
 
@@ -127,6 +138,7 @@ ParameterSection* ParameterForm::section(const QString& title, bool isFolded) {
     auto* made = new ParameterSection(title, folded, this);
     connect(made, &ParameterSection::folded, this,
             [this, title](bool isNowFolded) { foldedSections_[title] = isNowFolded; });
+    menu_->attach(*made);
     const bool isLast = title == tr("Advanced");
     const bool endsInAdvanced = !sections_.empty() && sections_.back()->title() == tr("Advanced");
     const int end = column_->count() - 1; // before the stretch
@@ -146,22 +158,63 @@ void ParameterForm::clearSections() {
     sections_.clear();
 }
 
+void ParameterForm::present(ParameterRow& row) {
+    row.present(source_->value(row.parameter()));
+    textures_->present(row);
+}
+
 void ParameterForm::refresh(std::string_view parameterId) {
     if (ParameterRow* changed = row(parameterId)) {
-        changed->present(source_->value(changed->parameter()));
-        textures_->present(*changed);
+        present(*changed);
         updateDependents(*changed);
+        followFilter();
     }
 }
 
 void ParameterForm::refresh() {
     for (const auto& [id, row] : rows_) {
-        row->present(source_->value(row->parameter()));
-        textures_->present(*row);
+        present(*row);
+        row->setLocked(source_->isLocked(id));
     }
     for (const auto& [id, row] : rows_) {
         updateCounting(*row);
     }
+    applyFilter();
+}
+
+void ParameterForm::setFilter(RowFilter filter) {
+    filter_ = filter;
+    applyFilter();
+}
+
+/// What is dragged, or has the keys, does not go from under the hand.
+bool ParameterForm::passes(const ParameterRow& row) const {
+    const bool isInUse = &row == interacting_ || row.isAncestorOf(QApplication::focusWidget());
+    return filter_ == RowFilter::All || (isInUse && !row.isHidden()) ||
+           (filter_ == RowFilter::Active ? row.isCounting() : row.isChanged() || row.hasTexture());
+}
+
+/// A filter that lets all through has nothing to follow.
+void ParameterForm::followFilter() {
+    if (filter_ != RowFilter::All) {
+        applyFilter();
+    }
+}
+
+void ParameterForm::applyFilter() {
+    bool isAnyShown = false;
+    for (const auto& [id, row] : rows_) {
+        row->setVisible(passes(*row));
+        isAnyShown |= !row->isHidden();
+    }
+    for (ParameterSection* part : sections_) {
+        part->setVisible(!std::ranges::all_of(part->parameterRows(), &QWidget::isHidden));
+    }
+    const QString filtered =
+        filter_ == RowFilter::Changed ? tr("No value is changed.") : tr("No value is in use.");
+    const QString text = rows_.empty() ? emptyText_ : isAnyShown ? QString() : filtered;
+    empty_->setText(text);
+    empty_->setVisible(!text.isEmpty());
 }
 
 /// A condition that does not parse is the descriptor's mistake, reported where it is read: the row
@@ -216,6 +269,13 @@ std::vector<ParameterRow*> ParameterForm::rows() const {
         inOrder.push_back(row(parameter.id));
     }
     return inOrder;
+}
+
+std::vector<ParameterRow*> ParameterForm::rowsOf(std::string_view group) const {
+    std::vector<ParameterRow*> all = rows();
+    std::erase_if(all,
+                  [group](const ParameterRow* row) { return row->parameter().group != group; });
+    return all;
 }
 
 int ParameterForm::narrowestLabel() const {

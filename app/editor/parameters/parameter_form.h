@@ -19,10 +19,17 @@ class QVBoxLayout;
 
 namespace patina {
 
+class FormMenu;
 class FormTextures;
-
 class ParameterRow;
 class ParameterSection;
+
+/// Says which rows a form shows.
+enum class RowFilter {
+    All,
+    Active, ///< those that count at present
+    Changed ///< those that are not at their default, and those with an image
+};
 
 /// The form of a block: one row per parameter, lined up in sections, made from the descriptor
 /// alone. It holds no values; it asks its source.
@@ -45,8 +52,16 @@ class ParameterForm : public QWidget {
     /// Returns the row of a parameter, or null.
     ParameterRow* row(std::string_view parameterId) const;
     std::vector<ParameterRow*> rows() const;
+    /// The rows of a group, in order.
+    std::vector<ParameterRow*> rowsOf(std::string_view group) const;
+
+    /// A row that is in use stays until it is not.
+    void setFilter(RowFilter filter);
+    RowFilter filter() const { return filter_; }
     /// Returns the images on the form's values.
     FormTextures& textures() const { return *textures_; }
+    /// Returns what can be done to its values by menus.
+    FormMenu& menu() const { return *menu_; }
 
     QSize minimumSizeHint() const override;
 
@@ -71,14 +86,22 @@ class ParameterForm : public QWidget {
     void readCondition(const ParameterRow& row);
     void updateDependents(const ParameterRow& changed);
     void updateCounting(ParameterRow& row);
+    void present(ParameterRow& row);
+    void followFilter();
+    void applyFilter();
+    bool passes(const ParameterRow& row) const;
     void alignLabels();
     int narrowestLabel() const;
     void orderTabs();
 
     FormTextures* textures_;
+    FormMenu* menu_;
     std::unique_ptr<ParameterSource> source_;
     QTimer approach_; ///< runs out when the pointer or the keyboard rests on a row
     std::string approached_;
+    RowFilter filter_ = RowFilter::All;
+    const ParameterRow* interacting_ = nullptr;
+    QString emptyText_; ///< without a block
     std::vector<Parameter> parameters_;
     Rows rows_;
     std::map<std::string, Condition, std::less<>> conditions_; ///< by the id of their row

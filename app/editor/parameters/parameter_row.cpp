@@ -3,18 +3,15 @@
 
 #include <algorithm>
 
-#include <QClipboard>
 #include <QContextMenuEvent>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QMenu>
 #include <QMimeData>
 #include <QToolButton>
 #include <QUrl>
 
-#include "parameters/clipboard_value.h"
 #include "parameters/editor_factory.h"
+#include "parameters/lock_mark.h"
 #include "parameters/parameter_text.h"
 #include "parameters/reset_mark.h"
 #include "parameters/scrub_label.h"
@@ -28,12 +25,14 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
       label_(new ScrubLabel(QString::fromStdString(parameter.label), this)),
       foldButton_(new QToolButton(this)), both_(new QWidget(this)),
       pair_(new QBoxLayout(QBoxLayout::LeftToRight, both_)), warning_(new WarningMark(this)),
-      resetMark_(new ResetMark(this)), value_(parameter.defaultValue) {
+      lockMark_(new LockMark(this)), resetMark_(new ResetMark(this)),
+      value_(parameter.defaultValue) {
     makeLayout();
     makeAccessible();
     connect(editor_, &ParameterEditor::interactionBegan, this, &ParameterRow::interactionBegan);
     connect(editor_, &ParameterEditor::interactionEnded, this, &ParameterRow::interactionEnded);
     connect(editor_, &ParameterEditor::edited, this, &ParameterRow::edited);
+    connect(lockMark_, &QAbstractButton::clicked, this, &ParameterRow::unlockWished);
     connect(resetMark_, &QAbstractButton::clicked, this, &ParameterRow::reset);
     connect(foldButton_, &QAbstractButton::clicked, this, [this] {
         isOpened_ = !isOpened_;
@@ -60,6 +59,7 @@ void ParameterRow::makeLayout() {
     pair_->addWidget(editor_, 1);
     line->addLayout(column, 1);
     line->addWidget(warning_, 0, Qt::AlignTop);
+    line->addWidget(lockMark_, 0, Qt::AlignTop);
     line->addWidget(resetMark_, 0, Qt::AlignTop);
     label_->setWordWrap(true);
     setLabelWidth(labelWidthHint());
@@ -80,6 +80,7 @@ void ParameterRow::alignFirstLine() {
     label_->setMinimumHeight(height);
     resetMark_->setFixedHeight(height);
     warning_->setFixedHeight(height);
+    lockMark_->setFixedHeight(height);
 }
 
 void ParameterRow::makeAccessible() {
@@ -90,6 +91,10 @@ void ParameterRow::makeAccessible() {
     resetMark_->setAccessibleName(tr("Reset %1").arg(editor_->name()));
     resetMark_->setToolTip(tr("Changed. Click to reset to %1.")
                                .arg(shownValue(parameter(), parameter().defaultValue)));
+    lockMark_->setAccessibleName(tr("Unlock %1").arg(editor_->name()));
+    lockMark_->setToolTip(tr("Locked: random values, and a reset or a paste of the whole group, "
+                             "leave it alone. Edits, presets and other models do not. Click to "
+                             "unlock."));
     foldButton_->setAccessibleName(tr("Show %1").arg(editor_->name()));
 }
 
@@ -228,34 +233,28 @@ void ParameterRow::dropEvent(QDropEvent* event) {
     Q_EMIT imageDropped(event->mimeData()->urls().front().toLocalFile());
 }
 
+bool ParameterRow::hasTexture() const {
+    return textureLine_ && textureLine_->isBound();
+}
+
+bool ParameterRow::isLocked() const {
+    return !lockMark_->isHidden();
+}
+
+QAbstractButton* ParameterRow::lockMark() const {
+    return lockMark_;
+}
+
+void ParameterRow::setLocked(bool isLocked) {
+    lockMark_->setVisible(isLocked);
+}
+
 void ParameterRow::reset() {
     Q_EMIT edited(parameter().defaultValue);
 }
 
-void ParameterRow::paste() {
-    const std::string text = QGuiApplication::clipboard()->text().toStdString();
-    if (const std::optional<Value> value = pastedValue(parameter(), text)) {
-        Q_EMIT edited(*value);
-    }
-}
-
 void ParameterRow::contextMenuEvent(QContextMenuEvent* event) {
-    QMenu menu(this);
-    QClipboard* clipboard = QGuiApplication::clipboard();
-    QAction* resetAction =
-        menu.addAction(tr("Reset to %1").arg(shownValue(parameter(), parameter().defaultValue)),
-                       this, &ParameterRow::reset);
-    resetAction->setEnabled(isChanged_);
-    menu.addSeparator();
-    menu.addAction(tr("Copy value"), this, [this, clipboard] {
-        clipboard->setText(QString::fromStdString(copiedText(value_)));
-    });
-    QAction* pasteAction = menu.addAction(tr("Paste value"), this, &ParameterRow::paste);
-    pasteAction->setEnabled(pastedValue(parameter(), clipboard->text().toStdString()).has_value());
-    menu.addAction(tr("Copy name"), this, [this, clipboard] {
-        clipboard->setText(QString::fromStdString(parameter().id));
-    });
-    menu.exec(event->globalPos());
+    Q_EMIT menuWished(event->globalPos());
 }
 
 void ParameterRow::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -274,21 +273,32 @@ void ParameterRow::leaveEvent(QEvent* event) {
     Q_EMIT left();
 }
 
-/// Backspace resets wherever the row has the focus, except where it edits text.
 bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::FocusIn) {
         Q_EMIT approached();
     }
     const bool isKey =
         event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (!isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Backspace ||
-        qobject_cast<QLineEdit*>(watched)) {
+    if (!isKey || qobject_cast<QLineEdit*>(watched)) {
         return QWidget::eventFilter(watched, event);
     }
-    if (event->type() == QEvent::KeyPress) {
-        reset();
+    return takeKey(*static_cast<QKeyEvent*>(event)) || QWidget::eventFilter(watched, event);
+}
+
+/// Backspace resets, and the clipboard's keys copy and paste, wherever the row has the focus,
+/// except where it edits text. No shortcut of the window may take them.
+bool ParameterRow::takeKey(QKeyEvent& key) {
+    void (ParameterRow::*act)() = key.key() == Qt::Key_Backspace     ? &ParameterRow::reset
+                                  : key.matches(QKeySequence::Copy)  ? &ParameterRow::copyWished
+                                  : key.matches(QKeySequence::Paste) ? &ParameterRow::pasteWished
+                                                                     : nullptr;
+    if (!act) {
+        return false;
     }
-    event->accept(); // no shortcut of the window may take it
+    if (key.type() == QEvent::KeyPress) {
+        (this->*act)();
+    }
+    key.accept();
     return true;
 }
 

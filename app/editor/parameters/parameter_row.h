@@ -9,11 +9,13 @@
 #include "catalog/parameter.h"
 #include "material/texture_use.h"
 
+class QAbstractButton;
 class QBoxLayout;
 class QToolButton;
 
 namespace patina {
 
+class LockMark;
 class ParameterEditor;
 class ResetMark;
 class ScrubLabel;
@@ -40,6 +42,12 @@ class ParameterRow : public QWidget {
     void addButton(QToolButton* button);
     bool isFolded() const;
     bool isChanged() const { return isChanged_; }
+    bool isCounting() const { return isCounting_; }
+    /// An image lies on the value.
+    bool hasTexture() const;
+    bool isLocked() const;
+    QAbstractButton* lockMark() const;
+    void reset();
 
     void present(const Value& value);
     /// Shows the image of the value; none may be put there while nothing `takes` them.
@@ -47,6 +55,8 @@ class ParameterRow : public QWidget {
                         const TexturePreview& preview);
     /// Sets whether the parameter counts at present; `reason` says when it would.
     void setCounting(bool counts, const QString& reason);
+    /// Shows whether what sets a whole group leaves the value alone.
+    void setLocked(bool isLocked);
     int labelWidthHint() const;
     /// The least that the row needs beside its label, its marks included.
     int widthBesideLabel() const;
@@ -61,6 +71,10 @@ class ParameterRow : public QWidget {
     void edited(const patina::Value& value);
     void interactionEnded();
     void imageDropped(const QString& file);
+    void menuWished(const QPoint& place); ///< on the screen
+    void copyWished();
+    void pasteWished();
+    void unlockWished();
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -77,8 +91,7 @@ class ParameterRow : public QWidget {
     void alignFirstLine();
     void makeAccessible();
     std::vector<QWidget*> tabStopsIn(const QWidget* part) const;
-    void reset();
-    void paste();
+    bool takeKey(QKeyEvent& key);
     void updateFolding();
     void updateSummary();
 
@@ -91,6 +104,7 @@ class ParameterRow : public QWidget {
     TextureLine* textureLine_ = nullptr;
     bool takesTextures_ = false;
     WarningMark* warning_;
+    LockMark* lockMark_;
     ResetMark* resetMark_;
     Value value_;
     QString reason_;

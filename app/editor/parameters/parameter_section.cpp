@@ -4,6 +4,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "parameters/parameter_row.h"
+
 namespace patina {
 
 ParameterSection::ParameterSection(const QString& title, bool isFolded, QWidget* parent)
@@ -27,8 +29,19 @@ ParameterSection::ParameterSection(const QString& title, bool isFolded, QWidget*
     header_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); // easy to hit
     header_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     header_->setAccessibleName(tr("Group %1").arg(title));
+    header_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header_, &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& at) { Q_EMIT menuWished(header_->mapToGlobal(at)); });
     connect(header_, &QToolButton::clicked, this, [this] { setFolded(!isFolded_); });
     setFolded(isFolded);
+}
+
+std::vector<ParameterRow*> ParameterSection::parameterRows() const {
+    std::vector<ParameterRow*> all;
+    for (int i = 0; i < rows_->count(); ++i) {
+        all.push_back(qobject_cast<ParameterRow*>(rows_->itemAt(i)->widget()));
+    }
+    return all;
 }
 
 void ParameterSection::resizeEvent(QResizeEvent* event) {

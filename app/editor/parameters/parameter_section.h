@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include <QWidget>
 
 class QToolButton;
 class QVBoxLayout;
 
 namespace patina {
+
+class ParameterRow;
 
 /// A heading that folds the rows below it.
 class ParameterSection : public QWidget {
@@ -20,9 +24,11 @@ class ParameterSection : public QWidget {
     void setFolded(bool isFolded);
     QToolButton* header() const { return header_; }
     QVBoxLayout* rows() const { return rows_; }
+    std::vector<ParameterRow*> parameterRows() const;
 
   Q_SIGNALS:
     void folded(bool isFolded);
+    void menuWished(const QPoint& place); ///< on the screen
 
   protected:
     void resizeEvent(QResizeEvent* event) override;

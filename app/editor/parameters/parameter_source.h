@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <QImage>
 #include <QString>
@@ -17,6 +20,14 @@ struct TexturePreview {
     QImage image;          ///< small; null while it is on its way
     QString problem;       ///< why it is missing; empty while it is not
     bool hasAlpha = false; ///< and not only 1
+};
+
+/// Several values that are set at once, and images on them; nothing: one is taken away.
+struct ValueEdits {
+    Values values{};
+    std::map<std::string, std::optional<TextureUse>, std::less<>> textures{};
+
+    bool isEmpty() const { return values.empty() && textures.empty(); }
 };
 
 /// Tells where a form's values come from and where its edits go.
@@ -39,6 +50,19 @@ class ParameterSource {
     virtual std::optional<TextureUse> texture(std::string_view) const { return std::nullopt; }
     virtual void setTexture(std::string_view, const std::optional<TextureUse>&) {}
     virtual TexturePreview preview(const TextureUse&) const { return {}; }
+    /// Tells whether a window of Patina may read an image whose path is copied there.
+    virtual bool mayRead(const TextureUse& use) const { return !use.outside; }
+
+    /// Sets several values as one undo step, which is called so.
+    virtual void edit(const ValueEdits& edits, const QString& label) = 0;
+
+    /// Tells whether values may be locked: what sets a whole group leaves those alone.
+    virtual bool takesLocks() const { return false; }
+    virtual bool isLocked(std::string_view) const { return false; }
+    virtual void setLocked(const std::vector<std::string>&, bool) {}
+
+    /// Tells the user what was left out.
+    virtual void tell(const Error&) {}
 };
 
 } // namespace patina

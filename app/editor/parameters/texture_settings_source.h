@@ -24,6 +24,14 @@ class TextureSettingsSource : public ParameterSource {
             owner_.setTexture(parameterId_, use);
         }
     }
+    void edit(const ValueEdits& edits, const QString&) override {
+        if (std::optional<TextureUse> use = owner_.texture(parameterId_)) {
+            for (const auto& [id, value] : edits.values) {
+                storeTextureSetting(*use, id, value);
+            }
+            owner_.setTexture(parameterId_, use);
+        }
+    }
     int beginInteraction(std::string_view) override {
         return owner_.beginInteraction(parameterId_);
     }

@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "docks/lamp_taking.h"
+#include "docks/light_actions.h"
 #include "docks/object_actions.h"
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
@@ -195,12 +196,11 @@ void Menus::makeLightMenu() {
         parts_.views.active().awaitLightPick(true);
     })->setToolTip(tr("Click where the shadow of the current object is to fall (L+Shift+click)"));
     menu->addSeparator();
-    add(menu, tr("S&olo"), {}, [this] {
-        toggleSolo(parts_.document, parts_.document.currentLight());
-    })->setToolTip(tr("Only the current light is on; once more: those that were"));
-    add(menu, tr("&Mute"), {}, [this] {
-        toggleMute(parts_.document, parts_.document.currentLight());
-    })->setToolTip(tr("Turn the current light off or on"));
+    for (QAction* action : (new LightActions(parts_.document, parts_.files, this))->all()) {
+        action->setShortcuts(QList<QKeySequence>()); // in a view they are the objects'
+        action->setShortcutContext(Qt::WindowShortcut);
+        menu->addAction(action);
+    }
 }
 
 void Menus::makeViewMenu() {

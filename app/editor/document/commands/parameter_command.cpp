@@ -16,7 +16,7 @@ Values heldNow(const Document& document, const BlockPath& path, const Block& blo
 }
 
 /// The part of `values` that `after` changes.
-Values before(const Values& values, const Values& after) {
+Values formerOf(const Values& values, const Values& after) {
     Values part;
     for (const auto& [id, value] : after) {
         part.emplace(id, values.at(id));
@@ -24,19 +24,48 @@ Values before(const Values& values, const Values& after) {
     return part;
 }
 
+std::vector<std::string> idsOf(const Values& values) {
+    std::vector<std::string> ids;
+    for (const auto& [id, value] : values) {
+        ids.push_back(id);
+    }
+    return ids;
+}
+
+/// What is given, and what that changes beside it: a choice sets others where they are not given,
+/// and turns to the one for values of one's own where it does not say what is set.
+Values decided(const Block& block, const Values& held, Values given) {
+    fillGaps(block, given);
+    Values all = held;
+    for (const auto& [id, value] : given) {
+        all.insert_or_assign(id, roundedToFloat(value));
+    }
+    settleShorthands(block, all);
+    std::erase_if(all, [&](const auto& each) {
+        const Parameter* parameter = block.parameter(each.first);
+        return !given.contains(each.first) && !(parameter != nullptr && isShorthand(*parameter));
+    });
+    return all;
+}
+
 } // namespace
 
 ParameterCommand::ParameterCommand(Document& document, const BlockPath& path, const Block& block,
                                    const Parameter& parameter, const Value& after)
-    : ParameterCommand(document, path, parameter, heldNow(document, path, block),
+    : ParameterCommand(document, path,
+                       Document::tr("Change %1").arg(QString::fromStdString(parameter.label)),
+                       heldNow(document, path, block),
                        afterEdit(block, heldNow(document, path, block), parameter, after)) {}
 
-ParameterCommand::ParameterCommand(Document& document, const BlockPath& path,
-                                   const Parameter& parameter, const Values& held,
-                                   const Values& after)
-    : ChangeCommand(document,
-                    Document::tr("Change %1").arg(QString::fromStdString(parameter.label)),
-                    ParameterTarget{path, parameter.id}, before(held, after), after) {}
+ParameterCommand::ParameterCommand(Document& document, const BlockPath& path, const Block& block,
+                                   const Values& given, const QString& label)
+    : ParameterCommand(document, path, label, heldNow(document, path, block),
+                       decided(block, heldNow(document, path, block), given)) {}
+
+ParameterCommand::ParameterCommand(Document& document, const BlockPath& path, const QString& label,
+                                   const Values& held, const Values& after)
+    : ChangeCommand(document, label, ValuesTarget{path, idsOf(after)}, formerOf(held, after),
+                    after) {}
 
 void ParameterCommand::apply(const Values& values) {
     for (const auto& [id, value] : values) {

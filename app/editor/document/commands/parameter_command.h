@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "document/commands/change_command.h"
 
 namespace patina {
 
-/// Changes one value of a model, Fresnel block, light, fog, object or of the scene, and those that
-/// it decides with it.
-class ParameterCommand : public ChangeCommand<ParameterTarget, Values> {
+/// Names values of one block that change together.
+struct ValuesTarget {
+    BlockPath path;
+    std::vector<std::string> ids;
+
+    friend bool operator==(const ValuesTarget&, const ValuesTarget&) = default;
+};
+
+/// Changes values of a model, Fresnel block, light, fog, object or of the scene, and those that
+/// they decide with them.
+class ParameterCommand : public ChangeCommand<ValuesTarget, Values> {
   public:
     ParameterCommand(Document& document, const BlockPath& path, const Block& block,
                      const Parameter& parameter, const Value& after);
 
+    /// Several values of the block, as it takes them.
+    ParameterCommand(Document& document, const BlockPath& path, const Block& block,
+                     const Values& given, const QString& label);
+
   private:
-    ParameterCommand(Document& document, const BlockPath& path, const Parameter& parameter,
+    ParameterCommand(Document& document, const BlockPath& path, const QString& label,
                      const Values& held, const Values& after);
     void apply(const Values& values) override;
 };

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QAction>
+
+#include "document/document.h"
+
+namespace patina {
+
+class FileActions;
+
+/// Has an action for all that can be done to the current light. Their keys work where the focus is
+/// in a widget that the actions were added to.
+class LightActions : public QObject {
+    Q_OBJECT
+
+  public:
+    LightActions(Document& document, FileActions& files, QObject* parent);
+
+    const std::vector<QAction*>& all() const { return actions_; }
+
+  private:
+    QAction* add(const QString& text, const char* key, std::function<void()> what);
+    void follow();
+
+    Document& document_;
+    std::vector<QAction*> actions_;
+    QAction* paste_ = nullptr;
+};
+
+} // namespace patina

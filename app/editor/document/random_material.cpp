@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/random_material.h"
+
+#include "catalog/random_value.h"
+#include "document/value_locks.h"
+#include "material/model_swap.h"
+
+namespace patina {
+namespace {
+
+/// The paths of the blocks that a material is made of.
+std::vector<BlockPath> pathsOf(const Document& document) {
+    const Block* model = document.block(document.currentPath(kinds::models));
+    std::vector<BlockPath> paths;
+    if (model) {
+        paths.push_back(document.currentPath(kinds::models));
+        for (const std::string_view kind : partKinds(BlockOwner::Material)) {
+            if (hasPlaceFor(*model, kind) && document.block(document.currentPath(kind))) {
+                paths.push_back(document.currentPath(kind));
+            }
+        }
+    }
+    return paths;
+}
+
+} // namespace
+
+void randomiseMaterial(Document& document, const std::function<double()>& next) {
+    std::vector<std::pair<BlockPath, Values>> random;
+    for (const BlockPath& path : pathsOf(document)) {
+        Values values;
+        for (const Parameter& parameter : document.block(path)->parameters) {
+            const auto value = isLocked(document.state(), path, parameter.id)
+                                   ? std::nullopt
+                                   : randomValue(parameter, next);
+            if (value) {
+                values.emplace(parameter.id, *value);
+            }
+        }
+        if (!values.empty()) {
+            random.emplace_back(path, std::move(values));
+        }
+    }
+    const QString label = Document::tr("Randomise the material");
+    const auto edit = [&] {
+        for (const auto& [path, values] : random) {
+            document.setValues(path, values, label);
+        }
+    };
+    if (random.size() == 1) {
+        edit();
+    } else if (!random.empty()) {
+        document.editAsOneStep(label, edit);
+    }
+}
+
+} // namespace patina

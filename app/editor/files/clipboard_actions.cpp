@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/clipboard_actions.h"
+
+#include <algorithm>
+
+#include "document/scene_edits.h"
+#include "files/place_beside.h"
+#include "material/preset_file.h"
+#include "scene/scene_file.h"
+#include "scene/scene_format.h"
+
+namespace patina {
+namespace {
+
+ReadingRights rightsOf(const CopiedJson& copied) {
+    ReadingRights rights;
+    rights.everything = copied.isTrusted;
+    return rights;
+}
+
+} // namespace
+
+ClipboardActions::ClipboardActions(Document& document, DocumentFiles& files, MeshLibrary& meshes,
+                                   QObject* parent)
+    : QObject(parent), document_(document), files_(files), meshes_(meshes) {}
+
+void ClipboardActions::copyMaterial() const {
+    if (const Material* material = document_.material(document_.activeSide())) {
+        copyJson(toJson(*material), mayReadAll(*material));
+    }
+}
+
+void ClipboardActions::copyObjects() const {
+    if (const std::vector<Object> objects = editedObjects(); !objects.empty()) {
+        copyJson(sceneJsonOf(std::span<const Object>(objects)), mayReadAll(objects));
+    }
+}
+
+void ClipboardActions::cutObjects() {
+    copyObjects();
+    removeObjects(document_, document_.editedObjects());
+}
+
+void ClipboardActions::copyLight() const {
+    if (const Light* light = currentLight()) {
+        copyJson(sceneJsonOf(std::span<const Light>(light, 1)), true);
+    }
+}
+
+void ClipboardActions::cutLight() {
+    copyLight();
+    removeLight(document_, document_.currentLight());
+}
+
+void ClipboardActions::duplicateLight() {
+    if (const Light* light = currentLight()) {
+        addLights(document_, {*light}, tr("Duplicate light"));
+    }
+}
+
+void ClipboardActions::paste() {
+    const Result<CopiedJson> copied = copiedJson();
+    if (!copied) {
+        tell({copied.error()});
+    } else if (copied->format() == sceneFormat.name) {
+        pasteScene(*copied);
+    } else {
+        pasteMaterial(*copied); // what is something else is no preset either
+    }
+}
+
+void ClipboardActions::pasteMaterial(const CopiedJson& copied) {
+    const auto reading =
+        materialFromJson(placed(copied), "", document_.catalog(), rightsOf(copied));
+    if (!reading) {
+        tell(reading.error());
+        return;
+    }
+    if (!document_.material(document_.activeSide())) {
+        tell({{{}, 0, 0, "there is no object to paste the material onto", "an object"}});
+        return;
+    }
+    const QString name = QString::fromStdString(reading->material.name);
+    document_.replaceMaterials(document_.activeSide(), reading->material,
+                               tr("Paste %1").arg(name.isEmpty() ? tr("material") : name));
+    tell(reading->notes);
+}
+
+void ClipboardActions::pasteScene(const CopiedJson& copied) {
+    const auto reading = sceneFromJson(placed(copied), document_.catalog(), rightsOf(copied));
+    if (!reading) {
+        tell(reading.error());
+        return;
+    }
+    const std::vector<Object>& objects = reading->scene.objects;
+    const std::vector<Light>& lights = reading->scene.lights;
+    if (objects.empty() && lights.empty()) {
+        tell({{{}, 1, 1, "the scene has neither objects nor lights", "one of them"}});
+        return;
+    }
+    files_.withheld().add(reading->outside);
+    const auto addThem = [&] {
+        if (!objects.empty()) {
+            addObjects(document_, placedBeside(document_.scene(), objects, meshes_),
+                       tr("Paste %n object(s)", nullptr, static_cast<int>(objects.size())));
+        }
+        if (!lights.empty()) {
+            addLights(document_, lights,
+                      tr("Paste %n light(s)", nullptr, static_cast<int>(lights.size())));
+        }
+    };
+    if (objects.empty() || lights.empty()) {
+        addThem();
+    } else {
+        document_.editAsOneStep(tr("Paste objects and lights"), addThem);
+    }
+    tell(reading->notes);
+}
+
+bool ClipboardActions::mayReadAll(const Material& material) const {
+    return std::ranges::none_of(material.textures,
+                                [](const auto& each) { return each.second.outside; });
+}
+
+bool ClipboardActions::mayReadAll(const std::vector<Object>& objects) const {
+    const FileRights rights = files_.withheld().rights();
+    return std::ranges::all_of(objects, [&](const Object& object) {
+        return mayReadAll(object.material) && !rights.withheld.contains(object.mesh);
+    });
+}
+
+std::vector<Object> ClipboardActions::editedObjects() const {
+    std::vector<Object> objects;
+    for (const int index : document_.editedObjects()) {
+        objects.push_back(document_.scene().objects[static_cast<std::size_t>(index)]);
+    }
+    return objects;
+}
+
+const Light* ClipboardActions::currentLight() const {
+    const int index = document_.currentLight();
+    return index < 0 ? nullptr : &document_.scene().lights[static_cast<std::size_t>(index)];
+}
+
+/// Relative paths of a text from elsewhere begin where the document's file is.
+LocatedJson ClipboardActions::placed(const CopiedJson& copied) const {
+    LocatedJson json = copied.json;
+    json.file = files_.file().path.string();
+    return json;
+}
+
+/// What is wrong is in the clipboard, not in the document's file.
+void ClipboardActions::tell(Errors messages) {
+    for (Error& message : messages) {
+        message.file = message.file == files_.file().path.string() ? std::string() : message.file;
+        Q_EMIT document_.told(inClipboard(std::move(message)));
+    }
+}
+
+} // namespace patina
