@@ -10,6 +10,7 @@ class DocumentFiles;
 class EffectSwitches;
 class EnvironmentLibrary;
 class FileActions;
+class MaterialActions;
 class MeshLibrary;
 class MessageLog;
 class PresetLibrary;
@@ -25,6 +26,7 @@ struct DockContext {
     TriedMaterial& tried;
     DocumentFiles& documentFiles;
     FileActions& files;
+    MaterialActions& material;
     MessageLog& messages;
     Session& session;
     PresetLibrary& presets;

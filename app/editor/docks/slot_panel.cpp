@@ -14,11 +14,12 @@ namespace patina {
 SlotPanel::SlotPanel(Document& document, TextureLibrary& textures, std::string_view kind,
                      const QString& title, QWidget* parent)
     : QGroupBox(title, parent), document_(document), kind_(kind),
-      chooser_(new BlockChooser(document, kind, BlockChooser::Off::Offered, this)) {
+      chooser_(new BlockChooser(document, kind, BlockChooser::Off::Offered, this)),
+      form_(new DocumentForm(document, textures, kind)) {
     chooser_->setAccessibleName(title);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(labelled(tr("&Kind"), chooser_));
-    layout->addWidget(new DocumentForm(document_, textures, kind));
+    layout->addWidget(form_);
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         document_.setBlock(document_.currentPath(kind_), id.toStdString());
     });

@@ -9,6 +9,7 @@ namespace patina {
 
 class BlockChooser;
 class Document;
+class DocumentForm;
 class TextureLibrary;
 
 /// Chooses what fills a slot of the active material's model, and edits its values. Hidden where the
@@ -21,12 +22,15 @@ class SlotPanel : public QGroupBox {
     SlotPanel(Document& document, TextureLibrary& textures, std::string_view kind,
               const QString& title, QWidget* parent = nullptr);
 
+    DocumentForm& form() const { return *form_; }
+
   private:
     void update();
 
     Document& document_;
     std::string_view kind_;
     BlockChooser* chooser_;
+    DocumentForm* form_;
 };
 
 } // namespace patina

@@ -146,7 +146,8 @@ void Comparison::swapSides() {
         std::swap(swapped.first, swapped.second);
         document_.setComparedPicture(std::move(swapped));
     }
-    document_.replaceMaterial(Side::A, *document_.state().second, tr("Swap A and B"));
+    document_.replaceMaterial(Side::A, *document_.state().second, tr("Swap A and B"),
+                              MaterialEdit::Applied);
     document_.setSecondMaterial(formerFirst);
     document_.undoStack().endMacro();
 }

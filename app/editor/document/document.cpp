@@ -23,6 +23,19 @@
 namespace patina {
 namespace {
 
+/// See DocumentCommand::origin(); of the edits in a macro.
+const Material* originIn(const QUndoCommand& command, MaterialPlace& place) {
+    if (const auto* edit = dynamic_cast<const DocumentCommand*>(&command)) {
+        return edit->origin(place);
+    }
+    for (int i = command.childCount() - 1; i >= 0; --i) {
+        if (const Material* material = originIn(*command.child(i), place)) {
+            return material;
+        }
+    }
+    return nullptr;
+}
+
 Light ofKind(Light light, const Block* before, const Block& wanted) {
     light.block = swappedBlock(&light.block, before, wanted);
     if (before && light.name == before->label) {
@@ -75,6 +88,7 @@ void Document::startFrom(DocumentState state, int object) {
     dragged_.reset();
     lastParts_.clear();
     state_ = std::move(state);
+    opened_ = state_;
     currentObject_ = state_.scene.objects.empty() ? -1 : object;
     selectedObjects_.clear();
     currentLight_ = state_.scene.lights.empty() ? -1 : 0;
@@ -420,10 +434,11 @@ void Document::setModel(Side side, std::string_view modelId) {
     setBlock(pathOf(kinds::models, currentObject_, side), modelId);
 }
 
-void Document::replaceMaterial(Side side, const Material& wanted, const QString& label) {
+void Document::replaceMaterial(Side side, const Material& wanted, const QString& label,
+                               MaterialEdit edit) {
     const Material* held = material(side);
     if (held && !(*held == wanted)) {
-        undoStack_.push(new MaterialCommand(*this, {currentObject_, side}, wanted, label));
+        undoStack_.push(new MaterialCommand(*this, {currentObject_, side}, wanted, label, edit));
     }
 }
 
@@ -433,7 +448,7 @@ void Document::replaceMaterials(Side side, const Material& wanted, const QString
         const Material* held = materialAt(state_, each.index, each.side);
         if (held && !(*held == wanted)) {
             edits.push_back(std::make_unique<MaterialCommand>(
-                *this, MaterialPlace{each.index, each.side}, wanted, label));
+                *this, MaterialPlace{each.index, each.side}, wanted, label, MaterialEdit::Applied));
         }
     }
     pushAsOne(*this, label, std::move(edits));
@@ -490,6 +505,15 @@ void Document::endInteraction(int token) {
         dragged_.reset();
         announce({DocumentChange::Interaction});
     }
+}
+
+const Material* Document::originalMaterial(MaterialPlace place) const {
+    for (int i = undoStack_.index() - 1; i >= 0; --i) {
+        if (const Material* material = originIn(*undoStack_.command(i), place)) {
+            return material;
+        }
+    }
+    return materialAt(opened_, place.object, place.side);
 }
 
 void Document::editAsOneStep(const QString& label, const std::function<void()>& edits) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <QObject>
@@ -22,6 +23,14 @@
 namespace patina {
 
 class DocumentCommand;
+
+/// Says whether a whole material that replaces another one is an edit of that, or is put in its
+/// place, as a preset is.
+enum class MaterialEdit { Changed, Applied };
+
+/// What users want values to be where a model is chosen anew: model's id -> "parameters" as in a
+/// preset.
+using StartValues = std::map<std::string, nlohmann::json, std::less<>>;
 
 /// Images by the ids of the values that they are laid on; nothing: one is taken away.
 using TextureEdits = std::map<std::string, std::optional<TextureUse>, std::less<>>;
@@ -54,6 +63,10 @@ class Document : public QObject {
     const Catalog& catalog() const { return *catalog_; }
     std::shared_ptr<const Catalog> sharedCatalog() const { return catalog_; }
     void setCatalog(std::shared_ptr<const Catalog> catalog);
+
+    /// Values that a chosen model has where nothing carries over.
+    const StartValues& startValues() const { return startValues_; }
+    void setStartValues(StartValues values) { startValues_ = std::move(values); }
 
     // What is current (-1: nothing).
     int currentObject() const { return currentObject_; }
@@ -100,8 +113,9 @@ class Document : public QObject {
     /// kind is a part.
     void setBlock(const BlockPath& path, std::string_view blockId);
     void setModel(Side side, std::string_view modelId);
-    void replaceMaterial(Side side, const Material& material, const QString& label);
-    /// The same of every object that is edited.
+    void replaceMaterial(Side side, const Material& material, const QString& label,
+                         MaterialEdit edit = MaterialEdit::Changed);
+    /// Applies a material to every object that is edited.
     void replaceMaterials(Side side, const Material& material, const QString& label);
     /// Starts comparing with a material, changes it, or stops (nullopt).
     void setSecondMaterial(std::optional<Material> material);
@@ -129,6 +143,9 @@ class Document : public QObject {
     // Undo.
     QUndoStack& undoStack() { return undoStack_; }
     bool isModified() const { return !undoStack_.isClean(); }
+    /// The material of a place as it was opened or applied, before what was edited of it since;
+    /// null where there is none.
+    const Material* originalMaterial(MaterialPlace place) const;
     /// Edits in one undo step, which also takes the camera back where they moved it.
     void editAsOneStep(const QString& label, const std::function<void()>& edits);
     /// Says what changed, which whoever changed the state calls once it is changed.
@@ -163,6 +180,8 @@ class Document : public QObject {
     std::shared_ptr<const Catalog> catalog_;
     mutable DescribedBlocks blocks_;
     DocumentState state_;
+    DocumentState opened_; ///< what it started from
+    StartValues startValues_;
     mutable ShownScenes shownScenes_;
     int currentObject_ = -1;
     std::vector<int> selectedObjects_;

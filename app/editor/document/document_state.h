@@ -76,6 +76,14 @@ struct ParameterTarget {
     friend bool operator==(const ParameterTarget&, const ParameterTarget&) = default;
 };
 
+/// Says which material of a document is meant.
+struct MaterialPlace {
+    int object = 0;
+    Side side = Side::A;
+
+    friend bool operator==(const MaterialPlace&, const MaterialPlace&) = default;
+};
+
 /// The path of what is of a kind, or one of `settings`.
 BlockPath pathOf(std::string_view kind, int index = 0, Side side = Side::A);
 

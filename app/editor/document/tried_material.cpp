@@ -10,13 +10,13 @@ TriedMaterial::TriedMaterial(Document& document, QObject* parent)
     onChange(document, edits | DocumentChange::Current, this, &TriedMaterial::end);
 }
 
-void TriedMaterial::show(Side side, const Material& material) {
+void TriedMaterial::show(Side side, const Material& material, const QString& what) {
     if (!document_.material(side)) {
         return;
     }
     Scene scene = document_.scene(side);
     scene.objects[static_cast<std::size_t>(document_.currentObject())].material = material;
-    shown_ = Shown{side, std::move(scene)};
+    shown_ = Shown{side, std::move(scene), what};
     Q_EMIT changed();
 }
 

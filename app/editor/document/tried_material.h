@@ -13,11 +13,12 @@ class TriedMaterial : public QObject {
   public:
     explicit TriedMaterial(Document& document, QObject* parent = nullptr);
 
-    /// Side B shows it only while the document compares.
-    void show(Side side, const Material& material);
+    /// Side B shows it only while the document compares. `what` it is: nobody else's is so called.
+    void show(Side side, const Material& material, const QString& what = {});
     void end();
 
     bool isShown() const { return shown_.has_value(); }
+    bool isShown(const QString& what) const { return shown_ && shown_->what == what; }
     /// What the side shows in place of the document's scene; null: nothing.
     const Scene* scene(Side side) const;
 
@@ -28,6 +29,7 @@ class TriedMaterial : public QObject {
     struct Shown {
         Side side = Side::A;
         Scene scene;
+        QString what;
     };
 
     Document& document_;

@@ -11,8 +11,6 @@
 
 namespace patina {
 
-struct MaterialPlace;
-
 /// Knows which files that a document names are not read: they lie outside the folder of its file,
 /// and nobody agreed to it.
 class WithheldFiles : public QObject {

@@ -25,7 +25,7 @@ std::filesystem::path xdgFolder(const char* variable, const char* fallback) {
 /// Where what is remembered lies. In place of what is there and is no ordinary file comes a name
 /// that no file can have: nothing is then remembered longer than the program runs.
 QString settingsFile() {
-    const std::filesystem::path file = xdgFolder("XDG_CONFIG_HOME", ".config") / "patina.ini";
+    const std::filesystem::path file = configFolder() / "patina.ini";
     std::error_code ignored; // it is refused then
     const bool isUsable =
         std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found ||
@@ -241,6 +241,10 @@ QString Session::folder(const QString& purpose) const {
 
 void Session::setFolderOf(const QString& purpose, const QString& file) {
     settings_.setValue("folders/" + purpose, QFileInfo(file).absolutePath());
+}
+
+std::filesystem::path configFolder() {
+    return xdgFolder("XDG_CONFIG_HOME", ".config");
 }
 
 std::filesystem::path cacheFolder() {

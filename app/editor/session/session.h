@@ -88,7 +88,9 @@ class Session {
     QSettings settings_;
 };
 
-/// Return $XDG_CACHE_HOME/patina, $XDG_STATE_HOME/patina and $XDG_DATA_HOME/patina.
+/// Return $XDG_CONFIG_HOME/patina, $XDG_CACHE_HOME/patina, $XDG_STATE_HOME/patina and
+/// $XDG_DATA_HOME/patina.
+std::filesystem::path configFolder();
 std::filesystem::path cacheFolder();
 std::filesystem::path stateFolder();
 std::filesystem::path userDataFolder();

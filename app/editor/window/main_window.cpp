@@ -9,6 +9,7 @@
 #include "gl/driver_cache.h"
 #include "parameters/dropped_files.h"
 #include "scene/kept_openness.h"
+#include "session/start_value_files.h"
 #include "window/focus_order.h"
 
 namespace patina {
@@ -25,6 +26,7 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
       programs_(programFolder()), viewContext_(programFolder()),
       autosave_(document_, documentFiles_, stateFolder() / "autosave"),
       files_(new FileActions(document_, documentFiles_, meshes_, session_, this)),
+      material_(new MaterialActions(document_, *files_, tried_, this)),
       pictures_(new PictureExport(session_, this)),
       views_(new CompareArea({document_, meshes_, textures_, environments_, switches_, effects_,
                               programs_, viewContext_},
@@ -35,13 +37,17 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
     setCentralWidget(views_);
     setStatusBar(status_);
     layout_ = std::make_unique<WindowLayout>(*this, dockContext());
-    menus_ = new Menus({*this, *layout_, document_, documentFiles_, comparison_, *files_,
-                        *pictures_, presets_, thumbnails_, *views_, session_, messages_, theme_});
+    menus_ =
+        new Menus({*this, *layout_, document_, documentFiles_, comparison_, *files_, *pictures_,
+                   presets_, thumbnails_, *views_, session_, messages_, theme_, *material_});
     connectParts();
     messages_.setGroup("catalog", catalog->errors);
     if (const auto& note = gl::driverCacheNote()) {
         messages_.add(*note);
     }
+    StartValueReading start = readStartValues(startValueFolder());
+    document_.setStartValues(std::move(start.values));
+    messages_.setGroup("start values", start.errors);
     updateTitle();
     layout_->restore(session_);
     theme_.setLook(session_.look());
@@ -55,6 +61,7 @@ MainWindow::~MainWindow() {
     delete status_;
     delete views_;
     delete pictures_;
+    delete material_;
     delete files_;
 }
 
@@ -68,8 +75,9 @@ void MainWindow::startRest() {
 }
 
 DockContext MainWindow::dockContext() {
-    return {document_, comparison_, tried_,  documentFiles_, *files_,       messages_, session_,
-            presets_,  thumbnails_, meshes_, textures_,      environments_, switches_, *views_};
+    return {document_,  comparison_, tried_,        documentFiles_, *files_,
+            *material_, messages_,   session_,      presets_,       thumbnails_,
+            meshes_,    textures_,   environments_, switches_,      *views_};
 }
 
 void MainWindow::connectParts() {

@@ -5,6 +5,7 @@
 
 #include <QMainWindow>
 
+#include "docks/material_actions.h"
 #include "document/comparison.h"
 #include "document/document_files.h"
 #include "document/program_effects.h"
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
     UserBlockTrials trials_;
     Autosave autosave_;
     FileActions* files_;
+    MaterialActions* material_;
     PictureExport* pictures_;
     CompareArea* views_;
     StatusLine* status_;

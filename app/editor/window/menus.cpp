@@ -14,6 +14,7 @@
 
 #include "docks/lamp_taking.h"
 #include "docks/light_actions.h"
+#include "docks/material_actions.h"
 #include "docks/object_actions.h"
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
@@ -132,6 +133,10 @@ void Menus::makeEditMenu() {
     menu->addActions({undo, redo});
     menu->addSeparator();
     add(menu, tr("&Take Snapshot"), QKeySequence("Ctrl+T"), [this] { takeSnapshot(); });
+    QMenu* material = menu->addMenu(tr("&Material"));
+    material->setToolTipsVisible(true);
+    parts_.views.addAction(parts_.material.original()); // first, or its key would be the window's
+    material->addActions({parts_.material.all().begin(), parts_.material.all().end()});
     add(menu, tr("&Preferences…"), QKeySequence("Ctrl+,"), [this] {
         (new PreferencesDialog(parts_.session, parts_.theme, parts_.views, &parts_.window))->open();
     });

@@ -20,6 +20,7 @@ class Comparison;
 class Document;
 class DocumentFiles;
 class FileActions;
+class MaterialActions;
 class MessageLog;
 class PictureExport;
 class PresetLibrary;
@@ -49,6 +50,7 @@ class Menus : public QObject {
         Session& session;
         MessageLog& messages;
         Theme& theme;
+        MaterialActions& material;
     };
 
     explicit Menus(const Parts& parts);

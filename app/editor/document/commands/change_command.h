@@ -37,6 +37,8 @@ class ChangeCommand : public DocumentCommand {
           after_(std::move(after)) {}
 
     const Target& target() const { return target_; }
+    const Held& before() const { return before_; }
+    const Held& after() const { return after_; }
 
     virtual void apply(const Held& value) = 0;
 

@@ -7,6 +7,10 @@ CompareCommand::CompareCommand(Document& document, std::optional<Material> after
     : ChangeCommand(document, after ? Document::tr("Compare") : Document::tr("Stop comparing"),
                     document.currentObject(), document.state().second, std::move(after)) {}
 
+const Material* CompareCommand::origin(MaterialPlace& place) const {
+    return place.side == Side::B && after() ? &*after() : nullptr;
+}
+
 void CompareCommand::apply(const std::optional<Material>& second) {
     const bool isSame = state().second.has_value() == second.has_value();
     state().second = second;

@@ -10,6 +10,8 @@ class CompareCommand : public ChangeCommand<int, std::optional<Material>> {
   public:
     CompareCommand(Document& document, std::optional<Material> after);
 
+    const Material* origin(MaterialPlace& place) const override;
+
   private:
     void apply(const std::optional<Material>& second) override;
 };

@@ -17,6 +17,10 @@ class DocumentCommand : public QUndoCommand {
     /// Tells whether another command changes the same thing, so that the two may merge.
     virtual bool isOfSameTarget(const DocumentCommand& /*other*/) const { return false; }
 
+    /// Goes back over the edit: returns the material that it brought to a place as a whole. Where
+    /// it brought none, `place` is where that material was before.
+    virtual const Material* origin(MaterialPlace& /*place*/) const { return nullptr; }
+
   protected:
     DocumentCommand(Document& document, const QString& label)
         : QUndoCommand(shortened(label)), document_(document), interaction_(document.interaction_) {

@@ -19,6 +19,8 @@ class FurtherCommand : public ChangeCommand<FurtherSides, std::vector<Material>>
   public:
     FurtherCommand(Document& document, std::vector<Material> after);
 
+    const Material* origin(MaterialPlace& place) const override;
+
   private:
     void apply(const std::vector<Material>& further) override;
 };

@@ -22,6 +22,15 @@ void GroupCommand::undo() {
     }
 }
 
+const Material* GroupCommand::origin(MaterialPlace& place) const {
+    for (const auto& edit : std::views::reverse(edits_)) {
+        if (const Material* material = edit->origin(place)) {
+            return material;
+        }
+    }
+    return nullptr;
+}
+
 bool GroupCommand::mergeWith(const QUndoCommand* next) {
     const auto* other = dynamic_cast<const GroupCommand*>(next);
     const auto isSame = [](const auto& a, const auto& b) { return a->isOfSameTarget(*b); };

@@ -19,6 +19,7 @@ class GroupCommand : public DocumentCommand {
     void redo() override;
     void undo() override;
     bool mergeWith(const QUndoCommand* next) override;
+    const Material* origin(MaterialPlace& place) const override;
 
   private:
     Edits edits_;

@@ -19,6 +19,9 @@ class ListCommand : public ChangeCommand<int, std::optional<Element>> {
           isReplacement_(before.has_value() && after.has_value()), isAddition_(!before),
           current_(current) {}
 
+    bool isAddition() const { return isAddition_; }
+    bool isReplacement() const { return isReplacement_; }
+
     virtual std::vector<Element>& list() const = 0;
     virtual void announce() const = 0;
     virtual void setCurrent(int index) const = 0;

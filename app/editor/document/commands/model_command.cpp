@@ -1,15 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/commands/model_command.h"
 
+#include "catalog/fills.h"
+#include "catalog/value_json.h"
 #include "material/model_swap.h"
 
 namespace patina {
 
 namespace {
 
+/// A value of the former model that the new one has too, or one that it had before.
+bool isCarriedOver(const Parameter& parameter, const Material& material, const Block* before) {
+    const Parameter* former = before ? before->parameter(parameter.id) : nullptr;
+    return (former && former->type == parameter.type) || material.parked.contains(parameter.id);
+}
+
+/// Gives what nothing carries over to the values that the user wants it to begin with.
+void begin(Values& values, const nlohmann::json& start, const Material& material,
+           const Block* before, const Block& model) {
+    for (const auto& [id, json] : start.items()) {
+        const Parameter* parameter = model.parameter(id);
+        const bool isFree = parameter && !isCarriedOver(*parameter, material, before);
+        const ValueReading value =
+            isFree ? valueFromJson(*parameter, json) : ValueReading(Value(0.0));
+        if (isFree && value) {
+            values.insert_or_assign(id, roundedToFloat(conformed(*parameter, *value)));
+        }
+    }
+    settleShorthands(model, values);
+}
+
 Material swapped(const Document& document, const MaterialPlace& target, const Block& model) {
     const Material* material = materialAt(document.state(), target.object, target.side);
-    return swappedModel(*material, model, document.catalog());
+    Material next = swappedModel(*material, model, document.catalog());
+    const auto start = document.startValues().find(model.id);
+    if (start != document.startValues().end() && start->second.is_object()) {
+        const Block* before = document.catalog().find(kinds::models, material->model.id);
+        begin(next.model.parameters, start->second, *material, before, model);
+    }
+    return next;
 }
 
 } // namespace

@@ -8,6 +8,19 @@ ObjectCommand::ObjectCommand(Document& document, int index, std::optional<Object
     : ListCommand(document, label, index, std::move(before), std::move(after),
                   document.currentObject()) {}
 
+const Material* ObjectCommand::origin(MaterialPlace& place) const {
+    if (place.side != Side::A || isReplacement()) {
+        return nullptr;
+    }
+    if (isAddition() && place.object == target()) {
+        return &after()->material;
+    }
+    if (place.object >= target()) { // those behind it moved up or down
+        place.object += isAddition() ? -1 : 1;
+    }
+    return nullptr;
+}
+
 std::vector<Object>& ObjectCommand::list() const {
     return state().scene.objects;
 }

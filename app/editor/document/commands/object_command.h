@@ -11,6 +11,8 @@ class ObjectCommand : public ListCommand<Object> {
     ObjectCommand(Document& document, int index, std::optional<Object> before,
                   std::optional<Object> after, const QString& label);
 
+    const Material* origin(MaterialPlace& place) const override;
+
   private:
     std::vector<Object>& list() const override;
     void announce() const override;
