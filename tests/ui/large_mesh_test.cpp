@@ -5,12 +5,10 @@
 
 #include <QFile>
 #include <QImage>
-#include <QProgressDialog>
 #include <QSignalSpy>
-#include <QStatusBar>
 #include <QTest>
-#include <QToolButton>
 
+#include "background/long_tasks.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::large_mesh_test {
@@ -58,10 +56,15 @@ class LargeMesh : public WindowFixture {
                                limitMs);
     }
 
-    QToolButton* cancelButton() {
-        const auto buttons = window().statusBar()->findChildren<QToolButton*>();
-        const auto found = std::ranges::find(buttons, QStringLiteral("Cancel"), &QToolButton::text);
-        return found == buttons.end() ? nullptr : *found;
+    /// Stops what is called so; false where nothing is.
+    static bool cancel(const QString& name) {
+        const std::vector<LongTasks::Row> rows = LongTasks::all().running();
+        const auto found = std::ranges::find(rows, name, &LongTasks::Row::name);
+        if (found == rows.end() || !found->canCancel) {
+            return false;
+        }
+        LongTasks::all().cancel(found->number);
+        return true;
     }
 
   private:
@@ -126,8 +129,7 @@ TEST_F(LargeMesh, CancelledWhileItIsRead_ChangesNothing) {
     const Scene before = document().scene();
     QSignalSpy messages(&window().documentFiles(), &DocumentFiles::message);
     drop();
-    ASSERT_TRUE(cancelButton() && cancelButton()->isVisible());
-    QTest::mouseClick(cancelButton(), Qt::LeftButton);
+    ASSERT_TRUE(cancel("Reading a mesh"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !messages.isEmpty(); }, limitMs));
     EXPECT_EQ(document().scene(), before);
     EXPECT_FALSE(document().isModified());
@@ -186,19 +188,19 @@ TEST_F(LargeMeshExport, ViewResizedMeanwhile_IsExportedInItsNewSize) {
 
 TEST_F(LargeMeshExport, Cancelled_WritesNothingAndSaysNothing) {
     save();
-    auto* dialog = window().findChild<QProgressDialog*>();
-    ASSERT_NE(dialog, nullptr);
-    dialog->cancel();
+    ASSERT_TRUE(cancel("Drawing a picture"));
     ASSERT_TRUE(rests());
     EXPECT_FALSE(isThere());
     EXPECT_EQ(window().messages().count(), 0);
 }
 
-TEST_F(LargeMeshExport, Done_TakesItsDialogAway) {
+TEST_F(LargeMeshExport, Done_IsNoTaskAnyMore) {
     QSignalSpy saved(&window().pictures(), &PictureExport::saved);
     save();
     ASSERT_TRUE(saved.wait(limitMs));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !window().findChild<QProgressDialog*>(); }));
+    const std::vector<LongTasks::Row> rows = LongTasks::all().running();
+    EXPECT_EQ(std::ranges::count(rows, QStringLiteral("Drawing a picture"), &LongTasks::Row::name),
+              0);
 }
 
 TEST_F(LargeMesh, DoubleClicked_PutsThePivotOnItsSurface) {

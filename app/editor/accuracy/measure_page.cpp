@@ -29,7 +29,8 @@ MeasurePage::MeasurePage(const DockContext& context, std::shared_ptr<MeasureTurn
     : document_(context.document), documentFiles_(context.documentFiles), meshes_(context.meshes),
       textures_(context.textures), environments_(context.environments), messages_(context.messages),
       turn_(std::move(turn)), results_(std::move(results)),
-      bar_(new MeasureBar(what, endings, this)), rows_(new QVBoxLayout(this)) {
+      bar_(new MeasureBar(what, endings, this)), rows_(new QVBoxLayout(this)),
+      worker_({.name = tr("Measuring accuracy"), .canCancel = true}) {
     rows_->setContentsMargins(6, 4, 6, 0);
     rows_->setSpacing(4);
     rows_->addWidget(bar_);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <exception>
 
+#include <QPointer>
+
 #include "background/free_memory.h"
 
 namespace patina {
@@ -33,7 +35,10 @@ bool Worker::Control::isSuperseded() const {
 void Worker::Control::tell(double share, const QString& doing, bool isAnother) {
     if (isAnother || sinceTold_.elapsed() >= tellEveryMs) {
         sinceTold_.restart();
-        show([worker = &worker_, share, doing] { Q_EMIT worker->progressed(share, doing); });
+        show([worker = &worker_, share, doing] {
+            worker->told_ = {share, doing};
+            Q_EMIT worker->progressed(share, doing);
+        });
     }
 }
 
@@ -57,6 +62,8 @@ Worker::Worker(Options options) : options_(std::move(options)), isPaused_(option
 
 Worker::~Worker() {
     options_.atEnd == AtEnd::Finish ? finish() : forget();
+    open_.clear();
+    report();
     {
         const std::lock_guard lock(mutex_);
         isEnding_ = true;
@@ -65,9 +72,10 @@ Worker::~Worker() {
     pool_.waitForDone();
 }
 
-std::shared_ptr<Progress> Worker::add(const QString& key, Job work) {
+std::shared_ptr<Progress> Worker::add(const QString& key, const QString& what, Job work) {
     auto task = std::make_shared<Task>();
     task->key = key;
+    task->what = what;
     task->work = std::move(work);
     open_.push_back(task);
     {
@@ -80,8 +88,48 @@ std::shared_ptr<Progress> Worker::add(const QString& key, Job work) {
             waiting_.push_back(task);
         }
     }
+    report();
     startThread();
     return {task, &task->progress};
+}
+
+/// Shows that there is something to do, or that there is nothing more.
+void Worker::report() {
+    if (options_.name.isEmpty() || open_.empty() == (reported_ == 0)) {
+        return;
+    }
+    if (open_.empty()) {
+        LongTasks::all().end(std::exchange(reported_, 0));
+        return;
+    }
+    ended_ = 0;
+    told_ = {};
+    LongTask task{options_.name, [this] { return state(); }, {}};
+    if (options_.canCancel) {
+        task.cancel = [this] { cancel(); };
+    }
+    reported_ = LongTasks::all().begin(std::move(task));
+}
+
+TaskState Worker::state() {
+    std::shared_ptr<Task> running;
+    {
+        const std::lock_guard lock(mutex_);
+        running = running_;
+    }
+    const double done = running ? double(running->progress.done.load()) : 0.0;
+    const double share = std::max(told_.share, done);
+    const auto all = static_cast<double>(open_.size()) + ended_;
+    TaskState state{all > 1.0 || share > 0.0 ? (ended_ + std::max(share, 0.0)) / all : -1.0,
+                    told_.doing};
+    if (state.doing.isEmpty() && running) {
+        state.doing = running->what;
+    }
+    if (open_.size() > 1) {
+        const QString more = tr("%n left", nullptr, static_cast<int>(open_.size()));
+        state.doing = state.doing.isEmpty() ? more : tr("%1, %2").arg(state.doing, more);
+    }
+    return state;
 }
 
 void Worker::resume() {
@@ -111,6 +159,7 @@ void Worker::forget() {
         waiting_.clear();
     }
     open_.clear();
+    report();
 }
 
 void Worker::finish() {
@@ -158,8 +207,14 @@ void Worker::handOver(const std::shared_ptr<Task>& task, Delivery delivery, bool
         }
         if (isLast) {
             open_.erase(found);
+            ++ended_;
+            told_ = {};
         }
-        delivery();
+        const QPointer alive(this);
+        delivery(); // which may ask for more, or take the worker away
+        if (alive) {
+            report();
+        }
     };
     QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
 }

@@ -18,6 +18,7 @@
 #include <QThread>
 #include <QThreadPool>
 
+#include "background/long_tasks.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "gl/headless_context.h"
@@ -42,6 +43,10 @@ class Worker : public QObject {
     };
 
     struct Options {
+        /// Names the work where all that takes long is shown (LongTasks); empty: it is not shown.
+        QString name{};
+        bool canCancel = false; ///< it may be stopped there
+
         QThread::Priority priority = QThread::InheritPriority;
 
         /// How long the thread waits for a further request before it rests: the context goes then.
@@ -91,13 +96,16 @@ class Worker : public QObject {
     /// Asks for work(control), whose value done(result) is given: a Result, or a Checked where the
     /// work itself returns one. An exception is an error in it. A request takes the place of the
     /// one with the same key that was not begun, which is dropped; without a key it takes none.
+    /// `what` is shown beside the worker's name: a file, say.
     template <class Work, class Done>
-    std::shared_ptr<Progress> ask(Work work, Done done, const QString& key = {}) {
+    std::shared_ptr<Progress> ask(Work work, Done done, const QString& key = {},
+                                  const QString& what = {}) {
         using Outcome = typename OutcomeOf<std::invoke_result_t<Work&, Control&>>::Type;
-        return add(key, [work = std::move(work), done = std::move(done)](Control& control) mutable {
-            auto outcome = std::make_shared<const Outcome>(outcomeOf<Outcome>(work, control));
-            return [done, outcome]() mutable { done(*outcome); };
-        });
+        return add(
+            key, what, [work = std::move(work), done = std::move(done)](Control& control) mutable {
+                auto outcome = std::make_shared<const Outcome>(outcomeOf<Outcome>(work, control));
+                return [done, outcome]() mutable { done(*outcome); };
+            });
     }
 
     /// Begins what was asked for so far, where it was made paused.
@@ -125,6 +133,7 @@ class Worker : public QObject {
 
     struct Task {
         QString key;
+        QString what;
         Job work;
         Progress progress;
     };
@@ -153,7 +162,9 @@ class Worker : public QObject {
     }
 
     static Error currentError();
-    std::shared_ptr<Progress> add(const QString& key, Job work);
+    std::shared_ptr<Progress> add(const QString& key, const QString& what, Job work);
+    void report();
+    TaskState state();
     void startThread();
     void run();
     std::shared_ptr<Task> next();
@@ -163,6 +174,9 @@ class Worker : public QObject {
     const Options options_;
     bool isPaused_;                           ///< of the thread that asks, as is the next
     std::vector<std::shared_ptr<Task>> open_; ///< were asked for and are not handed over
+    quint64 reported_ = 0;                    ///< where it is shown; 0: nowhere
+    int ended_ = 0;                           ///< requests since there was something to do
+    TaskState told_{};                        ///< of the one that runs
     std::optional<Context> context_;          ///< of the worker's thread; empty: not tried
     std::mutex mutex_;                        ///< guards what follows but the pool
     std::condition_variable changed_;

@@ -64,7 +64,8 @@ EffectsDock::EffectsDock(const DockContext& context)
                         this)),
       cancel_(textButton(tr("Cancel"), tr("Stop and keep what was measured so far"), this)),
       allOn_(textButton(tr("All on"), tr("Show every effect in the views again"), this)),
-      progress_(new QProgressBar(this)), total_(new QLabel(this)), list_(new QTreeWidget(this)) {
+      progress_(new QProgressBar(this)), total_(new QLabel(this)), list_(new QTreeWidget(this)),
+      measurement_({.name = tr("Measuring effects"), .canCancel = true}) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     layOut();

@@ -60,7 +60,7 @@ StabilityDock::StabilityDock(const DockContext& context)
       copy_(textButton(tr("Copy case"), tr("Copy the selected case as a line for `patina eval`"),
                        this)),
       progress_(new QProgressBar(this)), verdictLabel_(new QLabel(this)), remarks_(hintLabel(this)),
-      list_(new QTreeWidget(this)) {
+      list_(new QTreeWidget(this)), check_({.name = tr("Checking stability"), .canCancel = true}) {
     progress_->setRange(0, progressSteps);
     progress_->setMaximumWidth(300);
     progress_->setAccessibleName(tr("Progress of the check"));

@@ -79,7 +79,7 @@ class Autosave : public QObject {
     bool hasFailed_ = false; ///< and said so
     QTimer quiet_;
     QTimer longest_;
-    Worker worker_{{.atEnd = Worker::AtEnd::Finish}};
+    Worker worker_{{.name = tr("Keeping unsaved work safe"), .atEnd = Worker::AtEnd::Finish}};
 };
 
 } // namespace patina

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/picture_export.h"
 
+#include <memory>
 #include <utility>
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QPointer>
-#include <QProgressDialog>
 
 #include "assets/comparison_page.h"
+#include "background/long_tasks.h"
 #include "catalog/json_text.h"
 #include "core/display_image.h"
 
 namespace patina {
-namespace {
-
-/// A picture that is drawn sooner needs no word about it.
-constexpr int quickMs = 300;
-
-} // namespace
-
 PictureExport::PictureExport(Session& session, QWidget* window)
     : QObject(window), session_(session), window_(window) {}
 
@@ -50,20 +43,16 @@ void PictureExport::ask(const QString& title, const QString& name, const Source&
 }
 
 void PictureExport::save(const QString& file, const Source& source) {
-    auto* progress = new QProgressDialog(tr("Drawing the picture …"), tr("Cancel"), 0, 0, window_);
-    progress->setWindowModality(Qt::WindowModal);
-    progress->setMinimumDuration(quickMs);
-    connect(progress, &QProgressDialog::canceled, this, [progress, cancel = source.cancel] {
-        cancel();
-        progress->deleteLater();
-    });
-    const auto finish = [progress = QPointer(progress)] {
-        if (progress) {
-            progress->disconnect();
-            progress->hide();
-            progress->deleteLater();
-        }
-    };
+    const auto task = std::make_shared<quint64>(0);
+    const auto finish = [task] { LongTasks::all().end(std::exchange(*task, 0)); };
+    *task = LongTasks::all().begin({tr("Drawing a picture"),
+                                    [file] {
+                                        return TaskState{-1.0, QFileInfo(file).fileName()};
+                                    },
+                                    [cancel = source.cancel, finish] {
+                                        cancel();
+                                        finish();
+                                    }});
     if (isPage(file) && source.captureEach) {
         source.captureEach([this, file, finish](std::vector<NamedPicture> pictures) {
             finish();

@@ -68,7 +68,8 @@ class PictureExport : public QObject {
     Session& session_;
     QWidget* window_;
     std::unique_ptr<AssetClient> client_;             ///< made when first needed
-    Worker worker_{{.atEnd = Worker::AtEnd::Finish}}; ///< what was asked for is written
+    Worker worker_{{.name = tr("Writing a picture"),
+                    .atEnd = Worker::AtEnd::Finish}}; ///< what was asked for is written
 };
 
 } // namespace patina

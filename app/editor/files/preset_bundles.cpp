@@ -24,7 +24,8 @@ std::string fileStem(const std::filesystem::path& file) {
 } // namespace
 
 PresetBundles::PresetBundles(ThumbnailMaker& thumbnails, QObject* parent)
-    : QObject(parent), thumbnails_(thumbnails), worker_({.atEnd = Worker::AtEnd::Finish}) {
+    : QObject(parent), thumbnails_(thumbnails),
+      worker_({.name = tr("Presets in a zip file"), .atEnd = Worker::AtEnd::Finish}) {
     connect(&thumbnails, &ThumbnailMaker::ready, this, &PresetBundles::take);
 }
 

@@ -18,7 +18,8 @@ constexpr int settleMs = 200;
 
 PresetLibrary::PresetLibrary(std::shared_ptr<const Catalog> catalog, Session& session,
                              QObject* parent)
-    : QObject(parent), session_(session), catalog_(std::move(catalog)), marks_(session) {
+    : QObject(parent), session_(session), catalog_(std::move(catalog)), marks_(session),
+      worker_({.name = tr("Reading presets")}) {
     settle_.setSingleShot(true);
     settle_.setInterval(settleMs);
     connect(&settle_, &QTimer::timeout, this, &PresetLibrary::scan);

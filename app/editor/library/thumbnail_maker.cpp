@@ -178,7 +178,8 @@ class ThumbnailMaker::Studio {
 ThumbnailMaker::ThumbnailMaker(std::shared_ptr<const Catalog> catalog, Folders folders,
                                QObject* parent)
     : QObject(parent), folders_(std::move(folders)), catalog_(std::move(catalog)),
-      keys_(folders_.scene), studio_(nullptr), worker_({.priority = QThread::IdlePriority,
+      keys_(folders_.scene), studio_(nullptr), worker_({.name = tr("Drawing small pictures"),
+                                                        .priority = QThread::IdlePriority,
                                                         .atRest = [this] { studio_ = nullptr; },
                                                         .isPaused = true}) {}
 

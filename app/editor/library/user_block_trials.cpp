@@ -41,7 +41,8 @@ class UserBlockTrials::Wanted {
     Errors mistakes;
 };
 
-UserBlockTrials::UserBlockTrials(QObject* parent) : QObject(parent) {
+UserBlockTrials::UserBlockTrials(QObject* parent)
+    : QObject(parent), worker_({.name = tr("Checking your blocks")}) {
     if (blockGate()) {
         blockGate()->resume();
     }
@@ -82,15 +83,6 @@ Errors UserBlockTrials::mistakesIn(const Catalog& catalog, const Worker::Control
     }
     if (!control.openContext()) {
         return wanted.mistakes; // the view says why nothing is drawn on this machine
-    }
-    QStringList names;
-    for (const StrangerBlock& block : wanted.blocks) {
-        if (!blockGate()->ask(std::span(&block, 1), false).isFinal) {
-            names << QString::fromStdString(block.id);
-        }
-    }
-    if (!names.isEmpty()) {
-        control.show([this, names] { Q_EMIT begun(names); });
     }
     addNew(wanted.mistakes, blockGate()->ask(wanted.blocks, true).mistakes);
     return wanted.mistakes;

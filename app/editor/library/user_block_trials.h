@@ -27,9 +27,6 @@ class UserBlockTrials : public QObject {
     void run(std::shared_ptr<const Catalog> catalog);
 
   Q_SIGNALS:
-    /// These were never tried before; until finished() nothing is drawn with them.
-    void begun(const QStringList& names);
-
     /// All mistakes in the user's shaders, at their files' own lines.
     void finished(const patina::Errors& mistakes);
 

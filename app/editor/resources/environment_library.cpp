@@ -3,9 +3,12 @@
 
 #include <utility>
 
+#include <QFileInfo>
+
 namespace patina {
 
-EnvironmentLibrary::EnvironmentLibrary(QObject* parent) : QObject(parent) {}
+EnvironmentLibrary::EnvironmentLibrary(QObject* parent)
+    : QObject(parent), worker_({.name = tr("Reading an environment"), .canCancel = true}) {}
 
 std::shared_ptr<const EnvironmentImage> EnvironmentLibrary::image(std::string_view file) {
     if (file != file_) {
@@ -37,8 +40,9 @@ void EnvironmentLibrary::load() {
         client.setRights({.withheld = withheld});
         return client.loadImage(file, &control.progress()).map(EnvironmentImage::from);
     };
-    worker_.ask(read, [this](const Answer& answer) { finish(answer); });
-    Q_EMIT loadingStarted(QString::fromStdString(file_));
+    worker_.ask(
+        read, [this](const Answer& answer) { finish(answer); }, {},
+        QFileInfo(QString::fromStdString(file_)).fileName());
 }
 
 void EnvironmentLibrary::finish(const Answer& answer) {

@@ -35,14 +35,10 @@ class EnvironmentLibrary : public QObject {
     /// Files that are not read from now on; those that were and are no more are tried again.
     void withhold(FileSet files);
 
-    /// Gives up on what is loading.
-    void cancel() { worker_.cancel(); }
-
     /// The next image() tries again where the last one could not be read.
     void forgetFailure();
 
   Q_SIGNALS:
-    void loadingStarted(QString file);
     void loaded(QString file);
     void failed(patina::Error why); ///< also when it was cancelled
 

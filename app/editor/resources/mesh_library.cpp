@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <QTimer>
+#include <QFileInfo>
 
 #include "scene/builtin_mesh.h"
 #include "scene/kept_openness.h"
@@ -13,12 +13,17 @@
 namespace patina {
 namespace {
 
-constexpr int progressIntervalMs = 100;
+QString fileName(const MeshKey& key) {
+    return QFileInfo(QString::fromStdString(key.mesh)).fileName();
+}
 
 } // namespace
 
 MeshLibrary::MeshLibrary(QObject* parent)
-    : QObject(parent), opennessWorker_({.priority = QThread::LowPriority}) {}
+    : QObject(parent),
+      opennessWorker_(
+          {.name = tr("Finding occlusion"), .canCancel = true, .priority = QThread::LowPriority}),
+      worker_({.name = tr("Reading a mesh"), .canCancel = true}) {}
 
 MeshView MeshLibrary::view(const Object& object) {
     const MeshKey key = meshKey(object);
@@ -66,7 +71,6 @@ void MeshLibrary::addOpenness(MeshView& view, const MeshKey& key) {
 void MeshLibrary::findOpenness(const MeshView& view, const MeshKey& key) {
     const auto file = files_.find(key);
     const std::shared_ptr<const Loaded> held = file != files_.end() ? file->second : nullptr;
-    const bool first = finding_.empty();
     finding_[key] = opennessWorker_.ask(
         [view, held](const Worker::Control& control) {
             return std::make_shared<const Found>(Found{
@@ -80,24 +84,8 @@ void MeshLibrary::findOpenness(const MeshView& view, const MeshKey& key) {
             }
             found = answer ? *answer : std::make_shared<const Found>();
             Q_EMIT opennessFound();
-        });
-    if (first) {
-        QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportFinding);
-    }
-}
-
-void MeshLibrary::reportFinding() {
-    for (const auto& [key, progress] : finding_) {
-        Q_EMIT opennessProgressed(QString::fromStdString(key.mesh), progress->done.load());
-    }
-    if (!finding_.empty()) {
-        QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportFinding);
-    }
-}
-
-void MeshLibrary::cancelAll() {
-    worker_.cancel();
-    opennessWorker_.cancel();
+        },
+        {}, fileName(key));
 }
 
 PickMesh MeshLibrary::pickMesh(const Object& object) {
@@ -168,16 +156,11 @@ void MeshLibrary::makeBuiltin(const MeshKey& key) {
 }
 
 void MeshLibrary::load(const MeshKey& key) {
-    const bool first = loading_.empty();
     loading_[key] = worker_.ask(
         [key, &client = client()](const Worker::Control& control) {
             return read(client, key, control.progress());
         },
-        [this, key](const Answer& answer) { finish(key, answer); });
-    Q_EMIT loadingStarted(QString::fromStdString(key.mesh));
-    if (first) {
-        QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportProgress);
-    }
+        [this, key](const Answer& answer) { finish(key, answer); }, {}, fileName(key));
 }
 
 /// In the worker's thread.
@@ -212,15 +195,6 @@ void MeshLibrary::finish(const MeshKey& key, const Answer& answer) {
             missingLinks_[key] = refused;
         }
         Q_EMIT linksRefused(file, refused);
-    }
-}
-
-void MeshLibrary::reportProgress() {
-    for (const auto& [key, progress] : loading_) {
-        Q_EMIT progressed(QString::fromStdString(key.mesh), progress->done.load());
-    }
-    if (!loading_.empty()) {
-        QTimer::singleShot(progressIntervalMs, this, &MeshLibrary::reportProgress);
     }
 }
 

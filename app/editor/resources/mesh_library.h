@@ -44,9 +44,6 @@ class MeshLibrary : public QObject {
     /// Starts the files process ahead of its first use.
     void warmUp();
 
-    /// Gives up on everything that is loading.
-    void cancelAll();
-
     /// Gives up on what is loading and is in no object of the scene.
     void cancelAllBut(const Scene& scene);
 
@@ -64,11 +61,8 @@ class MeshLibrary : public QObject {
     void forgetFailures();
 
   Q_SIGNALS:
-    void loadingStarted(QString file);
-    void progressed(QString file, float share);
-    void loaded(QString file);                          ///< its triangles are there
-    void opennessProgressed(QString mesh, float share); ///< where it takes a moment
-    void opennessFound();                               ///< view() has it, or does without it
+    void loaded(QString file);           ///< its triangles are there
+    void opennessFound();                ///< view() has it, or does without it
     void remarked(patina::Error remark); ///< what had to be left out of a mesh that is there
     void failed(QString file, patina::Error why); ///< also when it was cancelled
     /// The file was read, or could not be, without these.
@@ -91,12 +85,10 @@ class MeshLibrary : public QObject {
     MeshView triangles(const MeshKey& key);
     void addOpenness(MeshView& view, const MeshKey& key);
     void findOpenness(const MeshView& view, const MeshKey& key);
-    void reportFinding();
     static Answer read(AssetClient& client, const MeshKey& key, Progress& progress);
     void makeBuiltin(const MeshKey& key);
     void load(const MeshKey& key);
     void finish(const MeshKey& key, const Answer& answer);
-    void reportProgress();
 
     std::unique_ptr<AssetClient> client_;
     std::map<MeshKey, Mesh> builtins_;

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <string_view>
 
+#include <QFileInfo>
+
 #include "core/color.h"
 
 namespace patina {
@@ -56,7 +58,8 @@ QImage previewOf(const TexturePicture& picture) {
 } // namespace
 
 TextureLibrary::TextureLibrary(Client client, QObject* parent)
-    : QObject(parent), client_(std::move(client)) {}
+    : QObject(parent), client_(std::move(client)),
+      worker_({.name = tr("Reading an image"), .canCancel = true}) {}
 
 std::optional<TextureLookup> TextureLibrary::among(const Pictures& pictures,
                                                    const Failures& failures, const TextureUse& use,
@@ -119,7 +122,9 @@ void TextureLibrary::load(const Key& key) {
     const auto read = [key, &client = client_()](const Worker::Control& control) {
         return client.loadTexture(key.first, key.second, &control.progress());
     };
-    worker_.ask(read, [this, key](const Answer& answer) { finish(key, answer); });
+    worker_.ask(
+        read, [this, key](const Answer& answer) { finish(key, answer); }, {},
+        QFileInfo(QString::fromStdString(key.first)).fileName());
     Q_EMIT loadingStarted(QString::fromStdString(key.first));
 }
 

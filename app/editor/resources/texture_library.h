@@ -47,9 +47,6 @@ class TextureLibrary : public QObject {
 
     bool isLoading() const { return !loading_.empty(); }
 
-    /// Gives up on everything that is loading.
-    void cancelAll() { worker_.cancel(); }
-
     /// Forgets failures, so that the next frame tries again.
     void forgetFailures();
 

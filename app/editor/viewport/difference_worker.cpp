@@ -113,7 +113,8 @@ class DifferenceWorker::Workshop {
 
 DifferenceWorker::DifferenceWorker(std::filesystem::path programCache, QObject* parent)
     : QObject(parent), programCache_(std::move(programCache)),
-      worker_({.priority = QThread::LowPriority, // the views come first
+      worker_({.name = tr("Comparing the views"),
+               .priority = QThread::LowPriority, // the views come first
                .patience = patience,
                .atRest = [this] { workshop_.reset(); }}) {}
 

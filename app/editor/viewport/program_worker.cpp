@@ -70,7 +70,8 @@ void makePrograms(const ProgramWorker::Frame& frame, Renderer& renderer) {
 } // namespace
 
 ProgramWorker::ProgramWorker(std::filesystem::path programCache, QObject* parent)
-    : QObject(parent), programCache_(std::move(programCache)) {}
+    : QObject(parent), programCache_(std::move(programCache)),
+      worker_({.name = tr("Preparing shaders")}) {}
 
 quint64 ProgramWorker::ask(Frame frame) {
     const auto make = [this, frame = std::move(frame)](const Worker::Control& control) {

@@ -31,7 +31,7 @@ MainWindow::MainWindow(const std::shared_ptr<const Catalog>& catalog, Theme& the
       views_(new CompareArea({document_, meshes_, textures_, environments_, switches_, effects_,
                               programs_, viewContext_},
                              this)),
-      status_(new StatusLine(document_, meshes_, textures_, environments_, messages_, this)),
+      status_(new StatusLine(document_, messages_, this)),
       recovery_(new RecoveryOffer(autosave_, documentFiles_, *files_, this)) {
     setAcceptDrops(true);
     setCentralWidget(views_);
@@ -139,12 +139,8 @@ void MainWindow::connectParts() {
                 messages_.setGroup("catalog", catalog->errors);
                 trials_.run(catalog);
             });
-    connect(&trials_, &UserBlockTrials::begun, this, [this](const QStringList& names) {
-        status_->showMessage(tr("Checking %1 …").arg(names.join(", ")));
-    });
     connect(&trials_, &UserBlockTrials::finished, this, [this](const Errors& mistakes) {
         messages_.setGroup("shaders", mistakes);
-        status_->clearMessage();
         // A view may wait for a block that it could not draw with before.
         for (SideView* view : views_->views()) {
             view->viewport().frames().refresh();

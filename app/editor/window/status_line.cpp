@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/status_line.h"
 
-#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+
 #include <QLabel>
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "background/long_tasks.h"
 #include "docks/effect_label.h"
 #include "text/short_text.h"
+#include "window/task_popup.h"
 
 namespace patina {
 namespace {
 
 /// The line is written at most this often while frames follow each other.
 constexpr int settleMs = 100;
-constexpr int progressWidth = 200;
+constexpr int progressWidth = 230;
+constexpr int percent = 100;
 
 } // namespace
 
-StatusLine::StatusLine(Document& document, MeshLibrary& meshes, TextureLibrary& textures,
-                       EnvironmentLibrary& environments, MessageLog& messages, QWidget* parent)
-    : QStatusBar(parent), document_(document), meshes_(meshes), textures_(textures),
-      environments_(environments), messages_(messages), model_(new QLabel(this)),
+StatusLine::StatusLine(Document& document, MessageLog& messages, QWidget* parent)
+    : QStatusBar(parent), document_(document), messages_(messages), model_(new QLabel(this)),
       effects_(new QLabel(this)), comparison_(new QLabel(this)), samples_(new QLabel(this)),
-      time_(new QLabel(this)), progress_(new QProgressBar(this)), cancel_(new QToolButton(this)),
+      time_(new QLabel(this)), progress_(new QProgressBar(this)), tasks_(new QToolButton(this)),
       badge_(new QToolButton(this)), switched_(new QToolButton(this)) {
     setSizeGripEnabled(false);
     model_->setObjectName("statusModel");
@@ -33,7 +36,7 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, TextureLibrary& 
     effects_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(model_);
     addWidget(effects_, 1);
-    makeLoadingRow();
+    makeTaskRow();
     comparison_->setObjectName("statusComparison");
     comparison_->hide();
     addPermanentWidget(comparison_);
@@ -60,35 +63,39 @@ StatusLine::StatusLine(Document& document, MeshLibrary& meshes, TextureLibrary& 
     setMinimumHeight(sizeHint().height()); // what comes and goes in it does not move the views
 }
 
-void StatusLine::makeLoadingRow() {
-    progress_->setRange(0, 100);
-    progress_->setMaximumWidth(progressWidth);
-    cancel_->setText(tr("Cancel"));
-    cancel_->setToolTip(tr("Stop what is going on"));
+void StatusLine::makeTaskRow() {
+    progress_->setRange(0, percent);
+    progress_->setFixedWidth(progressWidth);
+    progress_->setObjectName("taskProgress");
+    tasks_->setAutoRaise(true);
+    tasks_->setObjectName("tasks");
+    tasks_->setToolTip(tr("List what is going on, and stop it"));
     addPermanentWidget(progress_);
-    addPermanentWidget(cancel_);
-    hideLoading();
-    connect(cancel_, &QToolButton::clicked, &meshes_, &MeshLibrary::cancelAll);
-    connect(cancel_, &QToolButton::clicked, &textures_, &TextureLibrary::cancelAll);
-    connect(cancel_, &QToolButton::clicked, &environments_, &EnvironmentLibrary::cancel);
-    connect(&environments_, &EnvironmentLibrary::loadingStarted, this,
-            [this](const QString& file) { showLoading(file, 0.0f); });
-    connect(&environments_, &EnvironmentLibrary::loaded, this, &StatusLine::hideLoading);
-    connect(&environments_, &EnvironmentLibrary::failed, this, &StatusLine::hideLoading);
-    connect(&textures_, &TextureLibrary::loadingStarted, this,
-            [this](const QString& file) { showLoading(file, 0.0f); });
-    connect(&textures_, &TextureLibrary::arrived, this, &StatusLine::hideLoading);
-    connect(&meshes_, &MeshLibrary::loadingStarted, this,
-            [this](const QString& file) { showLoading(file, 0.0f); });
-    connect(&meshes_, &MeshLibrary::progressed, this, &StatusLine::showLoading);
-    connect(&meshes_, &MeshLibrary::opennessProgressed, this, &StatusLine::showFinding);
-    connect(&meshes_, &MeshLibrary::opennessFound, this, &StatusLine::hideLoading);
-    connect(&meshes_, &MeshLibrary::loaded, this, &StatusLine::hideLoading);
-    connect(&meshes_, &MeshLibrary::failed, this, &StatusLine::hideLoading);
+    addPermanentWidget(tasks_);
+    connect(tasks_, &QToolButton::clicked, this, &StatusLine::listTasks);
+    connect(&LongTasks::all(), &LongTasks::changed, this, &StatusLine::showTasks);
+    showTasks();
 }
 
-bool StatusLine::isLoading() const {
-    return meshes_.isLoading() || environments_.isLoading() || textures_.isLoading();
+/// The oldest is told about, and how many there are.
+void StatusLine::showTasks() {
+    const std::vector<LongTasks::Row> rows = LongTasks::all().shown();
+    progress_->setVisible(!rows.empty());
+    tasks_->setVisible(!rows.empty());
+    if (rows.empty()) {
+        return;
+    }
+    const TaskState& first = rows.front().state;
+    progress_->setValue(static_cast<int>(std::lround(std::max(first.share, 0.0) * percent)));
+    progress_->setFormat(first.share < 0.0 ? rows.front().name
+                                           : tr("%1 %p%").arg(rows.front().name));
+    tasks_->setText(rows.size() == 1 ? tr("1 task") : tr("%1 tasks").arg(rows.size()));
+    tasks_->setAccessibleName(tasks_->text());
+}
+
+void StatusLine::listTasks() {
+    popup_ = new TaskPopup(LongTasks::all(), this);
+    popup_->showAt(tasks_->mapToGlobal(QPoint(tasks_->width(), 0)));
 }
 
 void StatusLine::setViewport(Viewport* viewport) {
@@ -137,31 +144,6 @@ void StatusLine::showSamples() {
                                 .arg(samples)
                                 .arg(viewport_->viewed().wantedSamples())
                           : tr("Environment: %1 samples").arg(samples));
-}
-
-void StatusLine::showLoading(const QString& file, float share) {
-    showProgress(tr("%1 %p%").arg(shortened(QFileInfo(file).fileName())), share);
-}
-
-void StatusLine::showFinding(const QString&, float share) {
-    showProgress(tr("Occlusion %p%"), share);
-}
-
-void StatusLine::showProgress(const QString& text, float share) {
-    if (!isLoading()) {
-        return;
-    }
-    progress_->setValue(static_cast<int>(share * 100.0f));
-    progress_->setFormat(text);
-    progress_->show();
-    cancel_->show();
-}
-
-void StatusLine::hideLoading() {
-    if (!isLoading()) {
-        progress_->hide();
-        cancel_->hide();
-    }
 }
 
 void StatusLine::setSwitchedOff(int effects) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QStatusBar>
 #include <QTimer>
 
 #include "document/document.h"
-#include "resources/environment_library.h"
-#include "resources/mesh_library.h"
-#include "resources/texture_library.h"
 #include "session/message_log.h"
 #include "viewport/viewport.h"
 
@@ -17,14 +15,15 @@ class QToolButton;
 
 namespace patina {
 
-/// The model, the effects in the shader, and the frame's time with how it was measured; what is
-/// loading; and how many messages there are.
+class TaskPopup;
+
+/// The model, the effects in the shader, and the frame's time with how it was measured; what takes
+/// long; and how many messages there are.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
   public:
-    StatusLine(Document& document, MeshLibrary& meshes, TextureLibrary& textures,
-               EnvironmentLibrary& environments, MessageLog& messages, QWidget* parent = nullptr);
+    StatusLine(Document& document, MessageLog& messages, QWidget* parent = nullptr);
 
     /// Whose frames are told about.
     void setViewport(Viewport* viewport);
@@ -40,20 +39,14 @@ class StatusLine : public QStatusBar {
     void effectsWished();
 
   private:
-    void makeLoadingRow();
+    void makeTaskRow();
     void showFrame();
-    void showLoading(const QString& file, float share);
-    void showFinding(const QString& mesh, float share);
-    void showProgress(const QString& text, float share);
-    void hideLoading();
+    void showTasks();
+    void listTasks();
     void showSamples();
     void showBadge();
-    bool isLoading() const;
 
     Document& document_;
-    MeshLibrary& meshes_;
-    TextureLibrary& textures_;
-    EnvironmentLibrary& environments_;
     MessageLog& messages_;
     Viewport* viewport_ = nullptr;
     QTimer settle_;
@@ -63,7 +56,8 @@ class StatusLine : public QStatusBar {
     QLabel* samples_;
     QLabel* time_;
     QProgressBar* progress_;
-    QToolButton* cancel_;
+    QToolButton* tasks_; ///< says how many there are
+    QPointer<TaskPopup> popup_;
     QToolButton* badge_;
     QToolButton* switched_; ///< says that effects are switched off
 };
