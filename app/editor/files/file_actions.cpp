@@ -5,11 +5,13 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMessageBox>
 #include <QRegularExpression>
 
 #include "document/scene_edits.h"
 #include "files/details_dialog.h"
+#include "files/import_dialog.h"
 #include "files/place_beside.h"
 #include "library/preset_library.h"
 #include "scene/scene_file.h"
@@ -184,10 +186,26 @@ bool FileActions::writePreset(const QString& file) {
 void FileActions::importMesh() {
     const QStringList files = QFileDialog::getOpenFileNames(
         window_, tr("Import mesh"), session_.folder("mesh"), tr("All files") + " (*)");
+    if (files.isEmpty() || !askHowToImport(files.front())) {
+        return;
+    }
     for (const QString& file : files) {
         session_.setFolderOf("mesh", file);
         load(file);
     }
+}
+
+/// False when the user wants to go back.
+bool FileActions::askHowToImport(const QString& file) {
+    if (QGuiApplication::queryKeyboardModifiers().testFlag(Qt::ShiftModifier)) {
+        return true;
+    }
+    ImportDialog dialog(file, session_.meshImport(), window_);
+    if (dialog.exec() != QDialog::Accepted) {
+        return false;
+    }
+    session_.setMeshImport(dialog.chosen());
+    return true;
 }
 
 void FileActions::addObject(Object object) {
@@ -224,12 +242,17 @@ void FileActions::forgetMeshes() {
     meshes_.cancelAllBut(document_.scene());
 }
 
-/// The object is added when its mesh is there; a mesh that cannot be read changes nothing.
+/// The object is added when its mesh is there; a mesh that cannot be read changes nothing. It
+/// becomes an object as those did that were imported last.
 void FileActions::load(const QString& mesh) {
+    const MeshImport import = session_.meshImport();
     Object object;
     object.name = QFileInfo(mesh).completeBaseName().toStdString();
     object.mesh = QFileInfo(mesh).absoluteFilePath().toStdString();
-    object.fitUnitBox = true;
+    object.fitUnitBox = import.fits;
+    object.flipNormals = import.flips;
+    object.scale = glm::dvec3(import.scale);
+    object.rotation.x = import.isZUp ? -90.0 : 0.0;
     const QString file = QString::fromStdString(object.mesh);
     wanted_[file] = object;
     files_.withheld().allow(object.mesh);

@@ -87,6 +87,7 @@ class FileActions : public QObject {
   private:
     void openDocument(const QString& file);
     void forgetMeshes();
+    bool askHowToImport(const QString& file);
     void load(const QString& mesh);
     void meshLoaded(const QString& mesh);
     bool showsOnlyTheStart() const;

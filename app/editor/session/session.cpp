@@ -214,6 +214,21 @@ void Session::setKeepsParked(bool keeps) {
     settings_.setValue("files/keepParked", keeps);
 }
 
+MeshImport Session::meshImport() const {
+    const MeshImport usual;
+    const double scale = settings_.value("import/scale", usual.scale).toDouble();
+    return {settings_.value("import/fits", usual.fits).toBool(), scale > 0.0 ? scale : usual.scale,
+            settings_.value("import/flips", usual.flips).toBool(),
+            settings_.value("import/zUp", usual.isZUp).toBool()};
+}
+
+void Session::setMeshImport(const MeshImport& import) {
+    settings_.setValue("import/fits", import.fits);
+    settings_.setValue("import/scale", import.scale);
+    settings_.setValue("import/flips", import.flips);
+    settings_.setValue("import/zUp", import.isZUp);
+}
+
 QStringList Session::presets(Presets which) const {
     return settings_.value(presetsKey(which)).toStringList();
 }

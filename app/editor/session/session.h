@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include "session/compare_look.h"
+#include "session/mesh_import.h"
 #include "session/mouse_scheme.h"
 
 namespace patina {
@@ -62,6 +63,10 @@ class Session {
     /// Whether preset files keep what only other models use.
     bool keepsParked() const;
     void setKeepsParked(bool keeps);
+
+    /// How meshes were imported last.
+    MeshImport meshImport() const;
+    void setMeshImport(const MeshImport& import);
 
     /// Lists of preset files or folders that the preset library remembers.
     enum class Presets { Favourites, Recent, Folders };

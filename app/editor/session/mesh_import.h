@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace patina {
+
+/// How a mesh file becomes an object.
+struct MeshImport {
+    bool fits = true;   ///< into a unit box, before the scale
+    double scale = 1.0; ///< metres of one unit of the file
+    bool flips = false; ///< normals that point inwards
+    bool isZUp = false; ///< z is up in the file, not y
+
+    friend bool operator==(const MeshImport&, const MeshImport&) = default;
+};
+
+} // namespace patina
