@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 
+#include "catalog/block_kind.h"
 #include "catalog/random_value.h"
 #include "parameters/clipboard_value.h"
 #include "parameters/parameter_editor.h"
@@ -45,9 +46,9 @@ FormMenu::FormMenu(ParameterForm& form) : QObject(&form), form_(form) {}
 
 void FormMenu::setSource(ParameterSource* source, const Block* block) {
     source_ = source;
-    block_ =
-        block ? NamedBlock{block->kind.empty() ? block->id : block->kind, block->id, block->label}
-              : NamedBlock();
+    isOfKind_ = block && findKind(block->kind);
+    block_ = block ? NamedBlock{isOfKind_ ? block->kind : block->id, block->id, block->label}
+                   : NamedBlock();
 }
 
 void FormMenu::attach(ParameterRow& row) {
@@ -119,10 +120,11 @@ void FormMenu::addGroupActions(QMenu& menu, const Rows& rows) {
     QAction* resetting = menu.addAction(tr("Reset"), this, [this, rows] { reset(rows); });
     resetting->setEnabled(std::ranges::any_of(rows, &ParameterRow::isChanged));
     resetting->setToolTip(tr("To the defaults; locked ones stay"));
-    menu.addAction(tr("Randomise"), this, [this, rows] { randomise(rows); })
-        ->setToolTip(
-            tr("Values that the sliders reach. Locked ones, choices, images and what glows "
-               "stay."));
+    if (isOfKind_) { // what every scene or camera has is not made by chance
+        menu.addAction(tr("Randomise"), this, [this, rows] { randomise(rows); })
+            ->setToolTip(tr("Values that the sliders reach. Locked ones, choices, images and what "
+                            "glows stay."));
+    }
     if (source_->takesLocks()) {
         menu.addSeparator();
         menu.addAction(tr("Lock"), this, [this, rows] { setLocked(rows, true); })

@@ -51,6 +51,7 @@ class FormMenu : public QObject {
     ParameterForm& form_;
     ParameterSource* source_ = nullptr;
     NamedBlock block_;
+    bool isOfKind_ = false; ///< a block, not settings that every scene has
 };
 
 } // namespace patina
