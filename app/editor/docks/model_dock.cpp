@@ -14,7 +14,7 @@ namespace {
 
 constexpr int pictureSize = 72;
 constexpr int restMs = 80;
-const QString pictureGroup = QStringLiteral("model/");
+const QString modelPictureGroup = QStringLiteral("model/");
 
 } // namespace
 
@@ -38,8 +38,8 @@ ModelDock::ModelDock(const DockContext& context)
     connect(grid_, &QListWidget::viewportEntered, &rest_, &QTimer::stop);
     connect(&thumbnails_, &ThumbnailMaker::ready, this,
             [this](const QString& name, const QImage& picture) {
-                if (name.startsWith(pictureGroup)) {
-                    grid_->setPicture(name.mid(pictureGroup.size()), picture);
+                if (name.startsWith(modelPictureGroup)) {
+                    grid_->setPicture(name.mid(modelPictureGroup.size()), picture);
                 }
             });
     connect(grid_, &PictureGrid::pictureWished, this, &ModelDock::askForPicture);
@@ -61,7 +61,7 @@ void ModelDock::fill() {
 
 void ModelDock::askForPicture(const QString& id) {
     if (const Block* model = document_.catalog().find(kinds::models, id.toStdString())) {
-        thumbnails_.ask(pictureGroup + id, defaultMaterial(*model));
+        thumbnails_.ask(modelPictureGroup + id, defaultMaterial(*model));
     }
 }
 
