@@ -19,11 +19,21 @@ namespace {
 
 constexpr int scaleDecimals = 6;
 
+/// Shows no more decimals than there are.
+class ScaleBox : public QDoubleSpinBox {
+  public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+
+    QString textFromValue(double value) const override {
+        return locale().toString(value, 'f', QLocale::FloatingPointShortest);
+    }
+};
+
 } // namespace
 
 ImportDialog::ImportDialog(const QString& file, const MeshImport& import, QWidget* parent)
     : QDialog(parent), fits_(new QCheckBox(tr("&Fit into a unit box"), this)),
-      scale_(new QDoubleSpinBox(this)), up_(new QComboBox(this)),
+      scale_(new ScaleBox(this)), up_(new QComboBox(this)),
       flips_(new QCheckBox(tr("Flip &normals"), this)) {
     setObjectName("import");
     setWindowTitle(tr("Import %1").arg(shortened(QFileInfo(file).fileName())));
