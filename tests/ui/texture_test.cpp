@@ -145,6 +145,15 @@ TEST_F(TextureForm, MissingFile_IsToldOnce) {
     EXPECT_EQ(told.count(), 1);
 }
 
+/// Who hears of it may paint, which takes the context away from the view that asks.
+TEST_F(TextureForm, FileThatAViewAsksForWhileItDraws_IsToldOfAfterwards) {
+    QSignalSpy started(&images, &TextureLibrary::loadingStarted);
+    images.find(textureUse(color, image().toStdString()), TextureDecoding::Color);
+    EXPECT_EQ(started.count(), 0);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !images.isLoading(); }, waitMs));
+    EXPECT_EQ(started.count(), 1);
+}
+
 TEST_F(TextureForm, FileOutsideTheFolder_IsReadWhenItIsAllowed) {
     TextureUse outside = textureUse(color, image().toStdString());
     outside.outside = true;

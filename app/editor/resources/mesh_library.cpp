@@ -6,6 +6,7 @@
 
 #include <QFileInfo>
 
+#include "background/tell_afterwards.h"
 #include "scene/builtin_mesh.h"
 #include "scene/kept_openness.h"
 #include "scene/mesh_path.h"
@@ -149,7 +150,9 @@ void MeshLibrary::makeBuiltin(const MeshKey& key) {
     object.flipNormals = key.flipNormals;
     Result<Mesh> made = builtinMesh(object);
     if (!made) {
-        Q_EMIT failed(QString::fromStdString(key.mesh), made.error());
+        tellAfterwards(*this, [this, mesh = key.mesh, why = made.error()] {
+            Q_EMIT failed(QString::fromStdString(mesh), why);
+        });
         return;
     }
     mesh = std::move(*made);

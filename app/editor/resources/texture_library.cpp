@@ -8,6 +8,7 @@
 
 #include <QFileInfo>
 
+#include "background/tell_afterwards.h"
 #include "core/color.h"
 
 namespace patina {
@@ -125,7 +126,8 @@ void TextureLibrary::load(const Key& key) {
     worker_.ask(
         read, [this, key](const Answer& answer) { finish(key, answer); }, {},
         QFileInfo(QString::fromStdString(key.first)).fileName());
-    Q_EMIT loadingStarted(QString::fromStdString(key.first));
+    tellAfterwards(
+        *this, [this, file = QString::fromStdString(key.first)] { Q_EMIT loadingStarted(file); });
 }
 
 void TextureLibrary::finish(const Key& key, const Answer& answer) {
