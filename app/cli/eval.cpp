@@ -232,6 +232,8 @@ surface and need not be unit; parameters that are not named have their defaults.
                               how wide an edge's lines are, outside the shape and on it
   {"transparency": BLOCK, "depth": 0 .. 1, "opacity": 0 .. 1}
                               how much a surface counts
+  {"tone": BLOCK, "radiance": [R, G, B]}
+                              what a screen shows of that light, before its own curve
   {"function": NAME, "arguments": [NUMBER, ...]}
                               what the function of the shader library gives
 BLOCK is an id, or {"id": ID, "parameters": {...}, "accuracy": {...}}. Every case may have

@@ -46,8 +46,9 @@ constexpr auto ofShadows = functions(BlockFunction{"", "float", "ShadowPoint", "
 constexpr auto ofFog =
     functions(BlockFunction{"", "float", "FogRay", "ray"}, BlockFunction{"Color", "vec3"});
 constexpr auto ofTransparency = functions(BlockFunction{"", "float", "Layer", "l", false, layer});
-constexpr auto light = std::to_array<ArgumentField>({{.key = "light", .type = Field::Color}});
-constexpr auto ofTone = functions(BlockFunction{"", "vec3", "vec3", "light", false, light});
+constexpr auto radiance =
+    std::to_array<ArgumentField>({{.key = "radiance", .type = Field::Color}});
+constexpr auto ofTone = functions(BlockFunction{"", "vec3", "vec3", "light", false, radiance});
 constexpr auto ofEnvironment = functions(BlockFunction{"", "vec3", "Outlook", "o", false, outlook});
 
 constexpr std::array<std::string_view, 2> indexSources{"surface", "own"};

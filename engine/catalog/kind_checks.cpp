@@ -7,7 +7,29 @@
 
 namespace patina {
 
+namespace {
+
+/// An argument under a key by which a line of `patina eval` names a block of some kind; null where
+/// there is none.
+const ArgumentField* takenKey(const BlockKind& kind) {
+    for (const BlockFunction& function : kind.functions) {
+        for (const ArgumentField& field : function.fields) {
+            if (std::ranges::find(blockKinds(), field.key, &BlockKind::singular) !=
+                blockKinds().end()) {
+                return &field;
+            }
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
 std::string kindMistake(const BlockKind& kind) {
+    if (const ArgumentField* field = takenKey(kind)) {
+        return fmt::format("the kind \"{}\" calls an argument \"{}\", as a kind is called",
+                           kind.folder, field->key);
+    }
     const auto found = std::ranges::find_if(kind.functions, [](const BlockFunction& function) {
         return function.argument == "Directions" && !function.suffix.empty();
     });

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/patina_program.h"
+#include "measure/eval/eval_case.h"
 
 namespace patina::tests::eval_test {
 namespace {
@@ -134,6 +135,24 @@ TEST(EvalCommand, LibraryFunctionOnTheGpu_AgreesWithDouble) {
 TEST(EvalCommand, WrongNumberOfArguments_ShowsTheSignature) {
     EXPECT_NE(errorOf({{"function", "ggx_d"}, {"arguments", {1}}}).find("float alpha"),
               std::string::npos);
+}
+
+TEST(EvalCommand, ToneCurve_TakesTheLightThatItShows) {
+    const Json answer = answerTo({{"tone", "reinhard"}, {"radiance", {0, 0.5, 2}}});
+    ASSERT_TRUE(answer.contains("value")) << answer;
+    EXPECT_EQ(answer.at("value")[0], 0.0);
+    EXPECT_LT(answer.at("value")[1].get<double>(), answer.at("value")[2].get<double>());
+    EXPECT_LE(answer.at("value")[2].get<double>(), 1.0);
+}
+
+TEST(EvalCommand, Help_ShowsACaseOfEachKind) {
+    const std::string help = patina({"eval", "--help"}).out;
+    for (const BlockKind& kind : blockKinds()) {
+        if (!evaluatedFunctions(kind).empty()) {
+            EXPECT_NE(help.find(fmt::format("{{\"{}\":", kind.singular)), std::string::npos)
+                << kind.singular;
+        }
+    }
 }
 
 TEST(EvalCommand, Light_AnswersWithItsDirection) {

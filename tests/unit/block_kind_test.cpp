@@ -49,6 +49,17 @@ TEST(BlockKinds, SecondFunctionOfDirections_IsRefusedByItsName) {
     EXPECT_NE(kindMistake(kind).find("\"Tail\" of Directions"), std::string::npos);
 }
 
+TEST(BlockKinds, ArgumentThatIsCalledAsAKind_IsRefusedByItsName) {
+    constexpr std::array fields{ArgumentField{.key = "light"}};
+    constexpr std::array taking{BlockFunction{"", "float", "float", "x", false, fields}};
+    BlockKind kind = blockKinds().front();
+    kind.functions = taking;
+    EXPECT_NE(kindMistake(kind).find("argument \"light\""), std::string::npos);
+    for (const BlockKind& shipped : blockKinds()) {
+        EXPECT_EQ(kindMistake(shipped), "");
+    }
+}
+
 /// Other programs check files by the schemas alone.
 TEST(BlockKinds, Parts_StandInTheSchemas) {
     for (const auto& [owner, schema] :
