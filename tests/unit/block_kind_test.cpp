@@ -50,8 +50,9 @@ TEST(BlockKinds, SecondFunctionOfDirections_IsRefusedByItsName) {
 }
 
 TEST(BlockKinds, ArgumentThatIsCalledAsAKind_IsRefusedByItsName) {
-    constexpr std::array fields{ArgumentField{.key = "light"}};
-    constexpr std::array taking{BlockFunction{"", "float", "float", "x", false, fields}};
+    static constexpr std::array fields{ArgumentField{.key = "light"}};
+    static constexpr std::array taking{
+        BlockFunction{"", "float", "float", "x", false, fields}};
     BlockKind kind = blockKinds().front();
     kind.functions = taking;
     EXPECT_NE(kindMistake(kind).find("argument \"light\""), std::string::npos);
