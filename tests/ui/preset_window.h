@@ -14,6 +14,8 @@ namespace patina::tests {
 /// The window with its presets read, and what a user does to them.
 class PresetWindow : public WindowFixture {
   protected:
+    explicit PresetWindow(Size size = Size::Small) : WindowFixture(size) {}
+
     void SetUp() override {
         window().activateWindow();
         QApplication::setActiveWindow(&window()); // there is no window manager to do it
