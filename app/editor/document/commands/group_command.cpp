@@ -2,7 +2,6 @@
 #include "document/commands/group_command.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace patina {
@@ -17,14 +16,14 @@ void GroupCommand::redo() {
 }
 
 void GroupCommand::undo() {
-    for (const auto& edit : std::views::reverse(edits_)) {
-        edit->undo();
+    for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) {
+        (*edit)->undo();
     }
 }
 
 const Material* GroupCommand::origin(MaterialPlace& place) const {
-    for (const auto& edit : std::views::reverse(edits_)) {
-        if (const Material* material = edit->origin(place)) {
+    for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) {
+        if (const Material* material = (*edit)->origin(place)) {
             return material;
         }
     }
