@@ -11,9 +11,6 @@ namespace {
 
 constexpr std::string_view environmentKind = kinds::environment;
 
-/// Directions that a scene gets without being asked for: more of them take long.
-constexpr int maxUnasked = 256;
-
 } // namespace
 
 Result<std::shared_ptr<const EnvironmentImage>> environmentPicture(const Scene& scene,
@@ -36,13 +33,7 @@ Result<std::shared_ptr<const EnvironmentImage>> environmentPicture(const Scene& 
 }
 
 int directionsFor(const Scene& scene, const PictureOptions& options, const Catalog& catalog) {
-    if (options.samples > 0) {
-        return options.samples;
-    }
-    const Block* block = blockOf(scene.parts, kinds::environment, catalog);
-    return block == nullptr
-               ? maxUnasked
-               : std::min(directionsOf(*scene.part(kinds::environment), *block), maxUnasked);
+    return options.samples > 0 ? options.samples : unaskedDirections(scene, catalog);
 }
 
 } // namespace patina

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <future>
 #include <iostream>
 #include <memory>
@@ -11,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "assets/asset_client.h"
-#include "catalog/json_text.h"
 #include "cli/environment_setup.h"
 #include "cli/long_work.h"
 #include "cli/picture.h"
@@ -21,11 +18,8 @@
 #include "cli/sheet_axis.h"
 #include "cli/texture_text.h"
 #include "core/display_image.h"
-#include "measure/cost/cell_meter.h"
-#include "measure/stability/white_sky_albedo.h"
+#include "measure/cells/sheet_maker.h"
 #include "sheet/sheet_file.h"
-#include "sheet/sheet_picture.h"
-#include "sheet/sheet_table.h"
 
 namespace patina {
 namespace {
@@ -40,7 +34,8 @@ struct SheetOptions {
     PictureOptions picture;
     PictureFile output;
 
-    bool isTable() const { return std::filesystem::path(output.name).extension() == ".csv"; }
+    SheetForm form() const { return sheetFormOf(output.name); }
+    bool isTable() const { return form() == SheetForm::Table; }
 };
 
 /// What is drawn: the sheet, and the preset that it starts from.
@@ -99,9 +94,6 @@ Result<void> readNumbers(Sheet& sheet, const SheetOptions& options) {
         }
         sheet.numbers.push_back(*number);
     }
-    if (options.isTable() && sheet.numbers.empty()) {
-        sheet.numbers = {CellNumber::Time, CellNumber::Error, CellNumber::Albedo};
-    }
     return {};
 }
 
@@ -131,205 +123,82 @@ Checked<SheetRequest> requestFor(const SheetOptions& options) {
     return request;
 }
 
-/// Draws and measures the cells of a sheet, one after the other.
-class SheetMaker {
+/// What draws the cells of a plan, read while the graphics driver starts.
+class SheetStudio {
   public:
-    SheetMaker(const SheetPlan& plan, const Sheet& sheet, const SheetOptions& options)
-        : plan_(plan), sheet_(sheet), options_(options),
-          picture_(plan, sheet.name,
-                   {sheet.cellPixels,
-                    options.isTable() ? 0 : static_cast<int>(sheet.numbers.size()),
-                    !options.output.isLinear()}) {}
+    SheetStudio(const SheetPlan& plan, const Sheet& sheet, const SheetOptions& options,
+                AssetClient& client)
+        : plan_(plan), sheet_(sheet), options_(options), client_(client) {}
 
-    /// Reads the meshes while the graphics driver starts.
-    Checked<void> begin(AssetClient& client) {
-        client_ = &client;
-        auto meshes = std::async(std::launch::async, [this, &client] {
-            return SceneMeshes::load(plan_.start(), client);
-        });
-        auto maker = PictureMaker::create(plan_.catalog());
+    Checked<void> open() {
+        auto meshes = std::async(std::launch::async,
+                                 [this] { return SceneMeshes::load(plan_.start(), client_); });
+        auto pictures = PictureMaker::create(plan_.catalog());
         auto loaded = meshes.get();
-        if (!maker) {
-            return tl::unexpected(oneError(maker.error()));
+        if (!pictures) {
+            return tl::unexpected(oneError(pictures.error()));
         }
         if (!loaded) {
             return tl::unexpected(loaded.error());
         }
         report(loaded->remarks());
         meshes_.emplace(std::move(*loaded));
-        maker_.emplace(std::move(*maker));
-        textures_.emplace(client);
-        maker_->setTextures(*textures_, filesIn(options_.picture.textures));
+        pictures_.emplace(std::move(*pictures));
+        textures_.emplace(client_);
+        pictures_->setTextures(*textures_, filesIn(options_.picture.textures));
+        cells_.emplace(supplies());
         return {};
     }
 
-    /// All cells; those that cannot be drawn say why. False where it was stopped before.
-    Checked<bool> run() {
-        LongWork work;
-        const int cells = plan_.columns() * plan_.rows();
-        for (int i = 0; i < cells; ++i) {
-            if (work.isStopped()) {
-                return false;
-            }
-            work.tell(fmt::format("cell {} of {}", i + 1, cells));
-            const int column = i % plan_.columns();
-            const int row = i / plan_.columns();
-            const auto done = plan_.isControl(row) && column > 0 ? repeatStart(column, row)
-                                                                 : make(column, row, work);
-            if (!done) {
-                return tl::unexpected(done.error());
-            }
-        }
-        const bool isAny =
-            std::ranges::any_of(rows_, [](const CellRow& row) { return row.problem.empty(); });
-        return isAny ? Checked<bool>(true)
-                     : tl::unexpected(oneError(failure(rows_.front().problem).value()));
-    }
-
-    const Image& image() const { return picture_.image(); }
-    std::string csv() const { return sheetCsv(plan_, rows_); }
+    CellMaker& cells() { return *cells_; }
 
   private:
+    CellMaker::Supplies supplies() {
+        const auto surroundings = [this](const Scene& scene) {
+            return environmentPicture(scene, options_.picture, *plan_.catalog(), client_);
+        };
+        const auto draw = [this](const Scene& scene, const CellMaker::Panorama& panorama) {
+            return picture(scene, panorama);
+        };
+        return {{plan_.catalog(), meshes(), textures_->source()},
+                programCacheFolder(),
+                surroundings,
+                draw};
+    }
+
     MeshSource meshes() const {
         return [this](const Object& object) { return meshes_->view(object); };
     }
 
-    /// The cell, with what was measured of it. An error ends the sheet.
-    Checked<void> make(int column, int row, const LongWork& work) {
-        CellRow made{column, row};
-        const Result<Scene> scene = plan_.scene(column, row);
-        if (!scene) {
-            return refuse(std::move(made), scene.error().problem);
-        }
-        if (auto shown = showEnvironment(*scene); !shown) {
-            return shown;
-        }
-        if (options_.isTable()) {
-            made.numbers = measured(*scene, work);
-            rows_.push_back(std::move(made));
-            return {};
-        }
-        const auto image = maker_->draw(*scene, meshes(), glm::ivec2(sheet_.cellPixels),
-                                        !options_.output.isLinear());
+    Checked<Image> picture(const Scene& scene, const CellMaker::Panorama& panorama) {
+        pictures_->setEnvironment(panorama,
+                                  directionsFor(scene, options_.picture, *plan_.catalog()));
+        auto image = pictures_->draw(scene, meshes(), glm::ivec2(sheet_.cellPixels),
+                                     options_.form() == SheetForm::Display);
         if (!image) {
             report(image.error());
-            return refuse(std::move(made), "it cannot be drawn");
         }
-        made.numbers = measured(*scene, work);
-        picture_.put(column, row, *image, captionOf(made.numbers, sheet_.numbers));
-        start_ = *image;
-        rows_.push_back(std::move(made));
-        return {};
-    }
-
-    /// All cells of the control row are one.
-    Checked<void> repeatStart(int column, int row) {
-        CellRow again = rows_.back();
-        again.column = column;
-        if (!options_.isTable() && again.problem.empty()) {
-            picture_.put(column, row, start_, captionOf(again.numbers, sheet_.numbers));
-        }
-        rows_.push_back(std::move(again));
-        return {};
-    }
-
-    Checked<void> refuse(CellRow cell, std::string why) {
-        picture_.putProblem(cell.column, cell.row, why);
-        cell.problem = std::move(why);
-        rows_.push_back(std::move(cell));
-        return {};
-    }
-
-    /// Reads a picture only where a cell has another environment than the one before.
-    Checked<void> showEnvironment(const Scene& scene) {
-        const BlockValues* wanted = scene.part(kinds::environment);
-        const std::optional<BlockValues> environment =
-            wanted == nullptr ? std::nullopt : std::optional(*wanted);
-        if (hasEnvironment_ && environment == environment_) {
-            return {};
-        }
-        const auto picture =
-            environmentPicture(scene, options_.picture, *plan_.catalog(), *client_);
-        if (!picture) {
-            return tl::unexpected(oneError(picture.error()));
-        }
-        environment_ = environment;
-        hasEnvironment_ = true;
-        panorama_ = *picture;
-        maker_->setEnvironment(panorama_, directionsFor(scene, options_.picture, *plan_.catalog()));
-        return {};
-    }
-
-    bool wants(CellNumber number) const {
-        return std::ranges::find(sheet_.numbers, number) != sheet_.numbers.end();
-    }
-
-    CellNumbers measured(const Scene& scene, const LongWork& work) {
-        CellNumbers numbers;
-        if (wants(CellNumber::Albedo)) {
-            numbers.albedo =
-                whiteSkyAlbedo(*plan_.catalog(), scene.objects[plan_.object()].material);
-        }
-        if ((wants(CellNumber::Time) || wants(CellNumber::Error)) && hasMeter()) {
-            const CellMeter::Subject subject{scene, plan_.object(), panorama_};
-            const auto noted = [](const Result<double>& number) {
-                return number ? std::optional(*number) : std::nullopt;
-            };
-            if (wants(CellNumber::Time)) {
-                numbers.milliseconds = noted(meter_->milliseconds(subject));
-            }
-            if (wants(CellNumber::Error)) {
-                numbers.error = noted(meter_->error(subject, glm::ivec2(sheet_.cellPixels),
-                                                    [&work] { return work.isStopped(); }));
-            }
-        }
-        return numbers;
-    }
-
-    bool hasMeter() {
-        if (meter_ == nullptr && !hasNoMeter_) {
-            auto meter = CellMeter::create({plan_.catalog(), meshes(), textures_->source()},
-                                           programCacheFolder());
-            hasNoMeter_ = !meter;
-            if (meter) {
-                meter_ = std::move(*meter);
-            } else {
-                report(oneError(meter.error()));
-            }
-        }
-        return meter_ != nullptr;
+        return image;
     }
 
     const SheetPlan& plan_;
     const Sheet& sheet_;
     const SheetOptions& options_;
-    AssetClient* client_ = nullptr;
+    AssetClient& client_;
     std::optional<SceneMeshes> meshes_;
-    std::optional<PictureMaker> maker_;
+    std::optional<PictureMaker> pictures_;
     std::optional<TextureLoader> textures_;
-    std::unique_ptr<CellMeter> meter_;
-    bool hasNoMeter_ = false;
-    SheetPicture picture_;
-    Image start_; ///< the last cell that was drawn
-    std::vector<CellRow> rows_;
-    bool hasEnvironment_ = false;
-    std::optional<BlockValues> environment_; ///< whose picture is shown
-    std::shared_ptr<const EnvironmentImage> panorama_;
+    std::optional<CellMaker> cells_;
 };
 
 Checked<void> write(const SheetOptions& options, const SheetMaker& maker, AssetClient& client) {
     const auto checked = [](const auto& done) {
         return done ? Checked<void>() : tl::unexpected(oneError(done.error()));
     };
-    if (options.isTable()) {
-        return checked(writeFileAtomically(options.output.name, maker.csv()));
-    }
-    const Image image =
-        options.output.isLinear() ? maker.image() : linearFromDisplay(maker.image());
     if (!options.output.isStandardOutput()) {
-        return checked(client.saveImage(options.output.name, image));
+        return checked(maker.write(options.output.name, client));
     }
-    const auto bytes = client.encodeImage(".png", image);
+    const auto bytes = client.encodeImage(".png", linearFromDisplay(maker.image()));
     if (bytes) {
         std::cout << *bytes;
     }
@@ -361,11 +230,19 @@ Checked<int> drawSheet(const SheetOptions& options) {
     if (!plan) {
         return tl::unexpected(plan.error());
     }
-    SheetMaker maker(*plan, request->sheet, options);
-    if (auto begun = maker.begin(client); !begun) {
-        return tl::unexpected(begun.error());
+    SheetStudio studio(*plan, request->sheet, options, client);
+    if (auto opened = studio.open(); !opened) {
+        return tl::unexpected(opened.error());
     }
-    const auto isWhole = maker.run();
+    SheetMaker maker(*plan, request->sheet, options.form(), studio.cells());
+    LongWork work;
+    const auto isWhole = maker.run([&work](int done, int cells) {
+        work.tell(fmt::format("cell {} of {}", done + 1, cells));
+        return !work.isStopped();
+    });
+    if (const auto& problem = studio.cells().meterProblem()) {
+        report(oneError(*problem));
+    }
     if (!isWhole) {
         return tl::unexpected(isWhole.error());
     }

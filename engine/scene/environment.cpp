@@ -8,6 +8,7 @@ namespace patina {
 namespace {
 
 constexpr int minDirections = 4; ///< one round
+constexpr int maxUnasked = 256;
 
 const std::string* textOf(const BlockValues& values, const Parameter& parameter) {
     const auto found = values.parameters.find(parameter.id);
@@ -18,9 +19,8 @@ const std::string* textOf(const BlockValues& values, const Parameter& parameter)
 } // namespace
 
 const Parameter* pictureParameter(const Block& environment) {
-    const auto found =
-        std::find_if(environment.parameters.begin(), environment.parameters.end(),
-                     [](const Parameter& p) { return infoOf(p.type).isFile; });
+    const auto found = std::find_if(environment.parameters.begin(), environment.parameters.end(),
+                                    [](const Parameter& p) { return infoOf(p.type).isFile; });
     return found == environment.parameters.end() ? nullptr : &*found;
 }
 
@@ -54,6 +54,13 @@ int directionsOf(const BlockValues& environment, const Block& block) {
     const bool isGiven = given != environment.parameters.end();
     const Value value = conformed(*parameter, isGiven ? given->second : parameter->defaultValue);
     return std::max(std::get<int>(value), minDirections);
+}
+
+int unaskedDirections(const Scene& scene, const Catalog& catalog) {
+    const Block* block = blockOf(scene.parts, kinds::environment, catalog);
+    return block == nullptr
+               ? maxUnasked
+               : std::min(directionsOf(*scene.part(kinds::environment), *block), maxUnasked);
 }
 
 double environmentNumber(const BlockValues& environment, const Block& block,

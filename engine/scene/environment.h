@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "catalog/block.h"
-#include "material/material.h"
+#include "catalog/catalog.h"
+#include "scene/scene.h"
 
 namespace patina {
 
@@ -27,6 +27,10 @@ const Parameter* directionsParameter(const Block& environment);
 /// How many are wanted, at least 4; `usualDirections` where the block leaves it open.
 inline constexpr int usualDirections = 1024;
 int directionsOf(const BlockValues& environment, const Block& block);
+
+/// Returns as many as the scene wants, but no more than a picture gets where nobody asked for a
+/// number: more of them take long. Any number without an environment.
+int unaskedDirections(const Scene& scene, const Catalog& catalog);
 
 /// The number that has a role, in its range, or its default; `rotate` and `blur` are in degrees. 0
 /// for a block without one.

@@ -33,7 +33,7 @@ std::string_view compiledText(const Parameter& parameter, const Value& value) {
     return info.stateWord(parameter, info.state(parameter, conformed(parameter, value)));
 }
 
-std::string keyOf(const EvalBlock& block) {
+std::string programKey(const EvalBlock& block) {
     if (block.block == nullptr) {
         return {};
     }
@@ -221,8 +221,8 @@ std::string evalKey(const EvalCase& request) {
     if (request.subject == Subject::Function) {
         return request.function + '(' + std::to_string(request.arguments.size());
     }
-    return fmt::format("{} {} | {}", keyOf(request.block), calledFunction(request).suffix,
-                       keyOf(request.slot));
+    return fmt::format("{} {} | {}", programKey(request.block), calledFunction(request).suffix,
+                       programKey(request.slot));
 }
 
 Result<EvalShape> evalShape(const EvalCase& request) {

@@ -10,7 +10,7 @@ namespace {
 
 using Subject = EvalCase::Subject;
 
-ReferenceNumbers numbers(const glm::dvec3& v) {
+ReferenceNumbers threeNumbers(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
@@ -67,7 +67,7 @@ ReferenceCase::ReferenceCase(const ReferenceCode& code, std::vector<double> valu
 }
 
 ReferenceNumbers ReferenceCase::evaluate(const reference::Geometry& geometry) const {
-    return numbers(reference::modelValue(*code_.block, geometry, values_, {&filler_, 1}));
+    return threeNumbers(reference::modelValue(*code_.block, geometry, values_, {&filler_, 1}));
 }
 
 ReferenceNumbers ReferenceCase::evaluate(const EvalPlace& place) const {
