@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/catalog.h"
 #include "catalog/suggestion.h"
 #include "core/number_text.h"
 #include "material/texture_path.h"
@@ -327,6 +328,19 @@ nlohmann::json toJson(const Sheet& sheet, const std::filesystem::path& folder) {
 
 Result<void> writeSheet(const std::filesystem::path& path, const Sheet& sheet) {
     return writeFileAtomically(path, writeJson(toJson(sheet, referenceFolder(path))));
+}
+
+std::vector<std::filesystem::path> shippedSheets() {
+    std::vector<std::filesystem::path> sheets;
+    std::error_code ignored; // of a folder that cannot be read: there are none
+    const auto folder = dataFolder() / "presets" / "sheets";
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        if (entry.path().string().ends_with(sheetEnding)) {
+            sheets.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(sheets);
+    return sheets;
 }
 
 } // namespace patina

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
 #include "material/file_header.h"
@@ -31,6 +32,9 @@ Checked<SheetReading> readSheet(const std::filesystem::path& path,
 nlohmann::json toJson(const Sheet& sheet, const std::filesystem::path& folder);
 
 Result<void> writeSheet(const std::filesystem::path& path, const Sheet& sheet);
+
+/// Returns the sheets that ship, by their files' names.
+std::vector<std::filesystem::path> shippedSheets();
 
 /// The word of a number in files and on the command line: "time", "error", "albedo".
 std::string_view wordOf(CellNumber number);

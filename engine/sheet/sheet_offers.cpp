@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheet/sheet_offers.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "catalog/settings.h"
@@ -28,6 +29,17 @@ void addValues(std::vector<AxisOffer>& offers, const Block& block, const std::st
     }
 }
 
+/// The levels of each choice by itself.
+void addChoices(std::vector<AxisOffer>& offers, const Block& block) {
+    for (const AccuracyChoice& choice : block.accuracy) {
+        const bool isNew = std::ranges::none_of(
+            offers, [&choice](const AxisOffer& each) { return each.axis.value == choice.id; });
+        if (isNew && choice.values.size() > 1) {
+            offers.push_back({{AxisKind::Value, choice.id}, "Accuracy: " + choice.label});
+        }
+    }
+}
+
 } // namespace
 
 std::vector<AxisOffer> axisOffers(const Scene& scene, std::size_t object, const Catalog& catalog) {
@@ -35,12 +47,16 @@ std::vector<AxisOffer> axisOffers(const Scene& scene, std::size_t object, const 
     if (object >= scene.objects.size()) {
         return offers;
     }
-    for (const Block* block : blocksInUse(scene.objects[object].material, catalog)) {
+    const std::vector<const Block*> blocks = blocksInUse(scene.objects[object].material, catalog);
+    for (const Block* block : blocks) {
         const bool isModel = block->kind == kinds::models;
         addValues(offers, *block, isModel ? std::string() : block->kind + '.',
                   isModel ? std::string() : block->label + ": ");
     }
     addValues(offers, *settingsBlock(settings::material), {}, {});
+    for (const Block* block : blocks) {
+        addChoices(offers, *block);
+    }
     for (const AxisKind kind :
          {AxisKind::Models, AxisKind::Accuracy, AxisKind::Lights, AxisKind::Environments}) {
         const auto planned = plannedAxis({kind, {}, {}, {}}, scene, object, catalog);

@@ -19,8 +19,8 @@ struct AxisOffer {
 };
 
 /// Returns what a sheet of an object may go through: the values of its material that are numbers,
-/// choices or switches, those of its model first, then models, accuracy, lights and environments,
-/// where there are two at least.
+/// choices or switches, those of its model first, then each of its accuracy choices, then models,
+/// all of its accuracy, lights and environments, where there are two at least.
 std::vector<AxisOffer> axisOffers(const Scene& scene, std::size_t object, const Catalog& catalog);
 
 } // namespace patina

@@ -144,8 +144,12 @@ std::string SheetPlan::cellLabel(int column, int row) const {
 
 Result<Scene> SheetPlan::scene(int column, int row) const {
     Scene cell = start_;
+    return apply(cell, object_, column, row).map([&cell] { return std::move(cell); });
+}
+
+Result<void> SheetPlan::apply(Scene& scene, std::size_t object, int column, int row) const {
     if (isControl(row)) {
-        return cell;
+        return {};
     }
     std::vector<std::pair<const PlannedAxis*, int>> axes{{&x_, column}};
     if (y_) {
@@ -154,11 +158,11 @@ Result<Scene> SheetPlan::scene(int column, int row) const {
     std::ranges::stable_sort(axes, {}, [](const auto& axis) { return orderOf(*axis.first); });
     for (const auto& [axis, step] : axes) {
         const std::string& entry = axis->steps[static_cast<std::size_t>(step)].entry;
-        if (const auto applied = applyStep(cell, object_, axis->axis, entry, *catalog_); !applied) {
-            return tl::unexpected(applied.error());
+        if (auto applied = applyStep(scene, object, axis->axis, entry, *catalog_); !applied) {
+            return applied;
         }
     }
-    return cell;
+    return {};
 }
 
 } // namespace patina

@@ -60,6 +60,10 @@ class SheetPlan {
     /// The scene of a cell: the start in the control row. An error where the cell cannot be.
     Result<Scene> scene(int column, int row) const;
 
+    /// Brings a cell's values into an object of a scene and into the scene itself. Nothing in the
+    /// control row, which has none of its own.
+    Result<void> apply(Scene& scene, std::size_t object, int column, int row) const;
+
   private:
     int sweptRows() const { return y_ ? static_cast<int>(y_->steps.size()) : 1; }
 

@@ -41,5 +41,12 @@ TEST(SheetOffers, Numbers_HaveTheirSlidersRange) {
     EXPECT_EQ(offerCalled(all, "Tint"), nullptr); // a colour has no steps of its own
 }
 
+TEST(SheetOffers, AccuracyChoice_IsOfferedByItself) {
+    const auto all = offers();
+    const AxisOffer* power = offerCalled(all, "Accuracy: Power");
+    ASSERT_NE(power, nullptr);
+    EXPECT_EQ(power->axis, (SheetAxis{AxisKind::Value, "power", {}, {}}));
+}
+
 } // namespace
 } // namespace patina::sheet_offers_test

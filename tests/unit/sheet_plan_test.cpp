@@ -189,6 +189,17 @@ TEST(SheetPlan, EachMistake_IsToldWithItsAxis) {
     EXPECT_NE(mistakes(range("gloss", 0, 1, 33)).find("33 steps"), std::string::npos);
 }
 
+TEST(SheetPlan, Cell_IsBroughtIntoAnotherObjectToo) {
+    const SheetPlan made = plan(range("gloss", 0.0, 1.0, 3));
+    Scene scene = sheetScene();
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].material.model.parameters["sheen"] = 7.0;
+    ASSERT_TRUE(made.apply(scene, 1, 2, 0));
+    EXPECT_EQ(scene.objects[0], sheetScene().objects[0]);
+    EXPECT_EQ(scene.objects[1].material.model.parameters.at("gloss"), Value(1.0));
+    EXPECT_EQ(scene.objects[1].material.model.parameters.at("sheen"), Value(7.0));
+}
+
 TEST(SheetPlan, SceneWithoutTheObject_IsAnError) {
     EXPECT_FALSE(SheetPlan::of(Sheet{.x = range("gloss", 0, 1, 2)}, Scene(), 0, sheetCatalog()));
 }
