@@ -90,6 +90,19 @@ TEST_F(SharedViews, OfOneScene_ShareShadowMaps) {
     EXPECT_EQ(second.report().shadowMaps, 0);
 }
 
+TEST_F(SharedViews, WithoutShadows_LeaveTheMapsToTheOthers) {
+    const Scene scene = everything(0.0);
+    Scene dark = scene;
+    dark.lights[0].setPart(kinds::shadows, std::nullopt);
+    captured(*renderer, scene);
+    Renderer& second = other();
+    for (int frame = 0; frame < 3; ++frame) {
+        EXPECT_EQ(captured(second, dark), alone(dark));
+        EXPECT_EQ(captured(*renderer, scene), alone(scene));
+        EXPECT_EQ(renderer->report().shadowMaps, 0);
+    }
+}
+
 TEST_F(SharedViews, OfOneEnvironment_HaveItsPictureOnce) {
     const auto image = EnvironmentImage::missing();
     EnvironmentPictures pictures;
@@ -114,6 +127,25 @@ TEST_F(SharedViews, MeshThatAViewHolds_StaysWhileOthersDraw) {
     }
     meshes.beginFrame();
     EXPECT_EQ(meshes.prepare(ball.view()), held);
+}
+
+/// So many triangles that a map takes several steps: each view goes on where the other one stopped.
+TEST_F(SharedViews, LargeMapsInTurns_DrawThePicturesOfEachAlone) {
+    Scene scene = everything(20.0);
+    for (int i = 0; i < 8; ++i) {
+        scene.objects.push_back(object("lambert", "torus"));
+        scene.objects.back().translation = {0.3 * i - 1.0, 0.2 * i, -1.0};
+    }
+    Scene turned = scene;
+    turned.camera.yaw = 200.0;
+    FrameJob& first = begin(*renderer, scene);
+    FrameJob& second = begin(other(), turned);
+    for (bool isMore = true; isMore;) {
+        isMore = first.step(FrameJob::Clock::now()) == FrameJob::Progress::More;
+        isMore |= second.step(FrameJob::Clock::now()) == FrameJob::Progress::More;
+    }
+    EXPECT_EQ(first.read(false)->pixels, alone(scene));
+    EXPECT_EQ(second.read(false)->pixels, alone(turned));
 }
 
 /// Four views, each a step at a time.

@@ -87,16 +87,20 @@ void ShadowLayers::placeFaces() {
     }
 }
 
-void ShadowLayers::plan(bool allAnew) {
+bool ShadowLayers::plan(bool allAnew) {
+    bool isAnother = allAnew || std::ssize(layers_) != needed();
     layers_.resize(static_cast<std::size_t>(needed()));
     for (const ShadowView& view : views_) {
         for (int face = 0; face < view.faces; ++face) {
             Layer& layer = layers_[static_cast<std::size_t>(view.layer + face)];
-            layer.isDrawn = layer.isDrawn && !allAnew && layer.view == view && layer.face == face;
+            const bool isSame = layer.view == view && layer.face == face;
+            isAnother = isAnother || !isSame;
+            layer.isDrawn = layer.isDrawn && !allAnew && isSame;
             layer.view = view;
             layer.face = face;
         }
     }
+    return isAnother;
 }
 
 int ShadowLayers::pending() const {

@@ -36,8 +36,8 @@ class ShadowLayers {
     int needed() const;
 
     /// Makes a layer of each face; those that show the same as before stay drawn, unless all are to
-    /// be drawn anew.
-    void plan(bool allAnew);
+    /// be drawn anew. Tells whether some show another thing than before.
+    bool plan(bool allAnew);
 
     /// Leaves nothing drawn.
     void forget() { layers_.clear(); }

@@ -6,6 +6,12 @@
 #include "render/gpu/binding.h"
 
 namespace patina {
+namespace {
+
+/// So many plans of views without shadows leave the maps to a view with some.
+constexpr int plansKept = 64;
+
+} // namespace
 
 void ShadowMaps::setCatalog(std::shared_ptr<const Catalog> catalog) {
     catalog_ = std::move(catalog);
@@ -23,22 +29,28 @@ Result<void> ShadowMaps::plan(const Scene& scene, const Scene& effects,
                               const glm::dmat4& cameraToWorld, ProgramCache& programs,
                               const GpuTextureStore& textures) {
     ++planNumber_;
-    drawer_.restart();
     hasNewImages_ = false;
+    isAnother_ = false;
     const int texels =
         layers_.place({scene, effects, *catalog_, cameraToWorld, casters_.boxes()}, maxTexels_);
     if (layers_.needed() == 0) {
-        layers_.forget();
-        texture_ = gl::TextureArray();
+        if (++unneeded_ > plansKept) {
+            layers_.forget();
+            texture_ = gl::TextureArray();
+        }
         return {};
     }
+    unneeded_ = 0;
     if (const Result<void> made = prepare(programs, textures, texels); !made) {
         layers_.clearViews();
         layers_.forget();
         return made;
     }
     const bool allAnew = casters_.hasChanged();
-    layers_.plan(allAnew);
+    isAnother_ = layers_.plan(allAnew) || hasNewImages_;
+    if (isAnother_) {
+        drawer_.restart();
+    }
     if (allAnew) {
         casters_.noteDrawn();
     }

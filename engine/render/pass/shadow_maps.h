@@ -36,11 +36,15 @@ class ShadowMaps {
     /// plan has taken its place.
     std::uint64_t planNumber() const { return planNumber_; }
 
+    /// Tells whether the last plan() has other maps than the one before: what was drawn of a map
+    /// that is not whole yet is lost.
+    bool isAnother() const { return isAnother_; }
+
     /// Tells whether the last plan() has made the images of the maps.
     bool hasNewImages() const { return hasNewImages_; }
 
     /// Maps (faces) that are still to be drawn, and their triangles.
-    int pending() const { return layers_.pending(); }
+    int pending() const { return layers_.needed() == 0 ? 0 : layers_.pending(); }
     std::int64_t pendingTriangles() const { return casters_.triangles() * pending(); }
     /// Draws about so many triangles of them; their meshes are complete.
     void drawSome(int triangles, FrameTextures& textures);
@@ -62,7 +66,9 @@ class ShadowMaps {
     ShadowLayers layers_;
     ShadowDrawer drawer_;
     std::uint64_t planNumber_ = 0;
+    int unneeded_ = 0; ///< plans without a map, one after the other
     bool hasNewImages_ = false;
+    bool isAnother_ = false;
 };
 
 } // namespace patina

@@ -39,7 +39,7 @@ void ShadowPass::take(const FramePlan& plan, FrameGpu& gpu) {
 void ShadowPass::takeBack(const FramePlan& plan, FrameGpu& gpu) {
     if (taken_ != gpu.shared.shadows.planNumber()) {
         take(plan, gpu);
-        wereLost_ = true;
+        wereLost_ = wereLost_ || gpu.shared.shadows.isAnother();
     }
 }
 

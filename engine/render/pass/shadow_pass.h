@@ -9,8 +9,8 @@
 namespace patina {
 
 /// The shadow maps that a frame needs. Views share them, so another view's frame may have planned
-/// its own since: then they are planned, and where they differ drawn, again, all in one step. Two
-/// frames would take them from each other for ever otherwise.
+/// its own since: then they are planned again and, where they differ, drawn again, all in one step.
+/// Two frames would take them from each other for ever otherwise.
 class ShadowPass : public Pass {
   public:
     Result<bool> prepare(FramePlan& plan, FrameGpu& gpu) override;
