@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What four views of one context cost beside one of them.
 #include <array>
+#include <span>
 
 #include "benchmarks.h"
 #include "stage.h"

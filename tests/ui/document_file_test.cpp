@@ -115,6 +115,37 @@ TEST_F(DocumentFile_, FourSides_AreSavedWithTheScene) {
     EXPECT_EQ(document.scene().extras.dump().find("compare"), std::string::npos);
 }
 
+TEST_F(DocumentFile_, WhatViewsHaveOfTheirOwn_IsSavedWithTheScene) {
+    fixture.comparison.setSideCount(4);
+    OwnView own;
+    own.exposure = -1.5;
+    own.switchedOff = {"one", "other"};
+    document.setOwnView(Side::A, own, "");
+    own.hasEnvironment = true;
+    document.setOwnView(Side::C, own, "");
+    const DocumentState before = document.state();
+    ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
+    fixture.files.startFrom(Scene());
+    ASSERT_TRUE(fixture.files.openScene(folder / "a.patina-scene.json"));
+    EXPECT_EQ(document.state().ownViews, before.ownViews);
+    EXPECT_EQ(document.scene().extras.dump().find("compare"), std::string::npos);
+}
+
+TEST_F(DocumentFile_, OwnViewsOfAnotherShape_AreKeptAndLinked) {
+    fixture.comparison.setComparing(true);
+    OwnView own;
+    own.exposure = 1.0;
+    document.setOwnView(Side::B, own, "");
+    ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));
+    std::string file = readFile(folder / "a.patina-scene.json");
+    const std::size_t at = file.find("\"exposure\": 1.0", file.find("\"compareViews\""));
+    ASSERT_NE(at, std::string::npos);
+    file.replace(at, 15, "\"exposure\": \"bright\"");
+    writeFile(folder / "a.patina-scene.json", file);
+    ASSERT_TRUE(fixture.files.openScene(folder / "a.patina-scene.json"));
+    EXPECT_TRUE(document.state().ownViews[1].isLinked());
+}
+
 TEST_F(DocumentFile_, SideBOfAnObjectThatIsNotThere_IsOnTheFirst) {
     fixture.comparison.setComparing(true);
     ASSERT_TRUE(fixture.files.saveScene(folder / "a.patina-scene.json"));

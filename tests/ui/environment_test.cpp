@@ -39,8 +39,8 @@ class EnvironmentInTheWindow : public WindowFixture {
     }
 
     /// A panorama of one colour in a format without compression: Radiance, 8 by 4.
-    std::string panorama() {
-        const std::string file = home("sky.hdr").string();
+    std::string panorama(const char* name = "sky.hdr") {
+        const std::string file = home(name).string();
         std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n";
         for (int i = 0; i < 32; ++i) {
             text += std::string("\x80\x80\x80\x81", 4); // 1 in each channel
@@ -151,22 +151,52 @@ TEST_F(EnvironmentInTheWindow, StatusLine_TellsHowFarItIs) {
 TEST_F(EnvironmentInTheWindow, DroppedPanorama_LightsTheScene) {
     window().files().drop({QString::fromStdString(panorama())}, Side::A);
     ASSERT_TRUE(document().scene().part(kinds::environment));
-    EXPECT_EQ(environmentPicture(document()), home("sky.hdr").string());
+    EXPECT_EQ(environmentPicture(document(), Side::A), home("sky.hdr").string());
     EXPECT_TRUE(waitForSamples(8));
     EXPECT_EQ(window().messages().count(), 0);
+}
+
+TEST_F(EnvironmentInTheWindow, EnvironmentOfAViewsOwn_HasThePictureThatIsDroppedThere) {
+    const std::string ofScene = panorama();
+    const std::string ofB = panorama("lamp.hdr");
+    EnvironmentLibrary library;
+    for (const std::string& file : {ofScene, ofB}) {
+        EXPECT_FALSE(library.image(file));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !library.isLoading(); }, limitMs));
+    }
+    EXPECT_TRUE(library.image(ofScene) && library.image(ofB)) << "two views show them";
+    library.keep({ofB});
+    EXPECT_FALSE(library.image(ofScene));
+
+    setEnvironmentPicture(document(), ofScene);
+    window().comparison().setComparing(true);
+    OwnView own;
+    own.hasEnvironment = true;
+    document().setOwnView(Side::B, own, "");
+    EXPECT_FALSE(document().scene(Side::B).part(kinds::environment));
+    document().setActiveSide(Side::B);
+    setEnvironmentPicture(document(), ofB);
+    EXPECT_EQ(environmentPicture(document(), Side::A), ofScene);
+    EXPECT_EQ(environmentPicture(document(), Side::B), ofB);
+    const BlockPath path = document().currentPath(kinds::environment);
+    EXPECT_TRUE(path.isOfView);
+    document().setValue(path, "rotate", 90.0);
+    EXPECT_EQ(document().scene(Side::B).part(kinds::environment)->parameters.at("rotate"),
+              Value(90.0));
+    EXPECT_NE(document().scene().part(kinds::environment)->parameters.at("rotate"), Value(90.0));
 }
 
 TEST_F(EnvironmentInTheWindow, PanoramaBesideAPreset_IsLaidOnItWithoutAQuestion) {
     const std::string preset = otherPreset(document()).string();
     window().files().open({QString::fromStdString(panorama()), QString::fromStdString(preset)},
                           Side::A);
-    EXPECT_EQ(environmentPicture(document()), home("sky.hdr").string());
+    EXPECT_EQ(environmentPicture(document(), Side::A), home("sky.hdr").string());
 }
 
 TEST_F(EnvironmentInTheWindow, PanoramaThatCannotBeRead_IsAMessageAndStays) {
     window().files().drop({QString::fromStdString(home("none.exr").string())}, Side::A);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window().messages().count() > 0; }, limitMs));
-    EXPECT_EQ(environmentPicture(document()), home("none.exr").string());
+    EXPECT_EQ(environmentPicture(document(), Side::A), home("none.exr").string());
 }
 
 /// Red and blue fields stand behind the objects.
@@ -284,7 +314,7 @@ TEST_F(EnvironmentInTheWindow, PanoramaDroppedOnTheChooser_JoinsTheListAndLights
     EXPECT_TRUE(enter.isAccepted());
     QDropEvent drop(middle, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(chooser, &drop);
-    EXPECT_EQ(environmentPicture(document()), home("sky.hdr").string());
+    EXPECT_EQ(environmentPicture(document(), Side::A), home("sky.hdr").string());
     EXPECT_EQ(document().undoStack().count(), before + 1);
     EXPECT_EQ(chooser->currentText(), "sky");
     EXPECT_EQ(Session().environments(), QStringList{QString::fromStdString(panorama())});

@@ -102,6 +102,14 @@ const std::vector<Edit> edits{
          d.setBlock(pathOf(kinds::tone), "reinhard");
          set(d, kinds::tone, "white", 1.0);
      }},
+    {"OwnView",
+     [](Document& d) {
+         d.setSecondMaterial(*d.material(Side::A));
+         OwnView own;
+         own.exposure = 1.5;
+         own.hasEnvironment = true;
+         d.setOwnView(Side::B, own, "Exposure of view B");
+     }},
     {"ObjectAdded",
      [](Document& d) {
          Object object = d.scene().objects[0];

@@ -19,7 +19,7 @@ CostSweep::Subject costSubject(const Document& document, MeshLibrary& meshes,
             meshSnapshot(scene, meshes),
             document.sharedCatalog(),
             textures.snapshot(),
-            environments.image(environmentPicture(document))};
+            environments.image(environmentPicture(document, document.activeSide()))};
 }
 
 } // namespace patina

@@ -36,7 +36,7 @@ void takePicture(Document& document, const Scene& wanted) {
         setValues(document, pathOf(kinds::transparency), *transparency);
     }
     if (const BlockValues* environment = wanted.part(kinds::environment)) {
-        setValues(document, pathOf(kinds::environment), *environment);
+        setValues(document, document.currentPath(kinds::environment), *environment);
     }
     for (std::size_t i = 0; i < wanted.lights.size(); ++i) {
         if (const BlockValues* shadow = wanted.lights[i].part(kinds::shadows)) {

@@ -114,11 +114,7 @@ void EffectsDock::layOut() {
 void EffectsDock::connectParts() {
     connect(start_, &QToolButton::clicked, this, &EffectsDock::measure);
     connect(cancel_, &QToolButton::clicked, &measurement_, &Worker::cancel);
-    connect(allOn_, &QToolButton::clicked, this, [this] {
-        for (const std::string& effect : std::vector<std::string>(switches_.off())) {
-            switches_.setOff(effect, false);
-        }
-    });
+    connect(allOn_, &QToolButton::clicked, &switches_, &EffectSwitches::switchAllOn);
     connect(list_, &QTreeWidget::itemChanged, this, &EffectsDock::toggle);
     connect(&measurement_, &Worker::progressed, this, [this](double share) {
         progress_->setValue(static_cast<int>(std::lround(share * progressSteps)));
@@ -170,7 +166,8 @@ void EffectsDock::updateRows() {
 
 /// What the views have of the images now; none is read for the list.
 KnownImages EffectsDock::images() const {
-    return {textures_.snapshot(), environments_.isMissing(environmentPicture(document_))};
+    return {textures_.snapshot(),
+            environments_.isMissing(environmentPicture(document_, document_.activeSide()))};
 }
 
 double EffectsDock::aspect() const {
@@ -306,13 +303,14 @@ void EffectsDock::measure() {
     measured_ = Measured{scene, document_.currentObject(), document_.activeSide(),
                          KnownBlocks(document_.sharedCatalog(), scene)};
     progress_->setValue(0);
-    const EffectCostMeter::Subject subject{scene,
-                                           scene.camera,
-                                           meshSnapshot(scene, library_),
-                                           rows_,
-                                           measured_->blocks.catalog(),
-                                           images().textures,
-                                           environments_.image(environmentPicture(document_))};
+    const EffectCostMeter::Subject subject{
+        scene,
+        scene.camera,
+        meshSnapshot(scene, library_),
+        rows_,
+        measured_->blocks.catalog(),
+        images().textures,
+        environments_.image(environmentPicture(document_, document_.activeSide()))};
     measurement_.ask([this, subject](Worker::Control& control) { return meter(subject, control); },
                      [this](const MeasureEnd& end) { finish(end); });
     fill();

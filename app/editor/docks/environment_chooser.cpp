@@ -86,8 +86,10 @@ void EnvironmentChooser::addFiles() {
 }
 
 void EnvironmentChooser::showCurrent() {
-    const BlockValues* environment = document().scene().part(kinds::environment);
-    const auto picture = QString::fromStdString(std::string(environmentPicture(document())));
+    const BlockValues* environment =
+        blockValuesAt(document().state(), document().currentPath(kinds::environment));
+    const auto picture = QString::fromStdString(
+        std::string(environmentPicture(document(), document().activeSide())));
     show(environment == nullptr                      ? QString()
          : isFile(picture) && findData(picture) >= 0 ? picture
                                                      : QString::fromStdString(environment->id));

@@ -10,26 +10,29 @@
 #include "document/scene_edits.h"
 #include "parameters/document_form.h"
 #include "resources/environment_library.h"
+#include "viewport/side_view.h"
 
 namespace patina {
 
 EnvironmentDock::EnvironmentDock(const DockContext& context)
     : document_(context.document),
       chooser_(new EnvironmentChooser(document_, context.session, context.thumbnails, this)),
+      owner_(hintLabel(this)),
       take_(textButton(tr("Take Lamps Out"),
                        tr("Make lights with shadows of the sun and the lamps in the environment"),
                        this)) {
     chooser_->setAccessibleName(tr("Kind of environment"));
     take_->setObjectName("takeLampsOut");
+    owner_->hide();
     QLabel* hint = hintLabel(this);
     hint->setText(tr("Drop an .hdr or .exr panorama here or on the view to light the scene with "
                      "it. Its light adds to that of the lights. Shift+right drag in a view turns "
                      "it."));
-    fillPanel(this, {labelled(tr("&Kind"), chooser_), hint, take_},
+    fillPanel(this, {owner_, labelled(tr("&Kind"), chooser_), hint, take_},
               new DocumentForm(document_, context.textures, kinds::environment));
     connect(chooser_, &BlockChooser::chosen, this, [this](const QString& id) {
         if (id.isEmpty() || document_.catalog().find(kinds::environment, id.toStdString())) {
-            document_.setBlock(pathOf(kinds::environment), id.toStdString());
+            document_.setBlock(document_.currentPath(kinds::environment), id.toStdString());
         }
     });
     connect(chooser_, &EnvironmentChooser::pictureChosen, this,
@@ -37,14 +40,19 @@ EnvironmentDock::EnvironmentDock(const DockContext& context)
     connect(&context.environments, &EnvironmentLibrary::loaded, chooser_, &EnvironmentChooser::add);
     connect(take_, &QToolButton::clicked, this,
             [context] { takeLampsOut(context.document, context.views, context.messages); });
-    onChange(document_, DocumentChange::Block | DocumentChange::Scene | DocumentChange::Value, this,
-             &EnvironmentDock::update);
+    onChange(document_,
+             DocumentChange::Block | DocumentChange::Scene | DocumentChange::Value |
+                 DocumentChange::OwnView | DocumentChange::Comparing | DocumentChange::Current,
+             this, &EnvironmentDock::update);
     update();
 }
 
 void EnvironmentDock::update() {
+    const bool isOfView = document_.currentPath(kinds::environment).isOfView;
+    owner_->setText(tr("Of view %1 alone").arg(letterOf(document_.activeSide())));
+    owner_->setVisible(isOfView);
     chooser_->showCurrent();
-    take_->setEnabled(document_.scene().part(kinds::environment) != nullptr);
+    take_->setEnabled(!isOfView && document_.scene().part(kinds::environment) != nullptr);
 }
 
 } // namespace patina

@@ -5,6 +5,7 @@
 
 #include "docks/dock_context.h"
 
+class QLabel;
 class QToolButton;
 
 namespace patina {
@@ -24,6 +25,7 @@ class EnvironmentDock : public QWidget {
 
     Document& document_;
     EnvironmentChooser* chooser_;
+    QLabel* owner_;     ///< says whose environment it is, where it is not the scene's
     QToolButton* take_; ///< lamps out
 };
 

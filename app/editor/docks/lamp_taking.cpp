@@ -8,7 +8,7 @@
 namespace patina {
 
 void takeLampsOut(Document& document, CompareArea& views, MessageLog& messages) {
-    if (!takeLampsOut(document, views.first().viewport().frames().environmentLamps())) {
+    if (!takeLampsOut(document, views.active().viewport().frames().environmentLamps())) {
         messages.add({{},
                       0,
                       0,

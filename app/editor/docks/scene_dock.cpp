@@ -25,8 +25,6 @@
 namespace patina {
 namespace {
 
-constexpr const char* exposureId = "exposure";
-
 QString capitalised(const std::string& name) {
     QString text = QString::fromStdString(name);
     text[0] = text[0].toUpper();
@@ -83,7 +81,7 @@ SceneDock::SceneDock(const DockContext& context)
 }
 
 void SceneDock::addAutoExposure(ParameterForm& form, CompareArea& views) {
-    ParameterRow* row = form.row(exposureId);
+    ParameterRow* row = form.row(exposureSetting);
     if (row == nullptr) {
         return;
     }
@@ -96,7 +94,7 @@ void SceneDock::addAutoExposure(ParameterForm& form, CompareArea& views) {
     row->addButton(button);
     connect(button, &QToolButton::clicked, this, [this, &views] {
         if (const auto stops = autoExposure(views.active().viewport().linearPicture())) {
-            document_.setValue(pathOf(settings::scene), exposureId, *stops);
+            document_.setValue(pathOf(settings::scene), exposureSetting, *stops);
         }
     });
 }

@@ -37,8 +37,16 @@ void Comparison::setSideCount(std::size_t count) {
         return;
     }
     const Material copied = *active;
-    document_.editAsOneStep(tr("Compare %1 views").arg(count), [&] {
+    const OwnView own = ownView(document_.state(), document_.activeSide());
+    const std::size_t before = document_.shownSides();
+    const QString label = tr("Compare %1 views").arg(count);
+    document_.editAsOneStep(label, [&] {
         setComparing(true);
+        for (const Side side : sides) {
+            if (indexOf(side) >= std::max(before, indexOf(Side::C)) && indexOf(side) < count) {
+                document_.setOwnView(side, own, label);
+            }
+        }
         std::vector<Material> further = document_.state().further;
         further.resize(std::min(count, sides.size()) - indexOf(Side::C), copied);
         document_.setFurtherMaterials(std::move(further));
@@ -101,7 +109,7 @@ void Comparison::previewPictures(const Scene& first, const Scene& second, const 
         document_.activeSide() == Side::A
             ? materialAside(document_.state(), document_.currentObject())
             : std::nullopt;
-    const Scene& own = document_.state().scene;
+    const Scene own = document_.ownScene(document_.activeSide());
     const ComparedPicture wanted{aside.value_or(*held), pictureOf(first, own),
                                  pictureOf(second, own)};
     if (document_.isComparing() && document_.state().picture == wanted) {
@@ -136,7 +144,10 @@ void Comparison::setLevels(Side side, const AccuracyLevels& levels, const QStrin
 void Comparison::swapSides() {
     const Material* first = document_.material(Side::A);
     const bool isAlike = first && document_.state().second && *first == *document_.state().second;
-    if (!first || !document_.state().second || (isAlike && !document_.state().picture)) {
+    const OwnView ownA = ownView(document_.state(), Side::A);
+    const OwnView ownB = ownView(document_.state(), Side::B);
+    const bool isSame = isAlike && !document_.state().picture && ownA == ownB;
+    if (!first || !document_.state().second || isSame) {
         return;
     }
     const Material formerFirst = *first;
@@ -149,6 +160,8 @@ void Comparison::swapSides() {
     document_.replaceMaterial(Side::A, *document_.state().second, tr("Swap A and B"),
                               MaterialEdit::Applied);
     document_.setSecondMaterial(formerFirst);
+    document_.setOwnView(Side::A, ownB, tr("Swap A and B"));
+    document_.setOwnView(Side::B, ownA, tr("Swap A and B"));
     document_.undoStack().endMacro();
 }
 

@@ -11,6 +11,7 @@
 #include "document/commands/group_command.h"
 #include "document/commands/light_command.h"
 #include "document/commands/model_command.h"
+#include "document/commands/own_view_command.h"
 #include "document/commands/parameter_command.h"
 #include "document/commands/part_command.h"
 #include "document/commands/picture_command.h"
@@ -186,7 +187,7 @@ void Document::keepCurrentInside() {
 BlockPath Document::currentPath(std::string_view kind) const {
     BlockPath path = pathOf(kind);
     if (path.owner == BlockOwner::Scene) {
-        return path;
+        return path.isAt(kinds::environment) ? environmentPath(state_, activeSide_) : path;
     }
     path.index = path.owner == BlockOwner::Light ? currentLight_ : currentObject_;
     path.side = path.owner == BlockOwner::Material ? activeSide_ : Side::A;
@@ -375,7 +376,9 @@ void Document::setBlock(const BlockPath& path, std::string_view blockId) {
     if (!isPossible || (isSame && path.owner != BlockOwner::Material)) {
         return;
     }
-    if (scenePartsAt(state_, path)) {
+    if (path.isOfView) {
+        setOwnEnvironment(path, wanted);
+    } else if (scenePartsAt(state_, path)) {
         if (path.isAt(kinds::lights)) {
             setKindOfLight(path, *wanted);
         } else {
@@ -430,6 +433,15 @@ void Document::setScenePart(const BlockPath& path, const Block* wanted) {
         new SceneBlockCommand(*this, path, std::move(after), blockLabel(path.kind, wanted)));
 }
 
+/// Values with the same id carry over.
+void Document::setOwnEnvironment(const BlockPath& path, const Block* wanted) {
+    OwnView own = state_.ownViews[indexOf(path.side)];
+    const BlockValues* held = own.environment ? &*own.environment : nullptr;
+    own.environment =
+        wanted ? std::optional(swappedBlock(held, block(path), *wanted)) : std::nullopt;
+    setOwnView(path.side, own, blockLabel(path.kind, wanted));
+}
+
 void Document::setModel(Side side, std::string_view modelId) {
     setBlock(pathOf(kinds::models, currentObject_, side), modelId);
 }
@@ -469,6 +481,12 @@ void Document::setFurtherMaterials(std::vector<Material> materials) {
 void Document::setComparedPicture(std::optional<ComparedPicture> picture) {
     if (picture != state_.picture) {
         undoStack_.push(new PictureCommand(*this, std::move(picture)));
+    }
+}
+
+void Document::setOwnView(Side side, const OwnView& own, const QString& label) {
+    if (own != state_.ownViews[indexOf(side)]) {
+        undoStack_.push(new OwnViewCommand(*this, side, own, label));
     }
 }
 

@@ -84,7 +84,7 @@ class Document : public QObject {
     void setCurrentLight(int index);
     void setActiveSide(Side side);
     /// The path of a kind of block, or of settings, in what is current: the active material, the
-    /// current light or object.
+    /// current light or object, the environment of the active view where that is its own.
     BlockPath currentPath(std::string_view kind) const;
 
     // Parameter values, whatever they belong to.
@@ -123,6 +123,8 @@ class Document : public QObject {
     void setFurtherMaterials(std::vector<Material> materials);
     /// Lays ways to draw the picture over what the sides show, or none (nullopt).
     void setComparedPicture(std::optional<ComparedPicture> picture);
+    /// What a side's view has of its own, which all else links with the scene.
+    void setOwnView(Side side, const OwnView& own, const QString& label);
     /// Side A draws the picture as its scene says, where another way was shown there.
     void showOwnPicture();
 
@@ -175,6 +177,7 @@ class Document : public QObject {
     void setBlocksOfMaterials(const BlockPath& path, const Block* wanted);
     void setKindOfLight(const BlockPath& path, const Block& wanted);
     void setScenePart(const BlockPath& path, const Block* wanted);
+    void setOwnEnvironment(const BlockPath& path, const Block* wanted);
     void keepCurrentInside();
 
     std::shared_ptr<const Catalog> catalog_;

@@ -28,9 +28,10 @@ struct DocumentChange {
         Snapshots = 1 << 13,   ///< one was taken, renamed or removed
         Bookmarks = 1 << 14,   ///< a view was kept
         Locks = 1 << 15,       ///< values at `path` were locked, or freed
+        OwnView = 1 << 16,     ///< what the view of the path's side has of its own
         /// Any of what is drawn.
         Drawn = Value | Texture | Material | Block | Lights | Objects | Comparing | Camera | Scene |
-                Catalog | Rights
+                Catalog | Rights | OwnView
     };
     Q_DECLARE_FLAGS(Aspects, Aspect)
 

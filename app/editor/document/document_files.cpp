@@ -2,6 +2,7 @@
 #include "document/document_files.h"
 
 #include <algorithm>
+#include <array>
 
 #include "document/commands/material_command.h"
 #include "document/snapshot_edits.h"
@@ -20,12 +21,18 @@ const char* const compareObjectKey = "compareObject";
 /// Where it keeps sides C and D.
 const char* const compareFurtherKey = "compareFurther";
 
+/// Where it keeps what the sides' views have of their own, from A on.
+const char* const compareViewsKey = "compareViews";
+
 const char* const snapshotsKey = "snapshots";
 
-/// The materials of a scene file that are no object's.
-struct ComparedMaterials {
+/// What a scene file has of sides that are compared: materials that are no object's, and what is
+/// not the scene's.
+struct ComparedSides {
     std::optional<Material> second;
     std::vector<Material> further;
+    std::array<OwnView, sides.size()> ownViews{};
+    OutsideFiles outside{}; ///< that the views name and may not read
 
     std::vector<Material*> all() {
         std::vector<Material*> found;
@@ -50,6 +57,13 @@ Scene withCompared(Scene scene, const DocumentState& state, int object) {
         if (!further.empty()) {
             scene.extras[compareFurtherKey] = std::move(further);
         }
+        if (!std::ranges::all_of(state.ownViews, &OwnView::isLinked)) {
+            nlohmann::json views = nlohmann::json::array();
+            for (const OwnView& own : state.ownViews) {
+                views.push_back(toJson(own));
+            }
+            scene.extras[compareViewsKey] = std::move(views);
+        }
     }
     return scene;
 }
@@ -70,10 +84,25 @@ Checked<Material> materialIn(const nlohmann::json& json, const std::filesystem::
     return reading ? Checked<Material>(reading->material) : tl::unexpected(reading.error());
 }
 
-/// Takes the sides but A out of a scene that was read.
-Checked<ComparedMaterials> takeCompared(Scene& scene, const std::filesystem::path& path,
-                                        const Catalog& catalog, const ReadingRights& rights) {
-    ComparedMaterials compared;
+/// Takes what the sides' views have of their own out of a scene that was read.
+void takeOwnViews(ComparedSides& compared, Scene& scene, const std::filesystem::path& path,
+                  const Catalog& catalog, const ReadingRights& rights) {
+    const nlohmann::json views = scene.extras.value(compareViewsKey, nlohmann::json());
+    if (!views.is_array() || views.size() > compared.ownViews.size()) {
+        return; // the key stays, so that nothing is lost
+    }
+    References references(path, rights);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        compared.ownViews[i] = ownViewFrom({path.string(), views[i], {}}, catalog, references);
+    }
+    compared.outside = references.outside();
+    scene.extras.erase(compareViewsKey);
+}
+
+/// Takes the sides but A, and what all have of their own, out of a scene that was read.
+Checked<ComparedSides> takeCompared(Scene& scene, const std::filesystem::path& path,
+                                    const Catalog& catalog, const ReadingRights& rights) {
+    ComparedSides compared;
     const auto found = scene.extras.find(compareKey);
     if (found == scene.extras.end() || !found->is_object()) {
         return compared;
@@ -84,6 +113,7 @@ Checked<ComparedMaterials> takeCompared(Scene& scene, const std::filesystem::pat
     }
     compared.second = *second;
     scene.extras.erase(compareKey);
+    takeOwnViews(compared, scene, path, catalog, rights);
     const nlohmann::json further = scene.extras.value(compareFurtherKey, nlohmann::json());
     for (const nlohmann::json& each : further) {
         const bool isRoom = compared.further.size() + indexOf(Side::C) < sides.size();
@@ -133,7 +163,7 @@ void markOutside(Material& material, const std::string& image) {
 }
 
 /// Leaves out what a copy of unsaved work says is not to be read.
-void takeWithheld(SceneReading& reading, Checked<ComparedMaterials>& compared) {
+void takeWithheld(SceneReading& reading, Checked<ComparedSides>& compared) {
     const nlohmann::json withheld = reading.scene.extras.value(withheldKey, nlohmann::json());
     reading.scene.extras.erase(withheldKey);
     for (const nlohmann::json& each : withheld) {
@@ -155,6 +185,10 @@ void takeWithheld(SceneReading& reading, Checked<ComparedMaterials>& compared) {
             }
         }
     }
+}
+
+void addTo(OutsideFiles& outside, const OutsideFiles& others) {
+    outside.insert(outside.end(), others.begin(), others.end());
 }
 
 QString titleOf(const std::filesystem::path& path) {
@@ -217,9 +251,12 @@ std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path
         tell(reading.error());
         return std::nullopt;
     }
-    Checked<ComparedMaterials> compared =
+    Checked<ComparedSides> compared =
         takeCompared(reading->scene, path, document_.catalog(), rights);
     takeWithheld(*reading, compared);
+    if (compared) {
+        addTo(reading->outside, compared->outside);
+    }
     withheld_.set(reading->outside);
     withheld_.allowLinks(rights.allowed);
     const int object = compared && compared->second ? takeSecondObject(reading->scene) : 0;
@@ -232,6 +269,7 @@ std::optional<Errors> DocumentFiles::takeScene(const std::filesystem::path& path
     if (compared) {
         state.second = compared->second;
         state.further = compared->further;
+        state.ownViews = compared->ownViews;
     }
     start(std::move(state), {DocumentFile::Kind::Scene, path, reading->readOnly}, object);
     Errors notes = reading->notes;
@@ -258,6 +296,9 @@ OutsideFiles DocumentFiles::outsideOf(const std::filesystem::path& path, Documen
                 reading->outside.push_back({OutsideFile::Kind::Image, use.file});
             }
         }
+    }
+    if (compared) {
+        addTo(reading->outside, compared->outside);
     }
     return reading->outside;
 }

@@ -41,6 +41,10 @@ auto findInMaterial(Material& material, std::string_view kind) -> decltype(&mate
 
 template <class State>
 auto findBlockValues(State& state, const BlockPath& path) -> decltype(state.scene.part(path.kind)) {
+    if (path.isOfView) {
+        auto& own = state.ownViews[indexOf(path.side)];
+        return path.isAt(kinds::environment) && own.environment ? &*own.environment : nullptr;
+    }
     if (path.owner == BlockOwner::Scene) {
         return state.scene.part(path.kind);
     }
@@ -126,8 +130,24 @@ Scene shownScene(const DocumentState& state, int object, Side side) {
     return scene;
 }
 
+const OwnView& ownView(const DocumentState& state, Side side) {
+    static const OwnView linked;
+    return state.second && indexOf(side) < shownSides(state) ? state.ownViews[indexOf(side)]
+                                                             : linked;
+}
+
+BlockPath environmentPath(const DocumentState& state, Side side) {
+    BlockPath path = pathOf(kinds::environment);
+    if (ownView(state, side).hasEnvironment) {
+        path.side = side;
+        path.isOfView = true;
+    }
+    return path;
+}
+
 Scene ownScene(const DocumentState& state, int object, Side side) {
     Scene scene = state.scene;
+    giveOwn(scene, ownView(state, side));
     if (hasOwnMaterial(state, side)) {
         if (Object* shown = elementAt(scene.objects, object)) {
             shown->material = *materialAt(state, object, side);
@@ -196,6 +216,10 @@ BlockParts* scenePartsAt(DocumentState& state, const BlockPath& path) {
 
 std::optional<Value> storedValue(const DocumentState& state, const BlockPath& path,
                                  std::string_view parameterId) {
+    if (path.isOfView && path.isAt(settings::scene)) {
+        const auto own = settingOf(state.ownViews[indexOf(path.side)], parameterId);
+        return own ? own : settingOf(state.scene, parameterId);
+    }
     if (path.isAt(settings::scene)) {
         const std::optional<Value> level = pictureLevel(state.scene, parameterId);
         return level ? level : settingOf(state.scene, parameterId);
@@ -223,7 +247,9 @@ std::optional<Value> storedValue(const DocumentState& state, const BlockPath& pa
 
 void storeValue(DocumentState& state, const BlockPath& path, std::string_view parameterId,
                 const Value& value) {
-    if (path.isAt(settings::scene)) {
+    if (path.isOfView && path.isAt(settings::scene)) {
+        storeSetting(state.ownViews[indexOf(path.side)], parameterId, value);
+    } else if (path.isAt(settings::scene)) {
         storeSetting(state.scene, parameterId, value);
         storePictureLevel(state.scene, parameterId, value);
     } else if (path.isAt(settings::camera)) {
@@ -253,6 +279,11 @@ void reconcile(DocumentState& state, const Catalog& before, const Catalog& after
     }
     for (Material& material : state.further) {
         material = reconciled(material, before, after);
+    }
+    for (OwnView& own : state.ownViews) {
+        if (own.environment) {
+            own.environment = reconciled(*own.environment, kinds::environment, before, after);
+        }
     }
     for (Snapshot& snapshot : state.snapshots) {
         snapshot.material = reconciled(snapshot.material, before, after);

@@ -10,6 +10,7 @@
 #include "catalog/catalog.h"
 #include "catalog/settings.h"
 #include "document/compared_picture.h"
+#include "document/own_view.h"
 #include "scene/scene.h"
 
 namespace patina {
@@ -51,6 +52,7 @@ struct DocumentState {
     std::optional<ComparedPicture> picture = std::nullopt; ///< absent: both draw as the scene says
     /// Sides C and D, shown on the current object, too; they rest while nothing is compared.
     std::vector<Material> further{};
+    std::array<OwnView, sides.size()> ownViews{}; ///< by side; they rest in the same way
     std::vector<Snapshot> snapshots{}; ///< in the order in which they were taken
 
     friend bool operator==(const DocumentState&, const DocumentState&) = default;
@@ -62,6 +64,7 @@ struct BlockPath {
     std::string kind{kinds::models}; ///< of the block, or one of `settings`
     int index = 0;                   ///< of the object or the light that owns it; 0 of the scene
     Side side = Side::A;             ///< of the material that owns it
+    bool isOfView = false;           ///< of what the side's view has of its own of the scene
 
     bool isAt(std::string_view wanted) const { return kind == wanted; }
 
@@ -92,6 +95,12 @@ Scene shownScene(const DocumentState& state, int object, Side side);
 
 /// The same without what is laid over it where ways to draw its picture are compared.
 Scene ownScene(const DocumentState& state, int object, Side side);
+
+/// Returns what a side's view has of its own; all is linked where nothing is compared.
+const OwnView& ownView(const DocumentState& state, Side side);
+
+/// The path of the environment that a side's view shows: its own one or the scene's.
+BlockPath environmentPath(const DocumentState& state, Side side);
 
 /// Returns what is laid over a side's scene while its picture is compared; null: nothing.
 const SidePicture* overlaidPicture(const DocumentState& state, Side side);

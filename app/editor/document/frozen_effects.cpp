@@ -92,6 +92,12 @@ Value apart(const Parameter& parameter, const std::vector<Value>& edges) {
 using Keys = std::array<std::uint64_t, 4>;
 
 Keys keysOf(const DocumentState& state, const BlockPath& path, const Catalog& catalog) {
+    if (path.isOfView) {
+        Scene shown = state.scene;
+        giveOwn(shown, ownView(state, path.side));
+        return {EffectKey().ofScene(shown, catalog), 0, isSeen(shown.ground) ? 1u : 0u,
+                EffectKey::ofDisplay(shown, catalog)};
+    }
     const Material* material = materialAt(state, path.index, path.side);
     return {EffectKey().ofScene(state.scene, catalog),
             material != nullptr ? EffectKey::ofMaterial(*material, catalog) : 0,

@@ -337,15 +337,24 @@ void setLighting(Document& document, const Scene& from) {
     document.undoStack().push(new LightingCommand(document, from));
 }
 
-std::string_view environmentPicture(const Document& document) {
-    const BlockValues* held = document.scene().part(kinds::environment);
-    const Block* block = blockOf(document.scene().parts, kinds::environment, document.catalog());
+std::string_view environmentPicture(const Document& document, Side side) {
+    const BlockPath path = environmentPath(document.state(), side);
+    const BlockValues* held = blockValuesAt(document.state(), path);
+    const Block* block = document.block(path);
     return block ? pictureFile(*held, *block) : std::string_view();
+}
+
+std::set<std::string, std::less<>> environmentPictures(const Document& document) {
+    std::set<std::string, std::less<>> files;
+    for (std::size_t i = 0; i < document.shownSides(); ++i) {
+        files.emplace(environmentPicture(document, sides[i]));
+    }
+    return files;
 }
 
 void setEnvironmentPicture(Document& document, const std::filesystem::path& file) {
     Q_EMIT document.fileNamed(file);
-    const BlockPath path = pathOf(kinds::environment);
+    const BlockPath path = document.currentPath(kinds::environment);
     const BlockValues* held = blockValuesAt(document.state(), path);
     const Block* current = document.block(path);
     const std::vector<const Block*> all = document.catalog().ofKind(path.kind);
@@ -359,10 +368,17 @@ void setEnvironmentPicture(Document& document, const std::filesystem::path& file
     }
     BlockValues after = fits ? *held : defaultsOf(*wanted);
     after.parameters[pictureParameter(*wanted)->id] = file.generic_string();
-    if (!held || !(*held == after)) {
-        document.undoStack().push(new SceneBlockCommand(
-            document, path, after,
-            Document::tr("Environment %1").arg(QString::fromStdString(file.filename().string()))));
+    if (held && *held == after) {
+        return;
+    }
+    const QString label =
+        Document::tr("Environment %1").arg(QString::fromStdString(file.filename().string()));
+    if (path.isOfView) {
+        OwnView own = ownView(document.state(), path.side);
+        own.environment = std::move(after);
+        document.setOwnView(path.side, own, label);
+    } else {
+        document.undoStack().push(new SceneBlockCommand(document, path, after, label));
     }
 }
 

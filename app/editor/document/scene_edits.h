@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -53,10 +55,12 @@ void setLighting(Document& document, const Scene& from);
 /// that, and where there are no lamps.
 bool takeLampsOut(Document& document, const EnvironmentLamps& lamps);
 
-/// The file of the environment's picture; empty where it needs none.
-std::string_view environmentPicture(const Document& document);
-/// Lights the scene with a picture: of the environment if it shows one, else of the first kind
-/// that does.
+/// The file of the picture of the environment that a side shows; empty where it needs none.
+std::string_view environmentPicture(const Document& document, Side side);
+/// The files of those of all sides that are shown.
+std::set<std::string, std::less<>> environmentPictures(const Document& document);
+/// Lights the scene, or the active view where its environment is its own, with a picture: of the
+/// environment if it shows one, else of the first kind that does.
 void setEnvironmentPicture(Document& document, const std::filesystem::path& file);
 
 } // namespace patina

@@ -4,9 +4,19 @@
 #include <utility>
 
 namespace patina {
+namespace {
+
+void layOverSide(Scene& shown, const DocumentState& state, Side side) {
+    if (const SidePicture* picture = overlaidPicture(state, side)) {
+        layOver(shown, *picture);
+    }
+}
+
+} // namespace
 
 const Scene& ShownScenes::scene(const DocumentState& state, int object, Side side) {
-    const bool isOwn = side == Side::A && overlaidPicture(state, side) == nullptr;
+    const bool isOwn = side == Side::A && overlaidPicture(state, side) == nullptr &&
+                       ownView(state, side).isLinked();
     if (isOwn || !state.second || object < 0) {
         return state.scene;
     }
@@ -28,7 +38,12 @@ void ShownScenes::update(Side side, const DocumentState& state, int object, cons
                          std::string_view parameterId) {
     std::optional<Scene>& shown = shown_[indexOf(side)];
     const std::optional<Value> stored = storedValue(state, path, parameterId);
-    if (!shown || !stored) {
+    if (!shown || !stored || (path.isOfView && path.side != side)) {
+        return;
+    }
+    if (path.isOfView) {
+        relink(*shown, state.scene, ownView(state, side));
+        layOverSide(*shown, state, side);
         return;
     }
     const bool isOfMaterial = path.owner == BlockOwner::Material;
@@ -49,9 +64,10 @@ void ShownScenes::update(Side side, const DocumentState& state, int object, cons
     }
     DocumentState changed{std::move(*shown), std::nullopt};
     storeValue(changed, there, parameterId, *stored);
-    if (const SidePicture* picture = overlaidPicture(state, side)) {
-        layOver(changed.scene, *picture);
+    if (path.owner == BlockOwner::Scene) {
+        giveOwn(changed.scene, ownView(state, side));
     }
+    layOverSide(changed.scene, state, side);
     shown = std::move(changed.scene);
 }
 

@@ -28,7 +28,7 @@ DocumentForm::DocumentForm(Document& document, TextureLibrary& textures, std::st
     onChange(document_,
              DocumentChange::Material | DocumentChange::Block | DocumentChange::Lights |
                  DocumentChange::Objects | DocumentChange::Current | DocumentChange::Scene |
-                 DocumentChange::Catalog,
+                 DocumentChange::Catalog | DocumentChange::OwnView,
              this, &DocumentForm::follow);
 }
 

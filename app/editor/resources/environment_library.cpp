@@ -11,16 +11,29 @@ EnvironmentLibrary::EnvironmentLibrary(QObject* parent)
     : QObject(parent), worker_({.name = tr("Reading an environment"), .canCancel = true}) {}
 
 std::shared_ptr<const EnvironmentImage> EnvironmentLibrary::image(std::string_view file) {
-    if (file != file_) {
+    if (file.empty()) {
+        return nullptr;
+    }
+    auto found = pictures_.find(file);
+    if (found == pictures_.end()) {
+        found = pictures_.emplace(file, Picture()).first;
+    }
+    if (!found->second.image && !isLoading()) {
+        load(found->first);
+    }
+    return found->second.image;
+}
+
+void EnvironmentLibrary::keep(const std::set<std::string, std::less<>>& files) {
+    std::erase_if(pictures_, [&files](const auto& entry) { return !files.contains(entry.first); });
+    if (isLoading() && !files.contains(loading_)) {
         worker_.forget();
-        file_ = file;
-        image_.reset();
-        hasFailed_ = false;
     }
-    if (!file_.empty() && !image_ && !isLoading()) {
-        load();
-    }
-    return image_;
+}
+
+bool EnvironmentLibrary::isMissing(std::string_view file) const {
+    const auto found = pictures_.find(file);
+    return found != pictures_.end() && found->second.hasFailed;
 }
 
 void EnvironmentLibrary::withhold(FileSet files) {
@@ -29,29 +42,32 @@ void EnvironmentLibrary::withhold(FileSet files) {
 }
 
 void EnvironmentLibrary::forgetFailure() {
-    if (std::exchange(hasFailed_, false)) {
-        image_.reset();
+    for (auto& [file, picture] : pictures_) {
+        if (picture.hasFailed) {
+            picture = Picture();
+        }
     }
 }
 
-void EnvironmentLibrary::load() {
-    const auto read = [file = file_, withheld = withheld_](const Worker::Control& control) {
+void EnvironmentLibrary::load(const std::string& file) {
+    loading_ = file;
+    const auto read = [file, withheld = withheld_](const Worker::Control& control) {
         AssetClient client;
         client.setRights({.withheld = withheld});
         return client.loadImage(file, &control.progress()).map(EnvironmentImage::from);
     };
     worker_.ask(
-        read, [this](const Answer& answer) { finish(answer); }, {},
-        QFileInfo(QString::fromStdString(file_)).fileName());
+        read, [this, file](const Answer& answer) { finish(file, answer); }, {},
+        QFileInfo(QString::fromStdString(file)).fileName());
 }
 
-void EnvironmentLibrary::finish(const Answer& answer) {
+void EnvironmentLibrary::finish(const std::string& file, const Answer& answer) {
+    Picture& picture = pictures_[file];
+    picture.image = answer ? *answer : EnvironmentImage::missing();
+    picture.hasFailed = !answer;
     if (answer) {
-        image_ = *answer;
-        Q_EMIT loaded(QString::fromStdString(file_));
+        Q_EMIT loaded(QString::fromStdString(file));
     } else {
-        hasFailed_ = true;
-        image_ = EnvironmentImage::missing();
         Q_EMIT failed(answer.error());
     }
 }

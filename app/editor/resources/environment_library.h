@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -13,9 +15,9 @@
 
 namespace patina {
 
-/// The picture of the document's environment, read by a files process of its own from a worker
-/// thread; the views draw without it until it is there. The process ends with the reading: image
-/// formats take a lot of memory, and the next picture may never come.
+/// The pictures of the environments that are shown, read one after the other by a files process of
+/// its own from a worker thread; the views draw without one until it is there. The process ends
+/// with the reading: image formats take a lot of memory, and the next picture may never come.
 class EnvironmentLibrary : public QObject {
     Q_OBJECT
 
@@ -23,14 +25,16 @@ class EnvironmentLibrary : public QObject {
     explicit EnvironmentLibrary(QObject* parent = nullptr);
 
     /// The picture of a file; null while it is not there, a placeholder when it cannot be read.
-    /// Another file than the last one starts loading, in place of what is loading.
+    /// One that is not there starts loading when none else is.
     std::shared_ptr<const EnvironmentImage> image(std::string_view file);
 
-    bool isLoading() const { return !worker_.isIdle(); }
-    const std::string& file() const { return file_; }
+    /// Forgets all pictures but these, and gives up on loading another one.
+    void keep(const std::set<std::string, std::less<>>& files);
 
-    /// Tells whether the file was asked for last and could not be read.
-    bool isMissing(std::string_view file) const { return hasFailed_ && file == file_; }
+    bool isLoading() const { return !worker_.isIdle(); }
+
+    /// Tells whether the file was asked for and could not be read.
+    bool isMissing(std::string_view file) const;
 
     /// Files that are not read from now on; those that were and are no more are tried again.
     void withhold(FileSet files);
@@ -45,13 +49,17 @@ class EnvironmentLibrary : public QObject {
   private:
     using Answer = Result<std::shared_ptr<const EnvironmentImage>>;
 
-    void load();
-    void finish(const Answer& answer);
+    struct Picture {
+        std::shared_ptr<const EnvironmentImage> image; ///< null while it is not there
+        bool hasFailed = false;
+    };
+
+    void load(const std::string& file);
+    void finish(const std::string& file, const Answer& answer);
 
     FileSet withheld_;
-    std::string file_;
-    std::shared_ptr<const EnvironmentImage> image_;
-    bool hasFailed_ = false;
+    std::map<std::string, Picture, std::less<>> pictures_; ///< by file
+    std::string loading_;                                  ///< the file that is read, or was last
     Worker worker_;
 };
 

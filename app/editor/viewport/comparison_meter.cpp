@@ -79,7 +79,8 @@ void ComparisonMeter::giveUp() {
 
 DifferenceWorker::Side ComparisonMeter::sideOf(Side side) {
     const Scene* effects = switches_.effects(side);
-    return {switches_.scene(side), effects != nullptr ? std::optional(*effects) : std::nullopt};
+    return {switches_.scene(side), effects != nullptr ? std::optional(*effects) : std::nullopt,
+            environments_.image(environmentPicture(document_, side))};
 }
 
 DifferenceWorker::Request ComparisonMeter::request() {
@@ -92,7 +93,6 @@ DifferenceWorker::Request ComparisonMeter::request() {
     view.size = {std::max(1, static_cast<int>(shrink * pixels.width())),
                  std::max(1, static_cast<int>(shrink * pixels.height()))};
     view.camera = first_.camera();
-    view.environmentImage = environments_.image(environmentPicture(document_));
     return {sideOf(Side::A),
             sideOf(other()),
             view,

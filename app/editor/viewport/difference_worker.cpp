@@ -78,6 +78,7 @@ class DifferenceWorker::Workshop {
         View view = request.view;
         view.numbers = sameNumbers ? HdrNumbers::Full : HdrNumbers::Half;
         view.effects = side.effects ? &*side.effects : nullptr;
+        view.environmentImage = side.environment;
         for (int drawn = 0; drawn < directions || drawn == 0;) {
             view.isContinued = drawn > 0;
             view.environmentSamples = directions - drawn;
@@ -190,6 +191,7 @@ std::optional<TimeRatio> DifferenceWorker::time(const Request& request,
     const auto timeOf = [&](const Side& side) {
         View view = request.view;
         view.effects = side.effects ? &*side.effects : nullptr;
+        view.environmentImage = side.environment;
         return (*frames)->timeOf(side.scene, view);
     };
     timeOf(request.a); // makes what it lacks

@@ -54,6 +54,8 @@ class DifferenceWorker : public QObject {
     struct Side {
         Scene scene;
         std::optional<Scene> effects; ///< see View::effects
+        /// See View::environmentImage.
+        std::shared_ptr<const EnvironmentImage> environment;
     };
     struct Request {
         Side a;

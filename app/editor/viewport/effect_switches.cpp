@@ -2,6 +2,7 @@
 #include "viewport/effect_switches.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "shading/effects/effect_rows.h"
 
@@ -13,47 +14,94 @@ EffectSwitches::EffectSwitches(Document& document, ProgramEffects& effects, Trie
     onChange(document, DocumentChange::Drawn | DocumentChange::Current, this,
              &EffectSwitches::forget);
     connect(&effects, &ProgramEffects::changed, this, &EffectSwitches::forget);
-    onChange(document, DocumentChange::Scene, this, &EffectSwitches::switchAllOn);
+    onChange(document, DocumentChange::Scene, this, [this] {
+        if (!std::exchange(off_, {}).empty()) {
+            Q_EMIT changed();
+        }
+    });
+    // Other switches are those of the active view then.
+    onChange(document,
+             DocumentChange::OwnView | DocumentChange::Comparing | DocumentChange::Current, this,
+             &EffectSwitches::follow);
     connect(&tried, &TriedMaterial::changed, this, [this] {
         forget();
         Q_EMIT changed();
     });
 }
 
+void EffectSwitches::follow() {
+    if (shown_ != off()) {
+        shown_ = off();
+        Q_EMIT changed();
+    }
+}
+
+const std::vector<std::string>& EffectSwitches::offOn(Side side) const {
+    const OwnView& own = ownView(document_.state(), side);
+    return own.switchedOff ? *own.switchedOff : off_;
+}
+
 bool EffectSwitches::isOff(std::string_view effect) const {
-    return std::find(off_.begin(), off_.end(), effect) != off_.end();
+    return std::ranges::find(off(), effect) != off().end();
 }
 
 void EffectSwitches::setOff(const std::string& effect, bool off) {
     if (off == isOff(effect)) {
         return;
     }
+    std::vector<std::string> all = this->off();
     if (off) {
-        off_.push_back(effect);
+        all.push_back(effect);
     } else {
-        std::erase(off_, effect);
+        std::erase(all, effect);
     }
-    forget();
-    Q_EMIT changed();
+    setSwitchedOff(std::move(all), off ? tr("Switch an effect off") : tr("Switch an effect on"));
 }
 
 void EffectSwitches::switchAllOn() {
-    forget();
-    if (!off_.empty()) {
-        off_.clear();
+    setSwitchedOff({}, tr("Switch all effects on"));
+}
+
+void EffectSwitches::setSwitchedOff(std::vector<std::string> off, const QString& label) {
+    const Side side = document_.activeSide();
+    OwnView own = ownView(document_.state(), side);
+    if (own.switchedOff) {
+        own.switchedOff = std::move(off);
+        document_.setOwnView(side, own, label);
+        return;
+    }
+    if (off != off_) {
+        off_ = std::move(off);
+        shown_ = off_;
+        forget();
         Q_EMIT changed();
     }
 }
 
 const Scene& EffectSwitches::scene(Side side) {
     const Scene* tried = tried_.scene(side);
-    const Scene& whole = tried ? *tried : document_.scene(side);
-    if (off_.empty()) {
-        return whole;
+    if (tried == nullptr && ownView(document_.state(), side).switchedOff) {
+        return whole(side);
+    }
+    const Scene& all = tried ? *tried : document_.scene(side);
+    if (offOn(side).empty()) {
+        return all;
     }
     std::optional<Scene>& made = scenes_[indexOf(side)];
     if (!made) {
-        made = withoutEffects(whole, off_, document_.catalog());
+        made = withoutEffects(all, offOn(side), document_.catalog());
+    }
+    return *made;
+}
+
+const Scene& EffectSwitches::whole(Side side) {
+    const OwnView& own = ownView(document_.state(), side);
+    if (!own.switchedOff || own.switchedOff->empty()) {
+        return document_.scene(side);
+    }
+    std::optional<Scene>& made = wholes_[indexOf(side)];
+    if (!made) {
+        made = withoutEffects(document_.scene(side), *own.switchedOff, document_.catalog());
     }
     return *made;
 }
@@ -61,14 +109,16 @@ const Scene& EffectSwitches::scene(Side side) {
 /// A value that is dragged changes the held scene too, so this one is made for every frame.
 const Scene* EffectSwitches::effects(Side side) {
     const Scene* held = programs_.scene(side);
-    if (held == nullptr || off_.empty()) {
+    if (held == nullptr || offOn(side).empty()) {
         return held;
     }
-    return &effects_[indexOf(side)].emplace(withoutEffects(*held, off_, document_.catalog()));
+    return &effects_[indexOf(side)].emplace(
+        withoutEffects(*held, offOn(side), document_.catalog()));
 }
 
 void EffectSwitches::forget() {
     scenes_ = {};
+    wholes_ = {};
     effects_ = {};
 }
 

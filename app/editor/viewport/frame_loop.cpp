@@ -69,6 +69,7 @@ void FrameLoop::close() {
             stopwatch_.close();
         }
         surface_.close(std::move(renderer_));
+        stale_ = true;
     }
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
@@ -24,6 +25,7 @@
 #include "viewport/side_accuracy.h"
 #include "viewport/turning.h"
 #include "viewport/view_handles.h"
+#include "viewport/view_links.h"
 #include "viewport/view_overlay.h"
 
 namespace patina {
@@ -58,15 +60,16 @@ std::map<int, Object> objectsAt(const Scene& scene, const std::vector<int>& indi
 SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side, QWidget* parent)
     : QFrame(parent), document_(sources.document), meshes_(sources.meshes),
       switches_(sources.switches), side_(side), title_(new QLabel(this)),
+      links_(new ViewLinks(document_, switches_, side, this)),
       viewport_(new Viewport(
           {[this, &turntable = tools.turntable]() -> const Scene& {
                return turntable.turned(switches_.scene(side_), side_);
            },
-           [this]() -> const Scene& { return document_.scene(side_); },
+           [this]() -> const Scene& { return switches_.whole(side_); },
            [this](const Object& object) { return meshes_.view(object); },
            [this] { return switches_.effects(side_); },
            [this, &environments = sources.environments] {
-               return environments.image(environmentPicture(document_));
+               return environments.image(environmentPicture(document_, side_));
            },
            sources.context,
            [&textures = sources.textures](const TextureUse& use, TextureDecoding decoding) {
@@ -77,7 +80,12 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(edge, edge, edge, edge);
     layout->setSpacing(0);
-    layout->addWidget(title_);
+    auto* titleRow = new QHBoxLayout;
+    titleRow->setSpacing(0);
+    titleRow->addWidget(title_, 1);
+    titleRow->addWidget(links_);
+    links_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored); // as high as the title
+    layout->addLayout(titleRow);
     layout->addWidget(viewport_, 1);
     title_->setObjectName("title");
     title_->setTextFormat(Qt::RichText);
@@ -87,18 +95,26 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
     viewport_->setCamera(document_.scene().camera);
     connectNavigation();
     FrameLoop* frames = &viewport_->frames();
-    onChange(document_, DocumentChange::Drawn, frames, &FrameLoop::refresh);
+    onChange(document_, DocumentChange::Drawn, frames, [this, frames](const auto& change) {
+        if (shows(change)) {
+            frames->refresh();
+        }
+    });
     connect(&sources.effects, &ProgramEffects::changed, frames, &FrameLoop::refresh);
     connect(&sources.textures, &TextureLibrary::arrived, frames, &FrameLoop::refresh);
     connect(&sources.effects, &ProgramEffects::prewarmed, this, [this](const DocumentState& state) {
         if (viewport_->isVisible()) {
             viewport_->prewarmer().add(
-                withoutEffects(shownScene(state, document_.currentObject(), side_), switches_.off(),
-                               document_.catalog()));
+                withoutEffects(shownScene(state, document_.currentObject(), side_),
+                               switches_.offOn(side_), document_.catalog()));
         }
     });
     onChange(document_, DocumentChange::Drawn | DocumentChange::Current, this,
              &SideView::updateTitle);
+    onChange(document_, DocumentChange::OwnView, this, [this] {
+        this->layout()->activate(); // the title has another width
+        updateTitle();
+    });
     onChange(document_, DocumentChange::Scene, frames, &FrameLoop::announceScene);
     onChange(document_, DocumentChange::Catalog, this,
              [this] { viewport_->setCatalog(document_.sharedCatalog()); });
@@ -134,6 +150,16 @@ SideView::SideView(const ViewSources& sources, const ViewTools& tools, Side side
     updateTitle();
 }
 
+/// False for a value that is another side's alone.
+bool SideView::shows(const DocumentChange& change) const {
+    const DocumentChange::Aspects ofOne =
+        DocumentChange::Value | DocumentChange::Texture | DocumentChange::OwnView;
+    const bool isOfAnother = change.path.side != side_ &&
+                             (change.path.isOfView || (change.path.owner == BlockOwner::Material &&
+                                                       change.path.side != Side::A));
+    return !isOfAnother || change.has(DocumentChange::Aspects(DocumentChange::Drawn) & ~ofOne);
+}
+
 void SideView::paintEvent(QPaintEvent* event) {
     QFrame::paintEvent(event);
     if (focusShown_) {
@@ -148,6 +174,7 @@ void SideView::resizeEvent(QResizeEvent* event) {
 
 void SideView::setTitleVisible(bool visible) {
     title_->setVisible(visible);
+    links_->setVisible(visible);
     layout()->activate(); // it has its width only now
     updateTitle();
 }
@@ -292,8 +319,8 @@ void SideView::turnLight(double yaw, double pitch) {
 
 /// As the mouse pulls what the front of an object mirrors.
 void SideView::turnEnvironment(double yaw) {
-    const BlockPath path = pathOf(kinds::environment);
-    const BlockValues* environment = document_.scene().part(kinds::environment);
+    const BlockPath path = environmentPath(document_.state(), side_);
+    const BlockValues* environment = blockValuesAt(document_.state(), path);
     const Block* block = environment != nullptr ? document_.block(path) : nullptr;
     const Parameter* rotation = block != nullptr ? block->withRole(roles::rotate) : nullptr;
     if (rotation == nullptr) {
@@ -457,11 +484,16 @@ void SideView::updateTitle() {
     if (text != title_->text()) {
         Q_EMIT captionChanged();
         title_->setText(text);
+        const QString foreground = active ? "#101010" : "#f0f0f0";
+        const QString background = (active ? colourOf(side_) : colourOf(side_).darker(260)).name();
         // A style sheet takes margins away, but not in each case.
-        title_->setStyleSheet(
-            QStringLiteral("color: %1; background: %2; padding: 3px %3px;")
-                .arg(active ? "#101010" : "#f0f0f0",
-                     active ? colourOf(side_).name() : colourOf(side_).darker(260).name())
+        title_->setStyleSheet(QStringLiteral("color: %1; background: %2; padding: 3px %3px;")
+                                  .arg(foreground, background)
+                                  .arg(titlePadding));
+        links_->setStyleSheet(
+            QStringLiteral("QToolButton { color: %1; background: %2; border: none; padding: 3px "
+                           "14px 3px %3px; }")
+                .arg(foreground, background)
                 .arg(titlePadding));
     }
 }

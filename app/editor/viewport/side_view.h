@@ -19,6 +19,7 @@ class QLabel;
 namespace patina {
 
 class InspectionPanel;
+class ViewLinks;
 class ProgramWorker;
 class ViewContext;
 
@@ -84,6 +85,7 @@ class SideView : public QFrame {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    bool shows(const DocumentChange& change) const;
     void connectNavigation();
     double aspect() const;
     Camera framedOnCurrent() const;
@@ -109,6 +111,7 @@ class SideView : public QFrame {
     EffectSwitches& switches_;
     Side side_;
     QLabel* title_;
+    ViewLinks* links_; ///< beside the title
     Viewport* viewport_;
     InspectionPanel* inspection_ = nullptr; ///< made when it is first wanted
     std::optional<bool> awaited_;           ///< see awaitLightPick()

@@ -6,6 +6,7 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 
+#include "document/scene_edits.h"
 #include "gl/driver_cache.h"
 #include "parameters/dropped_files.h"
 #include "scene/kept_openness.h"
@@ -91,6 +92,10 @@ void MainWindow::connectParts() {
     onChange(document_, DocumentChange::Scene, &textures_, &TextureLibrary::forgetFailures);
     connect(&environments_, &EnvironmentLibrary::failed, &messages_, &MessageLog::add);
     onChange(document_, DocumentChange::Scene, &environments_, &EnvironmentLibrary::forgetFailure);
+    onChange(document_,
+             DocumentChange::Value | DocumentChange::Block | DocumentChange::OwnView |
+                 DocumentChange::Comparing | DocumentChange::Scene | DocumentChange::Catalog,
+             &environments_, [this] { environments_.keep(environmentPictures(document_)); });
     connect(&documentFiles_.withheld(), &WithheldFiles::changed, this, [this] {
         const FileRights rights = documentFiles_.withheld().rights();
         meshes_.setRights(rights);

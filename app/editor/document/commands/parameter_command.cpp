@@ -71,7 +71,7 @@ void ParameterCommand::apply(const Values& values) {
     for (const auto& [id, value] : values) {
         storeValue(state(), target().path, id, value);
     }
-    if (target().path.side != Side::A) {
+    if (target().path.owner == BlockOwner::Material && target().path.side != Side::A) {
         showSidesOn(target().path.index);
     }
     for (const auto& [id, value] : values) {
