@@ -4,7 +4,7 @@
 
 #include <QTimer>
 
-#include "accuracy/long_line.h"
+#include "docks/long_line.h"
 #include "support/full_disk.h"
 #include "ui/accuracy_fixture.h"
 

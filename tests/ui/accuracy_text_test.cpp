@@ -11,8 +11,8 @@
 #include "accuracy/cost_list.h"
 #include "accuracy/cost_plot.h"
 #include "accuracy/cost_text.h"
-#include "accuracy/long_line.h"
 #include "accuracy/plot_library.h"
+#include "docks/long_line.h"
 
 namespace patina::tests::accuracy_text_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
-#include "accuracy/long_line.h"
+#include "docks/long_line.h"
 #include "docks/panel.h"
 
 namespace patina {

@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 
 #include "document/comparison.h"
-#include "document/picture_parameters.h"
+#include "document/picture_edits.h"
 #include "viewport/compare_area.h"
 
 namespace patina {
@@ -14,35 +14,6 @@ namespace {
 
 QString tr(const char* text) {
     return QCoreApplication::translate("PictureTarget", text);
-}
-
-/// The values of a block that differ from those that are there.
-void setValues(Document& document, const BlockPath& path, const BlockValues& wanted) {
-    for (const auto& [id, value] : wanted.parameters) {
-        document.setValue(path, id, value);
-    }
-}
-
-/// Brings what choices of the picture change, and nothing else, from `wanted` into the document.
-void takePicture(Document& document, const Scene& wanted) {
-    const BlockPath scenePath = document.currentPath(settings::scene);
-    for (const Parameter& parameter : pictureAccuracyParameters()) {
-        if (const auto level = pictureLevel(wanted, parameter.id)) {
-            document.setValue(scenePath, parameter.id, *level);
-        }
-    }
-    if (const BlockValues* transparency = wanted.part(kinds::transparency)) {
-        document.setBlock(pathOf(kinds::transparency), transparency->id);
-        setValues(document, pathOf(kinds::transparency), *transparency);
-    }
-    if (const BlockValues* environment = wanted.part(kinds::environment)) {
-        setValues(document, document.currentPath(kinds::environment), *environment);
-    }
-    for (std::size_t i = 0; i < wanted.lights.size(); ++i) {
-        if (const BlockValues* shadow = wanted.lights[i].part(kinds::shadows)) {
-            setValues(document, pathOf(kinds::shadows, static_cast<int>(i)), *shadow);
-        }
-    }
 }
 
 } // namespace
@@ -81,7 +52,7 @@ void PictureTarget::apply(const std::vector<Choice>& choices, const ChosenLevels
     }
     document_.editAsOneStep(label, [&] {
         document_.showOwnPicture();
-        takePicture(document_, wanted);
+        setPicture(document_, wanted);
     });
 }
 

@@ -13,6 +13,7 @@
 #include <QSaveFile>
 
 #include "core/color.h"
+#include "library/as_picture.h"
 #include "render/frame/frame_job.h"
 #include "render/gpu/texture_loader.h"
 #include "render/lights/environment_image.h"
@@ -24,23 +25,6 @@
 
 namespace patina {
 namespace {
-
-QImage toQImage(const Image& image) {
-    QImage picture(image.width, image.height, QImage::Format_RGB888);
-    const auto byte = [&](int x, int y, int channel) {
-        const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width);
-        const auto at =
-            (row + static_cast<std::size_t>(x)) * static_cast<std::size_t>(image.channels);
-        const float value = image.pixels[at + static_cast<std::size_t>(channel)];
-        return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
-    };
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            picture.setPixel(x, y, qRgb(byte(x, y, 0), byte(x, y, 1), byte(x, y, 2)));
-        }
-    }
-    return picture;
-}
 
 /// As bright as a photographer would take it: the mean of its brightness in stops becomes a middle
 /// grey.
@@ -117,7 +101,7 @@ class ThumbnailMaker::Studio {
         view.camera = scene.camera;
         const auto meshes = [this](const Object& object) { return mesh(object.mesh); };
         const Result<Image> image = renderer_->capture(scene, view, meshes, true);
-        return image && !isBroken() ? toQImage(*image) : QImage();
+        return image && !isBroken() ? asPicture(*image) : QImage();
     }
 
     /// Null where its picture cannot be read or its shader does not compile.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "accuracy/long_line.h"
+#include "docks/long_line.h"
 
 #include <QPainter>
 #include <QStyle>
