@@ -15,6 +15,7 @@
 #include "parameters/number_box.h"
 #include "parameters/parameter_row.h"
 #include "scene/scene_file.h"
+#include "sheets/cell_taking.h"
 #include "ui/window_fixture.h"
 
 namespace patina::tests::undo_test {
@@ -151,6 +152,13 @@ const std::vector<Edit> edits{
      }},
     {"ObjectHidden", [](Document& d) { set(d, settings::object, "visible", false); }},
     {"ObjectTurned", [](Document& d) { set(d, settings::object, "rotation", glm::dvec3(40.0)); }},
+    {"CellTaken",
+     [](Document& d) {
+         const Sheet sheet{.x = {AxisKind::Models, {}, {}, {"lambert", "strauss"}},
+                           .y = SheetAxis{AxisKind::Lights, {}, {}, {"all", "head"}}};
+         const auto plan = SheetPlan::of(sheet, d.ownScene(Side::A), 0, d.sharedCatalog());
+         ASSERT_TRUE(plan && takeCell(d, *plan, 1, 1));
+     }},
     {"Preset",
      [](Document& d) {
          DocumentFiles files(d);

@@ -15,6 +15,7 @@
 #include "files/place_beside.h"
 #include "library/preset_library.h"
 #include "scene/scene_file.h"
+#include "sheet/sheet_file.h"
 
 namespace patina {
 namespace {
@@ -351,12 +352,12 @@ bool FileActions::mayReplace(const QString& asked, const QString& file) {
 void FileActions::open(const QStringList& files, Side side) {
     QStringList documents;
     QStringList meshes; // these and what follows belong to the document that is opened
-    QStringList panoramas;
+    QStringList others;
     for (const QString& file : files) {
         if (kindOf(file) == Kind::Mesh) {
             meshes << file;
-        } else if (kindOf(file) == Kind::Panorama) {
-            panoramas << file;
+        } else if (kindOf(file) == Kind::Panorama || kindOf(file) == Kind::Sheet) {
+            others << file;
         } else {
             documents << file;
         }
@@ -374,7 +375,7 @@ void FileActions::open(const QStringList& files, Side side) {
         tell({file.toStdString(), 0, 0, "is not opened: there is room for one scene or preset",
               "beside it a preset for the other side, and meshes"});
     }
-    drop(panoramas, side);
+    drop(others, side);
 }
 
 void FileActions::drop(const QStringList& files, Side side) {
@@ -393,6 +394,10 @@ void FileActions::drop(const QStringList& files, Side side) {
             break;
         case Kind::Mesh:
             load(file);
+            break;
+        case Kind::Sheet:
+            document_.setActiveSide(side);
+            Q_EMIT sheetWished(file);
             break;
         }
     }
@@ -448,6 +453,9 @@ QString FileActions::questionText() const {
 FileActions::Kind FileActions::kindOf(const QString& file) {
     if (file.endsWith(sceneSuffix, Qt::CaseInsensitive)) {
         return Kind::Scene;
+    }
+    if (file.endsWith(QString::fromStdString(std::string(sheetEnding)), Qt::CaseInsensitive)) {
+        return Kind::Sheet;
     }
     for (const QString& panorama : {QStringLiteral(".hdr"), QStringLiteral(".exr")}) {
         if (file.endsWith(panorama, Qt::CaseInsensitive)) {

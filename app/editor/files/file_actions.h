@@ -23,7 +23,7 @@ class FileActions : public QObject {
 
   public:
     /// Tells what a file is, by its name, and where that says no more than JSON, by its "format".
-    enum class Kind { Preset, Scene, Panorama, Mesh };
+    enum class Kind { Preset, Scene, Panorama, Mesh, Sheet };
 
     FileActions(Document& document, DocumentFiles& files, MeshLibrary& meshes, Session& session,
                 QWidget* window);
@@ -43,7 +43,8 @@ class FileActions : public QObject {
     /// document, a mesh an object in it: beside the others, or in place of a new document's.
     void open(const QStringList& files, Side side);
 
-    /// Does what a drop asks for: a preset goes onto the side it was dropped on, undoably.
+    /// Does what a drop asks for: a preset goes onto the side it was dropped on, undoably, and so
+    /// does that of a sheet.
     void drop(const QStringList& files, Side side);
 
     /// Puts a preset on a side; asks about what it names outside its folder.
@@ -83,6 +84,8 @@ class FileActions : public QObject {
     void documentReplaced();
     /// A mesh that was opened, imported or dropped is now the current object.
     void meshPlaced();
+    /// A contact sheet's file was opened or dropped.
+    void sheetWished(const QString& file);
 
   private:
     void openDocument(const QString& file);

@@ -17,6 +17,7 @@
 #include "docks/scene_dock.h"
 #include "docks/snapshots_dock.h"
 #include "docks/stability_dock.h"
+#include "sheets/sheets_dock.h"
 
 namespace patina {
 namespace {
@@ -43,6 +44,7 @@ std::vector<DockEntry> dockList() {
         {"lights", tr("Lights"), DockPlace::RightBottom, make<LightsDock>},
         {"environment", tr("Environment"), DockPlace::RightBottom, make<EnvironmentDock>},
         {"fog", tr("Fog"), DockPlace::RightBottom, make<FogDock>},
+        {"sheets", tr("Contact Sheet"), DockPlace::RightBottom, make<SheetsDock>},
         {"scene", tr("Scene"), DockPlace::RightBottom, make<SceneDock>},
         {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},
         {"stability", tr("Stability"), DockPlace::Bottom, make<StabilityDock>},

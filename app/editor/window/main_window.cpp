@@ -11,7 +11,9 @@
 #include "parameters/dropped_files.h"
 #include "scene/kept_openness.h"
 #include "session/start_value_files.h"
+#include "sheets/sheets_dock.h"
 #include "window/focus_order.h"
+#include "window/lazy_dock.h"
 
 namespace patina {
 namespace {
@@ -116,6 +118,11 @@ void MainWindow::connectParts() {
     connect(files_, &FileActions::documentReplaced, &autosave_, &Autosave::giveUp);
     connect(files_, &FileActions::meshPlaced, this,
             [this] { views_->active().frameCurrentObject(); });
+    connect(files_, &FileActions::sheetWished, this, [this](const QString& file) {
+        layout_->bringToFront("sheets");
+        qobject_cast<LazyDock*>(dock("sheets"))->build();
+        findChild<SheetsDock*>()->open(file);
+    });
     connect(&switches_, &EffectSwitches::changed, this,
             [this] { status_->setSwitchedOff(static_cast<int>(switches_.off().size())); });
     connect(status_, &StatusLine::effectsWished, this,

@@ -12,7 +12,7 @@ namespace patina {
 namespace {
 
 /// Goes up when docks come, go or move, so that an older layout is not forced upon them.
-constexpr int layoutVersion = 6;
+constexpr int layoutVersion = 7;
 
 constexpr QSize preferredSize{1600, 1000};
 
