@@ -26,9 +26,8 @@ class SheetsPanel : public WindowFixture {
         const auto preset = dataFolder() / "presets/strauss/red-plastic.patina.json";
         EXPECT_TRUE(window().documentFiles().applyPreset(preset, Side::A));
         document().undoStack().clear();
-        for (const char* above : {"parameters", "fresnel", "opacity"}) {
-            window().dock(above)->hide();
-        }
+        window().dock("sheets")->setFloating(true);
+        window().dock("sheets")->resize(500, 600);
         window().dock("sheets")->show();
         window().dock("sheets")->raise();
         QTest::qWait(1);

@@ -44,12 +44,12 @@ std::vector<DockEntry> dockList() {
         {"lights", tr("Lights"), DockPlace::RightBottom, make<LightsDock>},
         {"environment", tr("Environment"), DockPlace::RightBottom, make<EnvironmentDock>},
         {"fog", tr("Fog"), DockPlace::RightBottom, make<FogDock>},
-        {"sheets", tr("Contact Sheet"), DockPlace::RightBottom, make<SheetsDock>},
         {"scene", tr("Scene"), DockPlace::RightBottom, make<SceneDock>},
         {"messages", tr("Messages"), DockPlace::Bottom, make<MessagesDock>},
         {"stability", tr("Stability"), DockPlace::Bottom, make<StabilityDock>},
         {"effects", tr("Effects"), DockPlace::Bottom, make<EffectsDock>},
         {"accuracy", tr("Accuracy"), DockPlace::Bottom, make<AccuracyDock>},
+        {"sheets", tr("Contact Sheet"), DockPlace::Bottom, make<SheetsDock>},
     };
 }
 
