@@ -470,11 +470,18 @@ QString SideView::caption() const {
 
 void SideView::updateTitle() {
     const bool active = document_.activeSide() == side_;
-    const QString state = active ? tr(" (being edited)") : QString();
+    QString state = active ? tr(" (being edited)") : QString();
     const QString called = caption();
     const QFontMetrics font = title_->fontMetrics();
-    const int room = title_->width() - 2 * titlePadding -
-                     font.horizontalAdvance(QStringLiteral("   WW ") + state);
+    const auto roomBeside = [this, &font](const QString& said) {
+        return title_->width() - 2 * titlePadding -
+               font.horizontalAdvance(QStringLiteral("   WW ") + said);
+    };
+    int room = roomBeside(state);
+    if (room < font.horizontalAdvance(QStringLiteral("a few letters"))) {
+        state.clear(); // the colour says so, too
+        room = roomBeside(state);
+    }
     const QString text =
         QStringLiteral("<b>&nbsp;%1&nbsp;</b>&nbsp; %2%3")
             .arg(letterOf(side_), font.elidedText(called, Qt::ElideRight, room).toHtmlEscaped(),
