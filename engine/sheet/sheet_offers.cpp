@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "catalog/expression.h"
 #include "catalog/settings.h"
 #include "material/blocks_in_use.h"
 #include "sheet/axis_steps.h"
@@ -11,8 +12,20 @@
 namespace patina {
 namespace {
 
+/// Tells whether a block with these values reads one of them.
+bool counts(const Parameter& parameter, const Values& values) {
+    const Result<Expression> condition = Expression::parse(parameter.enabledWhen);
+    return !condition || condition->evaluate(values);
+}
+
 void addValues(std::vector<AxisOffer>& offers, const Block& block, const std::string& prefix,
-               const std::string& owner) {
+               const std::string& owner, const BlockValues* held = nullptr) {
+    Values values = defaultValues(block);
+    if (held != nullptr) {
+        for (const auto& [id, value] : held->parameters) {
+            values.insert_or_assign(id, value);
+        }
+    }
     for (const Parameter& parameter : block.parameters) {
         const bool isNumber = isOneNumber(parameter);
         const bool hasStates =
@@ -25,6 +38,7 @@ void addValues(std::vector<AxisOffer>& offers, const Block& block, const std::st
             offer.axis.range = SheetRange{parameter.softMin, parameter.softMax, usualSheetSteps};
             offer.of = parameter;
         }
+        offer.counts = counts(parameter, values);
         offers.push_back(std::move(offer));
     }
 }
@@ -47,11 +61,13 @@ std::vector<AxisOffer> axisOffers(const Scene& scene, std::size_t object, const 
     if (object >= scene.objects.size()) {
         return offers;
     }
-    const std::vector<const Block*> blocks = blocksInUse(scene.objects[object].material, catalog);
+    const Material& material = scene.objects[object].material;
+    const std::vector<const Block*> blocks = blocksInUse(material, catalog);
     for (const Block* block : blocks) {
         const bool isModel = block->kind == kinds::models;
         addValues(offers, *block, isModel ? std::string() : block->kind + '.',
-                  isModel ? std::string() : block->label + ": ");
+                  isModel ? std::string() : block->label + ": ",
+                  isModel ? &material.model : material.part(block->kind));
     }
     addValues(offers, *settingsBlock(settings::material), {}, {});
     for (const Block* block : blocks) {

@@ -16,6 +16,7 @@ struct AxisOffer {
     SheetAxis axis;                ///< of a number: with its slider's range; else of all there is
     std::string label;             ///< for people
     std::optional<Parameter> of{}; ///< the number that the range is of
+    bool counts = true;            ///< the material as it is reads the value
 };
 
 /// Returns what a sheet of an object may go through: the values of its material that are numbers,

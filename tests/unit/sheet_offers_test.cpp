@@ -2,6 +2,9 @@
 // What a contact sheet may go through.
 #include "sheet/sheet_offers.h"
 
+#include <algorithm>
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "sheet/sheet_plan.h"
@@ -17,6 +20,23 @@ std::vector<AxisOffer> offers() {
 const AxisOffer* offerCalled(const std::vector<AxisOffer>& all, const std::string& label) {
     const auto found = std::ranges::find(all, label, &AxisOffer::label);
     return found == all.end() ? nullptr : &*found;
+}
+
+TEST(SheetOffers, ValuesThatTheMaterialDoesNotRead_SaySo) {
+    Scene scene = tests::sheetScene();
+    const std::array roots{BlockRoot{PATINA_SOURCE_DIR "/shaders", true}};
+    const Catalog shipped = loadCatalog(roots);
+    scene.objects[0].material = defaultMaterial(*shipped.find(kinds::models, "ward"));
+    const auto called = [&](const std::string& id) {
+        const auto all = axisOffers(scene, 0, shipped);
+        return std::ranges::find(all, id, [](const AxisOffer& each) { return each.axis.value; })
+            ->counts;
+    };
+    EXPECT_TRUE(called("roughness.x"));
+    EXPECT_FALSE(called("roughness"));
+    scene.objects[0].material.model.parameters["grain"] = std::string("isotropic");
+    EXPECT_FALSE(called("roughness.x"));
+    EXPECT_TRUE(called("roughness"));
 }
 
 TEST(SheetOffers, EachOfThem_CanBePlanned) {

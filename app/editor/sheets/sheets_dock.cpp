@@ -174,11 +174,11 @@ void SheetsDock::follow() {
     drawing_.ask(request());
 }
 
-/// The first two numbers of the model.
+/// The first two numbers of the model that count.
 void SheetsDock::chooseAxes(const std::vector<AxisOffer>& offers) {
     std::vector<SheetAxis> axes;
     for (const AxisOffer& offer : offers) {
-        if (offer.of && axes.size() < 2) {
+        if (offer.of && offer.counts && axes.size() < 2) {
             axes.push_back(offer.axis);
         }
     }
