@@ -94,7 +94,7 @@ class Document : public QObject {
     const Parameter* parameter(const ParameterTarget& target) const;
     /// The value a parameter has, conformed to its descriptor; the default where none is stored.
     Value value(const BlockPath& path, const Parameter& parameter) const;
-    /// Of the camera it is no edit, as no move of it is.
+    /// Makes an edit, but where the camera is: its moves have an undo of their own.
     void setValue(const BlockPath& path, std::string_view parameterId, const Value& value);
 
     /// Sets several values of one block, and images on them, as one step.

@@ -25,7 +25,7 @@ class EffectSwitches : public QObject {
     EffectSwitches(Document& document, ProgramEffects& effects, TriedMaterial& tried,
                    QObject* parent = nullptr);
 
-    // Of the active view.
+    // These switch effects of the view that is active.
     bool isOff(std::string_view effect) const;
     void setOff(const std::string& effect, bool off);
     void switchAllOn();
