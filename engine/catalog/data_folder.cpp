@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "catalog/xdg_folders.h"
+#include "core/paths.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <mutex>
@@ -47,14 +47,6 @@ std::optional<fs::path> userFolder(const char* variable, const fs::path& belowHo
     return home ? std::optional(*home / belowHome / "patina") : std::nullopt;
 }
 
-bool isBelow(const fs::path& path, const fs::path& above) {
-    std::error_code noFolder;
-    const fs::path folder = fs::weakly_canonical(above, noFolder);
-    return !noFolder &&
-           std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-               folder.end();
-}
-
 /// What was below the folder when this was first asked: an author may add to it.
 const std::set<fs::path>& shippedFiles(const fs::path& presets) {
     static std::mutex mutex;
@@ -95,7 +87,7 @@ bool isShippedPreset(const std::filesystem::path& file) {
     const auto own = xdgDataFolder(); // where Patina may be installed as well
     std::error_code status;
     return !file.empty() && !circle && shippedFiles(dataFolder() / "presets").contains(path) &&
-           fs::is_regular_file(path, status) && !(own && isBelow(path, *own));
+           fs::is_regular_file(path, status) && !(own && leadsWithin(path, *own));
 }
 
 std::filesystem::path defaultSceneFile() {

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/triangle_tree.h"
+#include "core/vectors.h"
 
 namespace patina {
 namespace {
@@ -76,10 +77,6 @@ class OpennessFinder {
     }
 
   private:
-    static bool isFinite(const glm::vec3& point) {
-        return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-    }
-
     static glm::dvec3 middleOf(std::span<const Vertex> vertices) {
         glm::dvec3 lower(INFINITY);
         glm::dvec3 upper(-INFINITY);

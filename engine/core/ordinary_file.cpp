@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/paths.h"
+
 namespace patina {
 namespace {
 
@@ -91,12 +93,6 @@ fs::path pathOf(int descriptor) {
     return fs::read_symlink(openedAs(descriptor), failed);
 }
 
-bool isBelow(const fs::path& place, const fs::path& folder) {
-    const auto [end, rest] =
-        std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
-    return !folder.empty() && end == folder.end() && rest != place.end();
-}
-
 } // namespace
 
 OrdinaryFile::~OrdinaryFile() {
@@ -130,7 +126,7 @@ Result<OrdinaryFile> OrdinaryFile::openBelow(int folder, const fs::path& path,
     }
     // Both are held open: nobody can put something else there between this and the reading.
     const fs::path there = pathOf(place.get());
-    const bool isOutside = !isBelow(there, pathOf(folder));
+    const bool isOutside = !isWithin(there, pathOf(folder));
     if (isOutside && (there.empty() || !mayLeave || !mayLeave(there))) {
         return tl::unexpected(errorOf(path, leadsOut, "a file in the folder or below it"));
     }

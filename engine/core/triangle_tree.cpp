@@ -10,6 +10,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/vectors.h"
+
 namespace patina {
 namespace {
 
@@ -20,10 +22,6 @@ constexpr float overlap = 1e-5f;
 
 /// Each level halves the triangles, of which there are less than 2^32.
 constexpr std::size_t maxDepth = 40;
-
-bool isFinite(const glm::vec3& point) {
-    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
 
 /// One over the direction, so that it is finite where the ray runs along a side of a box.
 glm::vec3 inverseOf(const glm::vec3& direction) {

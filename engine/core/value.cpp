@@ -5,6 +5,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "core/vectors.h"
+
 namespace patina {
 
 Value roundedToFloat(const Value& value) {
@@ -38,7 +40,7 @@ bool isFinite(const Value& value) {
         return std::isfinite(pair->x) && std::isfinite(pair->y);
     }
     if (const auto* triple = std::get_if<glm::dvec3>(&value)) {
-        return std::isfinite(triple->x) && std::isfinite(triple->y) && std::isfinite(triple->z);
+        return isFinite(*triple);
     }
     if (const auto* list = std::get_if<NumberList>(&value)) {
         return std::ranges::all_of(list->numbers, [](double x) { return std::isfinite(x); });

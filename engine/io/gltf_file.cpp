@@ -127,7 +127,7 @@ std::string withoutEscapes(std::string_view uri) {
 }
 
 /// Relative, not upwards, and with nothing that a shell or another system reads otherwise.
-bool staysInFolder(const std::string& uri) {
+bool uriStaysInFolder(const std::string& uri) {
     const fs::path path = fs::path(withoutEscapes(uri)).lexically_normal();
     return !path.empty() && path.is_relative() && *path.begin() != ".." &&
            path.string().find_first_of("\\$`") == std::string::npos;
@@ -146,7 +146,7 @@ Result<void> checkBuffers(const json& document, MeshFolder& folder) {
             buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string()
                 ? buffer["uri"].get<std::string>()
                 : std::string();
-        const bool isOutside = !uri.empty() && !uri.starts_with("data:") && !staysInFolder(uri);
+        const bool isOutside = !uri.empty() && !uri.starts_with("data:") && !uriStaysInFolder(uri);
         if (isOutside && !folder.rights().everything && !folder.open(withoutEscapes(uri))) {
             return tl::unexpected(outside(uri));
         }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 
+#include "core/vectors.h"
 #include "io/normals.h"
 #include "io/tangents.h"
 #include "io/triangle_filter.h"
@@ -58,9 +59,8 @@ Result<void> scale(RawMesh& mesh, const MeshOptions& options) {
     for (glm::vec3& p : mesh.positions) {
         p = glm::vec3(factor * (glm::dvec3(p) - center));
     }
-    const bool kept = std::ranges::all_of(mesh.positions, [](const glm::vec3& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
+    const bool kept =
+        std::ranges::all_of(mesh.positions, [](const glm::vec3& p) { return isFinite(p); });
     return kept ? Result<void>() : failure("the scale makes the mesh too large", "a smaller one");
 }
 
@@ -86,8 +86,8 @@ glm::vec2 finiteUv(const RawMesh& mesh, std::size_t i) {
 /// Orders triangles for the vertex cache and vertices for fetching, straight into the target.
 void write(const RawMesh& mesh, const MeshSpans& target) {
     const std::size_t vertices = mesh.positions.size();
-    meshopt_optimizeVertexCacheFifo(target.indices.data(), mesh.indices.data(),
-                                    mesh.indices.size(), vertices, 16);
+    meshopt_optimizeVertexCacheFifo(target.indices.data(), mesh.indices.data(), mesh.indices.size(),
+                                    vertices, 16);
     std::vector<std::uint32_t> order(vertices);
     meshopt_optimizeVertexFetchRemap(order.data(), target.indices.data(), target.indices.size(),
                                      vertices);

@@ -7,26 +7,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/vectors.h"
 #include "io/vertex_joiner.h"
 
 namespace patina {
 namespace {
 
-bool isZero(const glm::vec3& v) { return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f; }
-
-/// Unit length, or zero when the vector has no direction. Tiny and huge vectors are scaled
-/// first, so that they do not leave the float range when squared.
-glm::vec3 unitOrZero(const glm::vec3& v) {
-    const float square = glm::dot(v, v);
-    if (square > 1e-30f && square < 1e30f) {
-        return v / std::sqrt(square);
-    }
-    const float largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0.0f) || !std::isfinite(largest)) { // also for NaN
-        return glm::vec3(0.0f);
-    }
-    const glm::vec3 scaled = v / largest;
-    return scaled / std::sqrt(glm::dot(scaled, scaled));
+bool isZero(const glm::vec3& v) {
+    return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f;
 }
 
 /// The angle whose cosine is `x`: Abramowitz and Stegun 1964, 4.4.45, |error| < 7e-5. Enough for a

@@ -61,8 +61,8 @@ std::optional<Obj> parsed(std::string text, const ReportProgress& report) {
     return read && error.empty() ? std::optional(std::move(obj)) : std::nullopt;
 }
 
-/// Values `components` at a time; false for an index beyond them.
-bool isBelow(int index, const std::vector<tinyobj::real_t>& values, std::size_t components) {
+/// Tells whether there is an item of this index among the values, `components` at a time.
+bool hasItem(int index, const std::vector<tinyobj::real_t>& values, std::size_t components) {
     return index >= 0 && std::size_t(index) < values.size() / components;
 }
 
@@ -89,16 +89,16 @@ void addCorner(RawMesh& mesh, const tinyobj::attrib_t& from, const tinyobj::inde
     mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
     mesh.positions.push_back(valueAt<glm::vec3>(from.vertices, std::size_t(corner.vertex_index)));
     if (!from.normals.empty()) {
-        mesh.normals.push_back(isBelow(corner.normal_index, from.normals, 3)
-                                   ? valueAt<glm::vec3>(from.normals,
-                                                        std::size_t(corner.normal_index))
-                                   : glm::vec3(0.0f));
+        mesh.normals.push_back(
+            hasItem(corner.normal_index, from.normals, 3)
+                ? valueAt<glm::vec3>(from.normals, std::size_t(corner.normal_index))
+                : glm::vec3(0.0f));
     }
     if (!from.texcoords.empty()) {
-        mesh.uvs.push_back(isBelow(corner.texcoord_index, from.texcoords, 2)
-                               ? valueAt<glm::vec2>(from.texcoords,
-                                                    std::size_t(corner.texcoord_index))
-                               : glm::vec2(0.0f));
+        mesh.uvs.push_back(
+            hasItem(corner.texcoord_index, from.texcoords, 2)
+                ? valueAt<glm::vec2>(from.texcoords, std::size_t(corner.texcoord_index))
+                : glm::vec2(0.0f));
     }
 }
 
@@ -108,7 +108,7 @@ bool addShape(RawMesh& mesh, const tinyobj::attrib_t& from, const tinyobj::shape
     mesh.pointsAndLines += shape.lines.num_line_vertices.size() + shape.points.indices.size();
     mesh.indices.reserve(mesh.indices.size() + shape.mesh.indices.size());
     for (const tinyobj::index_t& corner : shape.mesh.indices) {
-        if (!isBelow(corner.vertex_index, from.vertices, 3)) {
+        if (!hasItem(corner.vertex_index, from.vertices, 3)) {
             return false;
         }
         if (alone) {

@@ -5,15 +5,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/vectors.h"
+
 namespace patina {
 namespace {
 
 /// Beyond this, squares of lengths come near the end of the float range on the GPU (1e38).
 constexpr float farthest = 1e15f;
-
-bool isFinite(const glm::vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 bool isNear(const glm::vec3& p) {
     return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;

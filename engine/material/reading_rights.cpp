@@ -5,6 +5,7 @@
 
 #include "catalog/catalog.h"
 #include "catalog/xdg_folders.h"
+#include "core/paths.h"
 #include "material/texture_path.h"
 
 namespace patina {
@@ -12,19 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tells whether links and all lead to a place below the folder.
-bool isBelow(const fs::path& file, const fs::path& folder) {
-    std::error_code noFolder;
-    std::error_code circle; // of links, which leads nowhere
-    const fs::path from = fs::weakly_canonical(folder, noFolder);
-    const fs::path to = fs::weakly_canonical(file, circle);
-    return !noFolder && !circle && staysInFolder(to.lexically_relative(from).generic_string());
-}
-
 /// Patina's own folders.
 bool isPatinas(const fs::path& file) {
     const auto user = xdgDataFolder();
-    return isBelow(file, dataFolder()) || (user && isBelow(file, *user));
+    return leadsWithin(file, dataFolder()) || (user && leadsWithin(file, *user));
 }
 
 } // namespace
@@ -48,7 +40,7 @@ bool References::isInside(std::string_view named) const {
     const bool isPlain = !named.empty() && named.find_first_of(":\\") == std::string_view::npos &&
                          named.find('\0') == std::string_view::npos;
     const std::string file = fullPath(named);
-    return isPlain && (isBelow(file, folder) || isPatinas(file));
+    return isPlain && (leadsWithin(file, folder) || isPatinas(file));
 }
 
 bool References::mayRead(std::string_view named, OutsideFile::Kind kind) {

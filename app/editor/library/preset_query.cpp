@@ -29,7 +29,7 @@ QStringList wordsOf(const QString& search) {
     return search.toCaseFolded().split(' ', Qt::SkipEmptyParts);
 }
 
-bool isBelow(const PresetEntry& entry, const std::string& folder) {
+bool isInFolder(const PresetEntry& entry, const std::string& folder) {
     const std::string file = entry.file.string();
     return folder.empty() || (file.starts_with(folder) && file[folder.size()] == '/');
 }
@@ -50,7 +50,8 @@ class Wanted {
         const std::vector<std::string>& tags = entry.material.tags;
         return (model_.empty() || entry.material.model.id == model_) &&
                (tag_.empty() || std::ranges::find(tags, tag_) != tags.end()) &&
-               isBelow(entry, folder_) && (!filter_.favourites || marks_.isFavourite(entry.path)) &&
+               isInFolder(entry, folder_) &&
+               (!filter_.favourites || marks_.isFavourite(entry.path)) &&
                (!filter_.recent || places_.contains(entry.path)) && haveAll(entry, words_);
     }
 

@@ -14,7 +14,7 @@ using Subject = EvalCase::Subject;
 
 /// The sine of the angle below the surface; about a normal that is no axis a cosine of 0 is known
 /// to a few roundings only, so that a direction in the surface may count as above.
-bool isBelow(const glm::dvec3& n, const glm::dvec3& direction) {
+bool isBelowHorizon(const glm::dvec3& n, const glm::dvec3& direction) {
     const bool axis = n.x == 0.0 && n.y == 0.0;
     return glm::dot(glm::normalize(n), glm::normalize(direction)) <= (axis ? 0.0 : -1e-6);
 }
@@ -27,7 +27,7 @@ ValueChecks::ValueChecks(const EvalCase& variant)
                  variant.block.block->hasClaim("zero_below_horizon")) {}
 
 bool ValueChecks::belowHorizon(const EvalPlace& place) const {
-    return isBelow(place.n, place.l) || isBelow(place.n, place.v);
+    return isBelowHorizon(place.n, place.l) || isBelowHorizon(place.n, place.v);
 }
 
 std::optional<Defect> ValueChecks::check(const EvalPlace& place, std::span<const double> numbers,

@@ -2,9 +2,10 @@
 #include "render/gpu/valid_normals.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
+
+#include "core/vectors.h"
 
 namespace patina {
 namespace {
@@ -16,12 +17,6 @@ bool isSound(const Vertex& vertex) {
     const float squared = glm::dot(vertex.normal, vertex.normal);
     const bool isUsual = squared >= shortestSquared && squared <= longestSquared;
     return isUsual || vertex.normal == glm::vec3(0.0f); // neither holds for what is no number
-}
-
-glm::vec3 unitOrZero(const glm::vec3& v) {
-    const glm::dvec3 whole(v); // whose squares fit
-    const double length = glm::length(whole);
-    return std::isfinite(length) ? glm::vec3(whole / length) : glm::vec3(0.0f);
 }
 
 } // namespace

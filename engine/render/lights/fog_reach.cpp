@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/vectors.h"
 #include "render/lights/shadow_view.h"
 
 namespace patina {
@@ -73,10 +74,6 @@ class Apart {
     glm::dvec3 eye_;
     const FogReach::Corners& corners_;
 };
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 } // namespace
 

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "core/vectors.h"
 #include "shading/program/given_value.h"
 
 namespace patina {
@@ -61,8 +62,8 @@ LightFrame frameOf(const Block& light, const Values& values, const glm::dmat4& c
 
 /// A frame about `forward`; which way up it stands does not matter, but it never jumps far.
 void turnTo(ShadowView& view, const glm::dvec3& forward) {
-    const glm::dvec3 aside = std::abs(forward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0)
-                                                       : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 aside =
+        std::abs(forward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
     view.forward = forward;
     view.right = glm::normalize(glm::cross(aside, forward));
     view.up = glm::cross(forward, view.right);
@@ -80,7 +81,7 @@ void eachCorner(const ShadowView& view, std::span<const CasterBox> casters, Use 
         for (int corner = 0; !caster.bounds.empty() && corner < 8; ++corner) {
             const glm::dvec4 point = caster.world * cornerOf(caster.bounds, corner);
             const glm::dvec3 seen = seenFrom(view, glm::dvec3(point));
-            if (std::isfinite(seen.x) && std::isfinite(seen.y) && std::isfinite(seen.z)) {
+            if (isFinite(seen)) {
                 use(seen);
             }
         }
@@ -170,8 +171,7 @@ double nearestOf(const ShadowView& view, std::span<const CasterBox> casters) {
         Range box;
         eachCorner(view, {&caster, 1}, [&box](const glm::dvec3& corner) { box.add(corner); });
         if (!box.empty()) {
-            const glm::dvec3 away =
-                glm::max(glm::max(box.lower, -box.upper), glm::dvec3(0.0));
+            const glm::dvec3 away = glm::max(glm::max(box.lower, -box.upper), glm::dvec3(0.0));
             nearest = std::min(nearest, std::max({away.x, away.y, away.z}));
         }
     }
