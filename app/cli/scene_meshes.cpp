@@ -2,6 +2,7 @@
 #include "cli/scene_meshes.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -16,12 +17,15 @@ namespace patina {
 Checked<SceneMeshes> SceneMeshes::load(const Scene& scene, AssetClient& client) {
     SceneMeshes meshes;
     Errors errors;
+    std::set<MeshKey> refused;
     for (const Object& object : scene.objects) {
-        if (!object.visible || !meshes.view(object).indices.empty()) {
+        if (!object.visible || !meshes.view(object).indices.empty() ||
+            refused.contains(meshKey(object))) {
             continue;
         }
         if (auto added = meshes.add(object, client); !added) {
             errors.push_back(added.error());
+            refused.insert(meshKey(object));
         }
     }
     if (!errors.empty()) {
@@ -72,17 +76,17 @@ Result<void> SceneMeshes::add(const Object& object, AssetClient& client) {
         return {};
     }
     auto mesh = client.loadMesh({object.mesh, object.fitUnitBox, object.flipNormals});
-    const bool lacksLinks = !client.refusedLinks(object.mesh).empty();
+    const bool hasRefusedLinks = !client.refusedLinks(object.mesh).empty();
     if (!mesh) {
         Error error = mesh.error();
-        if (lacksLinks) {
+        if (hasRefusedLinks) {
             error.expected +=
                 fmt::format("{}{}", error.expected.empty() ? "" : ", or ", allowOutsideHint);
         }
         return tl::unexpected(error);
     }
     if (const std::string& remarks = (*mesh)->remarks(); !remarks.empty()) {
-        remarks_.push_back({object.mesh, 0, 0, remarks, lacksLinks ? allowOutsideHint : ""});
+        remarks_.push_back({object.mesh, 0, 0, remarks, hasRefusedLinks ? allowOutsideHint : ""});
     }
     read_.emplace(meshKey(object), std::move(*mesh));
     return {};

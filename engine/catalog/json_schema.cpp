@@ -182,9 +182,4 @@ Errors JsonSchema::check(const LocatedJson& document) const {
     return errors;
 }
 
-Errors checkSchema(const LocatedJson& document, const std::string& schemaName) {
-    const Result<JsonSchema> schema = JsonSchema::load(schemaName);
-    return schema ? schema->check(document) : Errors{schema.error()};
-}
-
 } // namespace patina

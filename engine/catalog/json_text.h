@@ -44,9 +44,6 @@ Result<LocatedJson> readJson(const std::filesystem::path& path, const JsonLimits
 /// reads back as the same float, short arrays of numbers on one line, a final newline.
 std::string writeJson(const nlohmann::json& value);
 
-/// Every violation of a JSON Schema (draft 7) that ships in schemas/<name>.schema.json.
-Errors checkSchema(const LocatedJson& document, const std::string& schemaName);
-
 /// Writes through a temporary file in the same folder and renames it over the target, so that
 /// the old file is whole whatever happens; the temporary is removed on failure.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);

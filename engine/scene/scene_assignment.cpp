@@ -35,7 +35,8 @@ bool isSettings(std::string_view word) {
 }
 
 bool isOfScene(const BlockKind& kind) {
-    return kind.owner == BlockOwner::Scene || kind.folder == kinds::lights;
+    return kind.owner == BlockOwner::Scene || kind.owner == BlockOwner::Light ||
+           kind.folder == kinds::lights;
 }
 
 bool hasParameter(const Catalog& catalog, std::string_view kind, std::string_view id) {
@@ -141,6 +142,38 @@ Result<void> assignInLights(Scene& scene, const Assignment& inner, const Catalog
     return failure(fmt::format("there is no light \"{}\"", name), expectedLights(scene, name));
 }
 
+/// Sets the value in every light that has a part of the kind: "shadow.angle=3".
+Result<void> assignInAllLights(Scene& scene, std::string_view kind, const Assignment& inner,
+                               const Catalog& catalog) {
+    const std::string_view word = findKind(kind)->singular;
+    bool isThere = false;
+    for (Light& light : scene.lights) {
+        if (light.part(kind) == nullptr) {
+            continue;
+        }
+        isThere = true;
+        const auto done = assignInBlock(
+            blockOf(light.parts, kind, catalog), light.part(kind), inner,
+            fmt::format("the {} of the light \"{}\"", word, light.name), fmt::format("--{}", word));
+        if (!done) {
+            return done;
+        }
+    }
+    return isThere ? Result<void>()
+                   : failure(fmt::format("no light has a {}", word), fmt::format("--{}", word));
+}
+
+/// Finds the parameter in the first light that has a part of the kind.
+NamedParameter parameterOfLights(const Scene& scene, const BlockKind& kind, std::string_view id,
+                                 const Catalog& catalog) {
+    for (const Light& light : scene.lights) {
+        if (const Block* block = blockOf(light.parts, kind.folder, catalog)) {
+            return {block->parameter(id), std::string(kind.label)};
+        }
+    }
+    return {};
+}
+
 /// "key.intensity", "key.shadow.softness": of the light's block, what every light has, or a part.
 NamedParameter parameterOfLight(const Scene& scene, const std::string& id, const Catalog& catalog) {
     const auto light = std::ranges::find_if(scene.lights, [&](const Light& each) {
@@ -213,6 +246,9 @@ Result<void> assignInScene(Scene& scene, const std::string& text, const Catalog&
         return assignInLights(scene, inner, catalog);
     }
     const std::string_view kind = kindCalled(word)->folder;
+    if (findKind(kind)->owner == BlockOwner::Light) {
+        return assignInAllLights(scene, kind, inner, catalog);
+    }
     return assignInBlock(blockOf(scene.parts, kind, catalog), scene.part(kind), inner,
                          fmt::format("the scene's {}", word), "--" + word);
 }
@@ -229,6 +265,9 @@ NamedParameter parameterIn(const Scene& scene, std::string_view id, const Catalo
     const BlockKind* kind = kindCalled(word);
     if (kind != nullptr && kind->folder == kinds::lights) {
         return parameterOfLight(scene, named.inside(word), catalog);
+    }
+    if (kind != nullptr && kind->owner == BlockOwner::Light) {
+        return parameterOfLights(scene, *kind, named.inside(word), catalog);
     }
     const Block* block = kind == nullptr ? nullptr : blockOf(scene.parts, kind->folder, catalog);
     return block == nullptr

@@ -10,9 +10,10 @@
 namespace patina {
 
 /// Tells whether an assignment of `--set` is about a scene and not about a material:
-/// "fog.density=0.1", "light.key.intensity=2", "light.key.enabled=false", "scene.exposure=1",
-/// "camera.yaw=0", "object.visible=false" ... What a word of the scene begins may be a value of
-/// materials alone ("tone.curve"): then it is about those.
+/// "fog.density=0.1", "light.key.intensity=2", "shadow.angle=3" (of all lights that have a shadow),
+/// "light.key.enabled=false", "scene.exposure=1", "camera.yaw=0", "object.visible=false" ... What a
+/// word of the scene begins may be a value of materials alone ("tone.curve"): then it is about
+/// those.
 bool isForScene(const std::string& assignment, const Catalog& catalog);
 
 /// Sets the value in the scene, or in one of its objects.

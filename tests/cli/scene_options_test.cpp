@@ -96,6 +96,20 @@ TEST(SceneOptions, AShadow_IsChosenAndSet) {
     EXPECT_EQ(scene.lights[1].parts, sceneWith({}).lights[1].parts);
 }
 
+TEST(SceneOptions, AShadowsValueWithoutALight_IsSetInAllThatHaveAShadow) {
+    const Scene scene = sceneWith(
+        {"--shadow", "key=filtered", "--shadow", "fill=filtered", "--set", "shadow.width=0.25"});
+    EXPECT_EQ(scene.lights[0].part(kinds::shadows)->parameters.at("width"), Value(0.25));
+    EXPECT_EQ(scene.lights[1].part(kinds::shadows)->parameters.at("width"), Value(0.25));
+    EXPECT_EQ(scene.lights[2].part(kinds::shadows), nullptr);
+}
+
+TEST(SceneOptions, AShadowsValueWithoutAShadow_NamesTheOption) {
+    const std::string error = errorWith({"--shadow", "none", "--set", "shadow.width=0.25"});
+    EXPECT_NE(error.find("no light has a shadow"), std::string::npos) << error;
+    EXPECT_NE(error.find("--shadow"), std::string::npos) << error;
+}
+
 TEST(SceneOptions, SettingsOfTheScene_AreSet) {
     const Scene scene = sceneWith({"--set", "scene.exposure=1", "--set", "ground.mode=plane",
                                    "--set", "camera.yaw=90", "--set", "object.visible=false"});

@@ -5,6 +5,7 @@
 
 #include "catalog_fixture.h"
 #include "material/texture_path.h"
+#include "schema_check.h"
 
 namespace patina::preset_file_test {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "catalog_fixture.h"
 #include "scene/mesh_path.h"
+#include "schema_check.h"
 
 namespace patina::scene_file_test {
 namespace {

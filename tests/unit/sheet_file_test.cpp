@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "schema_check.h"
 #include "sheet/sheet_file.h"
 
 #include <gtest/gtest.h>

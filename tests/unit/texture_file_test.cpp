@@ -4,6 +4,7 @@
 
 #include "catalog_fixture.h"
 #include "material/preset_file.h"
+#include "schema_check.h"
 #include "support/program.h"
 
 namespace patina::texture_file_test {

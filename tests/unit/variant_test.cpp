@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "catalog_fixture.h"
+#include "schema_check.h"
 
 namespace patina::variant_test {
 namespace {

@@ -23,9 +23,8 @@ class CellMeter {
         std::shared_ptr<const EnvironmentImage> environment{};
     };
 
-    /// Milliseconds of a frame of timedSize(): the median of a few, after one that only warms up.
+    /// Milliseconds of a frame: the median of a few, after one that only warms up.
     Result<double> milliseconds(const Subject& subject);
-    glm::ivec2 timedSize() const { return frames_->size(); }
     std::string method() const { return frames_->method(); }
 
     /// The relative error that 99 of 100 pixels of the object keep, against the same picture with
